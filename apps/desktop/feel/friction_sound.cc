@@ -77,7 +77,7 @@ class FrictionSound::Player {
       sink_->start(samples_.get());
       if (sink_->error() != QAudio::NoError) stop_sink();
     }
-    const auto state = sink_ ? SoundState::State::kReceived : SoundState::State::kNoDevice;
+    const auto state = sink_ ? SoundState::State::kPlaying : SoundState::State::kNoDevice;
     QMetaObject::invokeMethod(
         &here_, [state] { SoundState::the().set(state); }, Qt::QueuedConnection);
   }
@@ -131,7 +131,7 @@ QString SoundState::words() const {
     case State::kNotBuilt:
       return tr("This program was built without sound.");
     case State::kOff:
-    case State::kReceived:
+    case State::kPlaying:
       break;
   }
   return {};

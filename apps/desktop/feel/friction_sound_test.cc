@@ -151,7 +151,7 @@ TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {
   Studio studio(still());
   {
     FrictionSound sound(studio);
-    EXPECT_NE(SoundState::the().state(), SoundState::State::kReceived);
+    EXPECT_NE(SoundState::the().state(), SoundState::State::kPlaying);
     EXPECT_EQ(SoundState::the().words().isEmpty(), FrictionSound::is_built_in());
     Settings::the().set(QString::fromLatin1(feel_keys::kSound), true);
     draw(studio, 50);
@@ -159,11 +159,11 @@ TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {
       EXPECT_TRUE(QTest::qWaitFor(
           [] { return SoundState::the().state() != SoundState::State::kOff; }, 20000));
       EXPECT_EQ(SoundState::the().words().isEmpty(),
-                SoundState::the().state() == SoundState::State::kReceived);
+                SoundState::the().state() == SoundState::State::kPlaying);
     }
     draw(studio, 50);
     Settings::the().set(QString::fromLatin1(feel_keys::kSound), false);
-    EXPECT_NE(SoundState::the().state(), SoundState::State::kReceived);
+    EXPECT_NE(SoundState::the().state(), SoundState::State::kPlaying);
   }
   Settings::the().reset(QString::fromLatin1(feel_keys::kSound));
 }

@@ -35,14 +35,14 @@ std::vector<double> drag_of(const StrokeForces& forces) {
 
 /// Returns the share of the relief's height that the texture can render. A low relief is rendered
 /// completely.
-double grain_share_of(const ProbeRequest& wish, const Capabilities& device,
+double grain_share_of(const ProbeRequest& request, const Capabilities& device,
                       const HeightField* grain) {
-  if (!grain || !(wish.medium.grain > 0.0)) return 1.0;
-  const FrictionOptions friction = friction_for(wish.medium, wish.surface, device);
+  if (!grain || !(request.medium.grain > 0.0)) return 1.0;
+  const FrictionOptions friction = friction_for(request.medium, request.surface, device);
   const auto stiffness = [&](double height_share) {
     const HeightField field =
-        grain->scaled(wish.surface.grain_mm, height_share * wish.surface.grain_um);
-    return Texture(&field, {.strength = wish.medium.grain,
+        grain->scaled(request.surface.grain_mm, height_share * request.surface.grain_um);
+    return Texture(&field, {.strength = request.medium.grain,
                             .friction = friction.coefficient,
                             .bristle_n_per_m = friction.stiffness_n_per_m,
                             .period_s = 1e-9 * static_cast<double>(device.period_ns)})
@@ -63,25 +63,25 @@ Capabilities probe_device(const Capabilities& device) {
 
 /// Stiffness and budget come from the force model itself. Drag and tremble come from a stroke of
 /// the simulated hand, which consists of a run-up, then kLengthMm at constant speed, and a rest.
-ProbeFigures probe_figures(const ProbeRequest& wish) {
+ProbeFigures probe_figures(const ProbeRequest& request) {
   StylusPreset device = *find_stylus_preset(kStandIn);
-  device.capabilities = probe_device(wish.device);
+  device.capabilities = probe_device(request.device);
   // Uses the device's own workspace, because the figures do not depend on its position on the
   // page.
   const Capabilities& can = device.capabilities;
-  const HeightField* grain = surface_grain(wish.surface);
-  const Slopes slopes = make_surface_force(wish.surface, wish.medium, can, grain).slopes();
+  const HeightField* grain = surface_grain(request.surface);
+  const Slopes slopes = make_surface_force(request.surface, request.medium, can, grain).slopes();
   ProbeFigures figures;
-  figures.stiffness_n_per_m = plane_for(wish.surface, can).stiffness_n_per_m;
+  figures.stiffness_n_per_m = plane_for(request.surface, can).stiffness_n_per_m;
   figures.budget_share =
       std::max(slopes.normal_n_per_m, slopes.friction_n_per_m + slopes.lateral_n_per_m) /
       stiffness_budget_n_per_m(can);
-  figures.grain_share = grain_share_of(wish, can, grain);
+  figures.grain_share = grain_share_of(request, can, grain);
   const StrokeForces forces = draw_stroke({.device = &device,
                                            .hand = &typical_hand(),
                                            .period_ns = can.period_ns,
-                                           .surface = &wish.surface,
-                                           .tool = &wish.medium,
+                                           .surface = &request.surface,
+                                           .tool = &request.medium,
                                            .speed_mm_per_s = ProbeFigures::kSpeedMmPerS,
                                            .press_n = ProbeFigures::kPressN,
                                            .leg_mm = kRunUpMm + ProbeFigures::kLengthMm,
@@ -89,7 +89,7 @@ ProbeFigures probe_figures(const ProbeRequest& wish) {
   figures.rest_n = force_above_30_hz_n(forces.resting, forces.period_s);
   figures.is_sound = forces.is_sound;
   figures.drag_n = drag_of(forces);
-  for (double& newton : figures.drag_n) newton *= wish.strength;
+  for (double& newton : figures.drag_n) newton *= request.strength;
   return figures;
 }
 
@@ -99,9 +99,9 @@ ForceProbe::ForceProbe(QObject* parent) : QObject(parent) {
 
 ForceProbe::~ForceProbe() = default;
 
-void ForceProbe::ask(const ProbeRequest& wish) {
-  if (has_asked_ && wish == wanted_) return;
-  wanted_ = wish;
+void ForceProbe::ask(const ProbeRequest& request) {
+  if (has_asked_ && request == wanted_) return;
+  wanted_ = request;
   has_asked_ = true;
   if (is_busy_) {
     is_stale_ = true;
@@ -113,8 +113,8 @@ void ForceProbe::ask(const ProbeRequest& wish) {
 void ForceProbe::start() {
   is_busy_ = true;
   is_stale_ = false;
-  worker_.start([this, wish = wanted_] {
-    const ProbeFigures figures = probe_figures(wish);
+  worker_.start([this, request = wanted_] {
+    const ProbeFigures figures = probe_figures(request);
     QMetaObject::invokeMethod(
         this,
         [this, figures] {

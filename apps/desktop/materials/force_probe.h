@@ -45,9 +45,9 @@ struct ProbeFigures {
 };
 
 /// Computes the figures. This takes about 50 ms for a device with a rate of 1 kHz, and is
-/// proportional to the rate. The result depends only on `wish`. Safe to call from any thread except
-/// the haptic thread. If the device has no motors, uses the simulated Touch.
-ProbeFigures probe_figures(const ProbeRequest& wish);
+/// proportional to the rate. The result depends only on `request`. Safe to call from any thread
+/// except the haptic thread. If the device has no motors, uses the simulated Touch.
+ProbeFigures probe_figures(const ProbeRequest& request);
 /// Returns the device that probe_figures() uses: `device`, or the simulated Touch if `device` has
 /// no motors.
 Capabilities probe_device(const Capabilities& device);
@@ -63,7 +63,7 @@ class ForceProbe : public QObject {
   /// Requests the figures. `figured` is emitted when they are ready; before that, it may also be
   /// emitted with the figures of an older request. Does nothing if the request equals the previous
   /// one.
-  void ask(const ProbeRequest& wish);
+  void ask(const ProbeRequest& request);
   [[nodiscard]] bool is_busy() const noexcept { return is_busy_; }
 
  Q_SIGNALS:

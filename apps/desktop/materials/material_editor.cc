@@ -41,10 +41,10 @@ QScrollArea* scrolling(QWidget* content, const QString& name, QWidget* parent) {
 
 }  // namespace
 
-MaterialEditor::MaterialEditor(Studio& studio, MaterialEditorModel& desk, QWidget* parent)
+MaterialEditor::MaterialEditor(Studio& studio, MaterialEditorModel& model, QWidget* parent)
     : QWidget(parent, Qt::Window),
       studio_(studio),
-      desk_(desk),
+      model_(model),
       list_(new MaterialList(this)),
       name_(heading({}, this)),
       state_(new QLabel(this)),
@@ -85,27 +85,27 @@ MaterialEditor::MaterialEditor(Studio& studio, MaterialEditorModel& desk, QWidge
 }
 
 void MaterialEditor::watch() {
-  connect(list_, &MaterialList::chosen, &desk_, &MaterialEditorModel::select);
+  connect(list_, &MaterialList::chosen, &model_, &MaterialEditorModel::select);
   connect(fields_, &MaterialFieldsView::chosen, this,
           [this](const QString& field, double value, quint64 run) {
             const bool needs_picture = field == QLatin1String("grain.character") &&
                                        value == double(HeightCharacter::kPicture) &&
-                                       !std::get<SurfaceMaterial>(desk_.now()).picture;
+                                       !std::get<SurfaceMaterial>(model_.now()).picture;
             if (needs_picture) {
               ask_relief();
               follow_desk();
             } else {
-              desk_.set(field.toStdString(), value, run);
+              model_.set(field.toStdString(), value, run);
             }
           });
   for (auto* number : findChildren<QLineEdit*>()) number->installEventFilter(this);
   for (auto* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
-  connect(pairs_, &PairTable::chosen, &desk_, &MaterialEditorModel::set_pair);
-  connect(&desk_, &MaterialEditorModel::selected, this, &MaterialEditor::follow_desk);
-  connect(&desk_, &MaterialEditorModel::changed, this, &MaterialEditor::follow_desk);
-  connect(&desk_, &MaterialEditorModel::failed, this, [this](const QString& why) { report(why); });
-  connect(&desk_.own(), &UserMaterials::changed, this, &MaterialEditor::follow_list);
-  connect(&desk_.steps(), &QUndoStack::indexChanged, this, &MaterialEditor::tell_names);
+  connect(pairs_, &PairTable::chosen, &model_, &MaterialEditorModel::set_pair);
+  connect(&model_, &MaterialEditorModel::selected, this, &MaterialEditor::follow_desk);
+  connect(&model_, &MaterialEditorModel::changed, this, &MaterialEditor::follow_desk);
+  connect(&model_, &MaterialEditorModel::failed, this, [this](const QString& why) { report(why); });
+  connect(&model_.own(), &UserMaterials::changed, this, &MaterialEditor::follow_list);
+  connect(&model_.steps(), &QUndoStack::indexChanged, this, &MaterialEditor::tell_names);
   connect(&studio_, &Studio::materials_changed, this, &MaterialEditor::follow_list);
   connect(&studio_, &Studio::option_changed, this, &MaterialEditor::ask_probe);
   connect(&studio_.loop(), &HapticLoop::device_changed, this, [this] {
@@ -117,7 +117,7 @@ void MaterialEditor::watch() {
   connect(&studio_.loop(), &HapticLoop::ticked, this, &MaterialEditor::take_tick);
   connect(&probe_, &ForceProbe::figured, this, [this](const ProbeFigures& figures) {
     plot_->show_figures(figures);
-    sign_->show_words(stability_words(wish(), figures, studio_.loop().device().info().label));
+    sign_->show_words(stability_words(request(), figures, studio_.loop().device().info().label));
   });
   frame_.setSingleShot(true);
   frame_.setInterval(kFrameMs);
@@ -143,10 +143,10 @@ QWidget* MaterialEditor::make_figures() {
       tr("Sets all values to those of another material; you can then change them"));
   presets_->setPlaceholderText(tr("Values of…"));
   connect(presets_, &QComboBox::activated, this, [this](int index) {
-    const MaterialKey key{desk_.key().is_surface,
+    const MaterialKey key{model_.key().is_surface,
                           presets_->itemData(index).toString().toStdString()};
     const std::optional<AnyMaterial> from = find_in(studio_.materials(), key);
-    if (from) desk_.take_figures(*from);
+    if (from) model_.take_figures(*from);
     presets_->setCurrentIndex(-1);
   });
   line->addWidget(label);
@@ -195,18 +195,18 @@ QWidget* MaterialEditor::make_looks() {
 }
 
 void MaterialEditor::follow_list() {
-  list_->show_materials(studio_.materials(), desk_);
-  list_->show_chosen(desk_.key());
+  list_->show_materials(studio_.materials(), model_);
+  list_->show_chosen(model_.key());
   fill_presets();
 }
 
 void MaterialEditor::fill_presets() {
   QList<std::pair<QString, QString>> all;
   const auto add = [&](const AnyMaterial& material) {
-    if (key_of(material) == desk_.key()) return;
+    if (key_of(material) == model_.key()) return;
     all.push_back({name_of(material), QString::fromStdString(id_of(material))});
   };
-  if (desk_.key().is_surface) {
+  if (model_.key().is_surface) {
     for (const SurfaceMaterial& surface : studio_.materials().surfaces()) add(surface);
   } else {
     for (const Medium& medium : studio_.materials().media()) add(medium);
@@ -218,72 +218,73 @@ void MaterialEditor::fill_presets() {
 }
 
 void MaterialEditor::follow_desk() {
-  const AnyMaterial now = desk_.now();
-  fields_->show_material(now, desk_.origin());
+  const AnyMaterial now = model_.now();
+  fields_->show_material(now, model_.origin());
   if (const auto* medium = std::get_if<Medium>(&now)) {
     pairs_->show_pairs(*medium, studio_.materials());
   }
-  list_->show_chosen(desk_.key());
+  list_->show_chosen(model_.key());
   fill_presets();
   tell_names();
   ask_probe();
 }
 
 void MaterialEditor::tell_names() {
-  name_->setText(name_of(desk_.now()));
+  name_->setText(name_of(model_.now()));
   state_->setText(state_words());
-  QUndoStack& steps = desk_.steps();
+  QUndoStack& steps = model_.steps();
   action("undo")->setEnabled(steps.canUndo());
   action("redo")->setEnabled(steps.canRedo());
   action("undo")->setToolTip(steps.canUndo() ? tr("Undo: %1").arg(steps.undoText()) : tr("Undo"));
   action("redo")->setToolTip(steps.canRedo() ? tr("Redo: %1").arg(steps.redoText()) : tr("Redo"));
-  action("revert")->setEnabled(desk_.now() != desk_.origin());
-  action("save")->setEnabled(desk_.is_changed());
-  action("rename")->setEnabled(desk_.is_own());
-  const QString kept = desk_.own().kept_because(desk_.key());
-  action("delete")->setEnabled(desk_.is_own() && kept.isEmpty());
-  action("delete")->setToolTip(desk_.is_own() && !kept.isEmpty()
+  action("revert")->setEnabled(model_.now() != model_.origin());
+  action("save")->setEnabled(model_.is_changed());
+  action("rename")->setEnabled(model_.is_own());
+  const QString kept = model_.own().kept_because(model_.key());
+  action("delete")->setEnabled(model_.is_own() && kept.isEmpty());
+  action("delete")->setToolTip(model_.is_own() && !kept.isEmpty()
                                    ? kept
                                    : tr("Deletes the material and its file; undo restores both"));
   report_slots();
 }
 
 QString MaterialEditor::state_words() const {
-  if (desk_.is_own()) {
-    return desk_.is_changed() ? tr("Your own, not saved to a file yet. Feltline remembers it.")
-                              : tr("Your own, saved.");
+  if (model_.is_own()) {
+    return model_.is_changed() ? tr("Your own, not saved to a file yet. Feltline remembers it.")
+                               : tr("Your own, saved.");
   }
-  return is_built_in(desk_.key()) ? tr("Comes with Feltline. Changing it makes your own copy.")
-                                  : tr("Comes with this drawing. Changing it makes your own copy.");
+  return is_built_in(model_.key())
+             ? tr("Comes with Feltline. Changing it makes your own copy.")
+             : tr("Comes with this drawing. Changing it makes your own copy.");
 }
 
 void MaterialEditor::report_slots() {
-  const QChar slot = QLatin1Char(desk_.slot());
-  const QChar other = QLatin1Char(desk_.slot() == 'A' ? 'B' : 'A');
+  const QChar slot = QLatin1Char(model_.slot());
+  const QChar other = QLatin1Char(model_.slot() == 'A' ? 'B' : 'A');
   QAction* flip = action("flip");
-  flip->setText(desk_.slots_are_alike() ? tr("Compare: A = B") : tr("Compare: %1").arg(slot));
+  flip->setText(model_.slots_are_alike() ? tr("Compare: A = B") : tr("Compare: %1").arg(slot));
   flip->setToolTip(tr("You feel, see and hear %1. Press B for %2.").arg(slot).arg(other));
-  flip->setEnabled(desk_.is_own());
+  flip->setEnabled(model_.is_own());
   action("copy_to_other")->setText(tr("Copy %1 to %2").arg(slot).arg(other));
-  action("copy_to_other")->setEnabled(desk_.is_own() && !desk_.slots_are_alike());
+  action("copy_to_other")->setEnabled(model_.is_own() && !model_.slots_are_alike());
 }
 
-ProbeRequest MaterialEditor::wish() const {
-  ProbeRequest wish;
-  wish.surface = studio_.session().surface();
+ProbeRequest MaterialEditor::request() const {
+  ProbeRequest request;
+  request.surface = studio_.session().surface();
   const Medium* in_hand = studio_.materials().find_medium(drawing_medium(studio_.session()));
-  wish.medium = in_hand ? *in_hand : media().front();
-  const AnyMaterial now = desk_.now();
-  if (const auto* surface = std::get_if<SurfaceMaterial>(&now)) wish.surface = *surface;
-  if (const auto* medium = std::get_if<Medium>(&now)) wish.medium = *medium;
-  wish.device = studio_.loop().device().device().capabilities();
-  wish.strength = studio_.loop().strength();
-  return wish;
+  request.medium = in_hand ? *in_hand : media().front();
+  const AnyMaterial now = model_.now();
+  if (const auto* surface = std::get_if<SurfaceMaterial>(&now)) request.surface = *surface;
+  if (const auto* medium = std::get_if<Medium>(&now)) request.medium = *medium;
+  request.device = studio_.loop().device().device().capabilities();
+  request.strength = studio_.loop().strength();
+  return request;
 }
 
 void MaterialEditor::ask_probe() {
   if (!isVisible()) return;
-  const ProbeRequest wanted = wish();
+  const ProbeRequest wanted = request();
   probe_.ask(wanted);
   preview_->show_medium(wanted.medium, wanted.surface);
 }
@@ -311,7 +312,7 @@ void MaterialEditor::showEvent(QShowEvent* event) {
 void MaterialEditor::hideEvent(QHideEvent* event) {
   Settings::the().set(material_keys::kGeometry, saveGeometry());
   Settings::the().set(material_keys::kParts, parts_->saveState());
-  desk_.own().keep_changes();
+  model_.own().keep_changes();
   QWidget::hideEvent(event);
 }
 

@@ -10,12 +10,12 @@
 
 #include "desktop/feel/force_graph.h"
 #include "desktop/feel/force_history.h"
-#include "desktop/materials/probe_plot.h"
 #include "desktop/materials/force_probe.h"
 #include "desktop/materials/material_editor_model.h"
 #include "desktop/materials/material_fields_view.h"
 #include "desktop/materials/material_list.h"
 #include "desktop/materials/pair_table.h"
+#include "desktop/materials/probe_plot.h"
 #include "desktop/materials/stability_sign.h"
 #include "desktop/materials/stroke_preview.h"
 
@@ -29,8 +29,8 @@ class MaterialEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// Makes a separate window above `parent`. `studio` and `desk` must outlive it.
-  MaterialEditor(Studio& studio, MaterialEditorModel& desk, QWidget* parent);
+  /// Makes a separate window above `parent`. `studio` and `model` must outlive it.
+  MaterialEditor(Studio& studio, MaterialEditorModel& model, QWidget* parent);
 
   [[nodiscard]] MaterialList& list() noexcept { return *list_; }
   [[nodiscard]] MaterialFieldsView& fields() noexcept { return *fields_; }
@@ -66,7 +66,7 @@ class MaterialEditor : public QWidget {
   void fill_presets();
   void ask_probe();
   void take_tick(const TickReport& tick);
-  [[nodiscard]] ProbeRequest wish() const;
+  [[nodiscard]] ProbeRequest request() const;
   void report(const Result<void>& done, const QString& success);
   void report(const QString& words);
   void ask_relief();
@@ -77,7 +77,7 @@ class MaterialEditor : public QWidget {
   void draw_icons();
 
   Studio& studio_;
-  MaterialEditorModel& desk_;
+  MaterialEditorModel& model_;
   QList<QAction*> actions_;
   MaterialList* list_;
   QLabel* name_;

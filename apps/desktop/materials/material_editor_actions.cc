@@ -47,29 +47,29 @@ QAction* MaterialEditor::add_action(const char* name, const QString& text, const
 
 void MaterialEditor::make_actions() {
   add_action("undo", tr("Undo"), tr("Undo"), {QKeySequence(Qt::CTRL | Qt::Key_Z)}, "undo",
-             [this] { desk_.steps().undo(); });
+             [this] { model_.steps().undo(); });
   add_action("redo", tr("Redo"), tr("Redo"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
-             "redo", [this] { desk_.steps().redo(); });
+             "redo", [this] { model_.steps().redo(); });
   add_action("revert", tr("Revert"),
              tr("Restores all values as they were at first, or when last saved"), {}, "reset",
-             [this] { desk_.revert(); });
+             [this] { model_.revert(); });
   add_action("flip", tr("Compare: %1").arg(QLatin1Char('A')), {}, {QKeySequence(Qt::Key_B)}, "",
-             [this] { desk_.flip(); });
+             [this] { model_.flip(); });
   add_action("copy_to_other", tr("Copy %1 to %2").arg(QLatin1Char('A')).arg(QLatin1Char('B')),
              tr("Copies these values to the other material"), {}, "",
-             [this] { desk_.copy_to_other(); });
+             [this] { model_.copy_to_other(); });
   add_action("save", tr("Save"), tr("Save to your own file"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
              "save",
-             [this] { report(desk_.save(), tr("%1 was saved.").arg(name_of(desk_.now()))); });
+             [this] { report(model_.save(), tr("%1 was saved.").arg(name_of(model_.now()))); });
   add_action("save_as", tr("Save as\u2026"), tr("Save under another name, as your own"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, "save", [this] { ask_save_as(); });
   add_action("rename", tr("Rename\u2026"), tr("Changes the name"), {QKeySequence(Qt::Key_F2)},
              "rename", [this] { ask_rename(); });
   add_action("delete", tr("Delete"), tr("Deletes the material and its file; undo restores both"),
              {}, "delete", [this] {
-               const QString name = name_of(desk_.now());
-               report(desk_.remove(), tr("%1 was deleted. Undo restores it.").arg(name));
+               const QString name = name_of(model_.now());
+               report(model_.remove(), tr("%1 was deleted. Undo restores it.").arg(name));
              });
   add_action("import", tr("Import\u2026"), tr("Add a material from a file"), {}, "import",
              [this] { ask_import(); });
@@ -123,37 +123,37 @@ void MaterialEditor::ask_relief() {
   if (path.isEmpty()) return;
   const Result<HeightPicture> picture = read_height_png(path.toStdString());
   if (!picture) return report(qstring(picture.error().message));
-  report(desk_.take_relief(*picture), {});
+  report(model_.take_relief(*picture), {});
 }
 
 void MaterialEditor::ask_save_as() {
   bool ok = false;
   const QString name = QInputDialog::getText(this, tr("Save as"), tr("Name:"), QLineEdit::Normal,
-                                             name_of(desk_.now()), &ok);
+                                             name_of(model_.now()), &ok);
   if (!ok || name.trimmed().isEmpty()) return;
-  report(desk_.save_as(name), tr("%1 was saved.").arg(name));
+  report(model_.save_as(name), tr("%1 was saved.").arg(name));
 }
 
 void MaterialEditor::ask_rename() {
-  if (!desk_.is_own()) return;
+  if (!model_.is_own()) return;
   bool ok = false;
   const QString name = QInputDialog::getText(this, tr("Rename"), tr("Name:"), QLineEdit::Normal,
-                                             name_of(desk_.now()), &ok);
-  if (ok) desk_.rename(name);
+                                             name_of(model_.now()), &ok);
+  if (ok) model_.rename(name);
 }
 
 void MaterialEditor::ask_import() {
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Import"), {}, tr("Materials (*.toml)"));
   if (path.isEmpty()) return;
-  report(desk_.import_file(path), tr("It is yours now, but not saved yet."));
+  report(model_.import_file(path), tr("It is yours now, but not saved yet."));
 }
 
 void MaterialEditor::ask_export() {
   const QString path = QFileDialog::getSaveFileName(
-      this, tr("Export"), qstring(desk_.key().id + ".toml"), tr("Materials (*.toml)"));
+      this, tr("Export"), qstring(model_.key().id + ".toml"), tr("Materials (*.toml)"));
   if (path.isEmpty()) return;
-  report(desk_.export_file(path), tr("%1 was exported.").arg(path));
+  report(model_.export_file(path), tr("%1 was exported.").arg(path));
 }
 
 /// Handles undo keys in a number field. They undo a step of the editor, because typed numbers have

@@ -75,8 +75,8 @@ constexpr int kReportMs = 100;  // interval of the events while the user drags a
 /// first or second state, the step adds or removes it.
 class MaterialEditorModel::Step final : public QUndoCommand {
  public:
-  Step(MaterialEditorModel& desk, const QString& words, State before, State after)
-      : QUndoCommand(words), desk_(desk), before_(std::move(before)), after_(std::move(after)) {}
+  Step(MaterialEditorModel& model, const QString& words, State before, State after)
+      : QUndoCommand(words), model_(model), before_(std::move(before)), after_(std::move(after)) {}
 
   /// Sets the field and the run. Consecutive steps of the same field and run are merged into one.
   void set_run(std::string_view field, std::uint64_t run) {
@@ -87,8 +87,8 @@ class MaterialEditorModel::Step final : public QUndoCommand {
   void set_deletes() { fate_ = FileFate::kGoes; }
 
   [[nodiscard]] int id() const override { return 1; }
-  void redo() override { desk_.go(before_, after_, fate_); }
-  void undo() override { desk_.go(after_, before_, FileFate::kStays); }
+  void redo() override { model_.go(before_, after_, fate_); }
+  void undo() override { model_.go(after_, before_, FileFate::kStays); }
 
   bool mergeWith(const QUndoCommand* later) override {
     const auto* next = static_cast<const Step*>(later);
@@ -101,7 +101,7 @@ class MaterialEditorModel::Step final : public QUndoCommand {
   }
 
  private:
-  MaterialEditorModel& desk_;
+  MaterialEditorModel& model_;
   State before_, after_;
   std::string field_;
   std::uint64_t run_ = 0;

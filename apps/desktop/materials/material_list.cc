@@ -29,11 +29,11 @@ MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
   });
 }
 
-void MaterialList::show_materials(const Materials& known, const MaterialEditorModel& desk) {
+void MaterialList::show_materials(const Materials& known, const MaterialEditorModel& model) {
   std::vector<Row> rows;
   const auto add = [&](const AnyMaterial& material) {
     const MaterialKey key = key_of(material);
-    const UserMaterials::Entry* entry = desk.own_of(key);
+    const UserMaterials::Entry* entry = model.own_of(key);
     rows.push_back({key, name_of(entry ? entry->now : material),
                     words_of(entry ? entry->now : material), !is_built_in(key),
                     entry && entry->is_changed()});
@@ -41,7 +41,7 @@ void MaterialList::show_materials(const Materials& known, const MaterialEditorMo
   for (const SurfaceMaterial& surface : known.surfaces()) add(surface);
   // The built-in eraser is not listed, because it is a tool.
   for (const Medium& medium : known.media()) {
-    if (medium.draws || desk.own_of({false, medium.id})) add(medium);
+    if (medium.draws || model.own_of({false, medium.id})) add(medium);
   }
   if (rows == rows_) return;
   rows_ = std::move(rows);

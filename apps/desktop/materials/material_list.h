@@ -18,9 +18,9 @@ class MaterialList : public QTreeWidget {
  public:
   explicit MaterialList(QWidget* parent = nullptr);
 
-  /// Shows these materials. `desk` tells which of them are user-defined, and whether they are
+  /// Shows these materials. `model` tells which of them are user-defined, and whether they are
   /// saved.
-  void show_materials(const Materials& known, const MaterialEditorModel& desk);
+  void show_materials(const Materials& known, const MaterialEditorModel& model);
   void show_chosen(const MaterialKey& key);
   /// Returns the keys of the rows, from top to bottom.
   [[nodiscard]] std::vector<MaterialKey> keys() const;

@@ -64,16 +64,16 @@ void report_rest(const ProbeFigures& figures, QStringList& detail) {
 
 }  // namespace
 
-StabilityWords stability_words(const ProbeRequest& wish, const ProbeFigures& figures,
+StabilityWords stability_words(const ProbeRequest& request, const ProbeFigures& figures,
                                const QString& device_label) {
   StabilityWords words;
-  if (!wish.device.has_force()) {
+  if (!request.device.has_force()) {
     words.detail << text(QT_TRANSLATE_NOOP("Stability",
                                            "%1 has no motors, so nothing is felt. The figures are "
                                            "those of a 3D Systems Touch."))
                         .arg(device_label);
   }
-  const double hard = figures.stiffness_n_per_m / wish.surface.stiffness_n_per_m;
+  const double hard = figures.stiffness_n_per_m / request.surface.stiffness_n_per_m;
   const StabilityLevel rest = level_of_rest(figures);
   words.level = std::max({level_of_share(hard), level_of_share(figures.grain_share), rest});
   words.state = state_of(words.level, rest == words.level);
@@ -83,15 +83,15 @@ StabilityWords stability_words(const ProbeRequest& wish, const ProbeFigures& fig
     words.detail << text(QT_TRANSLATE_NOOP("Stability",
                                            "Hardness: this device reaches %1 of your %2 N/m."))
                         .arg(whole(figures.stiffness_n_per_m),
-                             whole(wish.surface.stiffness_n_per_m));
+                             whole(request.surface.stiffness_n_per_m));
   }
   if (figures.grain_share < kWhole) {
     words.detail
         << text(QT_TRANSLATE_NOOP(
                     "Stability",
                     "Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm."))
-               .arg(height(figures.grain_share * wish.surface.grain_um),
-                    height(wish.surface.grain_um));
+               .arg(height(figures.grain_share * request.surface.grain_um),
+                    height(request.surface.grain_um));
   }
   report_rest(figures, words.detail);
   return words;

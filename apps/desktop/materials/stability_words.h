@@ -23,7 +23,7 @@ struct StabilityWords {
 };
 
 /// Describes the stability. An example of `device_label` is "3D Systems Touch".
-StabilityWords stability_words(const ProbeRequest& wish, const ProbeFigures& figures,
+StabilityWords stability_words(const ProbeRequest& request, const ProbeFigures& figures,
                                const QString& device_label);
 
 }  // namespace felt::desktop

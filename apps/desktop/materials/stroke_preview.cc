@@ -41,8 +41,8 @@ void StrokePreview::draw() {
   is_stale_ = is_busy_;
   if (is_busy_) return;
   is_busy_ = true;
-  worker_.start([this, wish = wanted_] {
-    const QImage picture = draw_medium(wish);
+  worker_.start([this, request = wanted_] {
+    const QImage picture = draw_medium(request);
     QMetaObject::invokeMethod(
         this,
         [this, picture] {

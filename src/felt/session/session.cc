@@ -25,8 +25,6 @@ std::optional<double> clean_pressure(std::optional<double> pressure) {
   return std::clamp(*pressure, 0.0, 1.0);
 }
 
-/// Splits an id at the dot: "pencil.snap" -> {"pencil", "snap"}. If the id has no dot, the second
-/// part is empty.
 constexpr std::string_view kSurface = "surface", kInkColor = "ink.color";
 
 /// Returns the colour of an option's value. Fails if the value is not the text of a colour.
@@ -39,6 +37,8 @@ Result<Rgba> color_of(const OptionValue& value) {
                   " is not #rrggbb or #rrggbbaa");
 }
 
+/// Splits an id at the dot: "pencil.snap" -> {"pencil", "snap"}. If the id has no dot, the second
+/// part is empty.
 std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   const std::size_t dot = id.find('.');
   if (dot == std::string_view::npos) return {id, {}};

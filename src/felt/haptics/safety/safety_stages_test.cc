@@ -26,7 +26,7 @@ RC_GTEST_PROP(ClampLength, R49_NeverLongerAndTheSameDirection, ()) {
   RC_ASSERT(norm(c) <= limit * (1.0 + 1e-12));
   const double largest = std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   if (largest > 0.0) RC_ASSERT(dot(c, (1.0 / largest) * f) >= 0.0);
-  if (largest > 0.0 && largest < 1e100 && norm(f) <= limit) RC_ASSERT(c == f);
+  if (limit > 0.0 && largest < 1e100 && norm(f) <= limit) RC_ASSERT(c == f);
 }
 
 TEST(ClampLength, TakesWhatDoublesCanHold) {
