@@ -38,7 +38,7 @@ Result<PagePainter> PagePainter::create(const Rect& ink, const PageOptions& opti
   }
   const Rect area = page_area(ink, options);
   if (area.empty() || !std::isfinite(area.width()) || !std::isfinite(area.height())) {
-    return fail(ErrorCode::kInvalidArgument, "the sheet to draw is empty or not finite");
+    return fail(ErrorCode::kInvalidArgument, "the page to draw is empty or not finite");
   }
   const View view = View::at_dpi({area.x0, area.y0}, options.dpi);
   auto image = Image::create(pixels_for(area.width(), view.px_per_mm),

@@ -114,7 +114,8 @@ void GrainMasks::draw(const Stroke& stroke, const View& view, GrainMask& mask) {
 
 Result<std::optional<GrainMask>> GrainMasks::of(const Stroke& stroke) {
   if (!(print_.dpi >= GrainPrint::kMinDpi) || !(print_.dpi <= GrainPrint::kMaxDpi)) {
-    return fail(ErrorCode::kInvalidArgument, "grain is 20 to 1200 dots per inch fine");
+    return fail(ErrorCode::kInvalidArgument,
+                "the resolution of grain must be 20 to 1200 dots per inch");
   }
   const View page = View::at_dpi({area_.x0, area_.y0}, print_.dpi);
   const Rect side = page.area_px(area_);
@@ -122,7 +123,7 @@ Result<std::optional<GrainMask>> GrainMasks::of(const Stroke& stroke) {
     return fail(ErrorCode::kLimitExceeded,
                 "the grain of all strokes has more than 200 million pixels at " +
                     std::to_string(std::lround(print_.dpi)) +
-                    " dots per inch; choose fewer, or a smaller part of the sheet");
+                    " dots per inch; choose fewer, or a smaller part of the page");
   };
   if (!(side.width() < 1e6) || !(side.height() < 1e6)) return too_many();
   const PixelRect part = pixels_of(stroke.bounds(), area_, page);
