@@ -78,7 +78,7 @@ Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   // If the document did not change, the act only changed the selection. The last panel then keeps
   // the overlay, which shows the selection.
   if (!(views[0].document == views[2].document)) views[2].overlay.clear();
-  constexpr std::array kCaptions{"before", "in work", "after"};
+  constexpr std::array kCaptions{"before", "in progress", "after"};
   Rect box = difference(before_->document, views[2].document);
   SessionView shown = *in_progress_;
   shown.document = {};

@@ -100,7 +100,7 @@ void run_bench(const BenchArguments& args, Console& console) {
 }  // namespace
 
 void add_bench_command(CLI::App& app, Console& console) {
-  CLI::App* command = app.add_subcommand("bench", "Time the fitting on this machine");
+  CLI::App* command = app.add_subcommand("bench", "Measure how fast this computer fits strokes");
   const auto args = std::make_shared<BenchArguments>();
   command->add_option("IN", args->inputs, "Raw pen strokes, .ndjson (default: simulated ones)");
   command->add_option("--tolerance", args->tolerances_mm, "Tolerances to try, in mm")

@@ -21,7 +21,9 @@ CLI::Validator number_between(double low, double high) {
 
 CLI::Validator not_empty() {
   return CLI::Validator(
-      [](const std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; },
+      [](const std::string& text) -> std::string {
+        return text.empty() ? "must not be empty" : "";
+      },
       "TEXT");
 }
 

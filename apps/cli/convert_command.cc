@@ -26,17 +26,19 @@ struct ConvertArguments {
 void add_options(CLI::App& command, ConvertArguments& args, const char* output_help) {
   command
       .add_option("IN", args.input,
-                  "The drawing, known by its content; '-' is stdin. It may be " + readable_names())
+                  "The drawing ('-' is stdin). Its format is detected from its content: " +
+                      readable_names())
       ->required();
   command.add_option("-o,--output", args.output, output_help)->required();
-  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--to", args.to, "Output format; the default is set by the file extension");
   command
       .add_option("--layers", args.layers,
-                  "Only these layers, shown: 'visible', 'all', numbers as info tells them\n"
-                  "('1,3') or the name of one. Without it all, hidden ones hidden")
+                  "Include only these layers, and show them: 'visible', 'all', numbers as\n"
+                  "printed by info ('1,3'), or the name of a layer. Default: all layers; hidden\n"
+                  "layers stay hidden")
       ->check(not_empty());
   command.add_flag("--salvage", args.salvage,
-                   "Recover what is readable in a damaged .felt, and say what is missing");
+                   "Recover the readable parts of a damaged .felt, and report what is missing");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);
 }
@@ -87,7 +89,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   // A drawing written by Feltline may be empty. For other files, keeps an older output instead of
   // replacing it by an empty file.
   if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {
-    return console.error(input.name() + ": holds no strokes");
+    return console.error(input.name() + ": contains no strokes");
   }
   const Result<void> done =
       choose_layers(args.layers, opened->drawing)
@@ -122,7 +124,7 @@ Format wanted_format(const ConvertArguments& args) {
 }  // namespace
 
 void add_render_command(CLI::App& app, Console& console) {
-  CLI::App* command = app.add_subcommand("render", "Make a picture of a sketch");
+  CLI::App* command = app.add_subcommand("render", "Render a sketch as a picture");
   const auto args = std::make_shared<ConvertArguments>();
   add_options(*command, *args, "Output file: .png, .svg or .pdf; '-' is stdout (with --to)");
   command->footer(
@@ -142,7 +144,7 @@ void add_render_command(CLI::App& app, Console& console) {
 void add_convert_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("convert", "Write a sketch in another format");
   const auto args = std::make_shared<ConvertArguments>();
-  const std::string where = "Output file; '-' is stdout. It may be " + writable_names();
+  const std::string where = "Output file ('-' is stdout). Formats: " + writable_names();
   add_options(*command, *args, where.c_str());
   command->footer(
       examples("feltline convert sketch.ndjson -o sketch.svg\n"

@@ -31,7 +31,7 @@ tl::unexpected<Error> no_layer(std::string_view text, std::span<const Layer> lay
   }
   if (layers.size() > kMaxNamed) there += ", ...";
   return fail(ErrorCode::kNotFound,
-              "--layers: there is no layer '" + std::string(text) + "'; there are " + there);
+              "--layers: there is no layer '" + std::string(text) + "'; the layers are " + there);
 }
 
 /// Returns for each layer whether it is kept.

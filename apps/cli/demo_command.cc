@@ -32,10 +32,10 @@ constexpr double kPlotBeforeS = 0.25;
 constexpr double kPlotS = 5.0;
 
 constexpr const char* kLegend =
-    "touches: times that the pen came down. strokes: in the drawing, before and after. changed: "
-    "strokes that became others, came or went. N: force sent while the pen is on the surface. off: "
-    "mean distance between the path that the hand meant to draw and the ink. real time: how much "
-    "faster than life it was played.";
+    "touches: how often the pen touched down. strokes: in the drawing, before and after. changed: "
+    "strokes that were changed, added or removed. N: force sent while the pen is on the surface. "
+    "off: mean distance between the path that the hand intended and the ink. real time: how many "
+    "times faster than real time it was played.";
 
 struct DemoArguments {
   std::string folder;
@@ -83,7 +83,7 @@ class Summary {
   void print() const {
     const TextStyle style = TextStyle::of_stdout();
     cli::print("{}\n{}\n", table_.text(style), wrapped(kLegend, style.width, 0));
-    if (faults_ > 0) cli::print("The safety chain stepped in {} times.\n", faults_);
+    if (faults_ > 0) cli::print("The safety chain intervened {} times.\n", faults_);
   }
 
  private:
@@ -210,7 +210,9 @@ void run_demo(const DemoArguments& args, Console& console) {
 void add_demo_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("demo", "Let the simulated hand draw and edit a picture");
   const auto args = std::make_shared<DemoArguments>();
-  command->add_option("-o,--output", args->folder, "The folder for pictures and forces; it is made")
+  command
+      ->add_option("-o,--output", args->folder,
+                   "The folder for pictures and forces; created if it does not exist")
       ->required();
   command->add_option("--size", args->size_px, "Width of the pictures in pixels")
       ->check(CLI::Range(200, 20000))

@@ -143,28 +143,30 @@ void add_device_test_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand(
       "device-test", "Test a device, level by level, and report what was measured");
   const auto args = std::make_shared<DeviceTestArguments>();
-  command->add_option("NAME", args->name, "A device of 'feltline devices', real or simulated")
+  command
+      ->add_option("NAME", args->name, "A real or simulated device that 'feltline devices' lists")
       ->required();
   command
       ->add_option("--level", args->level,
-                   "How far: 1 opening, 2 identity, 3 rate, 4 places, 5 forces, 6 a step, "
-                   "7 limits, 8 watchdog, 9 unplugging, 10 soak")
+                   "Run levels 1 to N: 1 opening, 2 identity, 3 rate, 4 positions, 5 forces, 6 a "
+                   "step, 7 limits, 8 watchdog, 9 unplugging, 10 soak")
       ->check(CLI::Range(1, 10))
       ->capture_default_str();
   command->add_option("--seed", args->seed, "Seed of the order of axes in the checks that push")
       ->check(whole_number())
       ->capture_default_str();
-  command->add_option("--report", args->report, "Write the report there, too: text, or .json");
-  command->add_option("--soak", args->soak_s, "Seconds that level 10 takes")
+  command->add_option("--report", args->report,
+                      "Also write the report to this file: text, or .json");
+  command->add_option("--soak", args->soak_s, "Duration of level 10 in seconds")
       ->check(number_between(1.0, 86'400.0))
       ->capture_default_str();
   command->add_flag("--yes", args->yes,
-                    "Ask nothing: you agree to forces up to 0.3 N, and that the arm may move");
-  command->add_flag("--json", args->json, "The report as one line of JSON");
+                    "Do not ask: you agree to forces up to 0.3 N, and that the arm may move");
+  command->add_flag("--json", args->json, "Print the report as one line of JSON");
   command->footer(
       "From level 5 on the device pushes, with at most 0.3 N, and only after you agreed.\n"
-      "Ctrl-C takes the force away and reports what was done.\n"
-      "Exit code: 0 nothing failed, 1 something did, or it was interrupted.\n" +
+      "Ctrl-C switches the force off and reports the results so far.\n"
+      "Exit code: 0 if nothing failed, 1 if something failed or the test was interrupted.\n" +
       examples(kDeviceTestExamples));
   command->callback([args, &console] { run_device_test(*args, console); });
 }

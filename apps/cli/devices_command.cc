@@ -15,9 +15,9 @@ namespace felt::cli {
 namespace {
 
 constexpr const char* kNothing =
-    "No haptic device is connected. 'feltline doctor' shows what one needs on this computer.";
+    "No haptic device is connected. 'feltline doctor' shows what a device needs on this computer.";
 constexpr const char* kNote =
-    "These are simulated: equations with the figures above, for --device and --hand of 'replay' "
+    "These are simulated by equations with the figures above, for --device and --hand of 'replay' "
     "and 'demo', and for 'device-test'; --json shows more about them.";
 
 std::string number_or_dash(double value) {
@@ -97,7 +97,7 @@ void print_simulated(const TextStyle& style) {
                      {"wall N/m", Align::kRight},
                      {"mass g", Align::kRight},
                      {"friction N", Align::kRight},
-                     {"stands for"}});
+                     {"represents"}});
   for (const StylusPreset& preset : stylus_presets()) {
     const Capabilities& can = preset.capabilities;
     devices.add_row({std::string(preset.name), number_or_dash(can.max_force_n),

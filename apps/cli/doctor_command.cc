@@ -60,16 +60,16 @@ bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
   if (fix.state == PlannedFix::State::kSame) return false;
   if (fix.state != PlannedFix::State::kForeign) return agreed_to_all;
   if (ask("Replace " + fix.path + ", which Feltline did not write?")) return true;
-  console.error(fix.path + ": left as it is, because Feltline did not write it");
+  console.error(fix.path + ": not changed, because Feltline did not write it");
   return false;
 }
 
 void say_that_nothing_is_missing() {
-  print("There is nothing that Feltline can repair by writing a file.\n");
+  print("Feltline cannot repair anything here by writing a file.\n");
   if (geteuid() != 0) return;
   print(
-      "Root already has every permission: run this as the user who draws. It asks for root itself "
-      "when it needs it.\n");
+      "Root already has every permission. Run this as the user who draws; it asks for root "
+      "permission when it needs it.\n");
 }
 
 void fix(const DoctorReport& report, const DoctorArguments& args, Console& console) {
@@ -87,7 +87,7 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
   std::fflush(stdout);
   if (!args.yes && !somebody_is_there()) {
     return console.error(
-        "nothing was written: there is no terminal to ask for consent; use --yes to agree");
+        "nothing was written, because there is no terminal to ask for consent; use --yes to agree");
   }
   const bool agreed = args.yes || ask("Write this?");
   std::vector<PlannedFix> written;
@@ -109,7 +109,7 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
 
 void run_doctor(const DoctorArguments& args, Console& console) {
   if ((args.dry_run || args.yes || !args.prefix.empty()) && !args.fix) {
-    throw UsageError("--dry-run, --yes and --prefix belong to --fix");
+    throw UsageError("--dry-run, --yes and --prefix can only be used with --fix");
   }
   if (args.fix && args.json) throw UsageError("--fix cannot be used with --json");
   const DoctorReport report = examine(args);
@@ -122,18 +122,19 @@ void run_doctor(const DoctorArguments& args, Console& console) {
 
 void add_doctor_command(CLI::App& app, Console& console) {
   CLI::App* command =
-      app.add_subcommand("doctor", "What haptic devices need to work here, and what is missing");
+      app.add_subcommand("doctor", "Check what haptic devices need on this computer");
   const auto args = std::make_shared<DoctorArguments>();
-  command->add_option("DRIVER", args->drivers, "Only these, and everything about them")
+  command->add_option("DRIVER", args->drivers, "Check only these, and show all details")
       ->check(CLI::IsMember(driver_names()));
   command->add_flag("--json", args->json, "One line of JSON");
   command->add_flag("--fix", args->fix,
-                    "Write the permissions that are missing (udev rules, limits), after asking");
-  command->add_flag("--dry-run", args->dry_run, "With --fix: show what it would write, no more");
+                    "Write the missing permissions (udev rules, limits), after asking");
+  command->add_flag("--dry-run", args->dry_run, "With --fix: only show what it would write");
   command->add_flag("--yes", args->yes, "With --fix: do not ask");
   command->add_option("--prefix", args->prefix,
-                      "With --fix: write what is missing here below this folder instead");
-  command->footer("Exit code: 0 nothing hinders, 1 something does.\n" + examples(kDoctorExamples));
+                      "With --fix: write the files below this folder instead of the system's");
+  command->footer("Exit code: 0 if nothing needs fixing, 1 otherwise.\n" +
+                  examples(kDoctorExamples));
   command->callback([args, &console] { run_doctor(*args, console); });
 }
 

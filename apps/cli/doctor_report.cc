@@ -204,19 +204,19 @@ std::string doctor_summary(const DoctorReport& report) {
   std::string text;
   if (!ready.empty()) text = "Ready to draw with: " + joined(ready) + ". ";
   if (problems > 0) {
-    return text + (problems == 1 ? "One thing needs mending: it is marked MEND below, with what "
-                                   "to do."
-                                 : fmt::format("{} things need mending: they are marked MEND "
-                                               "below, with what to do.",
-                                               problems));
+    return text +
+           (problems == 1
+                ? "One thing needs fixing. It is marked MEND below, with instructions."
+                : fmt::format(
+                      "{} things need fixing. They are marked MEND below, with instructions.",
+                      problems));
   }
   if (ready.empty() && !unknown.empty()) {
-    return "Possibly connected: " + joined(unknown) + " (open it to check). Nothing needs mending.";
+    return "Possibly connected: " + joined(unknown) + " (open it to check). Nothing needs fixing.";
   }
-  if (!ready.empty()) return text + "Nothing needs mending.";
+  if (!ready.empty()) return text + "Nothing needs fixing.";
   if (report.is_named) return "No such device is connected.";
-  return "No haptic device is connected. You can draw with mouse and tablet; nothing needs "
-         "mending.";
+  return "No haptic device is connected. You can draw with mouse and tablet; nothing needs fixing.";
 }
 
 std::string doctor_text(const DoctorReport& report, const TextStyle& style) {

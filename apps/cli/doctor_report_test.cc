@@ -55,9 +55,9 @@ Finding with_fix(std::string path, std::string activate = {}) {
 TEST(DoctorReportTest, NothingHereNeedsNothing) {
   const DoctorReport report = report_with({absent()});
   EXPECT_EQ(count_problems(report), 0U);
-  EXPECT_EQ(doctor_summary(report),
-            "No haptic device is connected. You can draw with mouse and tablet; nothing needs "
-            "mending.");
+  EXPECT_EQ(
+      doctor_summary(report),
+      "No haptic device is connected. You can draw with mouse and tablet; nothing needs fixing.");
   const std::string text = doctor_text(report, {});
   EXPECT_THAT(text, Not(HasSubstr("No such library")));  // the user did not name this driver
   EXPECT_THAT(text, HasSubstr("\n  openhaptics  3D Systems\n  haply        Haply\n"));
@@ -73,33 +73,31 @@ TEST(DoctorReportTest, WhoAsksByNameIsToldAll) {
 TEST(DoctorReportTest, AProblemComesWithItsWordsAndCommandsOfTheirOwn) {
   const DoctorReport report = report_with({{FindingLevel::kOk, "Fine."}, problem()});
   EXPECT_EQ(count_problems(report), 1U);
-  EXPECT_EQ(doctor_text(report, {}),
-            "One thing needs mending: it is marked MEND below, with what to do.\n"
-            "\n"
-            "3D Systems - openhaptics\n"
-            "  MEND   The library is there, but it does not load: another one that it needs\n"
-            "         is missing.\n"
-            "         Details:\n"
-            "           libncurses.so.5: cannot open shared object file: No such file or "
-            "directory\n"
-            "         1. Install it:\n"
-            "              sudo apt install libncurses5\n"
-            "         2. Try again:\n"
-            "              feltline doctor openhaptics\n"
-            "  fine   Fine.\n"
-            "\n"
-            "Not on this computer\n"
-            "  haply  Haply\n"
-            "That is fine unless you own such a device. If you do, ask for it by its name,\n"
-            "and the next steps are shown:\n"
-            "  feltline doctor haply\n");
+  EXPECT_EQ(
+      doctor_text(report, {}),
+      "One thing needs fixing. It is marked MEND below, with instructions.\n\n"
+      "3D Systems - openhaptics\n"
+      "  MEND   The library is there, but it does not load: another one that it needs\n"
+      "         is missing.\n"
+      "         Details:\n"
+      "           libncurses.so.5: cannot open shared object file: No such file or directory\n"
+      "         1. Install it:\n"
+      "              sudo apt install libncurses5\n"
+      "         2. Try again:\n"
+      "              feltline doctor openhaptics\n"
+      "  fine   Fine.\n\n"
+      "Not on this computer\n"
+      "  haply  Haply\n"
+      "That is fine unless you own such a device. If you do, ask for it by its name,\n"
+      "and the next steps are shown:\n"
+      "  feltline doctor haply\n");
 }
 
 TEST(DoctorReportTest, DevicesThatAreReady) {
   DeviceDescriptor perhaps = touch();
   perhaps.is_connected = false;
   EXPECT_EQ(doctor_summary(report_with({}, {touch()})),
-            "Ready to draw with: 3D Systems Touch. Nothing needs mending.");
+            "Ready to draw with: 3D Systems Touch. Nothing needs fixing.");
   EXPECT_THAT(doctor_summary(report_with({}, {perhaps})), StartsWith("Possibly connected: 3D"));
   EXPECT_THAT(doctor_summary(report_with({problem()}, {touch()})), StartsWith("One thing"));
 }

@@ -151,8 +151,8 @@ Finding trouble(const std::string& what, const Looker& looker) {
   return {.level = FindingLevel::kProblem,
           .what = what,
           .details = words,
-          .steps = {"The maker's software on this computer is broken or of a version that Feltline "
-                    "does not know. Install it again, or report this message to us."}};
+          .steps = {"The maker's software on this computer is broken, or Feltline does not support "
+                    "its version. Install it again, or report this message to us."}};
 }
 
 DriverLook result_of(const Driver& driver, const Looker& looker,

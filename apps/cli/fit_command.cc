@@ -55,14 +55,14 @@ std::string media_names() {
 std::string check_medium(const std::string& id) {
   const Medium* medium = find_medium(id);
   if (medium && medium->draws) return {};
-  return fmt::format("there is no '{}' to draw with; there is {}", id, media_names());
+  return fmt::format("unknown medium '{}'; the media are {}", id, media_names());
 }
 
 void add_width_options(CLI::App& command, FitArguments& args) {
   command
-      .add_option("--medium,--material", args.medium,
-                  "What the lines are drawn with, by its widths, tone and response to tilt: " +
-                      media_names())
+      .add_option(
+          "--medium,--material", args.medium,
+          "Medium of the lines; it sets widths, tone and response to tilt: " + media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(
@@ -99,18 +99,20 @@ InkFitOptions ink_of(const FitArguments& args) {
 void add_options(CLI::App& command, FitArguments& args) {
   command
       .add_option("IN", args.inputs,
-                  "Raw pen strokes: .ndjson, of Quick, Draw! too, .inkml, .xopp; '-' is stdin")
+                  "Raw pen strokes: .ndjson (Quick, Draw! too), .inkml, .xopp; '-' is stdin")
       ->required();
   command.add_option("-o,--output", args.output,
-                     "Output file; '-' is stdout. It may be " + writable_names());
-  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
-  command.add_option("--tolerance", args.tolerance_mm, "Largest distance sample to curve, in mm")
+                     "Output file ('-' is stdout). Formats: " + writable_names());
+  command.add_option("--to", args.to, "Output format; the default is set by the file extension");
+  command
+      .add_option("--tolerance", args.tolerance_mm,
+                  "Largest distance from a sample to the curve, in mm")
       ->check(number_between(0.0, 1e9))
       ->capture_default_str();
   command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw .ndjson, in mm")
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
-  command.add_flag("--no-refine", args.no_refine, "Keep the curve that is seen while drawing");
+  command.add_flag("--no-refine", args.no_refine, "Keep the curve that was shown while drawing");
   command.add_flag("--filter", args.filter,
                    "Drop what the pen adds at touch-down and lift (late pressure, hooks)");
   command.add_option("--scheme", args.scheme, "Fitting scheme: feltline, or paper2002 for study")
@@ -121,9 +123,11 @@ void add_options(CLI::App& command, FitArguments& args) {
                   "Samples that neighbouring segments share (s of the paper; paper2002 only)")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command.add_option("--stats", args.stats, "Print what it cost and how close it is, on stdout")
+  command.add_option("--stats", args.stats, "Print timing and accuracy on stdout")
       ->check(CLI::IsMember({"json"}));
-  command.add_option("-j,--jobs", args.jobs, "Threads; 0 takes all cores. Changes no byte")
+  command
+      .add_option("-j,--jobs", args.jobs,
+                  "Number of threads; 0 uses all cores. Does not affect the output")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   add_width_options(command, args);
@@ -141,7 +145,7 @@ struct FitPlan {
 FitPlan plan_of(const FitArguments& args, Console& console) {
   if (args.output.empty() && args.stats.empty()) throw UsageError("fit needs -o OUT or --stats");
   if (args.output == "-" && !args.stats.empty()) {
-    throw UsageError("-o - and --stats both want stdout");
+    throw UsageError("-o - and --stats cannot both use stdout");
   }
   check_given_files(args.inputs, {{"-o", args.output}}, console);
   FitPlan plan;

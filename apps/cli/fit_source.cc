@@ -43,8 +43,8 @@ bool FitSource::next(FitItem& item) {
     const Result<bool> more = reader_->fill(item.lines, kFitBatchBytes);
     if (more && *more) {
       if (input_is_empty_ && is_sketch(item.lines)) {
-        item.failure =
-            Error{ErrorCode::kUnsupported, "holds curves, which are fitted already; see convert"};
+        item.failure = Error{ErrorCode::kUnsupported,
+                             "contains curves, which are already fitted; use convert"};
         item.lines = {};
         input_.reset();
         return true;
@@ -57,7 +57,7 @@ bool FitSource::next(FitItem& item) {
     if (!more) {
       item.failure = more.error();
     } else if (input_is_empty_) {
-      item.failure = Error{ErrorCode::kInvalidData, "holds no strokes"};
+      item.failure = Error{ErrorCode::kInvalidData, "contains no strokes"};
     }
     bytes_of_ended_ += reader_->bytes_read();
     input_.reset();
@@ -82,10 +82,9 @@ void FitSource::read_whole(FitItem& item) {
   if (!opened) {
     item.failure = opened.error();
   } else if (opened->is_exact) {
-    fails(ErrorCode::kUnsupported, "holds curves, which are fitted already; see convert");
+    fails(ErrorCode::kUnsupported, "contains curves, which are already fitted; use convert");
   } else if (settings_.measure) {
-    fails(ErrorCode::kUnsupported,
-          "is not a raw .ndjson, the only format that --stats can measure");
+    fails(ErrorCode::kUnsupported, "is not raw .ndjson, the only format that --stats supports");
   } else {
     item.first_record = records_ + 1;
     records_ += static_cast<std::int64_t>(opened->drawing.document.stroke_count());

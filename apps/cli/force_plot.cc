@@ -68,7 +68,7 @@ PlotSpan ForcePlot::whole() const noexcept {
 
 PlotPanel ForcePlot::force_panel() const {
   PlotPanel panel{"Force on the hand", "N"};
-  panel.lines = {{"asked by the tool", kAskedColor, asked_, 2.4},
+  panel.lines = {{"requested by the tool", kAskedColor, asked_, 2.4},
                  {"sent to the pen", kSentColor, sent_, 1.1}};
   panel.limits = {
       {fmt::format("peak limit, {:.3g} N", limits_.peak_force_n), limits_.peak_force_n}};
@@ -83,7 +83,7 @@ PlotPanel ForcePlot::force_panel() const {
 }
 
 Result<Image> ForcePlot::draw(const PlotOptions& options) const {
-  if (ticks_ == 0) return fail(ErrorCode::kInvalidData, "there is nothing to plot");
+  if (ticks_ == 0) return fail(ErrorCode::kInvalidData, "nothing to plot: no tick was recorded");
   Plot plot;
   plot.title = title_;
   plot.note = note_;
@@ -91,7 +91,7 @@ Result<Image> ForcePlot::draw(const PlotOptions& options) const {
   plot.shade = contact_;
   plot.shade_name = "pen on the surface";
   if (span_) {
-    PlotPanel strip{"The whole of it: force sent", "N", {{"", kSentColor, sent_, 0.8}}};
+    PlotPanel strip{"Total: force sent", "N", {{"", kSentColor, sent_, 0.8}}};
     strip.height = 40.0;
     strip.from_zero = true;
     strip.span = whole();

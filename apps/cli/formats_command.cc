@@ -22,7 +22,7 @@ std::string endings_of(const FormatTraits& row) {
 }
 
 std::string table_text() {
-  TextTable table({{"format"}, {"endings"}, {"read"}, {"written"}, {"layers"}, {"what is kept"}});
+  TextTable table({{"format"}, {"endings"}, {"read"}, {"written"}, {"layers"}, {"what it keeps"}});
   for (const FormatTraits& row : format_table()) {
     table.add_row({std::string(row.name), endings_of(row), yes_no(row.reads), yes_no(row.writes),
                    yes_no(row.layers), std::string(row.kept)});
@@ -56,10 +56,10 @@ std::string row_json(const FormatTraits& row) {
 }  // namespace
 
 void add_formats_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "formats", "List the formats that are read and written, and what each keeps");
+  CLI::App* command =
+      app.add_subcommand("formats", "List the supported formats and what each keeps");
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "A line of JSON for each");
+  command->add_flag("--json", *json, "Print one line of JSON for each");
   command->footer(
       examples("feltline formats\n"
                "feltline formats --json"));

@@ -43,7 +43,7 @@ void check_given_files(const std::vector<std::string>& inputs,
         continue;
       }
       throw UsageError(fmt::format(
-          "{} {} and {} {} are the same file; nothing was written. Choose another file for one",
+          "{} {} and {} {} are the same file; nothing was written. Choose different files",
           outputs[k].option, outputs[k].path, option, path));
     }
     note_hard_links(path, console);

@@ -77,7 +77,7 @@ void summarize_lines(const Input& input, Console& console, FileSummary& summary)
   console.end_progress();
   console.end_records();
   if (summary.strokes == 0 && !console.failed()) {
-    console.error(input.name() + ": holds no strokes");
+    console.error(input.name() + ": contains no strokes");
   }
 }
 
@@ -94,7 +94,8 @@ bool summarize_whole(const Input& input, Console& console, FileSummary& summary)
     for (const StrokeId id : layer.strokes) summary.add(*document.find(id));
   }
   summary.is_sketch = true;
-  if (summary.strokes == 0 && !opened->is_exact) console.error(input.name() + ": holds no strokes");
+  if (summary.strokes == 0 && !opened->is_exact)
+    console.error(input.name() + ": contains no strokes");
   summary.opened = *std::move(opened);
   return true;
 }
@@ -115,12 +116,13 @@ bool summarize(const std::string& path, Console& console, FileSummary& summary) 
 }  // namespace
 
 void add_info_command(CLI::App& app, Console& console) {
-  CLI::App* command = app.add_subcommand("info", "Say what is in a file");
+  CLI::App* command = app.add_subcommand("info", "Show what a file contains");
   const auto args = std::make_shared<InfoArguments>();
   command
-      ->add_option("DOC", args->input,
-                   "A drawing, known by its content, or raw pen strokes; '-' is stdin. It may be " +
-                       readable_names())
+      ->add_option(
+          "DOC", args->input,
+          "A drawing or raw pen strokes ('-' is stdin). The format is detected from the content: " +
+              readable_names())
       ->required();
   command->add_flag("--json", args->json, "One line of JSON");
   command->footer(

@@ -146,7 +146,7 @@ Result<Imported> Input::read_drawing(const ReadOptions& options) const {
     }
     return fail(
         drawing.error().code,
-        drawing.error().message + "; `feltline convert --salvage` recovers what is readable");
+        drawing.error().message + "; `feltline convert --salvage` recovers the readable parts");
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kLimitExceeded, "not enough memory to read it");
   }

@@ -33,7 +33,8 @@ Result<SurfaceMaterial> find_surface(const std::string& text, const Materials& k
   for (const SurfaceMaterial& surface : known.surfaces()) {
     names += (names.empty() ? "" : ", ") + surface.id;
   }
-  return fail(ErrorCode::kNotFound, "'" + text + "' is not " + names);
+  return fail(ErrorCode::kNotFound,
+              "'" + text + "' is not a known surface; the surfaces are " + names);
 }
 
 }  // namespace felt::cli

@@ -28,7 +28,7 @@ void add_commands(CLI::App& app, Console& console) {
   app.set_version_flag("--version", "feltline " FELT_VERSION, "Show the version and exit");
   app.add_flag_callback(
       "-q,--quiet", [&console] { console.set_quiet(); },
-      "Neither progress nor notices on stderr, errors only");
+      "Print only errors on stderr, no progress and no notices");
   app.add_flag_callback(
       "--strict", [&console] { console.set_strict(); },
       "Treat unsupported content as an error instead of a warning");

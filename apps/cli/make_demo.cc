@@ -248,7 +248,7 @@ int main(int argc, char** argv) {
     std::ofstream out(path, std::ios::binary);
     out << act.script();
     if (out.flush()) continue;
-    std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+    std::fprintf(stderr, "%s: cannot write\n", path.c_str());
     return 1;
   }
   return 0;

@@ -50,7 +50,7 @@ std::string figures_of(const SurfaceMaterial& surface) {
 }
 
 std::string figures_of(const Medium& medium) {
-  if (!medium.draws) return "rubs out";
+  if (!medium.draws) return "erases";
   std::string text = fmt::format("{:g} to {:g} mm", medium.line.min_mm, medium.line.max_mm);
   if (medium.look.grain == 0.0) text += ", wet";
   if (medium.wear > 0.0) text += fmt::format(", wears {:g} % of the grain", 100.0 * medium.wear);
@@ -157,7 +157,7 @@ void check(const std::vector<std::string>& files, Console& console) {
     const Result<AnyMaterial> material = read_material(*text, source);
     const std::string taken = new_id_error(id_of(*material));
     const std::string note =
-        taken.empty() ? "" : " (to read, but not as one of your own: " + taken + ")";
+        taken.empty() ? "" : " (can be read, but not saved as a custom material: " + taken + ")";
     print("{}: {} {}{}\n", source.name, kind_of(*material), id_of(*material), note);
   }
 }
@@ -181,7 +181,7 @@ void make_new(const NewArguments& args, Console& console) {
   if (!args.save) return print("{}", write_material(*material));
   for (const MaterialEntry& own : known_materials(console).own) {
     if (id_of(own.material) == args.id) {
-      return console.error(own.path + " is " + args.id + " already; it stays as it is");
+      return console.error(own.path + " is " + args.id + " already; it was not changed");
     }
   }
   const Result<std::string> path = save_material(material_folders().front(), *material);
@@ -192,7 +192,7 @@ void make_new(const NewArguments& args, Console& console) {
 void add_show(CLI::App& materials, Console& console) {
   CLI::App* command = materials.add_subcommand("show", "Write the text of a material to stdout");
   const auto id = std::make_shared<std::string>();
-  command->add_option("ID", *id, "One that 'feltline materials' lists")->required();
+  command->add_option("ID", *id, "A material that 'feltline materials' lists")->required();
   command->footer(
       examples("feltline materials show charcoal\n"
                "feltline materials show my-paper > to-give-away.toml"));
@@ -201,25 +201,26 @@ void add_show(CLI::App& materials, Console& console) {
 
 void add_check(CLI::App& materials, Console& console) {
   CLI::App* command =
-      materials.add_subcommand("check", "Say what is wrong with files of materials, and where");
+      materials.add_subcommand("check", "Check material files and report errors with their lines");
   const auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("FILE", *files, "Texts of materials; '-' is stdin")->required();
+  command->add_option("FILE", *files, "Material files; '-' is stdin")->required();
   command->footer(examples("feltline materials check my-paper.toml\n"
                            "feltline materials show paper | feltline materials check -") +
-                  "\n\nThe exit code is 1 where something is wrong with one of them.");
+                  "\n\nThe exit code is 1 if a file has an error.");
   command->callback([files, &console] { check(*files, console); });
 }
 
 void add_new(CLI::App& materials, Console& console) {
   CLI::App* command = materials.add_subcommand(
-      "new", "Write the text of a new material, with the figures of another one");
+      "new", "Write the text of a new material, with the values of another one");
   const auto args = std::make_shared<NewArguments>();
-  command->add_option("ID", args->id, "Its id: a-z, 0-9 and '-', one that Feltline does not have")
+  command->add_option("ID", args->id, "Its id: a-z, 0-9 and '-', not that of a built-in material")
       ->required();
-  command->add_option("--from", args->from, "The material that it begins as")
+  command->add_option("--from", args->from, "The material to copy the values from")
       ->capture_default_str();
-  command->add_flag("--save", args->save,
-                    "Put it where your own materials are, and say where, instead of to stdout");
+  command->add_flag(
+      "--save", args->save,
+      "Save it in the folder of custom materials and print its path, instead of writing to stdout");
   command->footer(
       examples("feltline materials new my-paper > my-paper.toml\n"
                "feltline materials new my-chalk --from chalk --save"));
@@ -232,14 +233,14 @@ void add_materials_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand(
       "materials", "List surfaces and media; show, check and create custom ones");
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "A line of JSON for each");
+  command->add_flag("--json", *json, "Print one line of JSON for each");
   command->footer(
       examples(
           "feltline materials\n"
           "feltline materials new my-paper --from rough-paper --save\n"
           "feltline replay cat.ndjson -o cat.png --surface my-paper --medium charcoal --grain") +
-      "\n\nYour own are *.toml in feltline/materials of $XDG_DATA_HOME, which is ~/.local/share\n"
-      "where it is not set, and of $XDG_DATA_DIRS. Format: docs/formats/material.md.");
+      "\n\nCustom materials are *.toml files in feltline/materials of $XDG_DATA_HOME\n"
+      "(~/.local/share by default) and of $XDG_DATA_DIRS. Format: docs/formats/material.md.");
   command->require_subcommand(0, 1);
   add_show(*command, console);
   add_check(*command, console);

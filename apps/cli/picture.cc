@@ -62,11 +62,11 @@ void PictureArguments::add_to(CLI::App& command) {
   command
       .add_option("--page", page,
                   "What to show: 'fit' (all ink and a margin), A0..A6, A4-landscape, or WxH in\n"
-                  "mm; without it the drawing's own page, or fit where it has none")
+                  "mm; default: the drawing's page, or fit if it has none")
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--paper", paper,
-                  "Colour behind the ink: #rrggbb, #rrggbbaa, white or transparent; without it\n"
+                  "Colour behind the ink: #rrggbb, #rrggbbaa, white or transparent; default:\n"
                   "white in a .png, transparent in an .svg")
       ->group("Pictures (.svg, .pdf, .png)");
   command
@@ -75,9 +75,9 @@ void PictureArguments::add_to(CLI::App& command) {
           "Surface whose grain shows in dry ink of a .png, the same that the hand feels\n"
           "(feltline replay also draws on it, and the page takes its colour):\n" +
               surface_names() +
-              "\n(smooth), one of your own, or a grey NAME.png: white is high, as wide as it says\n"
-              "or 40 mm; without it, ink is solid. Ink pen and felt-tip, which are wet, show "
-              "none")
+              "\n(smooth), a custom surface, or a grey NAME.png: white is high, its width is that\n"
+              "of its resolution, or 40 mm; default: solid ink. Ink pen and felt-tip are wet and\n"
+              "show no grain")
       ->check(not_empty())
       ->group("Pictures (.svg, .pdf, .png)");
 }
@@ -86,9 +86,9 @@ void PictureArguments::add_grain_to(CLI::App& command) {
   command
       .add_flag(
           "--grain,--grain-mask", grain,
-          "Show the grain of the surface in dry ink: that of --surface, else of the drawing's\n"
-          "own surface, else of paper. An .svg or .pdf shows it with this option alone: its\n"
-          "strokes stay outlines, seen through a picture of the grain")
+          "Show the grain of the surface in dry ink: that of --surface, otherwise that of the\n"
+          "drawing's surface, otherwise that of paper. An .svg or .pdf shows grain only with\n"
+          "this option: its strokes stay outlines, masked by a picture of the grain")
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--grain-dpi", grain_dpi,
@@ -126,7 +126,8 @@ Result<std::optional<Rect>> parse_page(const std::string& text) {
   if (!size) size = written_size(text);
   if (size) return Rect{0.0, 0.0, size->x, size->y};
   return fail(ErrorCode::kInvalidArgument,
-              "--page: '" + text + "' is not fit, A0..A6, A4-landscape or WxH in mm (at most 1e5)");
+              "--page: '" + text +
+                  "' is not a page size; use fit, A0..A6, A4-landscape or WxH in mm (at most 1e5)");
 }
 
 Result<Page> page_for(const Rect& area, Rgba paper) {
@@ -135,15 +136,16 @@ Result<Page> page_for(const Rect& area, Rgba paper) {
     return Page{area.width(), area.height(), paper};
   }
   return fail(ErrorCode::kInvalidArgument,
-              "--page: the page of a drawing is 10 to 5000 mm wide and high");
+              "--page: the page of a drawing must be 10 to 5000 mm wide and high");
 }
 
 Result<Rgba> parse_paper(const std::string& text) {
   if (text == "white") return Rgba{255, 255, 255, 255};
   if (text == "transparent") return Rgba{255, 255, 255, 0};
   if (const std::optional<Rgba> color = color_from_text(text)) return *color;
-  return fail(ErrorCode::kInvalidArgument,
-              "--paper: '" + text + "' is not #rrggbb, #rrggbbaa, white or transparent");
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "--paper: '" + text + "' is not a colour; use #rrggbb, #rrggbbaa, white or transparent");
 }
 
 Rgba usual_color(std::uint32_t rgb) noexcept {
@@ -168,8 +170,9 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
     const Result<SurfaceMaterial> surface = find_surface(text, options.materials);
     if (!surface) {
       const bool is_file = text.ends_with(".toml");
-      return fail(surface.error().code, "--surface: " + surface.error().message +
-                                            (is_file ? "" : ", nor a .png or .toml"));
+      return fail(surface.error().code,
+                  "--surface: " + surface.error().message +
+                      (is_file ? "" : ", and it is not a .png or .toml file"));
     }
     options.relief = surface_grain(*surface);
     options.grain = Grain(options.relief, options.materials);
@@ -200,7 +203,7 @@ Result<void> use_surface_of(const Drawing& drawing, PictureOptions& options) {
   const Result<Grain> grain = grain_of(drawing, options.materials);
   if (!grain) {
     return fail(ErrorCode::kNotFound, "--grain: " + grain.error().message +
-                                          "; say which with --surface: " + surface_names());
+                                          "; choose another with --surface: " + surface_names());
   }
   options.grain = *grain;
   return {};

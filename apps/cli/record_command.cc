@@ -153,7 +153,7 @@ const char* state_words(SafetyState state) {
     case SafetyState::kSilent:
       return "damping only";
     case SafetyState::kFalling:
-      return "forces fall";
+      return "forces fading out";
     case SafetyState::kLatched:
       return "forces off after a fault";
   }
@@ -219,7 +219,7 @@ void run_record(const RecordArguments& args, Console& console) {
                                  .on_edit = [&copy](const Edit&) { copy.note_edit(); }});
   set_options(args, session);
   if (args.forces_on && !agrees_to_forces(args)) {
-    return console.error("nobody agreed to forces; leave out --forces-on to draw without them");
+    return console.error("you did not agree to forces; omit --forces-on to draw without them");
   }
   const Interrupt interrupt(OnSuspend::kPause);
   RecordRun run(*device, session, record_options(args, **page, console, *outputs, copy));
@@ -237,17 +237,19 @@ void run_record(const RecordArguments& args, Console& console) {
 }
 
 void add_options(CLI::App& command, RecordArguments& args) {
-  command.add_option("--device", args.device, "The device, by its id in 'feltline devices'")
+  command
+      .add_option("--device", args.device, "The id of the device, as 'feltline devices' lists it")
       ->required();
   command
       .add_option("-o,--output", args.output,
                   "Output file: .felt, .ndjson, .svg, .pdf, .png; '-' is stdout")
       ->required();
-  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--to", args.to, "Output format; the default is set by the file extension");
   command.add_option("--events", args.events,
                      "Save all events, for 'feltline replay --as-recorded', .ndjson");
-  command.add_option("--forces", args.forces,
-                     "Pose and forces, some 250 rows a second, .csv as of 'replay --forces'");
+  command.add_option(
+      "--forces", args.forces,
+      "Save pose and forces, about 250 rows a second, as .csv like 'replay --forces'");
   command.add_option("--seconds", args.seconds, "Stop after this time")
       ->check(number_between(0.1, 86'400.0));
   command.add_option("--tool", args.tool, "The tool to use (see 'feltline tools')");
@@ -262,8 +264,7 @@ void add_options(CLI::App& command, RecordArguments& args) {
   command.add_option("--limit", args.limit_n, "Largest force, N; never more than the device's")
       ->check(number_between(0.1, 3.0))
       ->capture_default_str();
-  command.add_flag("--yes", args.yes,
-                   "Ask nothing: you agree to forces, and that the arm may move");
+  command.add_flag("--yes", args.yes, "Do not ask: you agree to forces, and that the arm may move");
 }
 
 }  // namespace
@@ -274,12 +275,11 @@ void add_record_command(CLI::App& app, Console& console) {
   const auto args = std::make_shared<RecordArguments>();
   add_options(*command, *args);
   command->footer(
-      "While it draws: Enter switches forces off and on, Ctrl-C ends and saves. When the device\n"
-      "is lost, the ink so far is kept, and drawing goes on when it is connected again, without\n"
-      "forces until Enter allows them again. Every few seconds a copy goes into\n"
-      "OUTPUT.unsaved-NUMBER.ndjson, the stroke in progress included; only a crash leaves it "
-      "there,\n"
-      "and 'feltline recover' finds it.\n" +
+      "While you draw, Enter switches forces off and on, and Ctrl-C ends and saves. If the device\n"
+      "is disconnected, the ink so far is kept, and drawing continues when it is connected again;\n"
+      "forces stay off until you press Enter. Every few seconds a copy is saved in\n"
+      "OUTPUT.unsaved-NUMBER.ndjson, including the stroke in progress. It remains only after a\n"
+      "crash; 'feltline recover' finds it.\n" +
       examples(kRecordExamples));
   command->callback([args, &console] { run_record(*args, console); });
 }

@@ -62,7 +62,7 @@ Result<std::string> write_new(const std::string& folder, const Recovered& recove
     if (::access(path.c_str(), F_OK) == 0) continue;
     return write_felt(path, recovered.drawing).map([&path] { return path; });
   }
-  return fail(ErrorCode::kIo, stem + ").felt: there are too many of this name");
+  return fail(ErrorCode::kIo, stem + ").felt: too many files have this name");
 }
 
 /// Lists the copies that `feltline record` left behind. `convert` can read them. Returns their
@@ -89,7 +89,7 @@ bool check_folders(const RecoverArguments& args, Console& console) {
     const fs::file_status status = fs::status(folder, error);
     if (fs::is_directory(status)) continue;
     console.error("--from " + folder + ": " +
-                  (fs::exists(status) ? "is not a folder" : "there is no such folder"));
+                  (fs::exists(status) ? "not a folder" : "the folder does not exist"));
   }
   return !console.failed();
 }
@@ -101,7 +101,7 @@ void recover(const RecoverArguments& args, Console& console) {
   if (!args.list) {
     std::error_code error;
     fs::create_directories(args.folder, error);
-    if (error) return console.error(args.folder + ": cannot be made: " + error.message());
+    if (error) return console.error(args.folder + ": cannot create: " + error.message());
   }
   int found = 0;
   for (const AbandonedAutosave& store : stores) {
@@ -127,33 +127,33 @@ void recover(const RecoverArguments& args, Console& console) {
   const int copies = list_record_copies(args);
   if (found == 0 && copies > 0) return;
   if (found == 0) {
-    print("Nothing to recover: no drawing was left behind.\n");
+    print("Nothing to recover: no unsaved drawing was found.\n");
   } else if (args.list) {
-    print("To bring them back: feltline recover -o FOLDER\n");
+    print("To recover them: feltline recover -o FOLDER\n");
   }
 }
 
 }  // namespace
 
 void add_recover_command(CLI::App& app, Console& console) {
-  CLI::App* command = app.add_subcommand(
-      "recover", "Bring back drawings that a crash, a kill or a power cut left behind");
+  CLI::App* command =
+      app.add_subcommand("recover", "Recover drawings after a crash, a kill or a power cut");
   const auto args = std::make_shared<RecoverArguments>();
-  command->add_flag("--list", args->list, "Say what there is, and write nothing");
+  command->add_flag("--list", args->list, "List the drawings and write nothing");
   command->add_option("-o,--output", args->folder,
                       "Write each into this folder, as 'NAME (recovered).felt'");
   command->add_option("--from", args->from,
-                      "Look in these folders instead of where feltline-desktop keeps its work");
+                      "Search these folders instead of the autosave folder of feltline-desktop");
   command->footer(
       examples("feltline recover --list\n"
                "feltline recover -o rescued\n"
                "feltline recover --from /media/old/home/me/.local/state/feltline/working -o .") +
-      "\n\nA crash of 'feltline record' leaves OUTPUT.unsaved-NUMBER.ndjson beside its output; "
-      "those\n"
-      "in the current folder, in the one for temporary files and in --from are listed.\n"
-      "Nothing is deleted and no file is overwritten: feltline-desktop goes on offering what was "
-      "not\n"
-      "saved, until it is saved there or discarded.");
+      "\n\nA crash of 'feltline record' leaves OUTPUT.unsaved-NUMBER.ndjson beside its output. "
+      "Such files\n"
+      "in the current folder, in the folder for temporary files and in --from are listed.\n"
+      "Nothing is deleted and no file is overwritten: feltline-desktop keeps offering unsaved "
+      "drawings\n"
+      "until they are saved there or discarded.");
   command->callback([args, &console] {
     if (!args->list && args->folder.empty()) args->list = true;
     recover(*args, console);

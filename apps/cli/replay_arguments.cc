@@ -33,11 +33,11 @@ void ReplayArguments::add_pen_to(CLI::App& command) {
 }
 
 void ReplayArguments::add_loop_to(CLI::App& command) {
-  command.add_option("--rate", rate_hz, "Ticks of the loop a second (default: the device's)")
+  command.add_option("--rate", rate_hz, "Ticks of the loop per second (default: the device's)")
       ->check(number_between(250.0, 5000.0));
   command
       .add_option("--delay", delay_ticks,
-                  "Ticks from a position to its force (default: the device's)")
+                  "Delay from a position to its force, in ticks (default: the device's)")
       ->check(CLI::Range(0, 7));
   command.add_flag("--no-force", no_force, "Send no force to the pen");
 }

@@ -66,20 +66,20 @@ constexpr const char* kReplayExamples =
 void add_output_options(CLI::App& command, ReplayCommandArguments& args) {
   command
       .add_option("EVENTS", args.scripts,
-                  "Event scripts, raw pen strokes, or both in one, .ndjson; '-' is stdin")
+                  "Event scripts, raw pen strokes, or files with both, .ndjson; '-' is stdin")
       ->required();
   command.add_option("-o,--output", args.output,
                      "Output file: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
-  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--to", args.to, "Output format; the default is set by the file extension");
   command.add_option(
       "--on", args.on,
-      "A drawing to start from, on its own surface: .felt, .ndjson, .svg of Feltline");
-  command.add_option("--forces", args.forces,
-                     "Pose, force asked, force sent and each force term, a row a tick, .csv");
-  command.add_option("--plot", args.plot, "The same over time as a picture, .png");
-  command.add_option("--sound", args.sound, "Sound of the pen on the surface, .wav");
-  command
-      .add_option("--stats", args.stats, "Print counts, forces and how close the ink is, on stdout")
+      "A drawing to start from, with its surface: .felt, .ndjson, or .svg by Feltline");
+  command.add_option(
+      "--forces", args.forces,
+      "Save pose, requested force, sent force and each force term, a row per tick, as .csv");
+  command.add_option("--plot", args.plot, "Plot the same over time as a .png");
+  command.add_option("--sound", args.sound, "Save the sound of the pen on the surface as a .wav");
+  command.add_option("--stats", args.stats, "Print counts, forces and accuracy on stdout")
       ->check(CLI::IsMember({"json"}));
 }
 
@@ -87,25 +87,26 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   add_output_options(command, args);
   args.pen.add_pen_to(command);
   args.pen.add_loop_to(command);
-  command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
+  command
+      .add_option("--seed", args.seed, "Seed of the hand's tremor for raw strokes; 0 for no tremor")
       ->check(whole_number())
       ->capture_default_str();
   command.add_option("--sheet,--material", args.sheet)->group("");  // former names
   command.add_option("--medium", args.medium,
-                     "What is drawn with, in its own widths and its usual colour: an id of\n"
+                     "The medium to draw with, in its default widths and colour: an id of\n"
                      "'feltline materials'");
-  command.add_option("--set", args.options, "TOOL.OPTION=VALUE before the first event")
+  command.add_option("--set", args.options, "Set TOOL.OPTION=VALUE before the first event")
       ->allow_extra_args(false);
   command
       .add_option("--until", args.until_ms,
-                  "Stop at this time, in ms, and show the gesture in progress as it is")
+                  "Stop at this time, in ms, and include the unfinished gesture")
       ->check(number_between(0.0, limits::kMaxEventTimeMs));
   command.add_flag("--overlay", args.overlay, "Also show the tool's overlay in the .png");
-  command.add_flag("--as-recorded", args.as_recorded,
-                   "The script is a recording: its samples are drawn as they are, without device, "
-                   "hand and forces");
+  command.add_flag(
+      "--as-recorded", args.as_recorded,
+      "The script is a recording: draw its samples unchanged, without device, hand and forces");
   command.add_flag("--recording", args.recording,
-                   "Keep in the .felt how it was drawn: samples, forces, events");
+                   "Save in the .felt how it was drawn: samples, forces, events");
   command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw strokes, in mm")
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
@@ -130,10 +131,11 @@ struct ReplayOutputs {
 void check_recording(const ReplayCommandArguments& args) {
   if (args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
   if (!args.on.empty()) {
-    throw UsageError("--recording saves a drawing from its beginning: it cannot be used with --on");
+    throw UsageError(
+        "--recording saves a drawing from its beginning, so it cannot be used with --on");
   }
   if (args.until_ms) {
-    throw UsageError("--recording saves a whole script: it cannot be used with --until");
+    throw UsageError("--recording saves a whole script, so it cannot be used with --until");
   }
 }
 
@@ -160,7 +162,7 @@ void check_outputs(const ReplayCommandArguments& args) {
                         (args.plot == "-" ? 1 : 0) + (args.sound == "-" ? 1 : 0) +
                         (args.stats.empty() ? 0 : 1);
   if (to_stdout > 1) {
-    throw UsageError("-o, --forces, --plot, --sound and --stats: only one can have stdout");
+    throw UsageError("only one of -o, --forces, --plot, --sound and --stats can use stdout");
   }
 }
 
@@ -367,7 +369,7 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
                              "--set", "--until", "--overlay", "--mm-per-unit", "--recording"}) {
     if (command.count(option) == 0) continue;
     throw UsageError(std::string(option) +
-                     " cannot be used with --as-recorded: a recording is drawn as it is, without "
+                     " cannot be used with --as-recorded: a recording is drawn unchanged, without "
                      "device, hand and forces");
   }
   if (args.scripts.size() > 1) throw UsageError("--as-recorded plays one recording at a time");
@@ -375,7 +377,7 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
     throw UsageError("--as-recorded needs -o OUT or --sound");
   }
   if (args.output == "-" && args.sound == "-") {
-    throw UsageError("-o and --sound: only one can have stdout");
+    throw UsageError("only one of -o and --sound can use stdout");
   }
 }
 
@@ -412,8 +414,8 @@ Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
   if (!frame) return tl::unexpected(frame.error());
   if (session.option_defaults() != kOptionDefaults) {
     console.notice(input_name(args.scripts.front()) +
-                   ": recorded by an earlier version: options had its defaults, but the tools have "
-                   "changed; the drawing may differ");
+                   ": recorded by an earlier version of Feltline. Its option defaults were used, "
+                   "but the tools have changed, so the drawing may differ");
   }
   if (!heard) return heard;
   if (args.on.empty()) start = *std::move(frame);

@@ -53,7 +53,7 @@ Result<void> WavFile::add(std::span<const float> samples) {
   count_ += samples.size();
   if (count_ > kMaxSamples) {
     return fail(ErrorCode::kUnsupported,
-                "a .wav file holds 12 hours of sound at most, and this goes on for longer");
+                "a .wav file can hold at most 12 hours of sound, and this recording is longer");
   }
   for (const float sample : samples) {
     const double value = std::clamp(static_cast<double>(sample), -1.0, 1.0);

@@ -49,7 +49,7 @@ bool for_each_piece(const Input& input, Format format, Console& console,
         fmt::format("{}: {} of {} lines: {}", input.name(), mended, records, kMendedNotice));
   }
   if (!more) console.error(input.name() + ": " + more.error().message);
-  if (more && records == 0) console.error(input.name() + ": holds no strokes");
+  if (more && records == 0) console.error(input.name() + ": contains no strokes");
   return true;
 }
 

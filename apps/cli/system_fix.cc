@@ -108,8 +108,8 @@ Result<std::vector<std::string>> as_root() {
     }
   }
   return fail(ErrorCode::kUnsupported,
-              "there is neither sudo nor pkexec: write it below a folder of yours ('feltline "
-              "doctor --fix --prefix FOLDER') and copy it from there as root");
+              "neither sudo nor pkexec is installed. Write the files below a folder of yours "
+              "('feltline doctor --fix --prefix FOLDER') and copy them from there as root");
 }
 
 Result<void> write_here(const PlannedFix& fix) {
@@ -213,16 +213,16 @@ std::string plan_text(const std::vector<PlannedFix>& fixes) {
   for (const PlannedFix& fix : fixes) {
     switch (fix.state) {
       case PlannedFix::State::kSame:
-        text += fix.path + " is there already, as it should be.\n\n";
+        text += fix.path + " already exists with the right content.\n\n";
         continue;
       case PlannedFix::State::kNew:
         text += "A new file, " + fix.path + ":\n";
         break;
       case PlannedFix::State::kOurs:
-        text += fix.path + ", which Feltline wrote before, keeps what it has and becomes:\n";
+        text += fix.path + ", which Feltline wrote before, keeps its entries and becomes:\n";
         break;
       case PlannedFix::State::kForeign:
-        text += fix.path + " is there, and Feltline did not write it. It would become:\n";
+        text += fix.path + " exists, and Feltline did not write it. It would become:\n";
         break;
     }
     for (std::size_t at = 0; at < fix.content.size();) {

@@ -142,8 +142,8 @@ void print_tools(bool as_json, const Materials& known) {
     print_text(tool->info(), known, style);
   }
   print(
-      "\n{}\nThe surface of the page. The option ink.color is the colour of new ink: "
-      "\"#rrggbb\".\n",
+      "\n{}\n"
+      "The surface of the page. The option ink.color sets the colour of new ink: \"#rrggbb\".\n",
       heading("surface", style));
   print_options("surface", SurfaceOptions::table(), known, style);
 }

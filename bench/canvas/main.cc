@@ -260,7 +260,7 @@ void page_row(const std::string& what, const Ink& ink, const CanvasView& at, con
 }
 
 void page_rows(const Ink& dense, const CanvasView& on_dense, const Table& table) {
-  table.heading("us: a cold page, 10,000 strokes in the window");
+  table.heading("us: a page that is not cached, 10,000 strokes in the window");
   const Ink ink(10'000);
   CanvasView on_all = view_at({0, 0}, 1.0);
   on_all.fit(ink.area(), 0.0);
@@ -341,7 +341,7 @@ int run(const Arguments& args) {
   if (!args.only_media) page_rows(dense, on_dense, table);
   media_rows(dense, on_dense, table);
   if (args.only_media) return 0;
-  edit_rows("the same where 10,000 strokes lie on one window", dense, args.edits / 4, table);
+  edit_rows("the same with 10,000 strokes in one window", dense, args.edits / 4, table);
   return 0;
 }
 

@@ -83,7 +83,7 @@ Options options_of(int argc, char** argv) {
 /// Fails if the file cannot be opened.
 Result<std::string> lines_of(const std::string& path, std::size_t& left) {
   std::ifstream file(path);
-  if (!file) return fail(ErrorCode::kNotFound, path + ": cannot be opened");
+  if (!file) return fail(ErrorCode::kNotFound, path + ": cannot open");
   std::string text, line;
   while (left > 0 && std::getline(file, line)) {
     if (line.find("\"points\"") != std::string::npos) --left;
@@ -164,9 +164,10 @@ void print_table(const Options& options, const std::vector<Row>& rows) {
   for (const Row& row : rows) table.add_row(cells_of(row));
   fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
   fmt::print(
-      "\nSimulated {}, {} hand, paper. mean, 95 %, max: between the path that the hand meant and "
-      "the ink,\nboth ways. N: sent while the pen is on the surface. x real time: all of it, on "
-      "one thread of this machine.\n",
+      "\nSimulated {}, {} hand, paper. mean, 95 %, max: distance between the path that the hand "
+      "intended and the ink,\n"
+      "in both directions. N: sent while the pen is on the surface. x real time: the whole run, on "
+      "one thread of this computer.\n",
       options.device, options.hand);
 }
 
@@ -192,7 +193,7 @@ int run(int argc, char** argv) {
   print_table(options, rows);
   if (!options.csv.empty()) write_csv(options.csv, rows);
   if (all_came_out) return 0;
-  fmt::print(stderr, "bench_feel: strokes went in that did not come out as one each\n");
+  fmt::print(stderr, "bench_feel: some input strokes did not result in exactly one stroke each\n");
   return 1;
 }
 

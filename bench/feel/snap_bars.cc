@@ -86,9 +86,8 @@ class Bars {
   }
   void print() const {
     fmt::print(
-        "{:<24} {} of {} strokes joined or closed unasked, {} ends met, path error at most {:.2f} "
-        "times, "
-        "{} of {} shapes closed{}\n",
+        "{:<24} {} of {} strokes joined or closed by mistake, {} ends met, path error at most "
+        "{:.2f} times, {} of {} shapes closed{}\n",
         title_of(hand_), totals_.unwanted, totals_.strokes, totals_.met, totals_.worst_ratio,
         totals_.closed, totals_.shapes, hold() ? "" : ": MISSED");
   }

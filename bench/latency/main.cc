@@ -104,8 +104,7 @@ bool measure(MainWindow& window, PixelWatch& pixels, SampleWatch& samples, const
     all_measured = print(all) && all_measured;
     print_load();
   }
-  std::printf("one look at the pixel takes %.0f us, and there are 50 us between two\n",
-              1e-3 * pixels.look_ns());
+  std::printf("reading the pixel takes %.0f us; it is read every 50 us\n", 1e-3 * pixels.look_ns());
   return all_measured;
 }
 

@@ -60,7 +60,7 @@ void cubic_rows(Table& table, Stopwatch& watch) {
   }
 #ifndef FELT_HAVE_2GEOM
   Table::note(
-      "lib2geom not found when this was built (package lib2geom-dev): its rows are left out");
+      "lib2geom was not found when this was built (package lib2geom-dev): its rows are missing");
 #endif
   if (sink < 0.0) Table::note("impossible");  // keeps the compiler from removing the calls
 }

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     }
   }
   Stopwatch watch;
-  std::printf("reading the clock costs %.0f ns (subtracted)\n", watch.overhead_ns());
+  std::printf("reading the clock takes %.0f ns (subtracted)\n", watch.overhead_ns());
   Table table(csv);
   for (std::size_t n = 1000; n <= largest; n *= 10) tree_rows(table, watch, n);
   adversarial_rows(table, watch);

@@ -55,7 +55,7 @@ void print_head(const InkData& data, int repeats) {
               data.name.c_str(), data.raw.size(), sample_count(data.raw), data.deduplicated.size(),
               sample_count(data.deduplicated));
   std::printf("CPU time, least of %d runs; a single call's includes %" PRId64
-              " ns of reading the clock.\n",
+              " ns for reading the clock.\n",
               repeats, timer_overhead_ns());
 }
 
@@ -83,12 +83,13 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--repeats", arguments.repeats, "timed runs of each (3)")
       ->check(CLI::Range(1, 99));
   app.add_option("--only", arguments.only, "fitters with this in their name");
-  app.add_option("--npm-dir", arguments.npm.modules, "folder that holds node_modules");
-  app.add_option("--scratch", arguments.npm.scratch, "folder for files that pass to node and back");
+  app.add_option("--npm-dir", arguments.npm.modules, "folder that contains node_modules");
+  app.add_option("--scratch", arguments.npm.scratch,
+                 "folder for files that are exchanged with node");
   app.add_flag("--by-source", arguments.by_source, "one table per source as well");
   app.add_option("--csv", arguments.csv, "write all rows to this file");
   app.add_option("--long", arguments.long_samples,
-                 "instead: the cost of single calls on one stroke of N generated samples")
+                 "instead, measure single calls on one stroke of N generated samples")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", arguments.seed, "of --long (1)");
 }

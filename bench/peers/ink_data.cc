@@ -25,7 +25,7 @@ std::vector<fit_check::Ink> deduplicated(const std::vector<fit_check::Ink>& raw)
 std::vector<fit_check::Ink> read_file(const std::string& path, const std::string& file,
                                       double mm_per_unit) {
   std::ifstream in(path);
-  if (!in) throw std::runtime_error(path + ": cannot be opened");
+  if (!in) throw std::runtime_error(path + ": cannot open");
   try {
     std::vector<fit_check::Ink> inks = fit_check::read_inks(in, mm_per_unit);
     for (fit_check::Ink& ink : inks) {

@@ -73,8 +73,7 @@ void print_long_report(std::int64_t samples, double tolerance, int repeats, unsi
                        const std::string& only) {
   const fit_check::Ink ink = make_long_stroke(samples, tolerance, seed);
   std::printf(
-      "Thread CPU time in ns. An empty measurement shows %lld ns, which is part of every "
-      "call.\n\n",
+      "Thread CPU time in ns. An empty measurement takes %lld ns, which every call includes.\n\n",
       static_cast<long long>(timer_overhead_ns()));
   for (const auto& peer : make_feltline_peers(tolerance)) {
     const bool wanted = peer->name().find(only) != std::string::npos;

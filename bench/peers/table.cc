@@ -95,7 +95,7 @@ void print_sources(std::FILE* out, const std::vector<Row>& rows) {
 
 void write_csv(const std::string& path, const std::vector<Row>& rows) {
   std::FILE* out = std::fopen(path.c_str(), "w");
-  if (!out) throw std::runtime_error(path + ": cannot be written");
+  if (!out) throw std::runtime_error(path + ": cannot write");
   std::fprintf(out,
                "fitter,tolerance,source,strokes,samples,segments,max_error,mean_error,"
                "strokes_over,breaks_1e-3,breaks_5,corners,overshoot_p99,overshoot_max,"
@@ -106,7 +106,7 @@ void write_csv(const std::string& path, const std::vector<Row>& rows) {
     write_csv_row(out, row, "all", row.total);
     for (const auto& [source, report] : row.by_source) write_csv_row(out, row, source, report);
   }
-  if (std::fclose(out) != 0) throw std::runtime_error(path + ": cannot be written");
+  if (std::fclose(out) != 0) throw std::runtime_error(path + ": cannot write");
 }
 
 }  // namespace felt::bench

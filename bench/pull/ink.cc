@@ -47,7 +47,7 @@ Result<void> add_fitted(const std::string& text, double mm_per_unit,
 
 Result<std::vector<StrokePtr>> fitted_file(const std::string& path, double mm_per_unit) {
   std::ifstream file(path);
-  if (!file) return fail(ErrorCode::kNotFound, path + ": cannot be opened");
+  if (!file) return fail(ErrorCode::kNotFound, path + ": cannot open");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::vector<StrokePtr> strokes;
   if (Result<void> read = add_fitted(text, mm_per_unit, strokes); !read) {

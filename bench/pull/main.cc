@@ -177,10 +177,11 @@ void print_table(const std::vector<Row>& rows, const Options& options, std::size
         r.segments, r.refused);
   }
   fmt::print(
-      "\noutside: largest distance from a place of the old stroke beyond the span to the new one, "
-      "mean and\nmax over the pulls; moved: pulls that move anything there by a micrometre. turn: "
-      "integral of |kappa| ds,\nbending: of kappa^2 ds, new minus old. per tick: as the paper has "
-      "it, at 1 kHz and 100 mm/s.\n");
+      "\noutside: largest distance from a point of the old stroke beyond the span to the new one, "
+      "mean and\n"
+      "max over the pulls; moved: pulls that move anything there by a micrometre. turn: integral "
+      "of |kappa| ds,\n"
+      "bending: of kappa^2 ds, new minus old. per tick: as in the paper, at 1 kHz and 100 mm/s.\n");
 }
 
 void print_json(const std::vector<Row>& rows, const Options& options, std::size_t strokes) {
@@ -228,7 +229,7 @@ int run(int argc, char** argv) {
   if (options.files.empty()) strokes = fitted_samples();
   const std::vector<Pull> pulls = random_pulls(strokes, options);
   if (pulls.empty()) {
-    fmt::print(stderr, "bench_pull: there is no stroke of {} mm and more\n", kShortestMm);
+    fmt::print(stderr, "bench_pull: there is no stroke of at least {} mm\n", kShortestMm);
     return 1;
   }
   std::vector<Row> rows;

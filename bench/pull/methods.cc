@@ -47,7 +47,7 @@ Result<StrokeData> tick_by_tick(const Pull& pull, Weights weights) {
     const Vec v = pen - evaluate(strand.segment(place.segment), place.t);
     strand.prepare(place.segment);
     if (!strand.bend(place.segment, place.t, weights(place.t), v)) {
-      return fail(ErrorCode::kInvalidData, "a segment was folded to nothing");
+      return fail(ErrorCode::kInvalidData, "a segment was reduced to a point");
     }
   }
   return strand.stroke().map([](const Stroke& stroke) { return stroke.data(); });

@@ -128,7 +128,8 @@ void run(const Arguments& args) {
   const auto svg = svg_ink_text(drawing, {}).value();
   const auto packed = static_cast<double>(gzip_bytes(svg));
   row(args, "the same as SVG, gzip -9", packed / strokes, "bytes a stroke");
-  row(args, "size of .felt to that", 100.0 * static_cast<double>(bytes.size()) / packed, "%");
+  row(args, "size of .felt relative to that", 100.0 * static_cast<double>(bytes.size()) / packed,
+      "%");
   row(args, "open, from memory", median_ms(args.rounds, [&] { (void)parse_felt(bytes); }),
       "ms CPU");
   row(args, "save, into memory", median_ms(args.rounds, [&] { (void)felt_bytes(drawing); }),

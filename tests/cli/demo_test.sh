@@ -14,7 +14,7 @@ mkdir -p three
 run 0 "$feltline" demo -o three
 for file in sketch.png forces.png; do
   same "one/$file" "three/$file"
-  [ "$(head -c 4 "one/$file" | tail -c 3)" = PNG ] || fail "$file is no PNG"
+  [ "$(head -c 4 "one/$file" | tail -c 3)" = PNG ] || fail "$file is not a PNG"
 done
 if command -v rsvg-convert >/dev/null; then
   run 0 rsvg-convert one/sketch.svg -o viewed.png

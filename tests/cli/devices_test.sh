@@ -35,7 +35,7 @@ mkdir home
 "$feltline" doctor >out 2>err
 code=$?
 [ $code -le 1 ] || fail "doctor ended with $code"
-head -n 1 out | grep -Eq 'No haptic device is connected|Ready to draw|mending|Perhaps' ||
+head -n 1 out | grep -Eq 'No haptic device is connected|Ready to draw|fixing|Perhaps' ||
   fail "the first line is: $(head -n 1 out)"
 has out "Settings are kept in"
 is_empty err
@@ -59,19 +59,19 @@ run 0 "$feltline" doctor --fix --dry-run --prefix "$work/root"
 if grep -q rtprio out; then
   run 1 "$feltline" doctor --fix --prefix "$work/root" </dev/null
   has err "--yes"
-  [ ! -e root ] || fail "it wrote although nobody agreed"
+  [ ! -e root ] || fail "it wrote without consent"
   limits=root/etc/security/limits.d/70-feltline.conf
   run 0 "$feltline" doctor --fix --yes --prefix "$work/root"
   has out "Written: $work/$limits"
   has "$limits" "rtprio 80"
   cp "$limits" first
   run 0 "$feltline" doctor --fix --yes --prefix "$work/root"
-  has out "as it should be"
+  has out "already exists with the right content"
   same "$limits" first
   echo "somebody's" >"$limits"
   run 1 "$feltline" doctor --fix --yes --prefix "$work/root"
-  has err "left as it is"
-  [ "$(cat "$limits")" = "somebody's" ] || fail "it wrote over a file that is not ours"
+  has err "not changed"
+  [ "$(cat "$limits")" = "somebody's" ] || fail "it overwrote a file of another program"
 fi
 # The device test on simulated pens. It runs in virtual time, so each run gives the same report.
 run 0 "$feltline" device-test premium --report report.txt

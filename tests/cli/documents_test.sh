@@ -10,7 +10,7 @@ nameless() { sed 's/"id":"[^"]*"/"id":"x"/' "$1" >"$1.plain"; same "$1.plain" pl
 run 0 "$feltline" convert a.ndjson -o a.felt --page A5-landscape
 run 0 "$feltline" convert a.felt -o b.ndjson
 nameless b.ndjson
-[ "$(head -c 15 a.felt)" = "SQLite format 3" ] || fail "no database"
+[ "$(head -c 15 a.felt)" = "SQLite format 3" ] || fail "not a database"
 [ "$(find . -maxdepth 1 -name "*felt*" | wc -l)" = 1 ] || fail "files beside a.felt: $(ls -A)"
 run 0 "$feltline" fit in.ndjson -o fitted.felt --page A5-landscape --jobs 2
 same fitted.felt a.felt
@@ -27,8 +27,8 @@ same c.ndjson a.ndjson
 echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><text>a</text></svg>' >other.svg
 run 1 "$feltline" convert other.svg -o d.ndjson
 has err "feltline: other.svg: line 1: text"
-has err "feltline: other.svg: holds no strokes"
-[ ! -e d.ndjson ] || fail "a sketch of nothing"
+has err "feltline: other.svg: contains no strokes"
+[ ! -e d.ndjson ] || fail "an empty sketch was written"
 
 # The three files give the same picture.
 for file in a.ndjson a.felt a.svg; do
@@ -56,7 +56,7 @@ has a.pdf "/MediaBox [0 0 595.2756 841.8898 ]"
 run 1 "$feltline" convert a.pdf -o e.ndjson
 run 1 "$feltline" convert a.ndjson -o huge.pdf --page 9000x10
 has err "5080 mm"
-[ ! -e huge.pdf ] || fail "a page that no PDF may have"
+[ ! -e huge.pdf ] || fail "a page too large for a PDF was written"
 
 # A drawing given with --on keeps its layers and ids; new strokes are added on top.
 printf '%s\n' '{"t_ms":0,"event":"layer","do":"add","name":"Ideas"}' \
@@ -79,7 +79,7 @@ has err "seen.ndjson: 20 strokes of hidden layers were left out; --layers all in
 lines err 1
 lines seen.ndjson 1
 run 0 "$feltline" convert hidden.felt -o seen.xopp
-has err "seen.xopp: 20 strokes of hidden layers show, because .xopp has no hidden layers"
+has err "seen.xopp: 20 strokes of hidden layers are visible in the output, because .xopp does not support hidden layers"
 lines err 1
 for command in "hidden.felt -o all.ndjson --layers all" "hidden.felt -o hidden.svg" "a.felt -o a.xopp"; do
   # shellcheck disable=SC2086  # must be split into words
@@ -96,19 +96,19 @@ run 0 "$feltline" info edge2.ndjson
 printf '%s\n' '{"t_ms":0,"event":"select","what":"all"}' '{"t_ms":1,"event":"duplicate"}' >beyond.ndjson
 run 0 "$feltline" replay beyond.ndjson --on edge.felt -o beyond.felt
 run 1 "$feltline" convert beyond.felt -o far.ndjson
-has err "far.ndjson: stroke s2: reaches farther than 1e10 mm, which .ndjson cannot hold"
+has err "far.ndjson: stroke s2: extends beyond 1e10 mm, the limit of .ndjson"
 run 1 "$feltline" replay beyond.ndjson --on edge.felt -o far.ndjson
-has err "reaches farther than 1e10 mm"
+has err "extends beyond 1e10 mm"
 [ ! -e far.ndjson ] || fail "written, but it cannot be read"
 
 # If a file is damaged, the error names the file and no output is written.
 head -c 3000 a.felt >cut.felt
 run 1 "$feltline" convert cut.felt -o f.ndjson
-has err "feltline: cut.felt: is damaged or cut off"
+has err "feltline: cut.felt: is damaged or incomplete"
 echo nonsense >no.felt
 run 1 "$feltline" info no.felt
 has err "feltline: no.felt: is not a Feltline drawing"
 run 1 "$feltline" render none.felt -o f.png
 has err "feltline: none.felt: "
-[ ! -e f.ndjson ] && [ ! -e f.png ] || fail "written from nothing"
+[ ! -e f.ndjson ] && [ ! -e f.png ] || fail "a file was written without input"
 finish

@@ -37,7 +37,7 @@ is_empty err
 same quiet.felt layers.felt
 run 1 "$feltline" --strict convert layers.svg -o strict.felt
 has err "feltline: layers.svg: line 11: text"
-[ ! -e strict.felt ] || fail "written though --strict"
+[ ! -e strict.felt ] || fail "a file was written despite --strict"
 run 0 "$feltline" info layers.svg --json -q
 has out '"count":2}]'
 
@@ -75,7 +75,7 @@ lines some.ndjson 2
 run 0 "$feltline" convert layers.felt -o one.ndjson --layers 'Ideas, old'
 lines one.ndjson 1
 run 1 "$feltline" convert layers.felt -o none.ndjson --layers 4
-has err "there is no layer '4'; there are 1 'Below', 2 'Ideas, old', 3 'Top'"
+has err "there is no layer '4'; the layers are 1 'Below', 2 'Ideas, old', 3 'Top'"
 [ ! -e none.ndjson ] || fail "written without a layer"
 run 0 "$feltline" convert layers.felt -o seen.svg --layers visible
 run 0 "$feltline" render seen.svg -o seen.png --dpi 50
@@ -91,14 +91,14 @@ strokes 400 >many.ndjson
 run 0 "$feltline" fit many.ndjson -o whole.felt
 head -c $(($(stat -c %s whole.felt) * 3 / 4)) whole.felt >cut.felt
 run 1 "$feltline" convert cut.felt -o had.ndjson
-has err '`feltline convert --salvage` recovers what is readable'
+has err '`feltline convert --salvage` recovers the readable parts'
 run 0 "$feltline" convert cut.felt -o had.ndjson --salvage
-[ -s err ] || fail "nothing said about the damage"
-[ "$(wc -l <had.ndjson)" -gt 0 ] || fail "nothing was had"
+[ -s err ] || fail "the damage was not reported"
+[ "$(wc -l <had.ndjson)" -gt 0 ] || fail "no stroke was recovered"
 
 # fit accepts raw samples only, not curves that are fitted already.
 run 1 "$feltline" fit layers.felt -o x.ndjson
-has err "feltline: layers.felt: holds curves, which are fitted already"
+has err "feltline: layers.felt: contains curves, which are already fitted"
 
 # 'formats' prints a table of the formats.
 run 0 "$feltline" formats

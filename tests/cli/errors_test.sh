@@ -39,7 +39,7 @@ for name in picture.png picture.ndjson; do
     # shellcheck disable=SC2086  # must be split into words
     run 1 "$feltline" $command
     lines err 1
-    has err "feltline: $name: is a PNG picture, which is written but not read"
+    has err "feltline: $name: is a PNG picture, which Feltline can write but not read"
   done
 done
 echo 'Dear all,' >letter.doc
@@ -50,9 +50,9 @@ for command in "fit script.ndjson -o x.ndjson" "info script.ndjson" "convert scr
   # shellcheck disable=SC2086  # must be split into words
   run 1 "$feltline" $command
   lines err 1
-  has err "feltline: script.ndjson: holds events, not strokes"
+  has err "feltline: script.ndjson: contains events, not strokes"
 done
-[ ! -e x.svg ] || fail "a drawing of nothing"
+[ ! -e x.svg ] || fail "an empty drawing was written"
 
 # Errors name the format of a Quick, Draw! drawing even if the start of its line does not show it.
 {
@@ -69,7 +69,7 @@ done
 run 1 "$feltline" fit word.ndjson -o x.svg
 lines err 1
 has err "feltline: word.ndjson:1: word: longer than 4096 bytes"
-[ ! -e x.svg ] || fail "a drawing of nothing"
+[ ! -e x.svg ] || fail "an empty drawing was written"
 
 # A record without an id gets its number as the id.
 printf '{"points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n{"points":[[0,0],[5,5]]}\n' >n.ndjson
@@ -88,16 +88,16 @@ same out.ndjson expected.ndjson
 printf '\n \n' >blank.ndjson
 for nothing in empty blank; do
   run 1 "$feltline" fit $nothing.ndjson -o out.ndjson
-  has err "feltline: $nothing.ndjson: holds no strokes"
+  has err "feltline: $nothing.ndjson: contains no strokes"
   same out.ndjson expected.ndjson
   for command in "render $nothing.ndjson -o x.png" "convert $nothing.ndjson -o -" \
     "info $nothing.ndjson"; do
     # shellcheck disable=SC2086  # must be split into words
     run 1 "$feltline" $command
-    has err "feltline: $nothing.ndjson: holds no strokes"
+    has err "feltline: $nothing.ndjson: contains no strokes"
   done
 done
-[ ! -e x.png ] || fail "a picture of nothing"
+[ ! -e x.png ] || fail "an empty picture was written"
 if [ "$(id -u)" != 0 ]; then
   cp good.ndjson locked.ndjson
   chmod 000 locked.ndjson
@@ -125,7 +125,7 @@ run 0 "$feltline" fit good.ndjson -o /dev/null
 # Sketches are checked as strictly as raw samples.
 echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0],[3,1,4,4,5,5,6,6]],"joints":["smooth"],"widths":[[0,1],[2,1]]}' >k.ndjson
 run 1 "$feltline" convert k.ndjson -o -
-has err "feltline: k.ndjson:1: segments[1]: does not start where the one before ends"
+has err "feltline: k.ndjson:1: segments[1]: does not start at the end of the previous one"
 echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0]],"joints":[],"widths":[[0,1],[2,1]]}' >k.ndjson
 run 1 "$feltline" convert k.ndjson -o -
 has err "feltline: k.ndjson:1: "

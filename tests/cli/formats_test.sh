@@ -72,7 +72,7 @@ run 0 "$feltline" render rough.felt -o rough3.png --dpi 50 --grain
 same rough3.png rough1.png
 sed 's/felt:page="/felt:surface="moon dust" &/' solid.svg >on_moon.svg
 run 1 "$feltline" render on_moon.svg -o r.png --grain
-has err "the drawing's surface 'moon dust' is not known here; say which with --surface"
+has err "the drawing's surface 'moon dust' is unknown; choose another with --surface"
 run 0 "$feltline" convert on_moon.svg -o moon_back.svg
 has moon_back.svg 'felt:surface="moon dust"'
 
@@ -103,11 +103,11 @@ has paper.svg '</svg>'
 printf '{"id":"a\\u0001","points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n' >ids.ndjson
 run 1 "$feltline" fit ids.ndjson -o ids.svg
 lines err 1
-has err "feltline: ids.ndjson:1: XML cannot hold the character U+1"
+has err "feltline: ids.ndjson:1: XML cannot contain the character U+1"
 has ids.svg 'felt:id="b"'
 run 0 "$feltline" fit ids.ndjson -o fitted_ids.ndjson
 run 1 "$feltline" convert fitted_ids.ndjson -o converted_ids.svg
-has err "feltline: fitted_ids.ndjson:1: XML cannot hold the character U+1"
+has err "feltline: fitted_ids.ndjson:1: XML cannot contain the character U+1"
 same converted_ids.svg ids.svg
 
 # The output of info.
@@ -129,5 +129,5 @@ run 0 "$feltline" fit quick.ndjson -o quick_fitted.ndjson --mm-per-unit 0.2
 run 0 "$feltline" fit quick.ndjson -o quick.svg
 [[ -z $(grep -o ' id="[^"]*"' quick.svg | sort | uniq -d) ]] || fail "ids occur twice in quick.svg"
 run 1 "$feltline" fit - -o - <<<'{"drawing":[[[1,2],[3]]]}'
-has err "drawing[0]: a stroke needs as many y, and t, as x"
+has err "drawing[0]: a stroke needs equal numbers of x, y and t"
 finish

@@ -70,7 +70,7 @@ fi
   echo '"/></svg>'
 } >long.svg
 run 0 "$feltline" convert long.svg -o long.felt
-has err "more than 250000 segments and became several strokes"
+has err "more than 250000 segments and was split into several strokes"
 run 0 "$feltline" info long.felt
 rm -f long.*
 
@@ -85,7 +85,7 @@ rm -f long.*
   echo '"/></svg>'
 } >variables.svg
 run 0 timeout 20 "$feltline" convert variables.svg -o variables.felt
-has err "has a stroke that is not read, and became black"
+has err "has a stroke that could not be read, and became black"
 rm variables.*
 
 # A file larger than the maximum of a drawing is refused because of its size, before it is read.

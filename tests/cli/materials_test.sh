@@ -20,7 +20,7 @@ for id in $ids; do
 done
 run 0 "$feltline" materials check "${texts[@]}"
 lines out 18
-has out "paper.toml: surface paper (to read, but not as one of your own"
+has out "paper.toml: surface paper (can be read, but not saved as a custom material"
 run 1 "$feltline" materials show mud
 has err 'there is no material "mud"; there are paper, rough-paper'
 
@@ -42,13 +42,13 @@ run 0 "$feltline" materials new my-paper --from rough-paper
 has out 'id = "my-paper"'
 has out 'label = "My paper"'
 run 2 "$feltline" materials new charcoal
-has err "that Feltline brings"
+has err "that is built in"
 run 2 "$feltline" materials new My_Paper
 run 2 "$feltline" materials new a --from mud
 run 0 "$feltline" materials new my-paper --from rough-paper --save
 has out "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
 run 1 "$feltline" materials new my-paper --save
-has err "it stays as it is"
+has err "it was not changed"
 run 0 "$feltline" materials new my-chalk --from chalk --save
 run 0 "$feltline" materials
 has out "data/feltline/materials/my-chalk.toml"
@@ -72,7 +72,7 @@ run 0 "$feltline" replay in.ndjson -o same.ndjson --set surface.material=rough-p
 sed 's/my-chalk/chalk/' own.ndjson >renamed.ndjson
 same renamed.ndjson same.ndjson
 run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.medium=mud
-has err "it is one of pencil, pencil-hard"
+has err "it must be one of pencil, pencil-hard"
 has err "my-chalk"
 run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.medium=eraser
 run 0 "$feltline" fit in.ndjson -o a.png --dpi 50 --surface my-paper
@@ -113,7 +113,7 @@ for way in "--surface canvas" "--surface canvas --grain"; do
   for name in faint as_pencil; do
     run 0 "$feltline" render $name.ndjson -o $name.png --dpi 50 --page A4 $way
   done
-  cmp -s faint.png as_pencil.png && fail "$way: a medium of one's own looks like the pencil"
+  cmp -s faint.png as_pencil.png && fail "$way: a custom medium looks like the pencil"
 done
 run 0 "$feltline" replay in.ndjson -o faint.felt --medium faint
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render faint.felt -o there.png --dpi 50 --page A4 --surface canvas
@@ -133,7 +133,7 @@ run 0 "$feltline" convert faint.felt -o named.svg
 sed -i 's/felt:surface="paper"/felt:surface="my-paper"/' named.svg
 run 0 "$feltline" render named.svg -o named.png --dpi 50 --grain
 run 1 env XDG_DATA_HOME="$work/nobody" "$feltline" render named.svg -o named.png --grain
-has err "'my-paper' is not known here"
+has err "'my-paper' is unknown"
 
 # The drawing stores its surface and its materials, with or without a recording.
 for surface in wood my-paper; do

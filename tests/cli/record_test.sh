@@ -39,7 +39,7 @@ has back.svg 'felt:surface="my-paper"'
 
 # Forces need the consent of the user.
 run 1 "$feltline" record --device openhaptics -o no.ndjson --forces-on --seconds 1 </dev/null
-has err "nobody agreed"
+has err "did not agree"
 [ ! -e no.ndjson ] || fail "an output without a drawing"
 
 # soon COMMAND...: waits until COMMAND succeeds. Fails after about 30 s, because the machine may be

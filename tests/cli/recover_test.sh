@@ -21,7 +21,7 @@ run 0 "$feltline" info "rescued here/Killed (recovered).felt"
 run 0 "$feltline" recover -o "rescued here"
 same "rescued here/Killed (recovered).felt" "rescued here/Killed (recovered 2).felt"
 run 1 "$feltline" recover --list --from nowhere
-has err "--from nowhere: there is no such folder"
+has err "--from nowhere: the folder does not exist"
 is_empty out
 echo >file
 run 1 "$feltline" recover -o file/below
@@ -35,7 +35,7 @@ has err "$store"
 rm -f "$store/store.db"
 run 0 "$feltline" recover --list
 has out "Nothing to recover"
-[ ! -e "$store" ] || fail "what holds no drawing stays: $store"
+[ ! -e "$store" ] || fail "a folder without a drawing was not removed: $store"
 run 2 "$feltline" recover nonsense
 run 0 "$feltline" recover --help
 has out "feltline recover --list"

@@ -68,7 +68,7 @@ cmp -s shaken.ndjson s1.ndjson && fail "the tremor changes nothing"
 run 0 "$feltline" replay in.ndjson -o small.ndjson --mm-per-unit 0.1 --set pencil.snap=off
 run 0 "$feltline" replay in.ndjson --no-force --forces none.csv -o none.ndjson --set pencil.snap=off
 lines none.ndjson 3
-awk -F, 'NR > 1 && ($12 != 0 || $13 != 0 || $14 != 0) { exit 1 }' none.csv || fail "a force without force"
+awk -F, 'NR > 1 && ($12 != 0 || $13 != 0 || $14 != 0) { exit 1 }' none.csv || fail "a force was sent despite --no-force"
 mkdir folder
 cp s1.ndjson folder/sketch.ndjson
 echo '{"event":"import","path":"sketch.ndjson","t_ms":0}' >folder/import.ndjson
@@ -91,13 +91,13 @@ END
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 500 -o before.ndjson
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 -o during.ndjson
 lines during.ndjson 1
-cmp -s before.ndjson during.ndjson && fail "the preview is not seen"
+cmp -s before.ndjson during.ndjson && fail "the preview is not visible"
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 9000 -o beyond.ndjson
 run 0 "$feltline" replay pull.ndjson --on line.ndjson -o whole.ndjson
 same beyond.ndjson whole.ndjson
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 -o plain.png --dpi 60
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 --overlay -o seen.png --dpi 60
-cmp -s plain.png seen.png && fail "the overlay is not seen"
+cmp -s plain.png seen.png && fail "the overlay is not visible"
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 --overlay -o seen2.png --dpi 60
 same seen.png seen2.png
 run 0 "$feltline" replay pull.ndjson --on line.ndjson --overlay -o end.png --dpi 60
@@ -238,11 +238,11 @@ done
 run 2 "$feltline" replay recorded.ndjson recorded.ndjson --as-recorded -o x.ndjson
 has err "one recording at a time"
 run 1 "$feltline" replay events.ndjson --as-recorded -o x.ndjson
-has err "events.ndjson:4: a hand event is for the player"
+has err "events.ndjson:4: hand events"
 run 1 "$feltline" replay in.ndjson --as-recorded -o x.ndjson
-has err "in.ndjson:1: a stroke, where only events are expected"
+has err "in.ndjson:1: found a stroke, but only events are allowed"
 run 1 "$feltline" replay recorded.ndjson -o x.ndjson
-has err "a device event is for recordings"
+has err "device events are only allowed in recordings"
 
 # Sound is a .wav file with 16 bits, 48 kHz and one channel, as long as the session. Each run gives the
 # same bytes.
@@ -268,10 +268,10 @@ loudness() {
     -N $((2 * $(awk "BEGIN { print int(48000 * ($3 - $2)) }"))) "$1" |
     awk '{ sum += $1 < 0 ? -$1 : $1 } END { print sum + 0 }'
 }
-[ "$(loudness s.wav 0.1 0.65)" = 0 ] || fail "a pen in the air is heard"
-[ "$(loudness s.wav 0.9 1.25)" -gt 500000 ] || fail "a pen that draws is not heard"
+[ "$(loudness s.wav 0.1 0.65)" = 0 ] || fail "a pen in the air makes a sound"
+[ "$(loudness s.wav 0.9 1.25)" -gt 500000 ] || fail "a pen that draws makes no sound"
 run 0 "$feltline" replay events.ndjson --sound glass.wav --material glass
-[ "$(loudness glass.wav 0.9 1.25)" -lt "$(loudness s.wav 0.9 1.25)" ] || fail "glass is no quieter"
+[ "$(loudness glass.wav 0.9 1.25)" -lt "$(loudness s.wav 0.9 1.25)" ] || fail "glass is not quieter"
 # --sound with --as-recorded uses the samples of the recording.
 run 0 "$feltline" replay recorded.ndjson --as-recorded --sound r.wav
 run 0 "$feltline" replay recorded.ndjson --as-recorded --sound r2.wav -o r.ndjson
@@ -284,7 +284,7 @@ run 1 "$feltline" replay bad.ndjson --sound kept.wav
 run 1 "$feltline" replay events.ndjson --sound nowhere/s.wav
 has err "nowhere/s.wav"
 run 2 "$feltline" replay events.ndjson --sound - -o -
-has err "only one can have stdout"
+has err "can use stdout"
 run 2 "$feltline" replay recorded.ndjson --as-recorded --sound - -o -
 run 2 "$feltline" replay recorded.ndjson --as-recorded
 has err "needs -o OUT or --sound"

@@ -103,7 +103,7 @@ has err "feltline: many.ndjson:3: "
 has err "feltline: many.ndjson: ... and 65,997 more like it (line 1)"
 run 1 "$feltline" fit sketch.ndjson -o x.felt
 lines err 1
-has err "feltline: sketch.ndjson: holds curves, which are fitted already"
+has err "feltline: sketch.ndjson: contains curves, which are already fitted"
 
 # An .svgz is compressed whoever writes it, and only an SVG is.
 run 0 "$feltline" fit good.ndjson -o small.svgz

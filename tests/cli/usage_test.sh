@@ -30,14 +30,14 @@ for material in velvet eraser paper; do
   run 2 "$feltline" fit in.ndjson -o x.ndjson --material "$material"
 done
 run 2 "$feltline" fit in.ndjson -o x.ndjson --material velvet
-has err "there is no 'velvet' to draw with; there is pencil,"
+has err "unknown medium 'velvet'; the media are pencil,"
 run 2 "$feltline" fit in.ndjson -o x.ndjson --min-width 3
 has err "--max-width (2) is less than --min-width (3)"
 run 2 "$feltline" fit in.ndjson -o x.ndjson --stats xml
 run 2 "$feltline" fit in.ndjson -o - --stats json
-has err "both want stdout"
+has err "cannot both use stdout"
 run 2 "$feltline" fit in.ndjson -o x.docx
-has err "x.docx: the extension '.docx' is not known; there is felt, svg,"
+has err "x.docx: the extension '.docx' is unknown; the formats are felt, svg,"
 run 2 "$feltline" fit in.ndjson -o x
 run 2 "$feltline" fit in.ndjson -o x.ndjson --to docx
 run 2 "$feltline" render in.ndjson -o x.ndjson
@@ -56,11 +56,11 @@ for seed in -1 99999999999999999999999 18446744073709551616 1.5 ''; do
 done
 for command in render convert fit; do
   run 2 "$feltline" $command in.ndjson -o x.png --surface ""
-  has err "--surface: it is empty"
+  has err "--surface: must not be empty"
 done
 for command in render convert; do
   run 2 "$feltline" $command in.ndjson -o x.png --layers ""
-  has err "--layers: it is empty"
+  has err "--layers: must not be empty"
 done
 is_empty out
 [ ! -e x.png ] || fail "a wrong command line made a picture"

@@ -262,7 +262,7 @@ TEST(DeviceCare, ShowsTheNoticesOfTheDevice) {
   fixture.go_on(100);
   EXPECT_NE(fixture.said().find("is in use"), std::string::npos)
       << "shown already: " << fixture.said();
-  fixture.arm->notice = "The service's events have stopped.";
+  fixture.arm->notice = "The service stopped sending events.";
   fixture.go_on(100);
   EXPECT_NE(fixture.said().find(fixture.arm->notice), std::string::npos) << fixture.said();
   EXPECT_FALSE(fixture.notice->message().is_fault);

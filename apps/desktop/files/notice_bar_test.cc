@@ -15,8 +15,8 @@ namespace {
 
 ImportReport report_of_two() {
   ImportReport report;
-  report.add(12, "text 'title'", "is not a stroke and was left out");
-  report.add(20, "text 'name'", "is not a stroke and was left out");
+  report.add(12, "text 'title'", "is not a stroke and was skipped");
+  report.add(20, "text 'name'", "is not a stroke and was skipped");
   report.add(0, "the image", "was left out");
   return report;
 }

@@ -106,7 +106,7 @@ Result<AutosaveDatabase> AutosaveDatabase::create(const std::string& root, const
     if (number > 1) folder += '-' + std::to_string(number);
     if (::mkdir(folder.c_str(), 0700) != 0) {
       if (errno == EEXIST) continue;
-      return database_error(folder, "cannot be made");
+      return database_error(folder, "cannot create");
     }
     Result<FolderLock> lock = FolderLock::take(folder);
     if (!lock) {
@@ -138,7 +138,7 @@ Result<AutosaveDatabase> AutosaveDatabase::create(const std::string& root, const
       const std::string to = database.folder_ + '/' + kAutosaveDatabaseFile;
       if (::rename(from.c_str(), to.c_str()) != 0 || !sync_folder(database.folder_) ||
           !sync_folder(root)) {
-        made = database_error(database.folder_, "cannot be made");
+        made = database_error(database.folder_, "cannot create");
       }
     }
     if (made) made = database.open(kAutosaveDatabaseFile, vfs);
@@ -146,7 +146,7 @@ Result<AutosaveDatabase> AutosaveDatabase::create(const std::string& root, const
     static_cast<void>(std::move(database).remove());  // no other process has opened it
     return tl::unexpected(made.error());
   }
-  return fail(ErrorCode::kIo, root + '/' + name + ": there are too many of this name");
+  return fail(ErrorCode::kIo, root + '/' + name + ": too many files have this name");
 }
 
 Result<void> AutosaveDatabase::open(const std::string& name, const char* vfs) {
@@ -173,7 +173,8 @@ Result<void> AutosaveDatabase::open(const std::string& name, const char* vfs) {
   const auto mode = Statement::of(db_, "PRAGMA journal_mode");
   if (!mode) return error();
   if (const Result<bool> row = mode->step(); !row || !*row) return error();
-  if (mode->text(0) != "wal") return fail(ErrorCode::kIo, folder_ + ": does not support a journal");
+  if (mode->text(0) != "wal")
+    return fail(ErrorCode::kIo, folder_ + ": the file system does not support a write-ahead log");
   if (name != kAutosaveDatabaseFile) return {};
   const auto prepare = [this](Statement& statement, const char* sql) {
     Result<Statement> made = Statement::of(db_, sql);

@@ -35,7 +35,8 @@ Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
 /// Reads the layers of a base into a new document.
 Result<void> read_layers(ByteReader& in, Document& document) {
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kMinLayerBytes) || count == 0) return invalid_data("the layers are cut off");
+  if (!in.has(count, kMinLayerBytes) || count == 0)
+    return invalid_data("the list of layers is incomplete");
   const Layer& first = document.layers().front();
   Edit edit;
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
@@ -52,7 +53,7 @@ Result<void> read_layers(ByteReader& in, Document& document) {
       edit.layers.push_back(std::move(change));
     }
   }
-  if (!in.ok()) return invalid_data("the layers are cut off");
+  if (!in.ok()) return invalid_data("the list of layers is incomplete");
   return document.apply(edit);
 }
 
@@ -66,13 +67,13 @@ Result<void> remove_autosave_folder(const std::string& folder) {
       // Stops at the first failure: a database must not lose its WAL, or it would be an older
       // drawing.
       if (::unlink(path.c_str()) != 0 && errno != ENOENT) {
-        return fail(ErrorCode::kIo, path + ": cannot be removed: " + std::strerror(errno));
+        return fail(ErrorCode::kIo, path + ": cannot remove: " + std::strerror(errno));
       }
     }
   }
   ::unlink((folder + "/lock").c_str());
   if (::rmdir(folder.c_str()) == 0 || errno == ENOENT) return {};
-  return fail(ErrorCode::kIo, folder + ": cannot be removed: " + std::strerror(errno));
+  return fail(ErrorCode::kIo, folder + ": cannot remove: " + std::strerror(errno));
 }
 
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept {
@@ -141,7 +142,7 @@ Result<BaseRun> read_base_run(std::string_view bytes) {
   ByteReader in(bytes);
   BaseRun run{{in.u64()}, {}};
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kMinRunStrokeBytes)) return invalid_data("the strokes are cut off");
+  if (!in.has(count, kMinRunStrokeBytes)) return invalid_data("the list of strokes is incomplete");
   run.strokes.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const StrokeId id{in.u64()};
@@ -149,7 +150,7 @@ Result<BaseRun> read_base_run(std::string_view bytes) {
     if (!stroke) return tl::unexpected(stroke.error());
     run.strokes.emplace_back(id, std::make_shared<const Stroke>(*std::move(stroke)));
   }
-  if (!in.ok() || in.left() > 0) return invalid_data("the strokes are cut off");
+  if (!in.ok() || in.left() > 0) return invalid_data("the list of strokes is incomplete");
   return run;
 }
 

@@ -47,7 +47,7 @@ Result<StrokeChange> read_stroke(ByteReader& in) {
   c.after_place.layer = {in.u64()};
   c.after_place.index = in.u64();
   const std::string_view shape = in.text(kMaxStrokeBlobBytes);
-  if (!in.ok()) return invalid_data("the edit is cut off within a stroke");
+  if (!in.ok()) return invalid_data("the edit ends in the middle of a stroke");
   Result<Stroke> stroke = read_stroke_blob(shape);
   if (!stroke) return tl::unexpected(with_context(stroke.error(), "stroke"));
   c.after = std::make_shared<const Stroke>(*std::move(stroke));
@@ -79,7 +79,7 @@ Result<void> find_strokes(const Document& document, std::vector<StrokeChange>& c
   }
   for (StrokeChange& c : changes) {
     c.before = document.find(c.id);
-    if (!c.before && !c.after) return invalid_data("the edit removes a stroke that is not there");
+    if (!c.before && !c.after) return invalid_data("the edit removes a stroke that does not exist");
     if (!c.before) continue;
     c.before_place = places.empty() ? document.place(c.id) : places[c.id.value];
   }
@@ -92,7 +92,7 @@ Result<void> find_layers(const Document& document, std::vector<LayerChange>& cha
     const auto found = std::find_if(layers.begin(), layers.end(),
                                     [&c](const Layer& layer) { return layer.id == c.id; });
     if (found == layers.end() && !c.after) {
-      return invalid_data("the edit removes a layer that is not there");
+      return invalid_data("the edit removes a layer that does not exist");
     }
     if (found == layers.end()) continue;
     c.before = found->state();
@@ -121,21 +121,22 @@ namespace {
 /// Parses the bytes. The state before the edit is not filled in.
 Result<Edit> parse(std::string_view bytes) {
   ByteReader in(bytes);
-  if (in.u8() != kVersion) return invalid_data("the edit is of an unknown version");
+  if (in.u8() != kVersion) return invalid_data("the edit has an unknown version");
   Edit edit;
   edit.label = std::string(in.text(kMaxNameBytes));
   const std::uint32_t layers = in.u32();
-  if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is cut off");
+  if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in));
   const std::uint32_t strokes = in.u32();
-  if (!in.has(strokes, kMinChangeBytes)) return invalid_data("the edit is cut off");
+  if (!in.has(strokes, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   edit.changes.reserve(strokes);
   for (std::uint32_t i = 0; i < strokes; ++i) {
     Result<StrokeChange> change = read_stroke(in);
     if (!change) return tl::unexpected(change.error());
     edit.changes.push_back(*std::move(change));
   }
-  if (!in.ok() || in.left() > 0) return invalid_data("the edit is cut off, or longer than it says");
+  if (!in.ok() || in.left() > 0)
+    return invalid_data("the edit does not have the length that it states");
   return edit;
 }
 

@@ -42,11 +42,11 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   const std::string path = folder + "/lock";
   FolderLock lock;
   lock.fd_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (lock.fd_ < 0) return lock_error(folder, "cannot be locked");
+  if (lock.fd_ < 0) return lock_error(folder, "cannot lock");
   const bool is_locked = ::flock(lock.fd_, LOCK_EX | LOCK_NB) == 0;
-  if (!is_locked && errno != EWOULDBLOCK) return lock_error(folder, "cannot be locked");
+  if (!is_locked && errno != EWOULDBLOCK) return lock_error(folder, "cannot lock");
   if (!is_locked || !is_at(lock.fd_, path)) {
-    return fail(ErrorCode::kUnsupported, folder + ": is in use by another program");
+    return fail(ErrorCode::kUnsupported, folder + ": in use by another program");
   }
   return lock;
 }
@@ -67,17 +67,17 @@ Result<void> make_private_folder(const std::string& path) {
     ::mkdir(path.substr(0, at).c_str(), 0700);  // an error for the last folder is reported below
   }
   if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
-    return lock_error(path, "cannot be made");
+    return lock_error(path, "cannot create");
   }
   struct stat info {};
-  if (::lstat(path.c_str(), &info) != 0) return lock_error(path, "cannot be looked at");
+  if (::lstat(path.c_str(), &info) != 0) return lock_error(path, "cannot access");
   if (S_ISLNK(info.st_mode) && info.st_uid == ::getuid() && ::stat(path.c_str(), &info) != 0) {
-    return lock_error(path, "cannot be looked at");
+    return lock_error(path, "cannot access");
   }
   if (!S_ISDIR(info.st_mode)) return fail(ErrorCode::kIo, path + ": not a folder");
   if (info.st_uid != ::geteuid()) return fail(ErrorCode::kIo, path + ": belongs to another user");
   if ((info.st_mode & 077) != 0 && ::chmod(path.c_str(), 0700) != 0) {
-    return lock_error(path, "is open to others, and stays so");
+    return lock_error(path, "other users have access to it, and this cannot be changed");
   }
   return {};
 }

@@ -220,7 +220,7 @@ LiveInk::Changes LiveInk::take_changes() {
 
 Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch& stretch) {
   const auto damaged = [] {
-    return fail(ErrorCode::kInvalidData, "the gesture in work is damaged");
+    return fail(ErrorCode::kInvalidData, "the unfinished gesture is damaged");
   };
   if (kind == LiveKind::kEvents) {
     stretch.script += bytes;

@@ -50,7 +50,7 @@ class DatabaseCopy {
       if (made) return copy;
       why = made.error().message;
     }
-    return fail(ErrorCode::kIo, folder + ": cannot be copied: " + why);
+    return fail(ErrorCode::kIo, folder + ": cannot copy: " + why);
   }
   DatabaseCopy(DatabaseCopy&& other) noexcept
       : folder_(std::exchange(other.folder_, {})), lock_(std::move(other.lock_)) {}
@@ -65,7 +65,7 @@ class DatabaseCopy {
 
   Result<void> make(const std::string& place, const std::string& from) {
     std::string name = place + "/copy-XXXXXX";
-    if (!::mkdtemp(name.data())) return fail(ErrorCode::kIo, place + ": cannot be written to");
+    if (!::mkdtemp(name.data())) return fail(ErrorCode::kIo, place + ": not writable");
     folder_ = name;
     // Locks the copy's folder, so that no process deletes it as an abandoned autosave.
     Result<FolderLock> lock = FolderLock::take(folder_);
@@ -131,7 +131,7 @@ class Assembly {
       whole = about_.has_value();
     });
     if (!whole || !all)
-      problem("what the drawing is called, its page and its colours could not be read");
+      problem("the name, the page and the colours of the drawing could not be read");
     if (!about_) return;
     out_.name = about_->name;
     out_.path = about_->path;
@@ -164,12 +164,12 @@ class Assembly {
     if (!out_.path.empty()) {
       if (Result<Drawing> file = read_felt(out_.path)) {
         out_.drawing = *std::move(file);
-        return problem("the drawing was not copied wholly yet: this is " + out_.path +
-                       " as it is now, with what was changed since it was opened");
+        return problem("the drawing had not been copied completely; this is " + out_.path +
+                       " as it is now, with the changes made since it was opened");
       }
     }
     read_parts(1, 0);
-    problem("the drawing was not copied wholly yet: strokes that it began with are missing");
+    problem("the drawing had not been copied completely; some of its first strokes are missing");
   }
 
   /// Reads the parts of a base. `parts` is the expected number, or 0 if it is not known.
@@ -203,7 +203,7 @@ class Assembly {
       }
     }
     const Result<void> done = out_.drawing.document.apply(edit);
-    if (!done) problem("the strokes that it began with do not fit: " + done.error().message);
+    if (!done) problem("the first strokes of the drawing are invalid: " + done.error().message);
     if (lost > 0) {
       problem("of the drawing as it was before the last changes, " + std::to_string(lost) + " of " +
               std::to_string(parts) + " parts could not be read");
@@ -241,12 +241,11 @@ class Assembly {
             ++lost;
           }
         });
-    if (!whole && lost == 0) problem("changes at the end could not be read");
+    if (!whole && lost == 0) problem("the last changes could not be read");
     if (lost > 0) problem(std::to_string(lost) + " changes could not be read");
     if (loose > 0) {
       problem(std::to_string(loose) +
-              " changes were made to what is no longer there; their "
-              "strokes are there all the same");
+              " changes applied to parts that are missing; their strokes were recovered");
     }
   }
 
@@ -276,7 +275,7 @@ class Assembly {
           next = sequence + 1;
           any = true;
         });
-    if (!whole || !good) problem("of the line that was being drawn the end could not be read");
+    if (!whole || !good) problem("the end of the line that was being drawn could not be read");
     if (!stretch.script.empty()) play(stretch);
   }
 
@@ -298,8 +297,7 @@ class Assembly {
     };
     // If an event fails, the gesture ends at that event, with the ink so far.
     if (const Result<void> done = read_script("line", read_text(stretch.script), sink); !done) {
-      problem("the line that was being drawn could not be drawn to its end: " +
-              done.error().message);
+      problem("the line that was being drawn could not be completed: " + done.error().message);
     }
     for (const PenSample& sample : stretch.overhang) {
       if (sample.time_ns <= reported_ns) continue;

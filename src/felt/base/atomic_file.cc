@@ -24,14 +24,14 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 }  // namespace
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
-  if (path.empty()) return fail(ErrorCode::kInvalidArgument, "a file to write needs a name");
+  if (path.empty()) return fail(ErrorCode::kInvalidArgument, "the file name is empty");
   AtomicFile file;
   file.shown_name_ = path == "-" ? "stdout" : path;
   if (path != "-") file.target_ = resolved(path);
   struct stat info {};
   const bool exists = path != "-" && ::stat(file.target_.c_str(), &info) == 0;
   // If stat fails for another reason than ENOENT, the file may exist: don't treat it as missing.
-  if (path != "-" && !exists && errno != ENOENT) return file.error("cannot be looked at");
+  if (path != "-" && !exists && errno != ENOENT) return file.error("cannot access");
   const bool replaceable = path != "-" && (!exists || S_ISREG(info.st_mode));
   if (exists && S_ISDIR(info.st_mode)) {
     errno = EISDIR;
@@ -89,13 +89,13 @@ Result<void> AtomicFile::open_beside_target(unsigned permissions) {
     return {};
   }
   const bool is_refused = errno == EACCES || errno == EPERM || errno == EROFS;
-  return error(is_refused ? "its folder may not be written" : "cannot create");
+  return error(is_refused ? "no permission to write to its folder" : "cannot create");
 }
 
 /// A rename would replace a read-only file, because it needs permission for the folder only. So
 /// check the permission of the file itself.
 Result<void> AtomicFile::take_after_target() {
-  if (::access(target_.c_str(), W_OK) != 0) return error("may not be written");
+  if (::access(target_.c_str(), W_OK) != 0) return error("no permission to write");
   old_fd_ = open_file(target_, O_RDONLY);
   if (old_fd_ < 0) return {};  // writable but not readable: no attributes to copy
   hold_lock(old_fd_);
@@ -179,9 +179,8 @@ Result<void> AtomicFile::replace_target(const std::string_view* expected) {
   if (temporary_.empty()) return error("cannot create");
   if (!expected) return put_in_place();
   if (!holds(temporary_, *expected)) {
-    if (errno != 0) return error("cannot read the written data back");
-    return fail(ErrorCode::kIo,
-                shown_name_ + ": the disk does not keep the data that is written to it");
+    if (errno != 0) return error("cannot read back the written data");
+    return fail(ErrorCode::kIo, shown_name_ + ": the disk does not keep the data written to it");
   }
   // The second name is an extra: rename() itself is atomic. If it cannot be created, save without
   // it.
@@ -217,11 +216,11 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
     if (!previous_.empty()) ::unlink(previous_.c_str());
     return fail(ErrorCode::kIo, shown_name_ + ": was replaced by another program just now");
   }
-  std::string message = shown_name_ + ": the disk does not keep the data that is written to it";
+  std::string message = shown_name_ + ": the disk does not keep the data written to it";
   if (errno != 0) message += std::string(": ") + std::strerror(errno);
   const bool is_back = !previous_.empty() && ::rename(previous_.c_str(), target_.c_str()) == 0 &&
                        sync_folder(folder_of(target_));
-  return fail(ErrorCode::kIo, message + (is_back ? "; the file that was there is back" : ""));
+  return fail(ErrorCode::kIo, message + (is_back ? "; the previous file was restored" : ""));
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {

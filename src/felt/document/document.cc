@@ -28,12 +28,12 @@ Result<void> check_ids(const std::vector<Change>& changes) {
   ids.reserve(changes.size());
   for (const Change& c : changes) {
     if (!c.id) return misfit("a change without an id");
-    if (!c.before && !c.after) return misfit(name_of(c.id) + " is neither before nor after");
+    if (!c.before && !c.after) return misfit(name_of(c.id) + " has neither an old nor a new state");
     ids.push_back(c.id);
   }
   std::sort(ids.begin(), ids.end());
   const auto twice = std::adjacent_find(ids.begin(), ids.end());
-  if (twice != ids.end()) return misfit(name_of(*twice) + " changes twice");
+  if (twice != ids.end()) return misfit(name_of(*twice) + " is changed twice");
   return {};
 }
 
@@ -69,14 +69,15 @@ class Document::Plan {
     Moves<LayerId> moves;
     for (const LayerChange& c : edit_.layers) {
       const Layer* present = document_.layer(c.id);
-      if (!c.before && present) return misfit(name_of(c.id) + " is there already");
+      if (!c.before && present) return misfit(name_of(c.id) + " already exists");
       if (c.before) {
-        if (!present) return misfit(name_of(c.id) + " is not there");
+        if (!present) return misfit(name_of(c.id) + " does not exist");
         const auto& all = document_.layers_;
         if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
-          return misfit(name_of(c.id) + " does not stand at " + std::to_string(c.before_index));
+          return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_index));
         }
-        if (present->state() != *c.before) return misfit(name_of(c.id) + " has changed since");
+        if (present->state() != *c.before)
+          return misfit(name_of(c.id) + " has changed in the meantime");
         moves.remove(c.before_index);
       }
       if (c.after) moves.add(c.after_index, c.id);
@@ -99,7 +100,7 @@ class Document::Plan {
     for (const StrokeChange& c : edit_.changes) {
       if (auto ok = check_before(c); !ok) return ok;
       if (c.after && !is_kept(c.after_place.layer)) {
-        return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " is not there");
+        return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " does not exist");
       }
       if (c.before && c.after && c.before_place == c.after_place) {
         moves[c.before_place.layer].keep(c.before_place.index, c.id);
@@ -123,17 +124,17 @@ class Document::Plan {
     const auto found = document_.strokes_.find(c.id);
     const bool present = found != document_.strokes_.end();
     if (!c.before) {
-      return present ? Result<void>(misfit(name_of(c.id) + " is there already")) : Result<void>();
+      return present ? Result<void>(misfit(name_of(c.id) + " already exists")) : Result<void>();
     }
-    if (!present) return misfit(name_of(c.id) + " is not there");
+    if (!present) return misfit(name_of(c.id) + " does not exist");
     const StrokePtr& stroke = found->second.stroke;
     if (stroke != c.before && *stroke != *c.before) {
-      return misfit(name_of(c.id) + " has changed since");
+      return misfit(name_of(c.id) + " has changed in the meantime");
     }
     const Layer* l = document_.layer(c.before_place.layer);
     if (!l || c.before_place.index >= l->strokes.size() ||
         l->strokes[c.before_place.index] != c.id) {
-      return misfit(name_of(c.id) + " does not stand at " + std::to_string(c.before_place.index) +
+      return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_place.index) +
                     " of " + name_of(c.before_place.layer));
     }
     return {};
@@ -151,7 +152,8 @@ class Document::Plan {
       const std::size_t left =
           order != orders_.end() ? order->second.size : document_.layer(c.id)->strokes.size();
       if (left > 0) {
-        return misfit(name_of(c.id) + " cannot go: " + std::to_string(left) + " strokes are in it");
+        return misfit(name_of(c.id) + " cannot be removed: " + std::to_string(left) +
+                      " strokes are on it");
       }
     }
     return {};
@@ -211,7 +213,8 @@ Document::Document() : layers_{{.id = {1}, .name = "Ink", .strokes = {}}} {}
 Result<void> Document::apply(const Edit& edit) {
   Plan plan(*this, edit);
   if (auto ok = plan.prepare(); !ok) {
-    return tl::unexpected(with_context(ok.error(), "the edit '" + edit.label + "' does not fit"));
+    return tl::unexpected(
+        with_context(ok.error(), "the edit '" + edit.label + "' does not match the document"));
   }
   plan.carry_out();
   return {};

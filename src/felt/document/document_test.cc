@@ -70,24 +70,24 @@ TEST(Document, RefusesWhatDoesNotFitAndSaysWhy) {
   const Document d = with_strokes(3);
   const StrokePtr s = line(9);
   EXPECT_THAT(error_of(d, {"Pull", {{{9}, s, s, {{1}, 0}, {{1}, 0}}}}),
-              HasSubstr("the edit 'Pull' does not fit: stroke 9 is not there"));
-  EXPECT_THAT(error_of(d, {"", {{{2}, nullptr, s, {}, {{1}, 3}}}}), HasSubstr("there already"));
+              HasSubstr("the edit 'Pull' does not match the document: stroke 9 does not exist"));
+  EXPECT_THAT(error_of(d, {"", {{{2}, nullptr, s, {}, {{1}, 3}}}}), HasSubstr("already exists"));
   EXPECT_THAT(error_of(d, {"", {{{2}, s, nullptr, {{1}, 1}, {}}}}), HasSubstr("has changed"));
   EXPECT_THAT(error_of(d, {"", {{{2}, d.find({2}), nullptr, {{1}, 0}, {}}}}),
-              HasSubstr("does not stand at 0"));
+              HasSubstr("is not at index 0"));
   EXPECT_THAT(error_of(d, {"", {{{2}, d.find({2}), nullptr, {{8}, 1}, {}}}}),
               HasSubstr("of layer 8"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{2}, 0}}}}), HasSubstr("layer 2 is not"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 4}}}}), HasSubstr("beyond the end"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 3}}, {{8}, nullptr, s, {}, {{1}, 3}}}}),
-              HasSubstr("taken twice"));
+              HasSubstr("used twice"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 3}}, {{9}, nullptr, s, {}, {{1}, 4}}}}),
-              HasSubstr("stroke 9 changes twice"));
+              HasSubstr("stroke 9 is changed twice"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, nullptr, {}, {}}}}), HasSubstr("neither"));
   EXPECT_THAT(error_of(d, {"", {{{0}, nullptr, s, {}, {{1}, 3}}}}), HasSubstr("without an id"));
   // Only the last change is invalid. The changes before it must not remain.
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 3}}, {{7}, s, nullptr, {{1}, 0}, {}}}}),
-              HasSubstr("stroke 7 is not there"));
+              HasSubstr("stroke 7 does not exist"));
 }
 
 TEST(Document, RefusesLayersThatDoNotFit) {
@@ -96,12 +96,13 @@ TEST(Document, RefusesLayersThatDoNotFit) {
   EXPECT_THAT(error_of(d, {"", {}, {{{1}, ink, std::nullopt, 0, 0}}}), HasSubstr("no layer"));
   EXPECT_THAT(
       error_of(d, {"", {}, {{{1}, ink, std::nullopt, 0, 0}, {{2}, std::nullopt, other, 0, 0}}}),
-      HasSubstr("2 strokes are in it"));
+      HasSubstr("2 strokes are on it"));
   EXPECT_THAT(error_of(d, {"", {}, {{{1}, other, ink, 0, 0}}}), HasSubstr("has changed"));
-  EXPECT_THAT(error_of(d, {"", {}, {{{1}, ink, other, 1, 0}}}), HasSubstr("does not stand"));
+  EXPECT_THAT(error_of(d, {"", {}, {{{1}, ink, other, 1, 0}}}), HasSubstr("is not at index"));
   EXPECT_THAT(error_of(d, {"", {}, {{{1}, ink, other, 0, 1}}}), HasSubstr("beyond the end"));
   EXPECT_THAT(error_of(d, {"", {}, {{{1}, std::nullopt, other, 0, 1}}}), HasSubstr("already"));
-  EXPECT_THAT(error_of(d, {"", {}, {{{2}, other, std::nullopt, 1, 0}}}), HasSubstr("is not there"));
+  EXPECT_THAT(error_of(d, {"", {}, {{{2}, other, std::nullopt, 1, 0}}}),
+              HasSubstr("does not exist"));
 }
 
 TEST(Document, R52_AnyEditsAreUndoneByTheirInversesBackwards) {

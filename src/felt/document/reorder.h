@@ -56,8 +56,8 @@ class Moves {
       const std::size_t index = added_[i].index;
       if (index >= size || (i > 0 && added_[i - 1].index == index)) {
         return fail(ErrorCode::kInvalidArgument,
-                    "place " + std::to_string(index) +
-                        (index >= size ? " lies beyond the end, " : " is taken twice, of ") +
+                    "index " + std::to_string(index) +
+                        (index >= size ? " is beyond the end, " : " is used twice, of ") +
                         std::to_string(size));
       }
     }

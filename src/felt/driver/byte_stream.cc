@@ -220,7 +220,7 @@ Result<std::unique_ptr<ByteStream>> SerialStream::open(const std::string& path) 
   int error = port.get() < 0 ? errno : make_raw(port.get());
   if (error == 0) return std::unique_ptr<ByteStream>(new SerialStream(port.release(), false));
   if (error == EWOULDBLOCK || error == EBUSY) {
-    return fail(ErrorCode::kIo, path + ": another program has it open");
+    return fail(ErrorCode::kIo, path + ": in use by another program");
   }
   if (error == ENOTTY) return fail(ErrorCode::kInvalidArgument, path + ": not a serial port");
   return fail(error == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo,

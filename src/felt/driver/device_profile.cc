@@ -60,7 +60,7 @@ Result<std::array<double, Count>> numbers(std::string_view text) {
     }
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     if (!text.empty() && text.front() != ' ' && text.front() != '\t') {
-      return invalid_data("has something after a number");
+      return invalid_data("has text after a number");
     }
   }
   if (!trimmed(text).empty())
@@ -91,7 +91,7 @@ Result<void> set(std::optional<double>& to, std::string_view text, double smalle
 }
 
 Result<void> set_hand(bool& left_handed, std::string_view text) {
-  if (text != "left" && text != "right") return invalid_data("is neither \"left\" nor \"right\"");
+  if (text != "left" && text != "right") return invalid_data("must be \"left\" or \"right\"");
   left_handed = text == "left";
   return {};
 }
@@ -111,7 +111,8 @@ Result<void> set_area(PlaneParts& parts, std::string_view text) {
   const auto read = numbers<2>(text);
   if (!read) return tl::unexpected(read.error());
   for (const double side : *read) {
-    if (!(side > 0.0 && side <= kLargestAreaMm)) return invalid_data("is not a width and a height");
+    if (!(side > 0.0 && side <= kLargestAreaMm))
+      return invalid_data("must be a width and a height");
   }
   parts.area = Point{(*read)[0], (*read)[1]};
   return {};
@@ -171,11 +172,11 @@ Result<void> put_together(std::optional<PlaneCalibration>& plane, std::optional<
     plane = PlaneCalibration::from({*rows[0], *rows[1], *rows[2]}, *parts.origin, parts.scale);
     if (!plane) {
       return invalid_data("the rows of the " + std::string(hand.empty() ? "" : "left hand's ") +
-                          "plane are not of length 1 and at right angles");
+                          "plane must have length 1 and be perpendicular");
     }
   } else if (known > 0 || parts.origin || parts.has_scale) {
-    return invalid_data("the plane lacks one of " + hand + "plane_x, " + hand + "plane_y, " + hand +
-                        "plane_z, " + hand + "plane_origin_mm");
+    return invalid_data("the plane is incomplete; it needs " + hand + "plane_x, " + hand +
+                        "plane_y, " + hand + "plane_z, " + hand + "plane_origin_mm");
   }
   if (parts.area.has_value() != parts.area_middle.has_value()) {
     return invalid_data("of " + hand + "area_mm and " + hand + "area_middle_mm there is only one");
@@ -198,7 +199,7 @@ Result<void> put_together(DeviceProfile& profile, const HandParts& parts) {
       !whole) {
     return whole;
   }
-  if (profile.device_id.empty()) return invalid_data("does not say which device it is of");
+  if (profile.device_id.empty()) return invalid_data("does not name its device");
   return {};
 }
 
@@ -277,9 +278,9 @@ Result<std::string> device_profiles_folder() {
   if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
     return std::string(home) + "/.config" + kBelow;
   }
-  return fail(ErrorCode::kNotFound,
-              "there is no place for the settings of devices: neither XDG_CONFIG_HOME nor HOME is "
-              "set to a folder");
+  return fail(
+      ErrorCode::kNotFound,
+      "device settings cannot be saved: neither XDG_CONFIG_HOME nor HOME is set to a folder");
 }
 
 std::string device_profile_path(const std::string& folder, std::string_view device_id) {
@@ -321,7 +322,7 @@ Result<DeviceProfile> parse_device_profile(std::string_view text, const std::str
     if (key.empty() || key.size() > kLongestText)
       return invalid_data(place + "has no name before \"=\"");
     if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
-      return invalid_data(place + key + " is there twice");
+      return invalid_data(place + key + " occurs twice");
     }
     seen.push_back(key);
     const Result<bool> known = set_value(profile, parts, key, trimmed(row.substr(equals + 1)));
@@ -335,7 +336,7 @@ Result<DeviceProfile> parse_device_profile(std::string_view text, const std::str
 }
 
 std::string device_profile_text(const DeviceProfile& profile) {
-  std::string text = "# Feltline: what was set for one device. Preferences > Device writes it.\n";
+  std::string text = "# Feltline: settings of one device, written by Preferences > Device.\n";
   add_text(text, "device", profile.device_id);
   add_text(text, "serial", profile.serial);
   add_text(text, "name", profile.name);
@@ -361,7 +362,7 @@ Result<DeviceProfile> load_device_profile(const std::string& folder, std::string
   if (!text) return tl::unexpected(text.error());
   Result<DeviceProfile> profile = parse_device_profile(*text, path);
   if (profile && profile->device_id != device_id) {
-    return invalid_data(path + ": is of the device \"" + profile->device_id + "\"");
+    return invalid_data(path + ": belongs to the device \"" + profile->device_id + "\"");
   }
   return profile;
 }
@@ -374,7 +375,7 @@ Result<void> save_device_profile(const std::string& folder, const DeviceProfile&
   if (!again) return tl::unexpected(again.error());
   if (*again != profile) {
     return fail(ErrorCode::kInvalidArgument,
-                path + ": a text has a line break in it, or blanks around it");
+                path + ": a text contains a line break, or starts or ends with a blank");
   }
   std::error_code error;
   std::filesystem::create_directories(folder, error);

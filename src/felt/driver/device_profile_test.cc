@@ -102,11 +102,11 @@ TEST(DeviceProfile, WhatMakesNoSenseIsToldWithItsPlace) {
   };
   const std::string head = "device = a:1\n";
   EXPECT_EQ(error_of(head + "# note\n\nhand = both\n"),
-            "f.conf:4: hand: is neither \"left\" nor \"right\"");
+            "f.conf:4: hand: must be \"left\" or \"right\"");
   EXPECT_THAT(error_of(head + "hand\n"), StartsWith("f.conf:2: has no \"=\""));
   EXPECT_THAT(error_of(head + "= 3\n"), HasSubstr("f.conf:2: has no name"));
-  EXPECT_THAT(error_of(head + "device = b\n"), EndsWith("f.conf:2: device is there twice"));
-  EXPECT_THAT(error_of("name = x\n"), HasSubstr("does not say which device"));
+  EXPECT_THAT(error_of(head + "device = b\n"), EndsWith("f.conf:2: device occurs twice"));
+  EXPECT_THAT(error_of("name = x\n"), HasSubstr("does not name its device"));
   for (const char* bad : {"", "two", "1,5", "1 2", "nan", "inf", "-1", "0", "1e9", "1x"}) {
     EXPECT_THAT(error_of(head + "force_limit_n = " + bad + "\n"),
                 StartsWith("f.conf:2: force_limit_n: "))
@@ -116,13 +116,13 @@ TEST(DeviceProfile, WhatMakesNoSenseIsToldWithItsPlace) {
     EXPECT_THAT(error_of(head + "plane_scale = " + bad + "\n"), StartsWith("f.conf:2: plane_scale"))
         << bad;
   }
-  EXPECT_THAT(error_of(head + "plane_x = 1 0 0\n"), HasSubstr("lacks one of plane_x"));
+  EXPECT_THAT(error_of(head + "plane_x = 1 0 0\n"), HasSubstr("it needs plane_x"));
   EXPECT_THAT(error_of(head + "plane_x = 1 0\n"), HasSubstr("is not 3 numbers"));
   EXPECT_THAT(error_of(head + "plane_x = 2 0 0\nplane_y = 0 1 0\nplane_z = 0 0 1\n"
                               "plane_origin_mm = 0 0 0\n"),
-              HasSubstr("not of length 1"));
+              HasSubstr("must have length 1"));
   EXPECT_THAT(error_of(head + "area_mm = 100 50\n"), HasSubstr("there is only one"));
-  EXPECT_THAT(error_of(head + "area_mm = 100 -50\n"), HasSubstr("not a width and a height"));
+  EXPECT_THAT(error_of(head + "area_mm = 100 -50\n"), HasSubstr("must be a width and a height"));
   EXPECT_THAT(error_of(head + "name = \xff\xfe\n"), HasSubstr("f.conf:2: name: is not UTF-8"));
   EXPECT_EQ(error_of(head + "something = else\r\n"), "none");
 }
@@ -134,7 +134,7 @@ TEST(DeviceProfile, FilesOfOthersAndBrokenOnesAreNamed) {
   const auto write = [&path](const std::string& text) { std::ofstream(path) << text; };
   write("device = b:2\n");
   EXPECT_THAT(load_device_profile(folder.below(), "a:1").error().message,
-              HasSubstr("is of the device \"b:2\""));
+              HasSubstr("belongs to the device \"b:2\""));
   write(std::string(100'000, 'x'));
   EXPECT_THAT(load_device_profile(folder.below(), "a:1").error().message, HasSubstr(path));
   std::filesystem::remove(path);
@@ -265,7 +265,7 @@ TEST(DeviceProfile, EachHandHasItsPlaneAndArea) {
   EXPECT_EQ(right, left);
   const auto half = parse_device_profile("device = a:1\nleft_plane_x = 1 0 0\n", "f");
   ASSERT_FALSE(half.has_value());
-  EXPECT_THAT(half.error().message, HasSubstr("lacks one of left_plane_x, left_plane_y"));
+  EXPECT_THAT(half.error().message, HasSubstr("it needs left_plane_x, left_plane_y"));
 }
 
 TEST(DeviceProfile, PlanesOfAnotherOfItsKindAreForgottenForBothHands) {

@@ -18,7 +18,7 @@ Result<DynamicLibrary> DynamicLibrary::open(std::span<const std::string> names, 
     tries += "\"" + name + "\": " + (words != nullptr ? words : "no name");
   }
   return fail(ErrorCode::kNotFound,
-              "no library could be loaded (" + (tries.empty() ? "none was named" : tries) + ")");
+              "no library could be loaded (" + (tries.empty() ? "no name was given" : tries) + ")");
 }
 
 DynamicLibrary& DynamicLibrary::operator=(DynamicLibrary&& other) noexcept {
@@ -48,9 +48,8 @@ Result<void> SymbolLoader::done() const {
   if (missing_.empty()) return {};
   std::string names;
   for (const std::string& name : missing_) names += (names.empty() ? "" : ", ") + name;
-  return fail(
-      ErrorCode::kUnsupported,
-      library_.path() + " is not the library that is needed, or too old: it lacks " + names);
+  return fail(ErrorCode::kUnsupported,
+              library_.path() + " is not the required library, or is too old: it lacks " + names);
 }
 
 }  // namespace felt

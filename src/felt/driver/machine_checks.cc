@@ -19,7 +19,7 @@ constexpr KernelVersion kKernelWithHaptics{6, 18};
 
 constexpr const char* kLetFeltline = "Let Feltline write the permission:\nfeltline doctor --fix";
 constexpr const char* kLogInAgain =
-    "Log out and in again (or restart the computer): limits are given at the log-in.";
+    "Log out and in again (or restart the computer): limits are set at login.";
 
 /// Returns the text after a name in a file of lines such as /proc/self/status, without the blanks
 /// around it.
@@ -79,18 +79,18 @@ Finding real_time(const SystemView& system) {
     return {.what = "Forces run in real time: they stay smooth while the computer is busy."};
   }
   Finding finding{.level = FindingLevel::kWarning, .what = {}};
-  finding.what =
-      in_time
-          ? "Forces may stutter when memory runs short: Feltline may not keep its memory from "
-            "being swapped out. This matters only if you own a force device."
-          : "Forces may stutter while the computer is busy: Feltline may not run its force loop "
-            "in real time. This matters only if you own a force device.";
+  finding.what = in_time
+                     ? "Forces may stutter when memory runs short, because Feltline does not have "
+                       "permission to lock its memory. This matters only if you own a force device."
+                     : "Forces may stutter while the computer is busy, because Feltline does not "
+                       "have permission to run its force loop in real time. This matters only if "
+                       "you own a force device.";
   const std::string user = system.user();
   if (!is_plain(user)) return finding;
   finding.fix = SystemFix{std::string(kLimitsFile), limits_lines(user), {}};
   if (system.exists(kLimitsFile) &&
       system.read(kLimitsFile).value_or("").find(finding.fix->content) != std::string::npos) {
-    finding.what += " The permission is written, but not in effect yet.";
+    finding.what += " The permission has been written, but is not in effect yet.";
     finding.fix.reset();
     finding.steps = {kLogInAgain};
     return finding;
@@ -121,22 +121,23 @@ std::string way_into(const SystemView& system, const std::string& folder) {
   const bool is_theirs = home.size() > 1 && folder.starts_with(home + "/") &&
                          folder.find('\'') == std::string::npos && is_plain(system.user());
   if (is_theirs) {
-    return "Make the folder yours again:\nsudo chown -R " + system.user() + " '" + folder + "'";
+    return "Make yourself the owner of the folder again:\nsudo chown -R " + system.user() + " '" +
+           folder + "'";
   }
-  return "Ask whoever looks after this computer for a home folder that you may write into, or say "
-         "where to keep such things:\nexport XDG_CONFIG_HOME=FOLDER XDG_STATE_HOME=FOLDER";
+  return "Ask your administrator for a home folder with write permission, or set other folders:\n"
+         "export XDG_CONFIG_HOME=FOLDER XDG_STATE_HOME=FOLDER";
 }
 
 Finding folders(const SystemView& system) {
   const std::string config = xdg_folder(system, "XDG_CONFIG_HOME", "/.config");
   const std::string state = xdg_folder(system, "XDG_STATE_HOME", "/.local/state");
   if (config.empty() || state.empty()) {
-    return {.level = FindingLevel::kProblem,
-            .what =
-                "Nobody said where your home folder is, so neither settings nor unsaved "
-                "drawings can be kept.",
-            .details = "the environment variable HOME is not set",
-            .steps = {"Log in as a user with a home folder, or set it:\nexport HOME=/home/NAME"}};
+    return {
+        .level = FindingLevel::kProblem,
+        .what =
+            "Your home folder is unknown, so neither settings nor unsaved drawings can be kept.",
+        .details = "the environment variable HOME is not set",
+        .steps = {"Log in as a user with a home folder, or set it:\nexport HOME=/home/NAME"}};
   }
   for (const std::string& folder : {config, state}) {
     const std::string there = nearest(system, folder);
@@ -144,7 +145,8 @@ Finding folders(const SystemView& system) {
     if (use) continue;
     return {.level = FindingLevel::kProblem,
             .what = (folder == config ? "Settings" : "Unsaved drawings") +
-                    std::string(" cannot be kept: you may not write into ") + there + ".",
+                    std::string(" cannot be kept: you do not have permission to write to ") +
+                    there + ".",
             .details = use.error().message,
             .steps = {way_into(system, there)}};
   }
@@ -154,34 +156,35 @@ Finding folders(const SystemView& system) {
 Finding screen(const SystemView& system) {
   for (const char* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
     if (!system.environment(name).value_or("").empty()) {
-      return {.what = "There is a screen: feltline-desktop can open its window."};
+      return {.what = "There is a screen, so feltline-desktop can open its window."};
     }
   }
   return {.level = FindingLevel::kAbsent,
           .what =
-              "There is no screen in this session, so feltline-desktop has no window here; "
-              "'feltline' works without one."};
+              "There is no screen in this session, so feltline-desktop cannot open its window; "
+              "'feltline' works without a screen."};
 }
 
 Finding kernel(const SystemView& system) {
   const std::string release = system.read("/proc/sys/kernel/osrelease").value_or("");
   const std::string words = release.substr(0, release.find('\n'));
   if (kernel_version(system) >= kKernelWithHaptics) {
-    return {.what = "The kernel (" + words + ") can play haptic touchpads."};
+    return {.what = "The kernel (" + words + ") supports haptic touchpads."};
   }
-  return {.level = FindingLevel::kAbsent,
-          .what = "The kernel (" + (words.empty() ? "unknown" : words) +
-                  ") cannot play haptic touchpads; 6.18 and later can. Nothing else needs it."};
+  return {
+      .level = FindingLevel::kAbsent,
+      .what = "The kernel (" + (words.empty() ? "unknown" : words) +
+              ") does not support haptic touchpads; 6.18 and later do. Nothing else is affected."};
 }
 
 Finding plugging(const SystemView& system) {
   if (system.exists("/run/udev/control") || system.exists("/run/udev/data")) {
-    return {.what = "Devices that you plug in are seen (udev runs)."};
+    return {.what = "Devices that you plug in are detected (udev is running)."};
   }
   return {.level = FindingLevel::kAbsent,
           .what =
-              "Devices that you plug in are not seen here: there is no udev, as in a container. "
-              "Run Feltline on the computer itself to use one."};
+              "Devices that you plug in are not detected, because udev is not running (for example "
+              "in a container). Run Feltline on the computer itself to use a device."};
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(MachineChecksTest, RealTimeIsThereByLimitsOrByCapabilities) {
   EXPECT_EQ(about(diagnose_machine(by_capabilities), "real time").level, FindingLevel::kOk);
   FakeSystem in_part = ordinary();
   in_part.add_file("/proc/self/status", "CapEff:\t0000000000800000\n");
-  EXPECT_EQ(about(diagnose_machine(in_part), "swapped out").level, FindingLevel::kWarning);
+  EXPECT_EQ(about(diagnose_machine(in_part), "lock its memory").level, FindingLevel::kWarning);
 }
 
 TEST(MachineChecksTest, WhatIsWrittenMustOnlyComeIntoEffect) {

@@ -81,11 +81,12 @@ Axes spread_of(std::span<const PlaneTouch> touches, const Vec3& middle) noexcept
 Result<void> check(std::span<const PlaneTouch> touches) {
   if (touches.size() < 3) {
     return fail(ErrorCode::kInvalidArgument,
-                "a plane needs three touches, and there are " + std::to_string(touches.size()));
+                "a plane needs at least three touches, but there are only " +
+                    std::to_string(touches.size()));
   }
   for (const PlaneTouch& touch : touches) {
     if (!is_near(touch.device_mm) || !is_near({touch.page_mm.x, touch.page_mm.y, 0.0})) {
-      return fail(ErrorCode::kInvalidArgument, "a touch is not at a place that can be");
+      return fail(ErrorCode::kInvalidArgument, "the position of a touch is invalid");
     }
   }
   for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -93,7 +94,7 @@ Result<void> check(std::span<const PlaneTouch> touches) {
       if (norm(touches[i].device_mm - touches[k].device_mm) >= kMinApartMm) continue;
       return fail(ErrorCode::kInvalidArgument,
                   "touches " + std::to_string(i + 1) + " and " + std::to_string(k + 1) +
-                      " are closer than 15 mm: touch places farther apart");
+                      " are closer than 15 mm: touch points farther apart");
     }
   }
   return {};
@@ -205,7 +206,7 @@ Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches, Handedness devic
   const PlaneCalibration turned = *PlaneCalibration::from(rows, {});
   const Vec3 offset = Vec3{page_middle.x, page_middle.y, 0.0} - turned.to_page(middle);
   const auto calibration = PlaneCalibration::from(rows, offset);
-  if (!calibration) return fail(ErrorCode::kInvalidArgument, "the touches lie too far away");
+  if (!calibration) return fail(ErrorCode::kInvalidArgument, "the touches are too far away");
   PlaneFit fit{*calibration};
   double sum = 0.0;
   for (const PlaneTouch& touch : touches) {

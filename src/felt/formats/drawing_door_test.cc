@@ -104,9 +104,9 @@ TEST_F(Door, RawSamplesBecomeInkAndBadLinesNotices) {
   EXPECT_EQ(opened->drawing.document.stroke_count(), 1u);
   ASSERT_EQ(opened->report.notices().size(), 2u);
   EXPECT_THAT(notice_text(opened->report.notices()[0]),
-              StartsWith("line 2: was left out: not a JSON object"));
+              StartsWith("line 2: was skipped: not a JSON object"));
   EXPECT_EQ(opened->report.notices()[0].count, 2);
-  EXPECT_THAT(message(parse_drawing("hello\n", "x.ndjson")), StartsWith("line 1: was left out"));
+  EXPECT_THAT(message(parse_drawing("hello\n", "x.ndjson")), StartsWith("line 1: was skipped"));
   EXPECT_THAT(message(parse_drawing("{\"t_ms\":0,\"event\":\"undo\"}\n", "x.ndjson")),
               HasSubstr("feltline replay"));
 }
@@ -117,9 +117,9 @@ TEST_F(Door, WhatCannotBeReadSaysWhy) {
   EXPECT_THAT(message(read_drawing(put("a", "hello"))),
               HasSubstr("is not a drawing that Feltline"));
   EXPECT_THAT(message(read_drawing(put("b", ""))), HasSubstr("is empty"));
-  EXPECT_THAT(message(read_drawing(put("a.pdf", "%PDF-1.4"))), HasSubstr("written but not read"));
+  EXPECT_THAT(message(read_drawing(put("a.pdf", "%PDF-1.4"))), HasSubstr("write but not read"));
   EXPECT_THAT(message(read_drawing(put("a.felt", "%PDF-1.4"))), HasSubstr("PDF"));
-  EXPECT_THAT(message(read_drawing(put("cut.felt", "SQLite"))), HasSubstr("cut off"));
+  EXPECT_THAT(message(read_drawing(put("cut.felt", "SQLite"))), HasSubstr("incomplete"));
   ASSERT_EQ(::mkfifo(at("pipe.svg").c_str(), 0600), 0);
   EXPECT_THAT(message(read_drawing(at("pipe.svg"), {.files_only = true})),
               HasSubstr("not a regular"));

@@ -12,7 +12,7 @@ Result<Grain> grain_of(const Drawing& drawing, const Materials& here) {
   const std::string& id = drawing.page.surface;
   const SurfaceMaterial* surface = id.empty() ? &known.surfaces().front() : known.find_surface(id);
   if (surface) return Grain(surface_grain(*surface), known);
-  return fail(ErrorCode::kNotFound, "the drawing's surface '" + id + "' is not known here");
+  return fail(ErrorCode::kNotFound, "the drawing's surface '" + id + "' is unknown");
 }
 
 }  // namespace felt

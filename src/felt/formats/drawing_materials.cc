@@ -42,10 +42,7 @@ void drop_bad_texts(std::vector<std::string>& texts, ImportReport& report) {
     const Result<AnyMaterial> material =
         read_material(text, {.name = "material " + std::to_string(++number)});
     if (material) return false;
-    report.add(0, {},
-               material.error().message +
-                   "; it was left out, and ink of it looks like the "
-                   "pencil's");
+    report.add(0, {}, material.error().message + "; it was skipped, and its ink looks like pencil");
     return true;
   };
   std::vector<std::string> good;

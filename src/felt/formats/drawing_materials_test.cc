@@ -99,7 +99,7 @@ TEST(DrawingMaterials, TheGrainIsThatOfTheSurface) {
   EXPECT_FALSE(grain_of(drawing_of("pencil", "")).value().is_smooth());  // paper
   EXPECT_TRUE(grain_of(drawing_of("pencil", "glass")).value().is_smooth());
   Drawing drawing = drawing_of("pencil", "my-paper");
-  EXPECT_THAT(grain_of(drawing).error().message, HasSubstr("'my-paper' is not known"));
+  EXPECT_THAT(grain_of(drawing).error().message, HasSubstr("'my-paper' is unknown"));
   drawing.materials = {write_material(my_paper())};
   EXPECT_FALSE(grain_of(drawing).value().is_smooth());
 }

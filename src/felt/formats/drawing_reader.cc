@@ -50,7 +50,7 @@ Result<Imported> import_foreign(std::string_view bytes, FileFormat format,
     case FileFormat::kPng:
       break;
   }
-  return fail(ErrorCode::kUnsupported, "is not read this way");
+  return fail(ErrorCode::kUnsupported, "cannot be read this way");
 }
 
 /// Reads a .felt file. If it is damaged and `salvage` is set, recovers what is intact.
@@ -103,7 +103,7 @@ Result<FileFormat> readable_format(std::string_view head, const std::string& pat
   const FormatTraits& traits = traits_of(format);
   if (traits.reads) return format;
   return fail(ErrorCode::kUnsupported, "is a " + std::string(traits.title) +
-                                           ", which is written but not read; Feltline reads " +
+                                           ", which Feltline can write but not read; it reads " +
                                            readable_names());
 }
 

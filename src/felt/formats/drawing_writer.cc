@@ -75,7 +75,7 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, File
     case FileFormat::kXopp:
       return xopp_parts(drawing, options.paper);
   }
-  return fail(ErrorCode::kInvalidArgument, "there is no such format");
+  return fail(ErrorCode::kInvalidArgument, "unknown format");
 }
 
 Result<std::string> drawing_bytes(const Drawing& drawing, FileFormat format,

@@ -86,7 +86,8 @@ Result<FileFormat> format_of_path(const std::string& path) {
       known += ' ' + std::string(ending);
     }
   }
-  return fail(ErrorCode::kUnsupported, path + ": no format has this ending; there are" + known);
+  return fail(ErrorCode::kUnsupported,
+              path + ": unknown file extension; the extensions are" + known);
 }
 
 bool is_compressed_name(const std::string& path) {

@@ -157,7 +157,7 @@ Result<FileFormat> format_of_name(std::string_view name) {
     }
   }
   return fail(ErrorCode::kUnsupported,
-              "'" + std::string(name) + "' is no format; there is " + writable_names());
+              "'" + std::string(name) + "' is not a format; the formats are " + writable_names());
 }
 
 std::string readable_names() {

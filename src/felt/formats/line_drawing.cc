@@ -52,7 +52,7 @@ Result<std::optional<NamedStroke>> LineStrokes::read_raw(const NdjsonLine& line)
 Result<Imported> import_lines(std::string_view text, const ImportOptions& options) {
   if (ndjson_content(text.substr(0, kFormatHeadBytes)) == NdjsonContent::kEvents) {
     return fail(ErrorCode::kUnsupported,
-                "holds events, not strokes; `feltline replay` draws what they say");
+                "contains events, not strokes; use `feltline replay` to draw them");
   }
   LineReader lines(read_text(text));
   LineBatch batch;
@@ -69,7 +69,7 @@ Result<Imported> import_lines(std::string_view text, const ImportOptions& option
       const NdjsonLine line = batch.line(i);
       Result<std::optional<NamedStroke>> stroke = strokes.read(line);
       if (!stroke) {
-        report.add(line.number(), {}, "was left out: " + stroke.error().message);
+        report.add(line.number(), {}, "was skipped: " + stroke.error().message);
       } else if (*stroke) {
         NamedStroke& named = **stroke;
         if (named.id.empty()) named.id = stroke_name({count + 1});

@@ -124,7 +124,9 @@ Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPi
                                                   static_cast<std::size_t>(picture.height) &&
                     std::all_of(picture.heights.begin(), picture.heights.end(),
                                 [](float h) { return std::isfinite(h); });
-  if (!fits) return fail(ErrorCode::kInvalidData, "the heights of the relief do not fit its size");
+  if (!fits)
+    return fail(ErrorCode::kInvalidData,
+                "the number of heights does not match the size of the relief");
   Tile tile = fitted(picture);
   remove_mean(tile);
   for (const bool turned : {false, true}) {
@@ -136,7 +138,7 @@ Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPi
   const double rms = std::sqrt(squares / static_cast<double>(tile.size()));
   constexpr double kMin = 1e-5;  // of the range from black to white
   if (!(rms > kMin)) {
-    return fail(ErrorCode::kInvalidData, "the picture has no relief that is coarse enough to feel");
+    return fail(ErrorCode::kInvalidData, "the relief of the picture is too fine to feel");
   }
   return HeightField({.wavelength_mm = spec.tile_mm / HeightField::kWavesPerTile,
                       .rms_um = rms * spec.height_um,

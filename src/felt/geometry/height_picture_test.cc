@@ -87,7 +87,7 @@ TEST(HeightPicture, SaysWhatIsWrong) {
   EXPECT_FALSE(height_field_of({}));
   const auto flat = height_field_of(picture_of(9, 9, [](double, double) { return 0.5; }));
   ASSERT_FALSE(flat);
-  EXPECT_NE(flat.error().message.find("no relief"), std::string::npos);
+  EXPECT_NE(flat.error().message.find("too fine to feel"), std::string::npos);
   HeightPicture few = hilly;
   few.heights.pop_back();
   EXPECT_FALSE(height_field_of(few));

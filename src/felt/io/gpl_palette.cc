@@ -123,7 +123,8 @@ class GplReader {
 
 Result<Palette> read_gpl(const std::string& file, std::string_view text) {
   if (text.size() > PaletteLimits::kMaxBytes) {
-    return fail(ErrorCode::kLimitExceeded, file + ": is larger than a palette of 1 MiB");
+    return fail(ErrorCode::kLimitExceeded,
+                file + ": is larger than 1 MiB, the limit for a palette");
   }
   GplReader reader;
   std::size_t number = 1;

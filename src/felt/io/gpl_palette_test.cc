@@ -70,7 +70,7 @@ TEST(Palette, KeepsItsLimits) {
   EXPECT_EQ(error_of(many), "");
   EXPECT_EQ(error_of(many + "1 2 3\n"), "p.gpl:10002: there are more than 10000 colours");
   EXPECT_EQ(error_of(head + "#" + std::string(PaletteLimits::kMaxBytes, '-')),
-            "p.gpl: is larger than a palette of 1 MiB");
+            "p.gpl: is larger than 1 MiB, the limit for a palette");
 }
 
 TEST(Palette, WritesWhatItReads) {

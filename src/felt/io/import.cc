@@ -22,7 +22,7 @@ void ImportReport::add(std::int64_t line, std::string element, std::string what)
     ++notices_.back().count;
     return;
   }
-  if (notices_.size() + 1 == kMaxKinds) what = "and others were not taken as they are";
+  if (notices_.size() + 1 == kMaxKinds) what = "and others were changed or skipped";
   if (element.size() > kMaxElementBytes) {
     std::size_t end = kMaxElementBytes;
     while (end > 0 && (static_cast<unsigned char>(element[end]) & 0xc0) == 0x80) --end;

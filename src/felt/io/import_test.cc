@@ -7,13 +7,13 @@ namespace {
 
 TEST(ImportReport, TheSameIsCountedAndTheFirstPlaceKept) {
   ImportReport report;
-  report.add(12, "text 'title'", "is not a stroke and was left out");
-  report.add(20, "image", "is a picture and was left out");
-  report.add(40, "text", "is not a stroke and was left out");
+  report.add(12, "text 'title'", "is not a stroke and was skipped");
+  report.add(20, "image", "is a picture and was skipped");
+  report.add(40, "text", "is not a stroke and was skipped");
   ASSERT_EQ(report.notices().size(), 2u);
   EXPECT_EQ(notice_text(report.notices()[0]),
-            "line 12: text 'title' is not a stroke and was left out (and 1 more like it)");
-  EXPECT_EQ(notice_text(report.notices()[1]), "line 20: image is a picture and was left out");
+            "line 12: text 'title' is not a stroke and was skipped (and 1 more like it)");
+  EXPECT_EQ(notice_text(report.notices()[1]), "line 20: image is a picture and was skipped");
   EXPECT_EQ(notice_text({0, "", "a page was left out", 1}), "a page was left out");
 }
 

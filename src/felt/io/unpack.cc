@@ -17,7 +17,7 @@ constexpr std::size_t kBlock = std::size_t{64} << 10;
 constexpr int kGzipWindow = 15 + 16;  // the largest window, with a gzip header
 
 tl::unexpected<Error> too_large() {
-  return fail(ErrorCode::kLimitExceeded, "unpacks to more than Feltline takes");
+  return fail(ErrorCode::kLimitExceeded, "is too large when unpacked");
 }
 
 bool fits(std::size_t unpacked, std::size_t packed, const UnpackLimits& limits) {
@@ -71,9 +71,9 @@ Result<std::string> gunzip(std::string_view bytes, const UnpackLimits& limits) {
     }
     if (status == Z_BUF_ERROR ||
         (status == Z_OK && stream->avail_out > 0 && stream->avail_in == 0)) {
-      return fail(ErrorCode::kInvalidData, "is cut off: the packed data ends too early");
+      return fail(ErrorCode::kInvalidData, "is incomplete: the packed data ends too early");
     }
-    if (status != Z_OK) return fail(ErrorCode::kInvalidData, "is damaged: it does not unpack");
+    if (status != Z_OK) return fail(ErrorCode::kInvalidData, "is damaged: it cannot be unpacked");
   }
 }
 
@@ -98,7 +98,8 @@ Result<std::string> file_in_zip(std::string_view bytes, const std::string& name,
   std::array<char, kBlock> block;
   for (;;) {
     const zip_int64_t got = zip_fread(file.get(), block.data(), block.size());
-    if (got < 0) return fail(ErrorCode::kInvalidData, "is damaged: '" + name + "' does not unpack");
+    if (got < 0)
+      return fail(ErrorCode::kInvalidData, "is damaged: '" + name + "' cannot be unpacked");
     if (got == 0) return text;
     text.append(block.data(), static_cast<std::size_t>(got));
     if (!fits(text.size(), bytes.size(), limits)) return too_large();

@@ -398,14 +398,14 @@ TEST(MaterialFile, ReadsAPictureBesideTheText) {
 
   EXPECT_EQ(error_of(surface_with("grain.picture = \"no.png\""), source),
             "my-paper.toml:3: grain.picture: no.png: there is no such file");
-  EXPECT_THAT(error_of(text), HasSubstr("no file is read here"));
+  EXPECT_THAT(error_of(text), HasSubstr("files are not read here"));
   for (const char* away : {"../a.png", "/etc/passwd", "a\\\\b.png", "..", ""}) {
     EXPECT_THAT(error_of(surface_with("grain.picture = \"" + std::string(away) + "\""), source),
                 HasSubstr("beside this file"))
         << away;
   }
   EXPECT_THAT(error_of(surface_with("grain.character = \"picture\""), source),
-              HasSubstr("says which"));
+              HasSubstr("are missing"));
   EXPECT_THAT(error_of(surface_with("grain.heights = \"AAAA\""), source), HasSubstr("128 x 128"));
   EXPECT_THAT(error_of(surface_with("grain.heights = \"*\""), source), HasSubstr("base64"));
 }

@@ -35,14 +35,14 @@ std::vector<std::string> files_of(const std::string& folder, std::vector<std::st
     if (!at->is_regular_file(unknown) || !name.ends_with(".toml") || name[0] == '.') continue;
     if (names.size() == kMaxFiles) {
       problems.push_back(folder + ": only " + std::to_string(kMaxFiles) +
-                         " of the materials here are looked at");
+                         " of the materials in this folder are read");
       break;
     }
     names.push_back(name);
   }
   if (error && error != std::errc::no_such_file_or_directory &&
       error != std::errc::not_a_directory) {
-    problems.push_back(folder + ": cannot be read: " + error.message());
+    problems.push_back(folder + ": cannot read: " + error.message());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -63,7 +63,7 @@ void add_folder(const std::string& folder, const LoadPicture& load_picture,
     if (const std::string taken = new_id_error(id); !taken.empty()) {
       library.problems.push_back(path + ": " + taken);
     } else if (!here.insert(id).second) {
-      library.problems.push_back(path + ": another file of this folder has the id " + id);
+      library.problems.push_back(path + ": another file in this folder has the id " + id);
     } else if (!known.contains(id)) {
       put(library.materials, *material);
       library.own.push_back({*std::move(material), path});
@@ -141,25 +141,25 @@ Result<std::string> save_material(const std::string& folder, const AnyMaterial& 
     return fail(ErrorCode::kInvalidArgument, "the material cannot be saved: " + why);
   };
   if (folder.empty()) {
-    return fail(ErrorCode::kNotFound,
-                "there is no place for materials of your own: neither XDG_DATA_HOME nor HOME is "
-                "set to a folder");
+    return fail(
+        ErrorCode::kNotFound,
+        "custom materials cannot be saved: neither XDG_DATA_HOME nor HOME is set to a folder");
   }
   if (const std::string wrong = material_error(material); !wrong.empty()) return refuse(wrong);
   if (const std::string taken = new_id_error(id); !taken.empty()) return refuse(taken);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return fail(ErrorCode::kIo, folder + ": cannot be made: " + error.message());
+  if (error) return fail(ErrorCode::kIo, folder + ": cannot create: " + error.message());
   const MaterialLibrary there = library_of(folder);
   const MaterialEntry* old = find_own(there, id);
   if (old && old->material.index() != material.index()) {
     const std::string other(kind_of(old->material)), kind(kind_of(material));
-    return refuse(old->path + " is a " + other + " of the id " + id + "; give the " + kind +
+    return refuse(old->path + " is a " + other + " with the id " + id + "; give the " + kind +
                   " another name");
   }
   const std::string path = old ? old->path : folder + "/" + id + ".toml";
   if (!old && fs::exists(path, error)) {
-    return refuse(path + " is another material, or none that can be read");
+    return refuse(path + " is another material or cannot be read");
   }
   if (Result<void> saved = save_file(path, write_material(material)); !saved) {
     return tl::unexpected(saved.error());
@@ -176,12 +176,12 @@ std::string material_path(const std::string& folder, const AnyMaterial& material
 Result<void> delete_material(const std::string& folder, const AnyMaterial& material) {
   const std::string path = material_path(folder, material);
   if (path.empty()) {
-    return fail(ErrorCode::kNotFound, "there is no " + std::string(kind_of(material)) + " \"" +
-                                          id_of(material) + "\" of your own in " + folder);
+    return fail(ErrorCode::kNotFound, "there is no custom " + std::string(kind_of(material)) +
+                                          " \"" + id_of(material) + "\" in " + folder);
   }
   std::error_code error;
   if (fs::remove(path, error)) return {};
-  return fail(ErrorCode::kIo, path + ": cannot be deleted: " + error.message());
+  return fail(ErrorCode::kIo, path + ": cannot delete: " + error.message());
 }
 
 std::string new_id_error(std::string_view id) {
@@ -189,7 +189,7 @@ std::string new_id_error(std::string_view id) {
   if (!is_material_id(id)) return "\"" + name + "\" is not 1 to 64 of a-z, 0-9 and -";
   const char* kind = find_surface(id) ? "surface" : find_medium(id) ? "medium" : nullptr;
   if (!kind) return "";
-  return name + " is the id of a " + kind + " that Feltline brings; give yours another, like my-" +
+  return name + " is the id of a " + kind + " that is built in; choose another, for example my-" +
          name;
 }
 

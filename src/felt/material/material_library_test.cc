@@ -122,9 +122,10 @@ TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
   EXPECT_THAT(ids_of(library), ElementsAre("good"));
   ASSERT_EQ(library.problems.size(), 5u);
   EXPECT_EQ(library.problems[0], own.path() + "/a.toml:4: feel.friction is 7, it must be 0 to 1.5");
-  EXPECT_THAT(library.problems[1], HasSubstr("b.toml: paper is the id of a surface that Feltline"));
+  EXPECT_THAT(library.problems[1],
+              HasSubstr("b.toml: paper is the id of a surface that is built in"));
   EXPECT_THAT(library.problems[2], HasSubstr("c.toml: charcoal is the id of a medium"));
-  EXPECT_THAT(library.problems[3], HasSubstr("e.toml: another file of this folder has the id"));
+  EXPECT_THAT(library.problems[3], HasSubstr("e.toml: another file in this folder has the id"));
   EXPECT_THAT(library.problems[4], HasSubstr("f.toml"));
   EXPECT_EQ(*library.materials.find_surface("paper"), *find_surface("paper"));
 }

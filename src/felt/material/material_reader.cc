@@ -94,7 +94,7 @@ class Reading {
   std::optional<AnyMaterial> material_of(const std::vector<TomlEntry>& entries) {
     const TomlEntry* kind = find(entries, "kind");
     if (!kind) {
-      say(1, "kind is missing; it is \"surface\" or \"medium\"");
+      say(1, "kind is missing; it must be \"surface\" or \"medium\"");
       return std::nullopt;
     }
     const auto* word = std::get_if<std::string>(&kind->value);
@@ -205,7 +205,8 @@ class Reading {
     const std::string surface = entry.key.substr(std::string_view("pairs.").size());
     const auto* number = std::get_if<double>(&entry.value);
     if (!is_material_id(surface)) {
-      say(entry.line, entry.key + ": pairs are by the id of a surface, 1 to 64 of a-z, 0-9 and -");
+      say(entry.line,
+          entry.key + ": the keys of pairs must be ids of surfaces, 1 to 64 of a-z, 0-9 and -");
     } else if (!number || !(*number >= 0.0 && *number <= kMaxFriction)) {
       refuse(entry, "0 to " + number_text(kMaxFriction));
     } else if (medium.pairs.size() == kMaxPairs) {
@@ -231,8 +232,8 @@ class Reading {
     }
     if (!source_.load_picture) {
       return say(entry.line,
-                 "grain.picture names a file, and no file is read here; a text that "
-                 "says all has grain.heights (`feltline materials show` writes them)");
+                 "grain.picture names a file, but files are not read here; use grain.heights "
+                 "instead (`feltline materials show` writes them)");
     }
     const Result<HeightPicture> picture = source_.load_picture(*file);
     if (!picture) return say(entry.line, "grain.picture: " + picture.error().message);
@@ -243,7 +244,7 @@ class Reading {
             SurfaceMaterial& surface) {
     if (!relief) return say(entry.line, entry.key + " " + relief.error().message);
     if (surface.picture) {
-      return say(entry.line, "grain has both heights and a picture; it must be one of them");
+      return say(entry.line, "grain has both heights and a picture; only one is allowed");
     }
     surface.picture = *std::move(relief);
   }
@@ -278,7 +279,7 @@ class Reading {
 
   template <class Material>
   void finish(const std::vector<TomlEntry>& entries, Material& material) {
-    if (!find(entries, "id")) say(1, "id is missing; it is 1 to 64 of a-z, 0-9 and -");
+    if (!find(entries, "id")) say(1, "id is missing; it must be 1 to 64 of a-z, 0-9 and -");
     if (material.label.empty()) material.label = label_of_id(material.id);
   }
 
@@ -288,11 +289,11 @@ class Reading {
     const bool names_one = find(entries, "grain.heights") || find(entries, "grain.picture");
     if (character && !names_one && surface.grain_character == HeightCharacter::kPicture) {
       say(character->line,
-          "grain.character is \"picture\", and neither grain.picture nor grain.heights says which");
+          "grain.character is \"picture\", but grain.picture and grain.heights are missing");
     }
     const TomlEntry* height = find(entries, "grain.height_um");
     if (height && surface.grain_um > 0.0 && !find(entries, "grain.wavelength_mm")) {
-      say(height->line, "grain.wavelength_mm is missing, it must be " +
+      say(height->line, "grain.wavelength_mm is missing; it must be " +
                             allowed_text(*find_surface_field("grain.wavelength_mm")));
     }
   }

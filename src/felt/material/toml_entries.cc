@@ -71,7 +71,7 @@ struct Level {
 tl::unexpected<Error> too_deep(const std::string& name, const toml::key& key) {
   return fail(ErrorCode::kLimitExceeded, toml_place(name, line_of(key.source())) + "\"" +
                                              std::string(key.str()) +
-                                             "\" is nested deeper than a material is");
+                                             "\" is nested too deeply for a material");
 }
 
 /// Returns all entries. Uses a stack of tables instead of recursion.
@@ -134,7 +134,7 @@ Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::strin
   }
   if (const int line = line_of_bad_header(text)) {
     return fail(ErrorCode::kInvalidData,
-                toml_place(name, line) + "what follows '[' is not the name of a table");
+                toml_place(name, line) + "'[' must be followed by the name of a table");
   }
   const toml::parse_result parsed = toml::parse(text);
   if (parsed) return entries_of(parsed.table(), name);

@@ -214,7 +214,7 @@ Result<std::vector<LayerId>> InkScene::new_order(const Edit& edit) const {
                                : !is_there;
     if (!fits) {
       return fail(ErrorCode::kInvalidArgument,
-                  "layer " + std::to_string(c.id.value) + " is not as the edit says");
+                  "layer " + std::to_string(c.id.value) + " does not match the edit");
     }
     if (c.before) moves.remove(c.before_index);
     if (c.after) moves.add(c.after_index, c.id);
@@ -230,11 +230,11 @@ Result<void> InkScene::check(const Edit& edit) const {
   if (const auto order = new_order(edit); !order) return tl::unexpected(order.error());
   for (const StrokeChange& c : edit.changes) {
     const SceneStroke* present = find(c.id);
-    if (!c.before && present) return misfit(c.id, "is there already");
+    if (!c.before && present) return misfit(c.id, "already exists");
     if (!c.before) continue;
-    if (!present) return misfit(c.id, "is not there");
+    if (!present) return misfit(c.id, "does not exist");
     if (present->layer->id != c.before_place.layer || present->rank() != c.before_place.index) {
-      return misfit(c.id, "does not stand where the edit says");
+      return misfit(c.id, "is not at the index in the edit");
     }
   }
   return check_places(edit);
@@ -249,8 +249,8 @@ Result<void> InkScene::check_places(const Edit& edit) const {
     const auto work = plans.find(c.id);
     const std::size_t gone = work == plans.end() ? 0 : work->second.removed.size();
     if (found->second.order.size() != gone) {
-      return fail(ErrorCode::kInvalidArgument,
-                  "layer " + std::to_string(c.id.value) + " cannot go, strokes are in it");
+      return fail(ErrorCode::kInvalidArgument, "layer " + std::to_string(c.id.value) +
+                                                   " cannot be removed, because it has strokes");
     }
   }
   for (const auto& [id, work] : plans) {
@@ -259,14 +259,14 @@ Result<void> InkScene::check_places(const Edit& edit) const {
                                      [id = id](const auto& c) { return c.id == id && c.after; });
     if (found == layers_.end() && !is_made) {
       return fail(ErrorCode::kInvalidArgument,
-                  "layer " + std::to_string(id.value) + " is not there");
+                  "layer " + std::to_string(id.value) + " does not exist");
     }
     const std::size_t size = (found == layers_.end() ? 0 : found->second.order.size()) -
                              work.removed.size() + work.added.size();
     for (std::size_t i = 0; i < work.added.size(); ++i) {
       const bool is_twice = i > 0 && work.added[i - 1].first == work.added[i].first;
       if (work.added[i].first >= size || is_twice) {
-        return misfit(work.added[i].second->id, "cannot go where the edit says");
+        return misfit(work.added[i].second->id, "cannot be moved to the index in the edit");
       }
     }
   }

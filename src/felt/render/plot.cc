@@ -262,21 +262,22 @@ bool is_sound(const PlotSpan& span) {
 }
 
 Result<void> check(const Plot& plot, const PlotOptions& options) {
-  if (plot.panels.empty()) return fail(ErrorCode::kInvalidArgument, "a plot without a panel");
+  if (plot.panels.empty())
+    return fail(ErrorCode::kInvalidArgument, "a plot needs at least one panel");
   if (!(options.width >= 200.0 && options.width <= 1e5 && options.scale >= 0.1 &&
         options.scale <= 100.0)) {
     return fail(ErrorCode::kInvalidArgument,
-                "a plot is 200 to 100000 units wide, of 0.1 to 100 px");
+                "a plot must be 200 to 100000 units wide, of 0.1 to 100 px");
   }
   bool sound = is_sound(plot.span);
   for (const PlotPanel& panel : plot.panels) {
     sound = sound && (!panel.span || is_sound(*panel.span));
     if (!(panel.height >= 20.0 && panel.height <= 1e5)) {
-      return fail(ErrorCode::kInvalidArgument, "a panel is 20 to 100000 units high");
+      return fail(ErrorCode::kInvalidArgument, "a panel must be 20 to 100000 units high");
     }
   }
   if (sound) return {};
-  return fail(ErrorCode::kInvalidArgument, "a plot over a stretch of time that is empty");
+  return fail(ErrorCode::kInvalidArgument, "the time range of the plot is empty");
 }
 
 void draw_titles(PlotCanvas& canvas, const Plot& plot, double width) {

@@ -10,9 +10,9 @@ namespace {
 Result<void> find_home(OpenDevice& device, const LiveLoop::MayMove& may_move) {
   if (device.homing() == Homing::kNone) return {};
   if (may_move && !may_move(device.homing_words())) {
-    return fail(
-        ErrorCode::kUnsupported,
-        device.descriptor().id + ": it must find its home first, and nobody agreed to this");
+    return fail(ErrorCode::kUnsupported,
+                device.descriptor().id +
+                    ": it must find its home position first, which needs your consent");
   }
   return device.find_home();
 }

@@ -9,7 +9,7 @@ Result<OptionValue> value_like(const OptionValue& present, const std::string& te
   if (std::holds_alternative<bool>(present)) {
     if (text == "on" || text == "true") return OptionValue(true);
     if (text == "off" || text == "false") return OptionValue(false);
-    return fail(ErrorCode::kInvalidArgument, "'" + text + "' is not on or off");
+    return fail(ErrorCode::kInvalidArgument, "'" + text + "' must be on or off");
   }
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -28,8 +28,8 @@ Result<RealDevice> find_real_device(const std::vector<std::unique_ptr<Driver>>& 
     const std::string choice = choice_of(drivers);
     return fail(ErrorCode::kNotFound,
                 "there is no device '" + id + "'; " +
-                    (choice.empty() ? "no device that takes forces is connected ('feltline "
-                                      "devices' lists all, the simulated ones too)"
+                    (choice.empty() ? "no force device is connected ('feltline devices' lists all "
+                                      "devices, including simulated ones)"
                                     : "connected: " + choice));
   }
   std::vector<DeviceDescriptor> found = driver->find();
@@ -37,14 +37,15 @@ Result<RealDevice> find_real_device(const std::vector<std::unique_ptr<Driver>>& 
   for (DeviceDescriptor& device : found) {
     if (device.id != id && !(is_any && found.size() == 1)) continue;
     if (device.kind != DeviceKind::kForce) {
-      return fail(ErrorCode::kUnsupported, "'" + device.id + "' plays cues and takes no forces");
+      return fail(ErrorCode::kUnsupported,
+                  "'" + device.id + "' plays cues and cannot produce forces");
     }
     Result<DeviceProfile> profile = profile_of(device);
     if (!profile) return tl::unexpected(profile.error());
     return RealDevice{driver, std::move(device), *std::move(profile)};
   }
   return fail(ErrorCode::kNotFound, "'" + id + "' is not connected: 'feltline doctor " +
-                                        std::string(driver->name()) + "' says what is missing");
+                                        std::string(driver->name()) + "' shows what is missing");
 }
 
 }  // namespace felt

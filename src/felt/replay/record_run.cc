@@ -16,28 +16,28 @@ const char* fault_words(SafetyFault fault) {
       return "";
     case SafetyFault::kLateTick:
     case SafetyFault::kVeryLateTick:
-      return "the loop was late: this computer is busy, or may not run it in real time";
+      return "the loop was late, because this computer is busy or does not permit real time";
     case SafetyFault::kTooFast:
       return "the pen was too fast";
     case SafetyFault::kEditSilent:
-      return "the program did not answer for a while";
+      return "the program did not respond for a while";
     case SafetyFault::kNotFinite:
       return "the device reported something that is not a number";
     case SafetyFault::kDeviceError:
-      return "the device refused";
+      return "the device reported an error";
     case SafetyFault::kPositionJump:
-      return "the pen's place jumped";
+      return "the pen's position jumped";
     case SafetyFault::kTooManyFaults:
-      return "it happened too often";
+      return "too many faults occurred";
     case SafetyFault::kSelfTest:
-      return "limits that make no sense";
+      return "invalid safety limits";
   }
   return "";
 }
 
 std::string vendor_words(const DeviceStatus& status) {
   const std::string words(status.vendor_words.view());
-  return words.empty() ? "" : " It says: " + words;
+  return words.empty() ? "" : " Its message: " + words;
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ Result<void> RecordRun::draw() {
   if (!done) return done;
   if (!finished || !hangs_) return finished;
   return fail(ErrorCode::kIo, device_.found.label +
-                                  " hangs in its maker's software and was given up; the ink is "
-                                  "kept. Disconnect it, connect it again, and record again");
+                                  " stopped responding and was disconnected; the ink was kept. "
+                                  "Unplug it, plug it in again, and record again");
 }
 
 /// Stops the device, because the program and its loop are suspended and no force may remain. Forces
@@ -109,7 +109,7 @@ Result<void> RecordRun::pause() {
   }
   options_.pause();
   if (Result<void> started = loop_->go_on(); !started) return reconnect(started.error().message);
-  notice("Forces are off: Enter allows them again.");
+  notice("Forces are off. Press Enter to allow them again.");
   return {};
 }
 
@@ -136,7 +136,7 @@ Result<void> RecordRun::turn() {
     return reconnect(std::string(describe(*status.fault)) + vendor_words(status));
   }
   if (loop_->thread().status().is_silent) {
-    return reconnect("The device does not answer any more.");
+    return reconnect("The device stopped responding.");
   }
   return {};
 }
@@ -167,8 +167,8 @@ void RecordRun::report_faults(const TickReport& report) {
   reported_notice_ = status.notice;
   if (report.ink_cuts > reported_cuts_) {
     notice(
-        "The device reported places that the pen cannot have reached. The stroke ended "
-        "there; what you drew until places were steady again is missing.");
+        "The device reported impossible positions. The stroke ended there; anything you drew until "
+        "the positions were plausible again is missing.");
   }
   reported_cuts_ = report.ink_cuts;
   const SafetyReport& safety = report.safety;
@@ -176,8 +176,8 @@ void RecordRun::report_faults(const TickReport& report) {
   if (faults == reported_faults_) return;
   reported_faults_ = faults;
   const bool is_off = safety.state == SafetyState::kLatched;
-  notice(std::string(is_off ? "forces off: " : "forces fall and start again: ") +
-         fault_words(safety.fault) + "." + (is_off ? " Enter allows them again." : ""));
+  notice(std::string(is_off ? "forces off: " : "forces fade out and start again: ") +
+         fault_words(safety.fault) + "." + (is_off ? " Press Enter to allow them again." : ""));
 }
 
 void RecordRun::report_status(const TickReport& report) const {
@@ -207,8 +207,7 @@ void RecordRun::handle_enter() {
 
 Result<void> RecordRun::reconnect(const std::string& why) {
   notice(why +
-         " The ink so far is kept. Connect the device again, and drawing goes on; "
-         "Ctrl-C saves and ends.");
+         " The ink so far is kept. Connect the device again to continue; Ctrl-C saves and ends.");
   // The loss of the device is a fault that latches: only the user can switch forces on again.
   const bool had_forces = std::exchange(wants_forces_, false);
   if (Result<void> finished = session_.finish(); !finished) return finished;
@@ -226,7 +225,7 @@ Result<void> RecordRun::reconnect(const std::string& why) {
     last_ns_ = lost_ns + std::chrono::nanoseconds(Clock::now() - lost).count();
     if (!tries_again(refusal)) continue;
     notice(std::string("The device is back.") +
-           (had_forces ? " Its forces are off: Enter allows them again." : ""));
+           (had_forces ? " Its forces are off. Press Enter to allow them again." : ""));
     return {};
   }
   return {};
@@ -245,7 +244,7 @@ bool RecordRun::tries_again(std::optional<Error>& refusal) {
   if (!is_reported) {
     notice(refusal->message + (waits(*refusal)
                                    ? ". Press Enter or plug the device in again to retry."
-                                   : ". It is tried again."));
+                                   : ". Retrying."));
   }
   return false;
 }

@@ -5,7 +5,7 @@ namespace felt {
 std::string_view describe(DeviceFault fault) noexcept {
   switch (fault) {
     case DeviceFault::kDisconnected:
-      return "The device is not connected any more.";
+      return "The device is no longer connected.";
     case DeviceFault::kNotCalibrated:
       return "The device must be calibrated before it can be used.";
     case DeviceFault::kForcesOff:
@@ -13,7 +13,7 @@ std::string_view describe(DeviceFault fault) noexcept {
     case DeviceFault::kOverheated:
       return "The motors of the device are too warm.";
     case DeviceFault::kBadData:
-      return "The device says something that makes no sense.";
+      return "The device sends invalid data.";
     case DeviceFault::kOther:
       break;
   }

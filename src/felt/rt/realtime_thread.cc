@@ -78,7 +78,9 @@ std::string describe(const RealtimeStatus& status) {
       text = "The haptic loop runs in real time (SCHED_FIFO)";
       break;
     case LoopScheduling::kNice:
-      text = "The haptic loop runs with raised priority (nice -20), as SCHED_FIFO is not permitted";
+      text =
+          "The haptic loop runs with raised priority (nice -20), because SCHED_FIFO is not "
+          "permitted";
       break;
     case LoopScheduling::kOrdinary:
       text =
@@ -86,7 +88,7 @@ std::string describe(const RealtimeStatus& status) {
           " allow real time for your user by rtprio in /etc/security/limits.d";
       break;
     case LoopScheduling::kHost:
-      text = "The haptic loop is run by the device's own software";
+      text = "The haptic loop is run by the device's software";
       break;
   }
   text += status.memory_locked ? ", with its memory locked."
@@ -135,7 +137,7 @@ Result<void> RealtimeThread::start() {
     thread_ = std::thread([this] { run(); });
   } catch (const std::system_error& error) {
     return fail(ErrorCode::kUnsupported,
-                std::string("the haptic loop got no thread: ") + error.what());
+                std::string("the thread of the haptic loop could not be started: ") + error.what());
   }
   is_set_up_.wait(false, std::memory_order_acquire);
   return {};
@@ -267,8 +269,8 @@ Result<void> RealtimeThread::start_hosted() {
   }
   static_cast<void>(stop());  // no tick was in progress
   return fail(ErrorCode::kIo,
-              "the device's own software has started its haptic loop, but does not run it: "
-              "disconnect the device, connect it again and open it again");
+              "the device's software started its haptic loop, but does not run it: disconnect the "
+              "device, connect it again and open it again");
 }
 
 bool RealtimeThread::stop_hosted() noexcept {

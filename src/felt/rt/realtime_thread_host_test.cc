@@ -112,7 +112,7 @@ TEST_F(HostedLoop, TicksOnTheHostsThreadAndEndsThereWithoutForce) {
   EXPECT_EQ(host.starts, 1);
   EXPECT_TRUE(loop.is_running());
   EXPECT_EQ(loop.status().scheduling, LoopScheduling::kHost);
-  EXPECT_THAT(describe(loop.status()), HasSubstr("device's own software"));
+  EXPECT_THAT(describe(loop.status()), HasSubstr("device's software"));
   EXPECT_GE(loop.first_due_ns(), 0);
   EXPECT_LE(loop.first_due_ns(), loop.now_ns());
   wait_until([&] { return servo->for_edit().size() >= 20; });

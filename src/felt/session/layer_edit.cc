@@ -126,7 +126,7 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
     if (is_open(*layer)) return Edit{};
     return fail(ErrorCode::kInvalidArgument, title_of(*layer) +
                                                  (layer->visible ? " is locked" : " is hidden") +
-                                                 ": nothing can be drawn there");
+                                                 ": you cannot draw on it");
   }
   Edit edit =
       event.what == Do::kRemove ? removal_of(document, *layer) : change_of(document, *layer, event);

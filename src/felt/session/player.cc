@@ -88,15 +88,15 @@ Result<void> check(std::span<const Event> events, const PlayerOptions& options, 
   for (std::size_t i = 0; i < events.size(); ++i) {
     const Event& event = events[i];
     std::string wrong;
-    if (event.time_ns < last_ns) wrong = "the time runs backwards";
+    if (event.time_ns < last_ns) wrong = "the time is earlier than that of the previous event";
     if (event.time_ns - events[0].time_ns > options.longest_ns) {
       wrong = "the script is longer than " + milliseconds(options.longest_ns);
     }
     if (!has_hand && std::holds_alternative<HandEvent>(event.what)) {
-      wrong = "a hand event, and the device has no hand";
+      wrong = "hand events need a device with a simulated hand";
     }
     if (std::holds_alternative<UseDevice>(event.what)) {
-      wrong = "a device event is for recordings, which are played as they were made";
+      wrong = "device events are only allowed in recordings, which are played with --as-recorded";
     }
     if (!wrong.empty()) {
       return fail(ErrorCode::kInvalidArgument, place_of(i, event) + ": " + wrong);

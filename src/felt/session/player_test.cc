@@ -327,17 +327,17 @@ TEST(Player, ImportsWhatTheCallerReads) {
   EXPECT_EQ(played.document.stroke_count(), source.document.stroke_count());
   EXPECT_EQ(played.undo_count, 1U);
   EXPECT_EQ(play(script).report.error().message,
-            "event 1, at 5 ms: an import is for whoever reads the file");
+            "event 1, at 5 ms: import events can only be handled by the reader of the file");
 }
 
 TEST(Player, SaysWhichEventIsWrong) {
   EXPECT_EQ(play({{0, UndoEvent{}}, {2'500'000, SelectTool{"brush"}}}).report.error().message,
-            "event 2, at 2.5 ms: no tool \"brush\"; there are eraser, pencil");
+            "event 2, at 2.5 ms: no tool \"brush\"; the tools are eraser, pencil");
   EXPECT_EQ(play({{5, UndoEvent{}}, {4, UndoEvent{}}}).report.error().message,
-            "event 2, at 0.000004 ms: the time runs backwards");
+            "event 2, at 0.000004 ms: the time is earlier than that of the previous event");
   SpringPen pen;
   EXPECT_THAT(play_on(pen, nullptr, {{0, HandEvent{}}}).report.error().message,
-              HasSubstr("event 1, at 0 ms: a hand event, and the device has no hand"));
+              HasSubstr("event 1, at 0 ms: hand events need a device with a simulated hand"));
   PlayerOptions options;
   options.longest_ns = kMs;
   EXPECT_EQ(play({{0, UndoEvent{}}, {kMs + 1, UndoEvent{}}}, options).report.error().message,

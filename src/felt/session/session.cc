@@ -66,7 +66,8 @@ struct Session::Apply {
     return session.sample({time_ns, e.position, {}, e.pressure, e.buttons, e.tilt_deg});
   }
   Result<void> operator()(const HandEvent&) const {
-    return fail(ErrorCode::kUnsupported, "a hand event is for the player, which moves the device");
+    return fail(ErrorCode::kUnsupported,
+                "hand events can only be played by the player, which moves the device");
   }
   Result<void> operator()(const UndoEvent&) const { return session.undo(); }
   Result<void> operator()(const RedoEvent&) const { return session.redo(); }
@@ -75,7 +76,8 @@ struct Session::Apply {
     return {};
   }
   Result<void> operator()(const ImportEvent&) const {
-    return fail(ErrorCode::kUnsupported, "an import is for whoever reads the file");
+    return fail(ErrorCode::kUnsupported,
+                "import events can only be handled by the reader of the file");
   }
   Result<void> operator()(const SelectStrokes& e) const { return session.select_strokes(e.what); }
   Result<void> operator()(const DeleteEvent&) const { return session.delete_selected(); }
@@ -407,7 +409,7 @@ Result<std::size_t> Session::find_tool(std::string_view id) const {
   std::string known;
   for (const auto& tool : tools_)
     known += (known.empty() ? "" : ", ") + std::string(tool->info().id);
-  return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; there are " + known);
+  return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; the tools are " + known);
 }
 
 Document document_of(std::span<const StrokePtr> strokes) {

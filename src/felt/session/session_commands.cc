@@ -71,7 +71,7 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
   const Medium* medium = options_.materials.find_medium(event.medium);
   if (!event.medium.empty() && (!medium || !medium->draws)) {
     return fail(ErrorCode::kNotFound,
-                "restyle: medium: there is no medium \"" + event.medium + "\" that draws");
+                "restyle: medium: there is no medium \"" + event.medium + "\" for drawing");
   }
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;

@@ -291,10 +291,10 @@ TEST(SessionLayers, SaysWhatIsWrongAndChangesNothing) {
                         Do::kRaise, Do::kLower, Do::kUse, Do::kMove}) {
     EXPECT_EQ(error(what, 9), "no layer 9");
   }
-  EXPECT_EQ(error(Do::kUse, 2), "layer 2 (b) is hidden: nothing can be drawn there");
+  EXPECT_EQ(error(Do::kUse, 2), "layer 2 (b) is hidden: you cannot draw on it");
   fixture.layer(Do::kShow, 2);
   fixture.layer(Do::kLock, 2);
-  EXPECT_EQ(error(Do::kUse, 2), "layer 2 (b) is locked: nothing can be drawn there");
+  EXPECT_EQ(error(Do::kUse, 2), "layer 2 (b) is locked: you cannot draw on it");
   EXPECT_EQ(fixture.session.layer().value, 1U);
   EXPECT_EQ(fixture.steps(), steps + 2);
   EXPECT_EQ(recorded.size(), 2U) << "what failed is not recorded";

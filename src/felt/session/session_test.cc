@@ -380,8 +380,9 @@ TEST(Session, IsToldOfMaterials) {
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
   Fixture fixture(std::move(options));
   const SetOption choose{"surface.material", std::string("my-paper")};
-  EXPECT_THAT(fixture.apply(choose).error().message,
-              HasSubstr("option 'material' cannot be 'my-paper': it is one of paper, rough-paper"));
+  EXPECT_THAT(
+      fixture.apply(choose).error().message,
+      HasSubstr("option 'material' cannot be 'my-paper': it must be one of paper, rough-paper"));
   fixture.must(UseMaterial{text_of_surface("my-paper", "friction = 0.4")});
   fixture.must(choose);
   EXPECT_EQ(fixture.session.surface().friction, 0.4);
@@ -470,7 +471,7 @@ TEST(Session, SaysWhatIsWrongAndChangesNothing) {
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
   Fixture fixture(std::move(options));
   EXPECT_EQ(fixture.apply(SelectTool{"brush"}).error().message,
-            "no tool \"brush\"; there are eraser, pencil");
+            "no tool \"brush\"; the tools are eraser, pencil");
   EXPECT_THAT(fixture.apply(SetOption{"brush.size", 1.0}).error().message, HasSubstr("no tool"));
   EXPECT_THAT(fixture.apply(SetOption{"pencil", 1.0}).error().message, HasSubstr("pencil"));
   EXPECT_THAT(fixture.apply(SetOption{"pencil.width_mm", 9.0}).error().message,

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr const char* kCannot = "what a newer Feltline keeps in it cannot be carried over";
+constexpr const char* kCannot = "data that a newer Feltline stored in it cannot be copied";
 
 int index_of(const FeltTable& table, std::string_view column) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), column);

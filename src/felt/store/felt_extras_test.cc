@@ -167,12 +167,13 @@ TEST(FeltExtras, NothingThatCouldActIsTaken) {
         "CREATE TABLE t(a TEXT, b INTEGER PRIMARY KEY)", "CREATE TABLE \"a b\"(a TEXT)",
         "CREATE TABLE t(a TEXT COLLATE NOCASE)", "ALTER TABLE stroke ADD COLUMN a INTEGER CHECK(1)",
         "ALTER TABLE stroke ADD COLUMN a AS (zeroblob(1e9))", "ANALYZE"}) {
-    EXPECT_THAT(message(sql), HasSubstr("no Feltline makes")) << sql;
+    EXPECT_THAT(message(sql), HasSubstr("an unknown table")) << sql;
   }
-  EXPECT_THAT(message("ALTER TABLE shown ADD COLUMN a INTEGER"), HasSubstr("other tables"));
-  EXPECT_THAT(message("DROP TABLE palette"), HasSubstr("other tables"));
+  EXPECT_THAT(message("ALTER TABLE shown ADD COLUMN a INTEGER"),
+              HasSubstr("the tables of a Feltline drawing"));
+  EXPECT_THAT(message("DROP TABLE palette"), HasSubstr("the tables of a Feltline drawing"));
   EXPECT_THAT(message("DROP TABLE layer; CREATE TABLE layer(id INTEGER PRIMARY KEY)"),
-              HasSubstr("'layer' is another"));
+              HasSubstr("'layer' has an unexpected definition"));
   // Views are ignored, whatever they contain, even if they have the name of one of our tables.
   EXPECT_EQ(message("CREATE VIEW v AS SELECT randomblob(1e9)"), "taken");
 }

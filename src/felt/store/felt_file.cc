@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kMagic{"SQLite format 3\0", 16};
 constexpr std::size_t kHeaderBytes = 100;
 constexpr std::size_t kWriteVersionAt = 18, kReadVersionAt = 19;
-constexpr const char* kDamaged = "is damaged or cut off";
+constexpr const char* kDamaged = "is damaged or incomplete";
 constexpr std::size_t kUserVersionAt = 60, kApplicationIdAt = 68;
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t at) noexcept {
@@ -43,19 +43,19 @@ Result<void> check_header(std::string_view bytes) {
   if (bytes.substr(0, known) != kMagic.substr(0, known)) {
     return invalid_data("is not a Feltline drawing");
   }
-  if (bytes.size() < kHeaderBytes) return invalid_data("is cut off within its header");
+  if (bytes.size() < kHeaderBytes) return invalid_data("is incomplete: it ends within its header");
   if (big_endian(bytes, kApplicationIdAt) != kFeltApplicationId) {
-    return invalid_data("is a database of another program, no Feltline drawing");
+    return invalid_data("is a database of another program, not a Feltline drawing");
   }
   const std::uint32_t version = big_endian(bytes, kUserVersionAt);
   if (version > kFeltVersion) {
     return fail(ErrorCode::kUnsupported, "was written by a newer Feltline (format " +
-                                             std::to_string(version) + ", this one knows " +
+                                             std::to_string(version) + "; this version reads " +
                                              std::to_string(kFeltVersion) + ")");
   }
-  if (version != kFeltVersion) return invalid_data("has no version of the format");
+  if (version != kFeltVersion) return invalid_data("does not state its format version");
   if (bytes[kWriteVersionAt] != 1 || bytes[kReadVersionAt] != 1) {
-    return invalid_data("was changed by another program, which left it open");
+    return invalid_data("was changed by another program, which did not close it");
   }
   return {};
 }

@@ -103,15 +103,15 @@ TEST_F(FeltFileTest, ErrorsNameTheFileAndTheReason) {
   EXPECT_THAT(message(""), StartsWith(path("x.felt") + ": is empty"));
   EXPECT_THAT(message("<svg/>"), HasSubstr("is not a Feltline drawing"));
   std::string bytes = felt_bytes(random_drawing(5)).value();
-  EXPECT_THAT(message(bytes.substr(0, 50)), HasSubstr("cut off"));
+  EXPECT_THAT(message(bytes.substr(0, 50)), HasSubstr("incomplete"));
   bytes[63] = 2;
-  EXPECT_THAT(message(bytes), HasSubstr("newer Feltline (format 2, this one knows 1)"));
+  EXPECT_THAT(message(bytes), HasSubstr("newer Feltline (format 2; this version reads 1)"));
   bytes[63] = 1;
   bytes[70] = 'x';
   EXPECT_THAT(message(bytes), HasSubstr("another program"));
   bytes[70] = 'l';
   bytes[18] = bytes[19] = 2;
-  EXPECT_THAT(message(bytes), HasSubstr("left it open"));
+  EXPECT_THAT(message(bytes), HasSubstr("did not close it"));
 }
 
 /// This is the purpose of the checksums: damage is an error, unless it is in unused bytes.
@@ -222,7 +222,7 @@ TEST_F(FeltFileTest, WhatCouldNotBeReadAgainIsNotWritten) {
   drawing.document.reserve_ids({(std::uint64_t{1} << 53) + 1}, {1});
   const auto bytes = felt_bytes(drawing);
   ASSERT_FALSE(bytes);
-  EXPECT_THAT(bytes.error().message, ::testing::HasSubstr("used up the numbers"));
+  EXPECT_THAT(bytes.error().message, ::testing::HasSubstr("no free numbers"));
 }
 
 }  // namespace

@@ -49,8 +49,7 @@ Result<void> read_view(const Database& db, std::optional<Viewport>& view) {
   if (!any) return tl::unexpected(any.error());
   if (!*any) return {};
   for (const int column : {0, 1, 2, 3}) {
-    if (!row->is_real(column))
-      return invalid_data("the table 'shown' lacks a number where one is required");
+    if (!row->is_real(column)) return invalid_data("the table 'shown' lacks a required number");
   }
   if (!row->is_integer(4) || (row->integer(4) | 1) != 1) {
     return invalid_data("the table 'shown' contains an invalid value");

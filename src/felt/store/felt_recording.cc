@@ -108,11 +108,12 @@ Result<void> check_recording(const FeltRecording& recording) {
   for (std::size_t i = 0; i < recording.samples.size(); ++i) {
     const RecordedSample& s = recording.samples[i];
     const double pressure = s.pen.pressure.value_or(0.0);
-    if (s.time_ns < std::exchange(last_ns, s.time_ns)) return bad("time runs back at sample", i);
+    if (s.time_ns < std::exchange(last_ns, s.time_ns))
+      return bad("the time decreases at sample", i);
     const double tilt_deg = s.pen.tilt_deg.value_or(0.0);
     if (!is_place(s.pen.position) || !(pressure >= 0.0 && pressure <= 1.0) ||
         !(tilt_deg >= 0.0 && tilt_deg <= kMaxTiltDeg)) {
-      return bad("impossible numbers in sample", i);
+      return bad("invalid numbers in sample", i);
     }
   }
   std::size_t at = 0;
@@ -121,7 +122,7 @@ Result<void> check_recording(const FeltRecording& recording) {
     if (e.before_sample < std::exchange(at, e.before_sample) ||
         e.before_sample > recording.samples.size() ||
         std::holds_alternative<PenEvent>(e.event.what)) {
-      return bad("out of place: event", i);
+      return bad("not in order: event", i);
     }
   }
   return {};

@@ -169,7 +169,7 @@ class Assembly {
 
   Result<Salvaged> make(const std::string& why) {
     if (found_.strokes.empty() && found_.layers.empty()) {
-      return fail(ErrorCode::kInvalidData, why + "; nothing of a drawing is in it");
+      return fail(ErrorCode::kInvalidData, why + "; it does not contain any part of a drawing");
     }
     out_.problems.push_back("The file " + why + ".");
     take_head();
@@ -186,8 +186,8 @@ class Assembly {
       return;
     }
     out_.problems.emplace_back(
-        "The page size, the paper colour, the surface and the colour of new ink are lost; they "
-        "are those of a new drawing.");
+        "The page size, the paper colour, the surface and the colour of new ink are lost; the "
+        "defaults of a new drawing were used.");
   }
 
   void name_lost_layers() {
@@ -201,10 +201,10 @@ class Assembly {
       found_.layers[stroke.layer] = {{"Salvaged " + std::to_string(++lost), true, false}, kMaxId};
     }
     if (lost == 0) return;
-    out_.problems.push_back(lost == 1 ? "A layer has lost its name and place; it is the topmost."
-                                      : std::to_string(lost) +
-                                            " layers have lost their names and "
-                                            "places; they are the topmost.");
+    out_.problems.push_back(
+        lost == 1 ? "A layer lost its name and position; it was put on top."
+                  : std::to_string(lost) +
+                        " layers lost their names and positions; they were put on top.");
   }
 
   Result<void> fill() {
@@ -264,14 +264,13 @@ class Assembly {
     for (auto& [id, color] : found_.colors) d.palette.colors.push_back(std::move(color));
     if (!check_page(d)) {
       d.palette = {};
-      out_.problems.emplace_back("The drawing's own colours are lost.");
+      out_.problems.emplace_back("The drawing's palette is lost.");
     }
     for (auto& [id, text] : found_.materials) add_material_text(d.materials, text);
     d.view = found_.view;
     if (!check_page(d)) d.view.reset();
     if (found_.others > 0) {
-      out_.problems.emplace_back(
-          "What else is in the file, recordings for example, was left behind.");
+      out_.problems.emplace_back("Other data in the file, such as recordings, was not recovered.");
     }
   }
 

@@ -190,11 +190,11 @@ TEST(FeltSalvage, SaysWhatIsMissing) {
   }
   EXPECT_THAT(all_problems, HasSubstr("The file is damaged"));
   EXPECT_THAT(all_problems, HasSubstr("The page size"));
-  EXPECT_THAT(all_problems, HasSubstr("3 layers have lost their names"));
+  EXPECT_THAT(all_problems, HasSubstr("3 layers lost their names"));
   EXPECT_THAT(all_problems, HasSubstr("of the layer “Birds” could not be read"));
-  EXPECT_THAT(salvage_felt_bytes("").error().message, HasSubstr("is empty; nothing of a drawing"));
+  EXPECT_THAT(salvage_felt_bytes("").error().message, HasSubstr("is empty; any part of a drawing"));
   EXPECT_THAT(salvage_felt_bytes(std::string(10'000, 'x')).error().message,
-              HasSubstr("nothing of a drawing"));
+              HasSubstr("any part of a drawing"));
   EXPECT_THAT(salvage_felt("/none/x.felt").error().message, HasSubstr("/none/x.felt"));
   std::string newer = bytes;
   newer[63] = 2;

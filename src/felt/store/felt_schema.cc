@@ -158,7 +158,8 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
   const auto is_named = [&table](const OwnTable& own) { return own.name == table.name; };
   if (const auto* own = std::find_if(kTables.begin(), kTables.end(), is_named);
       own != kTables.end()) {
-    if (!begins_like(table, *own)) return invalid_data("the table '" + table.name + "' is another");
+    if (!begins_like(table, *own))
+      return invalid_data("the table '" + table.name + "' has an unexpected definition");
     const std::array places = {&schema.drawing, &schema.layer, &schema.palette, &schema.shown,
                                &schema.stroke};
     *places[static_cast<std::size_t>(own - kTables.begin())] = std::move(table);
@@ -166,17 +167,19 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
   }
   if (const auto* own = std::find_if(kRecordingTables.begin(), kRecordingTables.end(), is_named);
       own != kRecordingTables.end()) {
-    if (!begins_like(table, *own)) return invalid_data("the table '" + table.name + "' is another");
+    if (!begins_like(table, *own))
+      return invalid_data("the table '" + table.name + "' has an unexpected definition");
     schema.recordings.push_back(std::move(table));
     return {};
   }
   if (table.name == "material") {
-    if (table.sql != kMaterialTable) return invalid_data("the table 'material' is another");
+    if (table.sql != kMaterialTable)
+      return invalid_data("the table 'material' has an unexpected definition");
     schema.has_materials = true;
     return {};
   }
   if (schema.foreign.size() == kMaxForeignTables) {
-    return fail(ErrorCode::kLimitExceeded, "has more than 64 tables that are not ours");
+    return fail(ErrorCode::kLimitExceeded, "has more than 64 unknown tables");
   }
   schema.foreign.push_back(std::move(table));
   return {};
@@ -186,13 +189,12 @@ Result<void> take_row(FeltSchema& schema, const Statement& row) {
   const std::string_view type = row.text(0), name = row.text(1), on = row.text(2);
   if (type == "view") return {};
   if (type == "index") {
-    return is_core(on) ? invalid_data("has an index of another program") : Result<void>();
+    return is_core(on) ? invalid_data("has an index by another program") : Result<void>();
   }
-  if (type != "table") return invalid_data("has triggers, which no drawing needs");
+  if (type != "table") return invalid_data("has triggers, which are not allowed in a drawing");
   Result<FeltTable> table = parse_table(row.text(3));
   if (!table || table->name != name || name != on) {
-    return invalid_data("has a table that no Feltline makes: '" + std::string(name.substr(0, 100)) +
-                        "'");
+    return invalid_data("has an unknown table: '" + std::string(name.substr(0, 100)) + "'");
   }
   return place(schema, *std::move(table));
 }
@@ -275,7 +277,7 @@ Result<FeltTable> parse_table(std::string_view sql) {
   good = good && !table.name.empty() && in.take("(");
   do good = good && parse_column(in, table);
   while (good && in.take(", "));
-  if (!good || !in.take(")") || !in.is_done()) return invalid_data("is not a plain table");
+  if (!good || !in.take(")") || !in.is_done()) return invalid_data("is not an ordinary table");
   std::vector<std::string> names = table.columns;
   std::sort(names.begin(), names.end());
   if (std::adjacent_find(names.begin(), names.end()) != names.end())
@@ -286,11 +288,11 @@ Result<FeltTable> parse_table(std::string_view sql) {
 Result<FeltSchema> read_schema(const Database& database) {
   const auto row =
       database.prepare("SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY name");
-  if (!row) return tl::unexpected(with_context(row.error(), "is damaged or cut off"));
+  if (!row) return tl::unexpected(with_context(row.error(), "is damaged or incomplete"));
   FeltSchema schema;
   for (std::size_t rows = 0;; ++rows) {
     const Result<bool> more = row->step();
-    if (!more) return tl::unexpected(with_context(more.error(), "is damaged or cut off"));
+    if (!more) return tl::unexpected(with_context(more.error(), "is damaged or incomplete"));
     if (!*more) break;
     if (rows == kMaxSchemaRows) {
       return fail(ErrorCode::kLimitExceeded, "has more tables and views than a drawing may have");
@@ -299,14 +301,14 @@ Result<FeltSchema> read_schema(const Database& database) {
   }
   for (const FeltTable* table :
        {&schema.drawing, &schema.layer, &schema.palette, &schema.shown, &schema.stroke}) {
-    if (table->name.empty()) return invalid_data("has other tables than a Feltline drawing");
+    if (table->name.empty()) return invalid_data("does not have the tables of a Feltline drawing");
   }
   if (schema.palette.columns.size() > own_table("palette").columns ||
       schema.shown.columns.size() > own_table("shown").columns) {
-    return invalid_data("has other tables than a Feltline drawing");
+    return invalid_data("does not have the tables of a Feltline drawing");
   }
   if (!schema.recordings.empty() && schema.recordings.size() != kRecordingTables.size()) {
-    return invalid_data("has half the tables of recordings");
+    return invalid_data("has only some of the tables of recordings");
   }
   return schema;
 }

@@ -47,13 +47,13 @@ bool is_layer_name(std::string_view text) noexcept {
 Result<void> check_drawing(const Drawing& d) {
   if (d.document.new_id().value - 1 > static_cast<std::uint64_t>(kMaxId) ||
       d.document.new_layer_id().value - 1 > static_cast<std::uint64_t>(kMaxId)) {
-    return fail(ErrorCode::kLimitExceeded, "has used up the numbers of strokes or layers");
+    return fail(ErrorCode::kLimitExceeded, "has no free numbers for strokes or layers");
   }
   if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
-    return invalid_data("the page is not 10 to 5000 mm on a side");
+    return invalid_data("the sides of the page must be 10 to 5000 mm");
   }
   if (!is_layer_name(d.page.surface)) return invalid_data("the surface has an invalid name");
-  if (d.layer && !d.document.layer(d.layer)) return invalid_data("the layer in use is not there");
+  if (d.layer && !d.document.layer(d.layer)) return invalid_data("the active layer does not exist");
   if (d.document.layers().size() > kMaxLayers) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
   }
@@ -139,10 +139,10 @@ Result<Head> read_drawing_row(const Database& db, Drawing& d) {
   if (!row) return tl::unexpected(row.error());
   const Result<bool> any = row->step();
   if (!any) return tl::unexpected(any.error());
-  if (!*any) return invalid_data("says nothing about its page");
+  if (!*any) return invalid_data("has no data about its page");
   for (const int column : {2, 4, 5, 6, 7, 8, 10}) {
     if (!row->is_integer(column))
-      return invalid_data("the table 'drawing' lacks a number where one is required");
+      return invalid_data("the table 'drawing' lacks a required number");
   }
   if (!row->is_real(0) || !row->is_real(1) || !row->is_text(3) ||
       !is_color_number(row->integer(2)) || !is_color_number(row->integer(4)) ||
@@ -252,7 +252,7 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});
   if (auto ok = check_drawing(drawing); !ok) return tl::unexpected(ok.error());
   if (checksum_of(drawing) != head->checksum) {
-    return invalid_data("is damaged: its checksum is not that of its layers");
+    return invalid_data("is damaged: its checksum does not match its layers");
   }
   return drawing;
 }

@@ -79,7 +79,8 @@ TEST(MaterialTable, AnotherTableOfThatNameIsRefused) {
   std::string bytes = felt_bytes(drawing_with({"a"})).value();
   const std::string ours = "text TEXT NOT NULL, checksum";
   bytes.replace(bytes.find(ours), ours.size(), "test TEXT NOT NULL, checksum");
-  EXPECT_THAT(parse_felt(bytes).error().message, HasSubstr("the table 'material' is another"));
+  EXPECT_THAT(parse_felt(bytes).error().message,
+              HasSubstr("the table 'material' has an unexpected definition"));
 }
 
 /// Hostile bytes give a result or an error, never a crash, and accepted texts are within the

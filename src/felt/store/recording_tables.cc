@@ -324,7 +324,7 @@ Result<void> read_samples(const Database& db, const RecordingHead& head, FeltRec
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
     if (!*more)
-      return n == head.samples ? Result<void>() : invalid_data("has fewer samples than it says");
+      return n == head.samples ? Result<void>() : invalid_data("has fewer samples than it states");
     if (row->integer(0) != head.first_sample + n || !is_sample_row(*row)) {
       return invalid_data("sample " + std::to_string(n) + " contains an invalid value");
     }
@@ -338,13 +338,13 @@ Result<Event> event_of(std::string_view text) {
   LineBatch batch;
   const Result<bool> any = lines.fill(batch, text.size() + 1);
   if (!any) return tl::unexpected(any.error());
-  if (!*any || batch.size() != 1) return invalid_data("is no line");
+  if (!*any || batch.size() != 1) return invalid_data("is not a line");
   EventReader reader;
   Event event;
   RawStroke stroke;
   const Result<ScriptLineKind> kind = reader.read(batch.line(0), event, stroke);
   if (!kind) return tl::unexpected(kind.error());
-  if (*kind != ScriptLineKind::kEvent) return invalid_data("is no event");
+  if (*kind != ScriptLineKind::kEvent) return invalid_data("is not an event");
   return event;
 }
 
@@ -360,7 +360,7 @@ Result<void> read_events(const Database& db, const RecordingHead& head, FeltReco
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
     if (!*more)
-      return n == head.events ? Result<void>() : invalid_data("has fewer events than it says");
+      return n == head.events ? Result<void>() : invalid_data("has fewer events than it states");
     const std::string name = "event " + std::to_string(n);
     if (row->integer(0) != head.first_event + n || !row->is_integer(1) || !row->is_integer(2) ||
         !row->is_text(3) || row->integer(1) < head.first_sample ||
@@ -387,7 +387,7 @@ Result<FeltRecording> read_one(const Database& db, const RecordingHead& head) {
   if (!done) return tl::unexpected(done.error());
   if (checksums.all.value() != head.checksum ||
       (head.tilt_checksum && checksums.tilts.value() != *head.tilt_checksum)) {
-    return invalid_data("its checksum is not that of its samples");
+    return invalid_data("its checksum does not match its samples");
   }
   return recording;
 }

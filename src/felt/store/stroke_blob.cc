@@ -269,10 +269,10 @@ Result<void> read_sizes(ByteReader& in, StrokeData& d) {
   const std::uint64_t segments = in.count(), knots = in.count();
   if (!in.ok() || segments == 0 || knots < 2) return invalid_data("has no segment or no width");
   if (segments > kMaxStrokeSegments || knots > kMaxStrokeKnots) {
-    return fail(ErrorCode::kLimitExceeded, "has more segments or widths than a stroke may have");
+    return fail(ErrorCode::kLimitExceeded, "has more segments or widths than a stroke can have");
   }
   // Each point and knot needs at least one byte.
-  if (!in.has(3 * segments + knots - 1, 1)) return invalid_data("has fewer points than it says");
+  if (!in.has(3 * segments + knots - 1, 1)) return invalid_data("has fewer points than it states");
   d.points.resize(3 * segments + 1);
   d.widths.resize(knots);
   return {};
@@ -284,23 +284,22 @@ Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
   d.closed = (flags & kClosed) != 0;
   for (std::uint8_t* c : {&d.color.r, &d.color.g, &d.color.b, &d.color.a}) *c = in.u8();
   const std::uint64_t name_bytes = in.count();
-  if (name_bytes > kMaxMaterialNameBytes) return invalid_data("names no material");
+  if (name_bytes > kMaxMaterialNameBytes) return invalid_data("has no material name");
   d.medium = std::string(in.bytes(name_bytes));
-  if (!in.ok() || !is_utf8(d.medium)) return invalid_data("names no material");
+  if (!in.ok() || !is_utf8(d.medium)) return invalid_data("has no material name");
   if (auto ok = read_sizes(in, d); !ok) return ok;
   const std::size_t segments = d.points.size() / 3;
   if (!read_joints(in, segments - (d.closed ? 0 : 1), d.joints)) {
-    return invalid_data("has no joints as it should");
+    return invalid_data("lacks its joints");
   }
   NumberUnpacker numbers(in, number_count(d, toned));
   read_points(numbers, d);
   read_widths(numbers, static_cast<double>(segments), d.widths);
   if (toned) read_tones(numbers, d.widths);
-  if (!in.ok()) return invalid_data("has fewer points than it says");
-  if (in.left() > 0 || !numbers.is_clean()) return invalid_data("has bytes left over");
+  if (!in.ok()) return invalid_data("has fewer points than it states");
+  if (in.left() > 0 || !numbers.is_clean()) return invalid_data("has unexpected bytes at the end");
   // Refuses redundant tones, so that equal strokes have equal bytes.
-  if (toned && !has_own_tone(d.widths))
-    return invalid_data("has tones that its widths say already");
+  if (toned && !has_own_tone(d.widths)) return invalid_data("has tones that repeat its widths");
   return {};
 }
 
@@ -323,17 +322,17 @@ Result<void> append_stroke_blob(std::string& out, const Stroke& stroke) {
 
 Result<Stroke> read_stroke_blob(std::string_view bytes) {
   if (bytes.size() > kMaxStrokeBlobBytes) return invalid_data("is too large");
-  if (bytes.size() <= kChecksumBytes) return invalid_data("is cut off");
+  if (bytes.size() <= kChecksumBytes) return invalid_data("is incomplete");
   // Checks the version first, because another version may have its checksum elsewhere.
   const auto version = static_cast<std::uint8_t>(bytes[0]);
   if (version != kPlain && version != kToned) {
-    return fail(ErrorCode::kUnsupported, "is of version " + std::to_string(version) +
-                                             ", this program knows versions up to " +
+    return fail(ErrorCode::kUnsupported, "has version " + std::to_string(version) +
+                                             "; this program supports versions up to " +
                                              std::to_string(kToned));
   }
   const std::string_view shape = bytes.substr(0, bytes.size() - kChecksumBytes);
   if (ByteReader(bytes.substr(shape.size())).u32() != crc32c(shape)) {
-    return invalid_data("is damaged: its checksum is not that of its bytes");
+    return invalid_data("is damaged: its checksum does not match its bytes");
   }
   ByteReader in(shape.substr(1));
   StrokeData data;

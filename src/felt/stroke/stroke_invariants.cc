@@ -153,7 +153,7 @@ Result<void> check_widths(const StrokeData& d, std::size_t n) {
     }
     if (!(d.widths[i].tone >= 0.0 && d.widths[i].tone <= 1.0)) {
       return broken("I7", "width breakpoint " + text(i) + " has tone " + text(d.widths[i].tone) +
-                              ", which is not within 0 to 1");
+                              ", which is not from 0 to 1");
     }
   }
   return {};

@@ -58,7 +58,7 @@ Result<double> open_choice_of(const OptionSpec& spec, const OptionValue& value) 
 }
 
 std::string one_of(std::span<const std::string> choices) {
-  std::string names = "it is one of";
+  std::string names = "it must be one of";
   for (const std::string& choice : choices) {
     names += &choice == choices.data() ? " " : ", ";
     names += choice;
@@ -83,14 +83,14 @@ Result<double> stored(const OptionSpec& spec, const OptionValue& value) {
 std::string allowed_text(const OptionSpec& spec) {
   switch (spec.kind) {
     case OptionKind::kSwitch:
-      return "it is true or false";
+      return "it must be true or false";
     case OptionKind::kChoice:
       return one_of(std::vector<std::string>(spec.choices.begin(), spec.choices.end())) +
-             (spec.open == OpenChoice::kNone ? "" : ", or one of your own");
+             (spec.open == OpenChoice::kNone ? "" : ", or a custom one");
     case OptionKind::kNumber:
       break;
   }
-  return "it is a number from " + text(spec.min) + " to " + text(spec.max) +
+  return "it must be a number from " + text(spec.min) + " to " + text(spec.max) +
          (spec.unit.empty() ? "" : " " + std::string(spec.unit));
 }
 

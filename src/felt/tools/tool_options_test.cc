@@ -58,10 +58,11 @@ TEST(OptionValues, NamesTheOptionTheValueAndWhatIsAllowed) {
   OptionValues values(kTable);
   const OptionValues before = values;
   EXPECT_EQ(values.set("size_mm", 0.5).error().message,
-            "option 'size_mm' cannot be 0.5: it is a number from 1 to 40 mm");
-  EXPECT_EQ(values.set("on", 1.0).error().message, "option 'on' cannot be 1: it is true or false");
+            "option 'size_mm' cannot be 0.5: it must be a number from 1 to 40 mm");
+  EXPECT_EQ(values.set("on", 1.0).error().message,
+            "option 'on' cannot be 1: it must be true or false");
   EXPECT_EQ(values.set("way", std::string("up")).error().message,
-            "option 'way' cannot be 'up': it is one of near, far");
+            "option 'way' cannot be 'up': it must be one of near, far");
   EXPECT_THAT(values.set("size", 2.0).error().message, HasSubstr("'size'"));
   EXPECT_FALSE(values.set("size_mm", std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(values.set("size_mm", std::string("2")));

@@ -18,9 +18,9 @@ constexpr double kOfMaximum = 0.5;
 constexpr double kMaxEnergyMj = 1.0;
 
 constexpr const char* kUnplug =
-    "Let the pen go. Then pull the device's cable out of the computer; you have half a minute.";
+    "Let go of the pen. Then unplug the device's cable from the computer; you have half a minute.";
 constexpr const char* kReplug = "Plug it in again; you have half a minute.";
-constexpr const char* kDraw = "Draw as you like, pressing and lifting, until this check ends.";
+constexpr const char* kDraw = "Draw anything, pressing and lifting, until this check ends.";
 
 /// Waits until the device is connected again; returns false after kPatienceS or if cancelled.
 bool wait_for_device(CheckContext& context) {
@@ -65,7 +65,7 @@ Gone watch_it_go(Trial& trial) {
 
 CheckOutcome check_unplugging(CheckContext& context) {
   if (!context.person.does(PersonTask::kUnplug, kUnplug)) {
-    return not_possible("nobody unplugged its cable");
+    return not_possible("its cable was not unplugged");
   }
   Gone gone;
   {
@@ -75,19 +75,19 @@ CheckOutcome check_unplugging(CheckContext& context) {
     if (!(*trial)->trouble().empty()) return broken(**trial);
   }
   if (gone.after_s < 0.0) {
-    return not_possible("it was not unplugged, or nothing noticed that within half a minute");
+    return not_possible("it was not unplugged, or this was not noticed within half a minute");
   }
   const std::string noticed = "noticed (" + std::string(describe(gone.fault)) + ")";
   context.subject.close();
   const bool back = context.person.does(PersonTask::kReplug, kReplug) && wait_for_device(context);
   if (gone.fault != DeviceFault::kDisconnected || gone.came_back) {
     return failed(noticed,
-                  "a device that is gone must say that it is not connected, and nothing "
-                  "else, until it is opened again");
+                  "an unplugged device must report that it is not connected, and nothing else, "
+                  "until it is opened again");
   }
   if (!back) return not_possible("it was not plugged in again", noticed);
   if (Result<void> opened = context.subject.open(); !opened) {
-    return failed(noticed + ", but it does not open again", opened.error().message);
+    return failed(noticed + ", but it could not be opened again", opened.error().message);
   }
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (!trial) return failed(noticed, trial.error().message);
@@ -100,10 +100,10 @@ CheckOutcome check_unplugging(CheckContext& context) {
 
 CheckOutcome check_soak(CheckContext& context) {
   const bool has_device = context.subject.device() != nullptr || context.subject.open();
-  if (!has_device) return not_possible("it did not open");
+  if (!has_device) return not_possible("it could not be opened");
   const Capabilities can = context.subject.device()->capabilities();
   const bool with_force = can.has_force() && context.refusal().empty();
-  if (!context.person.does(PersonTask::kDraw, kDraw)) return not_possible("nobody draws");
+  if (!context.person.does(PersonTask::kDraw, kDraw)) return not_possible("nothing was drawn");
   Result<std::unique_ptr<Trial>> begun = context.begin();
   if (!begun) return failed({}, begun.error().message);
   Trial& trial = **begun;
@@ -130,7 +130,7 @@ CheckOutcome check_soak(CheckContext& context) {
   if (!trial.trouble().empty()) return broken(trial);
   const std::string measured =
       figure(context.options.soak_s, 0) + " s, " + std::to_string(ticks) + " ticks, " +
-      (with_force ? figure(largest_n, 2) + " N at most, " + figure(energy_mj, 2) + " mJ of its own"
+      (with_force ? figure(largest_n, 2) + " N at most, " + figure(energy_mj, 2) + " mJ generated"
                   : std::string("no force"));
   if (last.hard_faults > 0 || last.soft_faults > 0) {
     return failed(measured, std::to_string(last.soft_faults) + " soft and " +
@@ -138,13 +138,13 @@ CheckOutcome check_soak(CheckContext& context) {
                                 " hard faults: late ticks, jumps, or a device that failed");
   }
   if (context.is_noisy && energy_mj > kMaxEnergyMj) {
-    return not_possible("its places are too noisy to tell where energy goes", measured);
+    return not_possible("its positions are too noisy to measure energy", measured);
   }
   if (energy_mj > kMaxEnergyMj) {
-    return failed(measured, "the wall gives back more energy than it took: it would hum");
+    return failed(measured, "the wall returns more energy than it absorbed: it would hum");
   }
   if (with_force && largest_n <= kEpsilonN) {
-    return not_possible("nobody pressed on the surface", measured);
+    return not_possible("the surface was not pressed", measured);
   }
   return passed(measured);
 }

@@ -29,11 +29,11 @@ constexpr double kMaxDeadS = 0.050;
 constexpr double kMaxRinging = 0.3;
 
 constexpr const char* kHoldStillWhilePushed =
-    "Hold the pen in the air as for writing, loosely, and keep it still. It will push a little "
-    "this way and that.";
+    "Hold the pen in the air as for writing, loosely, and keep it still. It will push slightly in "
+    "different directions.";
 constexpr const char* kDrawCircles =
-    "Nothing moved while you held still, which friction may do. Now draw circles in the air, as "
-    "small as a pea, about one a second, until the next message.";
+    "Nothing moved while you held still; friction may be the cause. Now draw circles in the air, "
+    "as small as a pea, about one per second, until the next message.";
 
 std::array<int, 3> shuffled_axes(std::mt19937_64& random) {
   std::array<int, 3> axes{0, 1, 2};
@@ -107,9 +107,9 @@ std::optional<CheckOutcome> push_all(CheckContext& context, bool in_circles) {
   if (!(*trial)->trouble().empty()) return broken(**trial);
   const SafetyReport safety = (*trial)->servo().latest().safety;
   if (safety.state != SafetyState::kActive) {
-    return not_possible("the safety chain took the force away meanwhile (" +
+    return not_possible("the safety chain switched the force off (" +
                         std::to_string(safety.soft_faults + safety.hard_faults) +
-                        " faults): the loop was late, or the pen too fast");
+                        " faults): the loop was late, or the pen moved too fast");
   }
   context.pushes = pushes;
   context.pushed_in_circles = in_circles;
@@ -127,10 +127,10 @@ int count_felt(const CheckContext& context) {
 }  // namespace
 
 CheckOutcome check_force_felt(CheckContext& context) {
-  if (context.subject.device() == nullptr) return not_possible("it did not open");
+  if (context.subject.device() == nullptr) return not_possible("it could not be opened");
   if (const std::string why = context.refusal(); !why.empty()) return not_possible(why);
   if (!context.person.does(PersonTask::kHoldStill, kHoldStillWhilePushed)) {
-    return not_possible("nobody held it");
+    return not_possible("it was not held");
   }
   if (auto outcome = push_all(context, false)) return *outcome;
   if (count_felt(context) < pushed_axes(context) &&
@@ -142,8 +142,8 @@ CheckOutcome check_force_felt(CheckContext& context) {
   const int felt = count_felt(context);
   if (felt == pushed_axes(context)) return passed(measured);
   const std::string words =
-      felt == 0 ? "the device takes forces and does nothing with them: look for a switch, a button "
-                  "or a grip that allows forces, and for its power supply"
+      felt == 0 ? "the device accepts forces but does not produce them: check its power supply, "
+                  "and any switch, button or grip that enables forces"
                 : "no force is felt along one of the axes: a motor or its amplifier is off";
   if (felt == 0) context.pushes.reset();
   return failed(measured, words);
@@ -162,7 +162,7 @@ CheckOutcome check_force_sign(CheckContext& context) {
     if (way < 0.0) {
       wrong += (wrong.empty() ? "" : "; ") + name + " pushes the opposite way";
     } else if (norm(aside) > kMaxAside * way) {
-      wrong += (wrong.empty() ? "" : "; ") + name + " pushes aside";
+      wrong += (wrong.empty() ? "" : "; ") + name + " pushes sideways";
     }
   }
   if (wrong.empty()) {
@@ -172,15 +172,15 @@ CheckOutcome check_force_sign(CheckContext& context) {
   }
   return failed(moved_words(context),
                 wrong +
-                    ". Do not draw with it: show it the drawing plane again (it may be upside "
-                    "down or mirrored), and tell us if that does not help");
+                    ". Do not draw with it: set the drawing plane again (it may be upside down or "
+                    "mirrored), and report this if that does not help");
 }
 
 CheckOutcome check_step(CheckContext& context) {
   const std::optional<int> axis = context.best_axis();
   if (!axis) return not_possible("no force was felt");
   if (!context.person.does(PersonTask::kHoldStill, kHoldStillWhilePushed)) {
-    return not_possible("nobody held it");
+    return not_possible("it was not held");
   }
   Result<std::unique_ptr<Trial>> trial = context.begin();
   if (!trial) return failed({}, trial.error().message);
@@ -225,14 +225,14 @@ CheckOutcome check_step(CheckContext& context) {
     farthest = std::max(farthest, moved);
   }
   const double ringing = end.deviation() / std::abs(way);
-  const std::string measured = figure(std::abs(way), 2) + " mm, begun after " +
+  const std::string measured = figure(std::abs(way), 2) + " mm, starting after " +
                                figure(1e3 * begins_s, 0) + " ms, " +
                                figure(100.0 * std::max(0.0, farthest / std::abs(way) - 1.0), 0) +
-                               " % over, " + figure(100.0 * ringing, 0) + " % ringing";
+                               " % overshoot, " + figure(100.0 * ringing, 0) + " % ringing";
   if (begins_s < 0.0 || begins_s > kMaxDeadS) {
-    return failed(measured, "the force comes late: walls would hum");
+    return failed(measured, "the force arrives late: walls would hum");
   }
-  if (ringing > kMaxRinging) return failed(measured, "it swings on and on after a step");
+  if (ringing > kMaxRinging) return failed(measured, "it keeps oscillating after a step");
   return passed(measured);
 }
 

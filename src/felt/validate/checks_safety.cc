@@ -43,10 +43,10 @@ Sent sent_in(const std::vector<ProbeTick>& ticks) {
 }
 
 std::optional<CheckOutcome> hold(CheckContext& context) {
-  if (context.subject.device() == nullptr) return not_possible("it did not open");
+  if (context.subject.device() == nullptr) return not_possible("it could not be opened");
   if (const std::string why = context.refusal(); !why.empty()) return not_possible(why);
   if (!context.person.does(PersonTask::kHoldStill, kHoldStill)) {
-    return not_possible("nobody held it");
+    return not_possible("it was not held");
   }
   return std::nullopt;
 }
@@ -102,13 +102,13 @@ CheckOutcome check_limits(CheckContext& context) {
   const double after_nonsense = sent_in((*trial)->ticks()).max_n;
   const ServoOptions& options = (*trial)->servo().options();
   const double period_ms = 1e-6 * static_cast<double>(options.period_ns);
-  const std::string measured = "asked for 3 N: " + figure(sent.max_n, 2) + " N came, rising by " +
+  const std::string measured = "requested 3 N: " + figure(sent.max_n, 2) + " N sent, rising by " +
                                figure(sent.rise_n / period_ms, 2) +
-                               " N/ms; asked for NaN: " + figure(after_nonsense, 2) + " N";
+                               " N/ms; requested NaN: " + figure(after_nonsense, 2) + " N";
   const double max_rise = kCreditedPeriods * period_ms * options.limits.rise_n_per_ms;
   if (sent.max_n > kTestForceN + kEpsilonN || sent.rise_n > max_rise + kEpsilonN ||
       after_nonsense > kEpsilonN) {
-    return failed(measured, "a limit of force was broken: do not draw with it, and tell us");
+    return failed(measured, "a force limit was exceeded: do not draw with it, and report this");
   }
   if (sent.max_n <= kEpsilonN) {
     return not_possible("the safety chain let no force through: the loop was late", measured);
@@ -137,11 +137,11 @@ CheckOutcome check_engaging(CheckContext& context) {
   const Sent sent = sent_in((*trial)->ticks());
   const ServoOptions& options = (*trial)->servo().options();
   const double period_ms = 1e-6 * static_cast<double>(options.period_ns);
-  const std::string measured = figure(kick, 2) + " N at the start while it asked for 3 N, then " +
+  const std::string measured = figure(kick, 2) + " N at the start while 3 N was requested, then " +
                                figure(sent.rise_n / period_ms, 3) + " N/ms at most";
   const double max_rise = kCreditedPeriods * period_ms * options.limits.engage_rise_n_per_ms;
   if (kick > kEpsilonN || sent.rise_n > max_rise + kEpsilonN) {
-    return failed(measured, "forces begin with a kick: do not draw with it, and tell us");
+    return failed(measured, "forces start with a jerk: do not draw with it, and report this");
   }
   return passed(measured);
 }
@@ -181,20 +181,20 @@ CheckOutcome check_watchdog(CheckContext& context) {
   }
   if (!trial.trouble().empty()) return broken(trial);
   const double way = std::abs(pushed.mean());
-  const std::string measured = "pushed " + figure(way, 2) + " mm; let go it returns " +
-                               figure(returns.mean(), 2) + " mm, left alone for 100 ms " +
+  const std::string measured = "pushed " + figure(way, 2) + " mm; released it returns " +
+                               figure(returns.mean(), 2) + " mm, without commands for 100 ms " +
                                figure(limp.mean(), 2) + " mm";
   if (sent_n > kEpsilonN) {
-    return failed(measured, "force came at once after the loop had stood still for 100 ms");
+    return failed(measured, "force was sent immediately after the loop had stalled for 100 ms");
   }
   const double facing = pushed.mean() < 0.0 ? -1.0 : 1.0;
   if (way < kMinPushedMm || facing * returns.mean() < kControlReturns * way) {
-    return not_possible("friction holds the pen where a force of 0.3 N left it", measured);
+    return not_possible("friction holds the pen after a force of 0.3 N ends", measured);
   }
   if (facing * limp.mean() < kLimp * facing * returns.mean()) {
     return failed(measured,
-                  "it goes on pushing while no program speaks to it: should the program hang or "
-                  "die, the last force stays. Keep its power switch within reach");
+                  "it keeps pushing while the program sends nothing: if the program hangs or "
+                  "crashes, the last force stays on. Keep its power switch within reach");
   }
   return passed(measured);
 }

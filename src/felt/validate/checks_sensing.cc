@@ -51,14 +51,14 @@ std::string nonsense_in(const Capabilities& can) {
   for (const double force : {can.max_force_n, can.continuous_force_n, can.advised_force_n}) {
     if (!(force >= 0.0 && force < 1000.0)) return "its forces";
   }
-  if (can.continuous_force_n > can.max_force_n) return "more continuous than peak force";
+  if (can.continuous_force_n > can.max_force_n) return "continuous force above peak force";
   if (!is_a_workspace(can)) return "the size of its workspace";
   if (can.period_ns < kShortestPeriodNs || can.period_ns > kLongestPeriodNs) {
     return "the period of its loop";
   }
   if (can.delay_ticks < 0 || can.delay_ticks > kMaxDelayTicks) return "its delay";
   if (!(can.position_step_mm >= 0.0 && can.position_step_mm < 10.0)) return "its resolution";
-  if (!is_sound(limits_for(can))) return "limits of force that follow from its figures";
+  if (!is_sound(limits_for(can))) return "the force limits that follow from its figures";
   return {};
 }
 
@@ -79,7 +79,7 @@ CheckOutcome check_openings(CheckContext& context) {
     const Result<void> opened = context.subject.open();
     const std::int64_t took_ns = context.loop.now_ns() - start_ns;
     if (!opened) {
-      return failed(std::to_string(i) + " times, then not", opened.error().message);
+      return failed(std::to_string(i) + " times, then it failed", opened.error().message);
     }
     slowest_ns = std::max(slowest_ns, took_ns);
     context.subject.close();
@@ -108,7 +108,7 @@ CheckOutcome check_identity(CheckContext& context) {
 }
 
 CheckOutcome check_capabilities(CheckContext& context) {
-  if (context.subject.device() == nullptr) return not_possible("it did not open");
+  if (context.subject.device() == nullptr) return not_possible("it could not be opened");
   const Capabilities& can = context.subject.device()->capabilities();
   const Vec3 size = can.workspace_max - can.workspace_min;
   const std::string measured = figure(can.max_force_n, 1) + " N peak, " +
@@ -116,7 +116,7 @@ CheckOutcome check_capabilities(CheckContext& context) {
                                " x " + figure(size.y, 0) + " x " + figure(size.z, 0) + " mm, " +
                                figure(1e9 / static_cast<double>(can.period_ns), 0) + " Hz";
   const std::string nonsense = nonsense_in(can);
-  if (!nonsense.empty()) return failed(measured, "makes no sense: " + nonsense);
+  if (!nonsense.empty()) return failed(measured, "implausible: " + nonsense);
   return passed(measured);
 }
 
@@ -135,8 +135,8 @@ CheckOutcome check_rate(CheckContext& context) {
                                milliseconds(static_cast<double>(stats.lateness().max_ns())) +
                                " at most, missed " + figure(100.0 * missed, 2) + " %";
   const char* const words =
-      "the loop is late: the device is slow to answer, or this computer may not run it in real "
-      "time ('feltline doctor' says which permission that takes)";
+      "the loop is late: the device is slow to answer, or this computer does not permit real time "
+      "('feltline doctor' shows the missing permission)";
   if (std::abs(stats.rate_hz() / nominal_hz - 1.0) > kRateWithin) return failed(measured, words);
   if (missed > kMaxMissed) return failed(measured, words);
   if (static_cast<double>(p99_ns) > kMaxLatePeriods * 1e9 / nominal_hz) {
@@ -160,9 +160,10 @@ CheckOutcome check_sample_times(CheckContext& context) {
                                " from the loop's clock at most";
   if (backwards > 0) {
     return failed(measured,
-                  std::to_string(backwards) + " samples are not later than the one before");
+                  std::to_string(backwards) + " samples are not later than the previous one");
   }
-  if (farthest_ns > 100'000'000) return failed(measured, "samples are of another time");
+  if (farthest_ns > 100'000'000)
+    return failed(measured, "sample times do not match the loop's clock");
   return passed(measured);
 }
 
@@ -184,8 +185,8 @@ CheckOutcome check_places(CheckContext& context) {
       const double high = component(can.workspace_max + room, axis);
       if (component(p, axis) >= low && component(p, axis) <= high) continue;
       return failed(figure(component(p, axis), 0) + " mm along " + axis_name(axis),
-                    "the pen is far outside of what the device reaches: show it the drawing plane "
-                    "again, or bring it home");
+                    "the pen is far outside the range of the device: set the drawing plane again, "
+                    "or find home again");
     }
   }
   const Vec3 place = (*trial)->mean_place(0.5);
@@ -194,10 +195,10 @@ CheckOutcome check_places(CheckContext& context) {
 }
 
 CheckOutcome check_noise(CheckContext& context) {
-  if (!context.person.does(PersonTask::kLeaveAlone,
-                           "Put the pen down or into its rest, and take your hands off the table "
-                           "for some seconds.")) {
-    return not_possible("nobody put it down");
+  if (!context.person.does(
+          PersonTask::kLeaveAlone,
+          "Put the pen down or on its rest, and take your hands off the table for some seconds.")) {
+    return not_possible("it was not put down");
   }
   Result<std::unique_ptr<Trial>> trial = at_rest(context, 1.0);
   if (!trial) return failed({}, trial.error().message);
@@ -220,8 +221,8 @@ CheckOutcome check_noise(CheckContext& context) {
   context.is_noisy = worst > largest;
   if (context.is_noisy) {
     return failed(measured, "more than " + figure(largest, 2) +
-                                " mm although nobody moves: a loose cable, another magnet, a worn "
-                                "joint, or somebody leaned on the table");
+                                " mm although nothing moves it: check for a loose cable, a magnet "
+                                "nearby or a worn joint, and do not lean on the table");
   }
   return passed(measured);
 }

@@ -74,11 +74,11 @@ void Trial::see(const ProbeTick& tick) {
   if (keeps_) ticks_.push_back(tick);
   const std::optional<DeviceFault> fault = tick.read_fault ? tick.read_fault : tick.write_fault;
   if (!fault || expects_faults_ || !trouble_.empty()) return;
-  trouble_ = std::string("the device failed meanwhile: ") + std::string(describe(*fault));
+  trouble_ = std::string("the device failed: ") + std::string(describe(*fault));
   OpenDevice* const device = subject_.device();
   const DeviceStatus status = device ? device->status() : DeviceStatus();
   const ShortText& words = status.vendor_words;
-  if (!words.empty()) trouble_ += " It says: " + std::string(words.view());
+  if (!words.empty()) trouble_ += " Its message: " + std::string(words.view());
 }
 
 void Trial::arm() {

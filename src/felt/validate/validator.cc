@@ -11,26 +11,26 @@ namespace {
 
 constexpr std::array<Check, 15> kChecks{{
     {"openings", 1, "opens and closes", check_openings},
-    {"identity", 2, "says who it is", check_identity},
-    {"capabilities", 2, "says what it can do", check_capabilities},
+    {"identity", 2, "reports its identity", check_identity},
+    {"capabilities", 2, "reports its capabilities", check_capabilities},
     {"rate", 3, "keeps its rate", check_rate},
     {"sample_times", 3, "samples in order of time", check_sample_times},
-    {"places", 4, "places that make sense", check_places},
-    {"noise", 4, "quiet while nobody moves", check_noise},
-    {"force_felt", 5, "its force is felt", check_force_felt},
-    {"force_sign", 5, "pushes the way it is told", check_force_sign},
+    {"places", 4, "plausible positions", check_places},
+    {"noise", 4, "low noise at rest", check_noise},
+    {"force_felt", 5, "force arrives", check_force_felt},
+    {"force_sign", 5, "pushes in the right direction", check_force_sign},
     {"step", 6, "follows a step of force", check_step},
-    {"limits", 7, "limits of force hold", check_limits},
-    {"engaging", 7, "forces begin gently", check_engaging},
-    {"watchdog", 8, "goes limp when left alone", check_watchdog},
-    {"unplugging", 9, "unplugged and back", check_unplugging},
-    {"soak", 10, "draws for long, calmly", check_soak},
+    {"limits", 7, "force limits hold", check_limits},
+    {"engaging", 7, "forces start gently", check_engaging},
+    {"watchdog", 8, "switches off without commands", check_watchdog},
+    {"unplugging", 9, "survives unplugging", check_unplugging},
+    {"soak", 10, "long run without faults", check_soak},
 }};
 
 constexpr const char* kConsent =
-    "The next checks push with up to 0.3 N, about the weight of 30 grams. Somebody must hold the "
-    "pen all the while, loosely, and keep face and things away from it. Ctrl-C takes the force "
-    "away at any moment.";
+    "The next checks push with up to 0.3 N, about the weight of 30 grams. Hold the pen loosely all "
+    "the time, and keep your face and objects away from it. Ctrl-C switches the force off at any "
+    "time.";
 
 bool is_cancelled(const ValidationOptions& options) {
   return options.is_cancelled && options.is_cancelled();
@@ -49,7 +49,7 @@ Result<std::unique_ptr<Trial>> CheckContext::begin() {
   if (OpenDevice& device = *subject.device(); device.homing() != Homing::kNone) {
     if (!person.does(PersonTask::kFindHome, device.homing_words())) {
       return fail(ErrorCode::kUnsupported,
-                  "it must find its home first, and nobody agreed to this");
+                  "it must find its home position first, which needs your consent");
     }
     if (Result<void> home = device.find_home(); !home) return tl::unexpected(home.error());
   }
@@ -58,9 +58,9 @@ Result<std::unique_ptr<Trial>> CheckContext::begin() {
 
 std::string CheckContext::refusal() {
   const Device* device = subject.device();
-  if (device != nullptr && !device->capabilities().has_force()) return "it has no force";
+  if (device != nullptr && !device->capabilities().has_force()) return "it cannot produce force";
   if (!agreed) agreed = person.does(PersonTask::kAgreeToForces, kConsent);
-  return *agreed ? "" : "nobody agreed to forces";
+  return *agreed ? "" : "forces were not agreed to";
 }
 
 std::optional<int> CheckContext::best_axis() const {

@@ -51,7 +51,7 @@ awk '
       if (edge[e] != 1 || !((ends[2] " " ends[1]) in edge)) { print "an open edge: " e; exit 1 }
     }
     print "  " points " points, " faces " faces"
-    if (faces < 100 || points - edges / 2 + faces != 2) { print "no closed body"; exit 1 }
+    if (faces < 100 || points - edges / 2 + faces != 2) { print "the body is not closed"; exit 1 }
   }' "$work/body.obj"
 ! "$work/inflate/inflate" "$work/missing.ndjson" >"$work/none.obj" 2>"$work/why"
 grep -q 'missing.ndjson: cannot read' "$work/why"
@@ -87,7 +87,7 @@ for header in "${headers[@]}"; do
   printf '#include "%s"\n' "$header" | compiles
   alone=$((alone + 1))
 done
-echo "  public: ${#headers[@]}, $alone of them without a source of their own"
+echo "  public: ${#headers[@]}, $alone of them without their own source"
 mapfile -t internal < <(cd "$source_dir/src" && find felt -name '*.h' -not -path '*/testing/*' |
   LC_ALL=C sort | comm -23 - <(printf '%s\n' "${headers[@]}"))
 alone=0
@@ -96,7 +96,7 @@ for header in "${internal[@]}"; do
   printf '#include "%s"\n' "$header" | compiles -I"$source_dir/src"
   alone=$((alone + 1))
 done
-echo "  internal: ${#internal[@]}, $alone of them without a source of their own"
+echo "  internal: ${#internal[@]}, $alone of them without their own source"
 
 if [ -e "$build_dir/bin/feltline" ]; then
   echo "program:"

@@ -23,7 +23,7 @@ LC_ALL=C awk '
     name = $0; sub(/^\* \[/, "", name); sub(/\].*/, "", name)
     if (index($0, "[" name "](" name ")") == 0) complain("the link of " name " leads elsewhere")
     if ($0 !~ /\): [a-zA-Z]/) complain(name " has no description")
-    if (("felt/" name) in public) complain(name " is there twice")
+    if (("felt/" name) in public) complain(name " is listed twice")
     public["felt/" name] = 1
     next
   }

@@ -38,7 +38,7 @@ expect "a document includes an internal header" "docs/use.md:3: felt/stroke/insi
 printf '* [stroke/tip.h](stroke/tip.h): a tip\n' >>src/felt/API.md
 expect "a header is missing" "there is no src/felt/stroke/tip.h"
 printf '* [stroke/ink.h](stroke/ink.h): again\n' >>src/felt/API.md
-expect "a header is listed twice" "stroke/ink.h is there twice"
+expect "a header is listed twice" "stroke/ink.h is listed twice"
 printf '* [stroke/ink.h](stroke/pen.h): ink\n' >src/felt/API.md
 expect "a link leads to another header" "the link of stroke/ink.h leads elsewhere"
 printf '* [stroke/pen.h](stroke/pen.h)\n' >src/felt/API.md

@@ -184,13 +184,13 @@ LC_ALL=C awk '
     for (i = 1; i <= header_count; ++i) {
       if (!(headers[i] in state)) walk(headers[i])
       if (!(headers[i] in commented)) {
-        print headers[i] ":1: no /// comment says what this header is for"; broken = 1
+        print headers[i] ":1: add a /// comment that describes this header"; broken = 1
       }
     }
     for (folder in seen) {
       readme = folder "/README.md"; text = ""
       while ((getline line < readme) > 0) text = text line
-      if (length(text) < 40) { print readme ":1: say here what the folder is for"; broken = 1 }
+      if (length(text) < 40) { print readme ":1: describe the purpose of the folder here"; broken = 1 }
       close(readme)
     }
     exit broken

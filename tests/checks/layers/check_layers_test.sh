@@ -92,9 +92,9 @@ expect "product code includes test code" "write project includes from src/"
 printf '/// x\n' | file src/felt/attic/x.h
 expect "an unknown layer" "layer attic is not in rules.txt"
 printf 'int f();\n' | file src/felt/stroke/bad.h
-expect "a header without a comment" "src/felt/stroke/bad.h:1: no /// comment"
+expect "a header without a comment" "src/felt/stroke/bad.h:1: add a /// comment"
 printf '# stroke\n' | file src/felt/stroke/README.md
-expect "a README that says nothing" "src/felt/stroke/README.md:1: say here"
+expect "a README that says nothing" "src/felt/stroke/README.md:1: describe the purpose"
 printf '/// x\n#include "felt/stroke/edit/cut.h"\n' | file src/felt/stroke/fit/bad.h
 expect "a folder includes one above it" "stroke/fit must not include stroke/edit"
 printf '/// x\n#include "felt/stroke/fit/fitter.h"\n' | file src/felt/stroke/bad.h

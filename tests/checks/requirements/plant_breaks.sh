@@ -117,7 +117,7 @@ try_break() {
   test=$(header Test "$file")
   log=$logs/$(basename "$file" .patch)
   if [[ -z $target || -z $test ]]; then
-    echo "no Target or Test in its header"
+    echo "its header has no Target or Test"
     return
   fi
   if ! build "$target" "$log.build"; then

@@ -11,7 +11,7 @@ complain() { echo "$*"; status=1; }
 
 # check TOOL ARGUMENTS...: runs TOOL if it is installed.
 check() {
-  command -v "$1" >/dev/null || { echo "$1 is not installed, so it does not look"; return; }
+  command -v "$1" >/dev/null || { echo "$1 is not installed, so its check was skipped"; return; }
   "$@" || complain "$*: see above"
 }
 

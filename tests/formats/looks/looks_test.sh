@@ -19,7 +19,7 @@ declare -A commands=([rsvg]=rsvg-convert [inkscape]=inkscape [chromium]=chromium
 declare -A debian=([rsvg]=librsvg2-bin [inkscape]=inkscape [chromium]=chromium [pdf]=poppler-utils
                    [widths]=inkscape)
 if ! command -v "${commands[$program]}" >/dev/null; then
-  echo "skipped: ${commands[$program]} is not there (Debian: ${debian[$program]}; ./dev setup looks)"
+  echo "skipped: ${commands[$program]} is not installed (Debian: ${debian[$program]}; ./dev setup looks)"
   exit 77
 fi
 

@@ -232,7 +232,7 @@ TEST_F(DamagedStore, ADatabaseThatCannotBeRemovedKeepsItsJournal) {
   ASSERT_EQ(found.size(), 1u);
   const auto removed = std::move(found.front()).remove();
   ASSERT_FALSE(removed);
-  EXPECT_EQ(removed.error().message.find(database_ + ": cannot be removed"), 0u);
+  EXPECT_EQ(removed.error().message.find(database_ + ": cannot remove"), 0u);
   EXPECT_TRUE(fs::exists(database_ + "-wal"));
 }
 

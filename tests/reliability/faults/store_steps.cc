@@ -21,7 +21,7 @@ AutosaveInfo about_of(std::uint32_t generation) {
 /// autosave holds a drawing, so it may be empty.
 bool is_begun(const Recovered& recovered) {
   return recovered.problems.size() == 1 && recovered.drawing == Drawing{} &&
-         recovered.problems.front().find("not copied wholly yet") != std::string::npos;
+         recovered.problems.front().find("not been copied completely") != std::string::npos;
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ Verdict compare(const Recovered& recovered, const Picture& picture, const Testim
   for (const std::string& problem : recovered.problems) {
     // A large file that was just opened may not be in the autosave yet. The file itself still holds
     // the drawing.
-    const bool is_young = problem.find("not copied wholly") != std::string::npos;
+    const bool is_young = problem.find("not been copied completely") != std::string::npos;
     if (!is_young) return bad("problem: " + problem);
   }
   const Ink ink = ink_of(testimony);

@@ -156,8 +156,10 @@ class CueDriver final : public Driver {
 
   Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                              const OpenOptions&) override {
-    return fail(ErrorCode::kUnsupported,
-                "\"" + device.id + "\" plays waveforms and has no force that one could draw with");
+    return fail(
+        ErrorCode::kUnsupported,
+        "\"" + device.id +
+            "\" plays waveforms and cannot push, so it cannot be used for drawing with force");
   }
 
   Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device) override {
@@ -166,7 +168,7 @@ class CueDriver final : public Driver {
         std::find_if(all.begin(), all.end(), [&](const FoundCues& f) { return f.id == device.id; });
     if (found == all.end()) {
       return fail(ErrorCode::kNotFound,
-                  "\"" + device.id + "\" is not there now: is it plugged in and switched on?");
+                  "\"" + device.id + "\" was not found. Is it plugged in and switched on?");
     }
     if (found->route == CueRoute::kHapticPad || found->route == CueRoute::kRumble) {
       return open_input(*found);
@@ -211,8 +213,8 @@ class CueDriver final : public Driver {
   }
 
   static tl::unexpected<Error> cannot_open(const FoundCues& found, const Error& error) {
-    return fail(error.code, found.label + " cannot be opened: " + error.message +
-                                ". 'feltline doctor cue' says what to do.");
+    return fail(error.code, found.label + " could not be opened: " + error.message +
+                                ". 'feltline doctor cue' shows what to do.");
   }
 
   Result<std::unique_ptr<CueDevice>> open_input(const FoundCues& found) {
@@ -233,13 +235,14 @@ class CueDriver final : public Driver {
     for (const HidrawNode& node : hidraw_nodes(system())) {
       if (node.path == found.path) reports = reports_of(node);
     }
-    if (!reports) return fail(ErrorCode::kNotFound, found.label + " was unplugged just now");
+    if (!reports) return fail(ErrorCode::kNotFound, found.label + " was just unplugged");
     if (const auto asked = reports->ask(**port); !asked) {
-      return fail(ErrorCode::kIo, found.label + " does not say which waveforms it has: " +
-                                      std::strerror(asked.error()));
+      return fail(ErrorCode::kIo,
+                  found.label + " does not report its waveforms: " + std::strerror(asked.error()));
     }
     if (reports->ordinal(CueWaveform::kPencil) == 0 && reports->ordinal(CueWaveform::kClick) == 0) {
-      return fail(ErrorCode::kUnsupported, found.label + " has no waveform that Feltline knows");
+      return fail(ErrorCode::kUnsupported,
+                  found.label + " does not support any waveform that Feltline uses");
     }
     return std::make_unique<HidHaptics>(*std::move(port), *std::move(reports),
                                         descriptor_of(found));
@@ -259,30 +262,31 @@ class CueDriver final : public Driver {
     // It is not an error if a receiver has no mouse with haptics.
     const bool is_receiver = found.route == CueRoute::kReceiver;
     return {.level = is_receiver ? FindingLevel::kWarning : FindingLevel::kProblem,
-            .what = is_receiver ? "A Logitech Bolt receiver is connected that you are not allowed "
-                                  "to use; only an MX Master 4 with it would matter."
-                                : found.label + " is connected, but you are not allowed to use it.",
+            .what = is_receiver
+                        ? "You do not have permission to use the connected Logitech Bolt receiver. "
+                          "This matters only if an MX Master 4 is paired with it."
+                        : found.label + " is connected, but you do not have permission to use it.",
             .details = may.error().message,
-            .steps = {"Let Feltline write the rule that gives it to whoever sits at this "
-                      "computer:\nfeltline doctor --fix",
-                      "Unplug it and plug it in again; where it is built in, start the computer "
-                      "anew."},
+            .steps = {"Let Feltline write a rule that lets the user of this computer use it:\n"
+                      "feltline doctor --fix",
+                      "Unplug it and plug it in again. If it is built in, restart the computer."},
             .fix = SystemFix{
                 .path = rules_path(), .content = rules, .activate = std::string(kReloadUdev)}};
   }
 
   static Finding about_kernel(const SystemView& system) {
     const bool is_old = kernel_version(system) < kKnowsTouchpads;
-    return {.level = FindingLevel::kWarning,
-            .what = is_old ? "There is a haptic touchpad, but this kernel cannot play on it."
-                           : "There is a haptic touchpad, but the kernel offers no way to play on "
-                             "it.",
-            .details = std::string(shown_name(
-                system.read("/proc/sys/kernel/osrelease").value_or("kernel of unknown version"))),
-            .steps = {is_old ? "Haptic touchpads need Linux 6.18 or newer; Debian's backports have "
-                               "newer kernels than a stable release."
-                             : "The kernel must be built with CONFIG_HID_HAPTIC; ask whoever "
-                               "builds yours."}};
+    return {
+        .level = FindingLevel::kWarning,
+        .what = is_old
+                    ? "There is a haptic touchpad, but this kernel does not support it."
+                    : "There is a haptic touchpad, but the kernel does not provide access to it.",
+        .details = std::string(shown_name(
+            system.read("/proc/sys/kernel/osrelease").value_or("kernel of unknown version"))),
+        .steps = {is_old ? "Haptic touchpads need Linux 6.18 or newer; Debian's backports have "
+                           "newer kernels than a stable release."
+                         : "The kernel must be built with CONFIG_HID_HAPTIC. Ask the provider of "
+                           "your kernel."}};
   }
 
   CueOptions options_;

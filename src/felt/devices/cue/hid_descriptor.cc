@@ -33,7 +33,7 @@ class Reader {
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   Result<HidDescriptor> read() {
-    if (bytes_.size() > kMaxHidBytes) return wrong("it is longer than a descriptor may be");
+    if (bytes_.size() > kMaxHidBytes) return wrong("it exceeds the maximum length of a descriptor");
     while (at_ < bytes_.size()) {
       if (Result<void> done = item(); !done) return tl::unexpected(done.error());
     }
@@ -130,11 +130,11 @@ class Reader {
         globals_.count = data;
         return {};
       case 10:
-        if (pushed_.size() == kMaxPushed) return wrong("too much is pushed");
+        if (pushed_.size() == kMaxPushed) return wrong("too many nested pushes");
         pushed_.push_back(globals_);
         return {};
       case 11:
-        if (pushed_.empty()) return wrong("more is popped than was pushed");
+        if (pushed_.empty()) return wrong("a pop without a push");
         globals_ = pushed_.back();
         pushed_.pop_back();
         return {};
@@ -166,7 +166,7 @@ class Reader {
     } else if (tag == 2) {
       const std::uint32_t last = usage_of(data, size);
       if (last < first_ || last - first_ >= kMaxUsages - usages_.size()) {
-        return wrong("a range of usages makes no sense");
+        return wrong("an invalid range of usages");
       }
       // The loop counts the usages instead of comparing with `last`, because `last` may be the
       // largest number of its type.
@@ -229,7 +229,7 @@ class Reader {
     const std::size_t all = std::size_t{globals_.size} * globals_.count;
     if (all > kMaxReportBits || used + all > kMaxReportBits) return wrong("a report is too long");
     const bool is_kept = globals_.size >= 1 && globals_.size <= 32 && !usages_.empty();
-    if (is_kept && maximum() < globals_.minimum) return wrong("a range of values makes no sense");
+    if (is_kept && maximum() < globals_.minimum) return wrong("an invalid range of values");
     for (std::size_t i = 0; is_kept && i < globals_.count; ++i) {
       if (descriptor_.fields.size() == kMaxHidFields) break;
       HidField& field = descriptor_.fields.emplace_back();

@@ -97,7 +97,7 @@ Result<std::unique_ptr<CueDevice>> HidppMouse::open(std::unique_ptr<HidrawPort> 
     return fail(ErrorCode::kNotFound,
                 label + ": no mouse with haptics answers. Is it switched on, and awake?");
   }
-  return fail(ErrorCode::kIo, label + " cannot be asked: " + std::strerror(error));
+  return fail(ErrorCode::kIo, label + " cannot be queried: " + std::strerror(error));
 }
 
 int HidppMouse::number_of(CueWaveform waveform) const noexcept {

@@ -41,9 +41,9 @@ std::string rules_of(const InputNode& node) {
 
 Finding not_allowed(const FoundStick& stick, const std::string& words, const std::string& rules) {
   return {.level = FindingLevel::kProblem,
-          .what = stick.kind.label + " is plugged in, but you are not allowed to use it.",
+          .what = stick.kind.label + " is plugged in, but you do not have permission to use it.",
           .details = words,
-          .steps = {"Let Feltline write the rule that gives it to whoever sits at this computer:\n"
+          .steps = {"Let Feltline write a rule that lets the user of this computer use it:\n"
                     "feltline doctor --fix",
                     "Unplug it, and plug it in again."},
           .fix = SystemFix{.path = "/etc/udev/rules.d/70-feltline-sticks.rules",
@@ -84,8 +84,8 @@ class EvdevDriver final : public Driver {
     auto port = options_.open(stick->node.path);
     if (!port) {
       return fail(port.error().code, stick->kind.label +
-                                         " cannot be opened: " + port.error().message +
-                                         ". 'feltline doctor evdev' says what to do.");
+                                         " could not be opened: " + port.error().message +
+                                         ". 'feltline doctor evdev' shows what to do.");
     }
     return prepare(*std::move(port), *stick);
   }
@@ -110,7 +110,7 @@ class EvdevDriver final : public Driver {
       Finding ok{.what = stick.kind.label + " is plugged in and can be used.",
                  .details = stick.node.path};
       if (!stick.kind.is_known) {
-        ok.details += "; its strength is not known, so it is asked for less than it may have";
+        ok.details += "; its strength is unknown, so weaker forces are used";
       }
       findings.push_back(std::move(ok));
     }
@@ -119,10 +119,10 @@ class EvdevDriver final : public Driver {
       findings.push_back(
           {.level = FindingLevel::kWarning,
            .what = (node.name.empty() ? "A joystick" : node.name) +
-                   " is plugged in; the kernel knows of no force feedback in it.",
+                   " is plugged in, but the kernel does not report force feedback for it.",
            .details = vendor_and_product(node.vendor, node.product),
-           .steps = {"If it has motors, look whether its maker or model has a kernel driver of its "
-                     "own: docs/devices/joysticks.md names some."}});
+           .steps = {"If it has motors, check whether there is a special kernel driver for its "
+                     "maker or model: docs/devices/joysticks.md names some."}});
     }
     if (findings.empty()) {
       findings.push_back({.level = FindingLevel::kAbsent,
@@ -159,10 +159,10 @@ class EvdevDriver final : public Driver {
       return refused(begun.error(), "its axes cannot be read");
     }
     const auto slots = port->slots();
-    if (!slots) return refused(slots.error(), "it does not say how many effects it keeps");
+    if (!slots) return refused(slots.error(), "it does not report how many effects it can store");
     if (*slots < static_cast<int>(EffectPlan::kKinds)) {
       return refused(ENOSPC,
-                     "it keeps " + std::to_string(*slots) + " effects, and three are needed");
+                     "it can store " + std::to_string(*slots) + " effects, but three are needed");
     }
     // Switches off the device's own forces, so that only the drawing's forces act.
     const auto set = [&](std::uint16_t what, std::int32_t value) {

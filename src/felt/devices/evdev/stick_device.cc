@@ -21,15 +21,15 @@ std::string_view words_of(int error) noexcept {
     case EIO:
       return "Input/output error (EIO)";
     case ENOSPC:
-      return "No space left on device (ENOSPC): its effect slots are taken";
+      return "No space left on device (ENOSPC): all its effect slots are in use";
     case EINVAL:
-      return "Invalid argument (EINVAL): it has no such effect";
+      return "Invalid argument (EINVAL): it does not support this effect";
     case EACCES:
       return "Permission denied (EACCES)";
     case EBUSY:
       return "Device or resource busy (EBUSY)";
     case EAGAIN:
-      return "Resource temporarily unavailable (EAGAIN): it does not say where the stick is";
+      return "Resource temporarily unavailable (EAGAIN): it does not report its position";
     case EINTR:
       return "Interrupted (EINTR)";
     case ETIMEDOUT:
@@ -67,8 +67,8 @@ StickDevice::StickDevice(std::unique_ptr<EvdevPort> port, const StickKind& kind,
       keeper_(*port_, kind_.forces, gate_.max_n()) {
   if (!kind_.is_known) {
     status_.notice = ShortText(
-        "How strong this device is is not known: it is taken for a strong one, so its forces may "
-        "be weaker than they should be.");
+        "The strength of this device is unknown. It is treated as a strong one, so its forces may "
+        "be too weak.");
   }
   statuses_.publish(status_);
   if (has_thread) thread_ = std::thread([this] { run(); });

@@ -33,7 +33,7 @@ tl::expected<PenSample, DeviceFault> DhdDevice::read(std::int64_t now_ns) noexce
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!is_home_) {
     if (read_fault_ != DeviceFault::kNotCalibrated) {
-      note(DeviceFault::kNotCalibrated, 0, "it does not know where it is");
+      note(DeviceFault::kNotCalibrated, 0, "it does not know its position");
     }
     return read_failed(DeviceFault::kNotCalibrated);
   }
@@ -87,7 +87,7 @@ void DhdDevice::look_at_status() noexcept {
       read_failed(fault);
     }
   } else if (status[kStatusConnected] == 0) {
-    read_failed(note(DeviceFault::kDisconnected, kErrorNoDevice, "it is not connected any more"));
+    read_failed(note(DeviceFault::kDisconnected, kErrorNoDevice, "it is no longer connected"));
   } else {
     look_whether_home(status[kStatusReset] != 0);
     if (is_home_)

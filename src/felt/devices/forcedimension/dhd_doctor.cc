@@ -63,19 +63,20 @@ Finding permission_of(const SystemView& system, const UsbDevice& device) {
   if (auto may = system.may_use(device.node); !may) {
     if (may.error().code == ErrorCode::kNotFound) {
       return {FindingLevel::kProblem,
-              "A " + device.label + " is connected, but the file to reach it by is not there.",
+              "A " + device.label + " is connected, but its device file is missing.",
               may.error().message,
               {"Pull its USB cable out and plug it in again.",
-               "In a container or virtual machine: hand the USB device through to it."}};
+               "In a container or virtual machine: pass the USB device through to it."}};
     }
     return {FindingLevel::kProblem,
-            "A " + device.label + " is connected, but " + system.user() + " may not use it.",
+            "A " + device.label + " is connected, but " + system.user() +
+                " does not have permission to use it.",
             may.error().message,
-            {"Allow it for whoever sits at this computer:\nfeltline doctor --fix",
+            {"Allow the user of this computer to use it:\nfeltline doctor --fix",
              "Pull its USB cable out and plug it in again."},
             udev_rule()};
   }
-  return {FindingLevel::kOk, "A " + device.label + " is connected, and may be used."};
+  return {FindingLevel::kOk, "A " + device.label + " is connected and can be used."};
 }
 
 bool is_not_found(std::string_view words, const std::string& name) {
@@ -87,14 +88,16 @@ bool is_not_found(std::string_view words, const std::string& name) {
 std::vector<std::string> steps_for(std::string_view words) {
   if (words.find("ELF") != std::string_view::npos) {
     return {
-        "That file is for another processor or system. Take the SDK for Linux on this one "
-        "(this computer's kind is what this says):\nuname -m",
-        "Unpack it, and say where:\nexport FORCEDIM_SDK=$HOME/sdk-3.17.5"};
+        "That file is for another processor or system. Get the SDK for Linux on this one. To show "
+        "the type of this computer:\n"
+        "uname -m",
+        "Unpack it, and set its folder:\nexport FORCEDIM_SDK=$HOME/sdk-3.17.5"};
   }
   if (words.find("libusb") != std::string_view::npos) {
     return {"Install the library that it needs:\nsudo apt install libusb-1.0-0"};
   }
-  return {"Install what the message names, or take the SDK anew from " + std::string(kSdkPage)};
+  return {"Install the library that the message names, or get the SDK again from " +
+          std::string(kSdkPage)};
 }
 
 std::vector<std::string> sdk_steps() {
@@ -107,13 +110,14 @@ std::vector<std::string> sdk_steps() {
 
 // Reports a library that can be loaded but is not the one that the driver needs.
 Finding strange_library(const std::string& refusal) {
-  Finding finding{
-      FindingLevel::kProblem,
-      "A library with the name of Force Dimension's loads, but is another one, or too old.",
-      refusal, sdk_steps()};
+  Finding finding{FindingLevel::kProblem,
+                  "The library found has the name of Force Dimension's library, but is a different "
+                  "one or too old.",
+                  refusal, sdk_steps()};
   finding.steps.insert(finding.steps.begin(),
-                       "If FELT_FORCEDIMENSION_LIBRARY is set, let it name the SDK's libdrd.so, or "
-                       "let Feltline look for it:\nunset FELT_FORCEDIMENSION_LIBRARY");
+                       "If FELT_FORCEDIMENSION_LIBRARY is set, set it to the SDK's libdrd.so, or "
+                       "let Feltline search for it:\n"
+                       "unset FELT_FORCEDIMENSION_LIBRARY");
   return finding;
 }
 
@@ -130,28 +134,28 @@ Finding library_finding(const SystemView& system, const std::string& named, bool
     }
   }
   if (!refused_name.empty()) {
-    return {FindingLevel::kProblem, "Force Dimension's library is there, but does not load.",
+    return {FindingLevel::kProblem, "Force Dimension's library was found, but could not be loaded.",
             refused_words, steps_for(refused_words)};
   }
   if (!named.empty()) {
     return {FindingLevel::kProblem,
-            "FELT_FORCEDIMENSION_LIBRARY names a file that is not there: " + named + ".",
+            "FELT_FORCEDIMENSION_LIBRARY names a file that does not exist: " + named + ".",
             {},
-            {"Name the SDK's libdrd.so, or let Feltline look for it:\nunset "
-             "FELT_FORCEDIMENSION_LIBRARY"}};
+            {"Set it to the SDK's libdrd.so, or let Feltline search for it:\n"
+             "unset FELT_FORCEDIMENSION_LIBRARY"}};
   }
   if (has_device) {
     return {FindingLevel::kProblem,
-            "Force Dimension's library (libdrd.so) was not found. It comes with the SDK, which "
-            "Feltline may not bring along.",
+            "Force Dimension's library (libdrd.so) was not found. It is part of the SDK, which "
+            "Feltline is not allowed to include.",
             {},
             sdk_steps()};
   }
-  Finding absent{FindingLevel::kAbsent,
-                 "No device of Force Dimension or Novint is connected, and their library is not "
-                 "installed.",
-                 {},
-                 sdk_steps()};
+  Finding absent{
+      FindingLevel::kAbsent,
+      "No device by Force Dimension or Novint is connected, and their library is not installed.",
+      {},
+      sdk_steps()};
   absent.steps.insert(absent.steps.begin(), std::string(kConnect));
   return absent;
 }
@@ -169,7 +173,7 @@ std::vector<Finding> diagnose(const SystemView& system, const std::string& named
   }
   if (devices.empty() && findings.back().level != FindingLevel::kAbsent) {
     findings.push_back({FindingLevel::kWarning,
-                        "No device of Force Dimension or Novint is seen on the USB.",
+                        "No USB device by Force Dimension or Novint was found.",
                         {},
                         {std::string(kConnect)}});
   }
@@ -178,7 +182,7 @@ std::vector<Finding> diagnose(const SystemView& system, const std::string& named
         {FindingLevel::kProblem,
          "A device was seen, but could not be opened.",
          last_refusal,
-         {"Close other programs that use it (one of the maker's own, perhaps).",
+         {"Close other programs that use it (for example the maker's).",
           "Switch its power off and on, then look again:\nfeltline doctor forcedimension"}});
   }
   return findings;

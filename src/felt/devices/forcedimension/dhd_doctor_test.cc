@@ -52,7 +52,7 @@ TEST(DhdDoctor, ALibraryThatIsAnotherOneIsNotFine) {
   ASSERT_FALSE(findings.empty());
   const Finding& library = findings.size() > 1 ? findings[findings.size() - 2] : findings[0];
   EXPECT_EQ(library.level, FindingLevel::kProblem);
-  EXPECT_THAT(library.what, HasSubstr("is another one, or too old"));
+  EXPECT_THAT(library.what, HasSubstr("is a different one or too old"));
   EXPECT_THAT(library.details, HasSubstr("it lacks dhdGetDeviceCount"));
 }
 
@@ -62,7 +62,7 @@ TEST(DhdDoctor, ADeviceWithoutPermissionGetsAUdevRule) {
   const auto findings = diagnose(system, "", "");
   ASSERT_THAT(findings, SizeIs(2));
   EXPECT_EQ(findings[0].level, FindingLevel::kProblem);
-  EXPECT_THAT(findings[0].what, HasSubstr("ada may not use it"));
+  EXPECT_THAT(findings[0].what, HasSubstr("ada does not have permission to use it"));
   EXPECT_THAT(findings[0].details, HasSubstr("Permission denied"));
   EXPECT_THAT(findings[0].steps, Contains(HasSubstr("feltline doctor --fix")));
   ASSERT_TRUE(findings[0].fix.has_value());
@@ -76,7 +76,7 @@ TEST(DhdDoctor, ADeviceThatNoFileLeadsToIsToldApart) {
   system.remove("/dev/bus/usb/001/014");
   const auto findings = diagnose(system, "", "");
   EXPECT_EQ(findings[0].level, FindingLevel::kProblem);
-  EXPECT_THAT(findings[0].what, HasSubstr("not there"));
+  EXPECT_THAT(findings[0].what, HasSubstr("device file is missing"));
   EXPECT_FALSE(findings[0].fix.has_value()) << "no rule helps";
 }
 

@@ -131,7 +131,7 @@ std::string Library::version() const {
 std::string Library::last_words() const {
   const int code = api_.error_get_last();
   const char* words = api_.error_get_last_str();
-  return std::string(words != nullptr && *words != '\0' ? words : "no words") + " (error " +
+  return std::string(words != nullptr && *words != '\0' ? words : "no message") + " (error " +
          std::to_string(code) + ")";
 }
 
@@ -174,7 +174,7 @@ Result<Id> Library::open(int index) {
   const int id = api_.open_id(static_cast<Id>(index));
   if (id < 0) return fail(ErrorCode::kIo, last_words());
   if (find_open(static_cast<Id>(id)) != nullptr) {
-    return fail(ErrorCode::kInvalidArgument, "it is open in this program already");
+    return fail(ErrorCode::kInvalidArgument, "it is already open in this program");
   }
   open_.push_back({static_cast<Id>(id), ask_identity(static_cast<Id>(id))});
   return static_cast<Id>(id);

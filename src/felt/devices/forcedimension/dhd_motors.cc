@@ -13,13 +13,13 @@ std::string_view words_of(int cause) noexcept {
     case kCauseVelocity:
       return "forces are off: it was moved too fast";
     case kCauseWatchdog:
-      return "forces are off: its watchdog heard nothing";
+      return "forces are off: its watchdog timed out";
     case kCauseUsb:
       return "forces are off: its USB cable";
     case kCauseDeadMan:
-      return "forces are off: nobody holds it";
+      return "forces are off: it is not being held";
     default:
-      return "forces are off: it does not say why";
+      return "forces are off: no reason reported";
   }
 }
 

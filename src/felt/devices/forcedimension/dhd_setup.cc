@@ -29,11 +29,11 @@ DhdDevice::DhdDevice(std::shared_ptr<Library> library, Id id, DeviceDescriptor d
 void DhdDevice::set_up(std::optional<double> pen_mass_kg) {
   std::string_view notice;
   if (api_.set_gravity_compensation == nullptr || api_.set_gravity_compensation(kOn, id_) < 0) {
-    notice = "its weight is not compensated";
+    notice = "its gravity compensation is off";
   }
   if (pen_mass_kg &&
       (api_.set_effector_mass == nullptr || api_.set_effector_mass(*pen_mass_kg, id_) < 0)) {
-    notice = "the mass of the pen was not taken";
+    notice = "the mass of the pen could not be set";
   }
   // The watchdog acts when too much time has passed since the last force command. Controllers with
   // firmware before 3.0 do not have a watchdog. The device's guard against high speeds keeps the
@@ -50,7 +50,7 @@ void DhdDevice::set_up(std::optional<double> pen_mass_kg) {
   if (is_watched && api_.get_watchdog != nullptr && api_.get_watchdog(&units, id_) >= 0) {
     is_watched = units > 0 && units <= kWatchdog31Ms;
   }
-  if (!is_watched) notice = "it has no watchdog: a program that hangs leaves the last force on";
+  if (!is_watched) notice = "it has no watchdog: if the program hangs, the last force stays on";
   status_.notice = ShortText(notice);
 }
 
@@ -73,9 +73,8 @@ Homing DhdDevice::homing() noexcept {
 std::string DhdDevice::homing_words() {
   switch (homing()) {
     case Homing::kByItself:
-      return "The arm will move by itself for some seconds, to find out where it is. Take your "
-             "hand "
-             "off it, and everything out of its way.";
+      return "The arm will move by itself for some seconds to find its home position. Take your "
+             "hand off it, and clear everything out of its way.";
     case Homing::kRestPose:
       if (descriptor_.model == "falcon") {
         return "Push the knob slowly all the way in and pull it all the way out, until its lights "
@@ -90,7 +89,7 @@ std::string DhdDevice::homing_words() {
 
 Result<void> DhdDevice::find_home() {
   const Homing way = homing();
-  if (is_gone_) return fail(ErrorCode::kIo, descriptor_.label + " is not connected any more");
+  if (is_gone_) return fail(ErrorCode::kIo, descriptor_.label + " is no longer connected");
   if (way == Homing::kNone) return {};
   if (auto done = way == Homing::kByItself ? move_home() : wait_for_rest_pose(); !done) {
     return done;
@@ -101,9 +100,9 @@ Result<void> DhdDevice::find_home() {
   look_at_status();
   publish();
   if (is_home_) return {};
-  return fail(ErrorCode::kIo, descriptor_.label +
-                                  " still does not know where it is; switch it off and on, and "
-                                  "find home again");
+  return fail(ErrorCode::kIo,
+              descriptor_.label +
+                  " still does not know its position; switch it off and on, and find home again");
 }
 
 Result<void> DhdDevice::move_home() {
@@ -115,11 +114,10 @@ Result<void> DhdDevice::move_home() {
   api_.stop(id_);
   motors_ = Motors::kBraked;
   if (is_done && is_free) return {};
-  return fail(ErrorCode::kIo,
-              descriptor_.label +
-                  " did not find home: " + (is_done ? library_->last_words() : words) +
-                  "; see that nothing is in the arm's way and its power supply is on, then try "
-                  "again");
+  return fail(ErrorCode::kIo, descriptor_.label + " did not find home: " +
+                                  (is_done ? library_->last_words() : words) +
+                                  "; make sure that nothing is in the arm's way and its power "
+                                  "supply is on, then try again");
 }
 
 Result<void> DhdDevice::wait_for_rest_pose() {
@@ -131,7 +129,7 @@ Result<void> DhdDevice::wait_for_rest_pose() {
   if (done >= 0 && api_.wait_for_reset != nullptr) done = api_.wait_for_reset(kRestPoseMs, id_);
   if (done >= 0) return {};
   return fail(ErrorCode::kIo, descriptor_.label +
-                                  " did not see its rest pose: " + library_->last_words() +
+                                  " did not detect its rest pose: " + library_->last_words() +
                                   "; hold the arm there until its light stops blinking, and try "
                                   "again");
 }

@@ -168,13 +168,13 @@ Result<std::unique_ptr<DriverDevice>> ForceDimensionDriver::open(const DeviceDes
   if (at == listed_.end()) {
     return fail(ErrorCode::kNotFound,
                 "\"" + device.id + "\" is not connected" +
-                    (last_refusal_.empty() ? "" : ", or cannot be opened: " + last_refusal_) +
-                    "; see what is there with feltline devices");
+                    (last_refusal_.empty() ? "" : ", or could not be opened: " + last_refusal_) +
+                    "; 'feltline devices' lists the connected devices");
   }
   const Result<dhd::Id> id = library_->open(static_cast<int>(at - listed_.begin()));
   if (!id) {
-    return fail(ErrorCode::kIo, at->descriptor.label + " cannot be opened: " + id.error().message +
-                                    "; close other programs that use it");
+    return fail(ErrorCode::kIo, at->descriptor.label + " could not be opened: " +
+                                    id.error().message + "; close other programs that use it");
   }
   const std::optional<double> mass_kg =
       options_.pen_mass_kg ? options_.pen_mass_kg

@@ -48,15 +48,15 @@ std::string HaplyDevice::first_notice(bool has_events) const {
   const auto add = [&notice](const std::string& sentence) {
     notice += (notice.empty() ? "" : " ") + sentence;
   };
-  if (inventory_.has_power == false) add("The device has no power: plug its supply in.");
+  if (inventory_.has_power == false) add("The device has no power: plug in its power supply.");
   if (inventory_.gravity_compensation == false) add("Its gravity compensation is off.");
-  if (!has_events) add("The service's events are not heard: its brake is not told.");
+  if (!has_events) add("The service's events do not arrive: braking is not reported.");
   const auto shown = [](double v) {
     std::string text = std::to_string(v);
     return text.substr(0, text.find('.') + 3);
   };
   if (inventory_.force_gate.value_or(0.0) > 0.0) {
-    add("The service's force gate (" + shown(*inventory_.force_gate) + ") acts on our forces.");
+    add("The service's force gate (" + shown(*inventory_.force_gate) + ") changes our forces.");
   }
   if (inventory_.damping.value_or(0.0) > 0.0) {
     add("The service adds damping (" + shown(*inventory_.damping) + ").");
@@ -188,7 +188,7 @@ void HaplyDevice::receive_events() noexcept {
     const auto message = events_->receive(0);
     if (!message) {
       if (message.error() == SocketFault::kTimedOut) return;
-      if (!events_are_over_) status_.notice = ShortText("The service's events have stopped.");
+      if (!events_are_over_) status_.notice = ShortText("The service stopped sending events.");
       events_are_over_ = true;
       return;
     }
@@ -206,12 +206,13 @@ void HaplyDevice::check_that_force_is_received() noexcept {
   if (deaf_states_ < kDeafStates || keys_tried_ > 2) return;
   deaf_states_ = 0;
   if (keys_tried_++ == 2) {
-    status_.notice = ShortText("The service shows no force in its states.");
+    status_.notice = ShortText("The service reports no force in its states.");
     return;
   }
-  force_stopped_ = key_ == ForceKey::kValues
-                       ? ShortText("The service took no force as \"values\"; \"vector\" is tried.")
-                       : ShortText("The service took no force as \"vector\"; \"values\" is tried.");
+  force_stopped_ =
+      key_ == ForceKey::kValues
+          ? ShortText("The service did not accept a force as \"values\"; trying \"vector\".")
+          : ShortText("The service did not accept a force as \"vector\"; trying \"values\".");
   key_ = other(key_);
 }
 
@@ -226,7 +227,7 @@ void HaplyDevice::count_rate(std::int64_t now_ns) noexcept {
 }
 
 tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_received() noexcept {
-  if (pace_.waited_ns() > kMaxSilentNs) return gone("The Inverse Service is silent.");
+  if (pace_.waited_ns() > kMaxSilentNs) return gone("The Inverse Service sends nothing.");
   if (pace_.waited_ns() > kMaxHeldNs || !has_sample_) {
     return failed(DeviceFault::kOther, ShortText("The Inverse Service does not answer."));
   }
@@ -281,11 +282,11 @@ tl::expected<PenSample, DeviceFault> HaplyDevice::read(std::int64_t now_ns) noex
     case Received::kNothing:
       return nothing_received();
     case Received::kBad:
-      return failed(DeviceFault::kBadData, ShortText("The service's message is not readable."));
+      return failed(DeviceFault::kBadData, ShortText("The service's message could not be parsed."));
     case Received::kState:
       break;
   }
-  if (!state_.has_device) return gone("The service does not know the device any more.");
+  if (!state_.has_device) return gone("The service no longer knows the device.");
   is_calibrated_ = state_.calibrated.value_or(is_calibrated_);
   if (!is_calibrated_) {
     return failed(DeviceFault::kNotCalibrated, ShortText("The device is not calibrated."));
@@ -313,7 +314,7 @@ void HaplyDevice::take_state() noexcept {
 std::optional<ShortText> HaplyDevice::no_force_words() const noexcept {
   if (force_stopped_) return force_stopped_;
   if (brake_is_on_) return brake_words_;
-  if (!has_power_) return ShortText("The device has no power: plug its supply in.");
+  if (!has_power_) return ShortText("The device has no power: plug in its power supply.");
   return pace_words_;
 }
 
@@ -324,7 +325,7 @@ tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept 
   put(is_number && !no_force ? pace_.share() * force : Force{});
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!is_number) {
-    return failed(DeviceFault::kBadData, ShortText("A force was requested that is not a number."));
+    return failed(DeviceFault::kBadData, ShortText("The requested force is not a number."));
   }
   if (!no_force) return {};
   force_stopped_.reset();

@@ -31,7 +31,7 @@ Finding not_installed(const ServiceAddress& address) {
           .what = "Haply's Inverse Service is not installed: nothing listens at " +
                   address.control.text() + ".",
           .steps = {"Only for an Inverse3 or Minverse: get the Inverse Service for Linux from "
-                    "haply.co (Haply Hub brings it, too).",
+                    "haply.co (Haply Hub includes it).",
                     "Install its package:\nsudo apt install ./haply-inverse-service*.deb"}};
 }
 
@@ -40,14 +40,13 @@ Finding not_running(const ServiceAddress& address) {
       address.source.empty() ? std::string() : " (a port from " + address.source + ")";
   Finding finding{
       .level = FindingLevel::kProblem,
-      .what = "Haply's Inverse Service does not run: nothing listens at " + address.control.text() +
-              source + ".",
-      .steps = {
-          "Start it, now and whenever the computer starts:\nsudo systemctl enable --now "
-          "haply-inverse-service",
-          "If it stops again, read what it says:\njournalctl -u haply-inverse-service -n 30"}};
+      .what = "Haply's Inverse Service is not running: nothing listens at " +
+              address.control.text() + source + ".",
+      .steps = {"Start it, now and whenever the computer starts:\nsudo systemctl enable --now "
+                "haply-inverse-service",
+                "If it stops again, read its log:\njournalctl -u haply-inverse-service -n 30"}};
   if (address.source == kUrlVariable) {
-    finding.steps.emplace_back("Or is " + std::string(kUrlVariable) + " wrong? See it:\necho $" +
+    finding.steps.emplace_back("Or is " + std::string(kUrlVariable) + " wrong? Check it:\necho $" +
                                kUrlVariable);
   }
   return finding;
@@ -55,25 +54,24 @@ Finding not_running(const ServiceAddress& address) {
 
 Finding version_finding(const std::string& version) {
   const int number = version_number(version);
-  const std::string named = "The Inverse Service runs, version " + version + ".";
+  const std::string named = "The Inverse Service is running, version " + version + ".";
   const std::string update = "Install a newer one, from haply.co or with Haply Hub.";
   if (number == 0) {
     return {.level = FindingLevel::kWarning,
-            .what = "The Inverse Service runs, but does not say which version it is."};
+            .what = "The Inverse Service is running, but does not report its version."};
   }
   if (number < kOldest) {
     return {.level = FindingLevel::kProblem,
-            .what = named + " That is too old: Feltline speaks with 3.1 and newer.",
+            .what = named + " That is too old: Feltline needs 3.1 or newer.",
             .steps = {update}};
   }
   if (number < kUsual) {
-    return {.level = FindingLevel::kWarning,
-            .what = named +
-                    " With services before 3.5 the drawing plane may lie elsewhere than "
-                    "Feltline thinks.",
-            .steps = {"Show Feltline where the plane is: touch three corners (in the window: "
-                      "Preferences, Device, \"Set the drawing plane...\").",
-                      update}};
+    return {
+        .level = FindingLevel::kWarning,
+        .what = named + " With services before 3.5 the position of the drawing plane may be wrong.",
+        .steps = {"Calibrate the plane by touching three corners (in the window: Preferences, "
+                  "Device, \"Set the drawing plane...\").",
+                  update}};
   }
   if (number >= kTooNew) {
     return {.level = FindingLevel::kWarning,
@@ -88,8 +86,8 @@ void add_device(const InventoryDevice& device, std::vector<Finding>& findings) {
   if (device.has_power == false) {
     findings.push_back(
         {.level = FindingLevel::kProblem,
-         .what = named + " has no power: without it there is no force.",
-         .steps = {"Plug its power supply in (the USB cable alone is not enough)."}});
+         .what = named + " has no power, so it cannot produce force.",
+         .steps = {"Plug in its power supply (the USB cable alone is not enough)."}});
     return;
   }
   if (device.calibrated == false) {
@@ -100,18 +98,18 @@ void add_device(const InventoryDevice& device, std::vector<Finding>& findings) {
                    "the light has changed, or calibrate it in Haply Hub."}});
     return;
   }
-  Finding finding{.what = named + " is there."};
+  Finding finding{.what = named + " is connected."};
   if (device.in_use == true) {
     finding.level = FindingLevel::kWarning;
-    finding.what = named + " is there, and another program uses it: forces would add up.";
+    finding.what = named + " is connected, but another program uses it: forces would add up.";
     finding.steps = {"Close the other program (a demo in Haply Hub, for example)."};
   } else if (device.gravity_compensation == false) {
     finding.level = FindingLevel::kWarning;
-    finding.what = named + " is there; its gravity compensation is off, so that its arm sinks.";
+    finding.what = named + " is connected, but its gravity compensation is off, so its arm sinks.";
     finding.steps = {"Switch gravity compensation on in Haply Hub."};
   }
   if (device.force_gate.value_or(0.0) > 0.0 || device.damping.value_or(0.0) > 0.0) {
-    finding.what += " The service's own filters act on our forces: force gate " +
+    finding.what += " The service's filters change our forces: force gate " +
                     std::to_string(device.force_gate.value_or(0.0)).substr(0, 4) + ", damping " +
                     std::to_string(device.damping.value_or(0.0)).substr(0, 4) + ".";
   }
@@ -123,10 +121,10 @@ void ask_service(const SystemView& system, const ServiceAddress& address, const 
   const auto version = http_get(connect, address.control, "/version", within_ns);
   if (!version) {
     findings.push_back({.level = FindingLevel::kProblem,
-                        .what = "Somebody listens at " + address.control.text() +
-                                ", but does not answer as the Inverse Service does.",
+                        .what = "A program listens at " + address.control.text() +
+                                ", but does not answer like the Inverse Service.",
                         .details = version.error().message,
-                        .steps = {"See which program it is:\nss -tlnp | grep " +
+                        .steps = {"Find out which program it is:\nss -tlnp | grep " +
                                       std::to_string(address.control.port),
                                   "Restart the service:\nsudo systemctl restart "
                                   "haply-inverse-service"}});
@@ -134,16 +132,16 @@ void ask_service(const SystemView& system, const ServiceAddress& address, const 
   }
   findings.push_back(version_finding(read_version(*version)));
   if (!system.listens(address.events.host, address.events.port)) {
-    findings.push_back({.level = FindingLevel::kWarning,
-                        .what = "The service's events (port " +
-                                std::to_string(address.events.port) +
-                                ") are not heard: Feltline is not told when the device brakes."});
+    findings.push_back(
+        {.level = FindingLevel::kWarning,
+         .what = "The service's events (port " + std::to_string(address.events.port) +
+                 ") do not arrive, so Feltline does not know when the device brakes."});
   }
   const auto answer = http_get(connect, address.control, "/devices", within_ns);
   const std::optional<Inventory> inventory = answer ? read_inventory(*answer) : std::nullopt;
   if (!inventory) {
     findings.push_back({.level = FindingLevel::kProblem,
-                        .what = "The Inverse Service does not say which devices there are.",
+                        .what = "The Inverse Service does not list its devices.",
                         .details = answer ? std::string() : answer.error().message,
                         .steps = {"Restart it:\nsudo systemctl restart haply-inverse-service"}});
     return;
@@ -151,11 +149,11 @@ void ask_service(const SystemView& system, const ServiceAddress& address, const 
   if (inventory->devices.empty()) {
     findings.push_back(
         {.level = FindingLevel::kProblem,
-         .what = "The Inverse Service runs, but sees no device.",
-         .steps = {"Plug the device in, with its power supply and its USB cable, and wait some "
-                   "seconds.",
-                   "Does the computer see it? Look for a new line after plugging it in:\nls "
-                   "/dev/ttyACM*"}});
+         .what = "The Inverse Service is running, but does not detect a device.",
+         .steps = {
+             "Connect the power supply and the USB cable of the device, and wait some seconds.",
+             "Does the computer detect it? Look for a new line after plugging it in:\n"
+             "ls /dev/ttyACM*"}});
   }
   for (const InventoryDevice& device : inventory->devices) add_device(device, findings);
 }
@@ -167,10 +165,10 @@ std::vector<Finding> examine(const SystemView& system, const TcpConnect& connect
   std::vector<Finding> findings;
   const ServiceAddress address = service_address(system);
   if (!address.wrong.empty()) {
-    findings.push_back({.level = FindingLevel::kProblem,
-                        .what = address.wrong,
-                        .steps = {"Correct it, or take it away: the usual address is "
-                                  "ws://localhost:10001."}});
+    findings.push_back(
+        {.level = FindingLevel::kProblem,
+         .what = address.wrong,
+         .steps = {"Correct it, or unset it: the default address is ws://localhost:10001."}});
   }
   const bool is_reported = !address.wrong.empty();
   if (system.listens(address.control.host, address.control.port)) {

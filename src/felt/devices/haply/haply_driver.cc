@@ -115,7 +115,7 @@ Result<std::unique_ptr<DriverDevice>> HaplyDriver::open(const DeviceDescriptor& 
                                                         const OpenOptions&) {
   const ServiceAddress address = service_address(*options_.system);
   const std::string hint =
-      " Is Haply's Inverse Service running? \"feltline doctor\" says what is missing.";
+      " Is Haply's Inverse Service running? \"feltline doctor\" shows what is missing.";
   Connection made;
   const std::string version = version_at(address.control);
   made.version = version_number(version);
@@ -129,13 +129,13 @@ Result<std::unique_ptr<DriverDevice>> HaplyDriver::open(const DeviceDescriptor& 
   const std::optional<Inventory> inventory = first ? read_inventory(*first) : std::nullopt;
   if (!inventory) {
     return fail(ErrorCode::kInvalidData, "The Inverse Service at " + address.control.text() +
-                                             " does not say which devices there are." + hint);
+                                             " does not list its devices." + hint);
   }
   const auto found =
       std::find_if(inventory->devices.begin(), inventory->devices.end(),
                    [&](const InventoryDevice& one) { return "haply:" + one.id == device.id; });
   if (found == inventory->devices.end()) {
-    return fail(ErrorCode::kNotFound, "The Inverse Service knows no device \"" + device.id +
+    return fail(ErrorCode::kNotFound, "The Inverse Service does not know a device \"" + device.id +
                                           "\". Is it plugged in and switched on?");
   }
   made.device = *found;

@@ -59,7 +59,7 @@ void from_config(const std::string& text, ServiceAddress& address) {
     return json.skip_value();
   });
   if (!is_read) {
-    address.wrong = std::string(kConfigFile) + " is not readable as JSON.";
+    address.wrong = std::string(kConfigFile) + " is not valid JSON.";
     return;
   }
   const bool is_other =

@@ -91,12 +91,12 @@ Result<void> WebSocket::shake_hands(const std::string& host, std::int64_t within
   const std::string first(answer.substr(0, answer.find("\r\n")));
   if (!first.starts_with("HTTP/1.1 101")) {
     return fail(ErrorCode::kInvalidData,
-                host + ": does not use WebSocket, but answered \"" + first + "\"");
+                host + ": not a WebSocket server; it answered \"" + first + "\"");
   }
   const auto upgrade = header_of(answer, "Upgrade"),
              accept = header_of(answer, "Sec-WebSocket-Accept");
   if (!upgrade || !same_word(*upgrade, "websocket") || !accept || *accept != accept_for(key)) {
-    return fail(ErrorCode::kInvalidData, host + ": answers the opening of a WebSocket wrongly");
+    return fail(ErrorCode::kInvalidData, host + ": invalid answer to the WebSocket handshake");
   }
   begin_ = *size;
   return {};
@@ -111,7 +111,7 @@ Result<std::size_t> WebSocket::take_answer(std::int64_t within_ns) {
     const std::size_t end = so_far.find("\r\n\r\n");
     if (end != std::string_view::npos) return end + 4;
     if (so_far.size() > kMaxOpeningBytes) {
-      return fail(ErrorCode::kLimitExceeded, "the answer to the opening is too long");
+      return fail(ErrorCode::kLimitExceeded, "the answer to the handshake is too long");
     }
     if (!fill(deadline.left_ns())) {
       return fail(ErrorCode::kIo, is_over_ ? "the connection was closed" : "no answer");

@@ -88,7 +88,7 @@ std::string drained_words(const HdFunctions& call) {
   std::vector<std::string> words;
   drain_errors(call, kMaxErrorsCleared, [&](const hd::ErrorInfo& info) {
     const char* text = call.error_words(info.code);
-    words.push_back((text != nullptr ? std::string(text) : "no words") + " (" +
+    words.push_back((text != nullptr ? std::string(text) : "no message") + " (" +
                     hexadecimal(info.code) + ", internal " + std::to_string(info.internal_code) +
                     ")");
   });

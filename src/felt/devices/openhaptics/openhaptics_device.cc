@@ -47,7 +47,7 @@ void OpenHapticsDevice::end_tick() noexcept {
 tl::expected<PenSample, DeviceFault> OpenHapticsDevice::read(std::int64_t now_ns) noexcept {
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!tick_is_open_) {
-    return refuse(DeviceFault::kOther, "read outside of the loop of the device's own software");
+    return refuse(DeviceFault::kOther, "read outside of the device software's loop");
   }
   if (frame_ == Frame::kDone)
     return last_;  // a tick has only one frame; repeats the sample of that frame

@@ -26,7 +26,7 @@ constexpr std::array kParts{
          "Install it:\nsudo apt install libtinfo5"},
     Part{"libPhantomIOLib42.so", "the driver of the Touch",
          "Install the Touch device driver for Linux from 3D Systems (support.3dsystems.com, "
-         "\"OpenHaptics for Linux\"), as its own instructions say"},
+         "\"OpenHaptics for Linux\") by following its instructions"},
     Part{"libPHANToMIO.so.4", "the driver of the PHANToM devices",
          "Install the PHANToM device driver that came with this OpenHaptics, or the newer "
          "OpenHaptics with the Touch device driver from 3D Systems (support.3dsystems.com)"},
@@ -125,19 +125,20 @@ Finding broken_library(const LibraryLook& look) {
   Finding finding{.level = FindingLevel::kProblem, .what = {}, .details = look.tried};
   if (look.part != nullptr) {
     finding.what = "The OpenHaptics library is installed, but " + std::string(look.part->what) +
-                   " that it needs is missing (" + std::string(look.part->file) + ").";
+                   ", which it needs, is missing (" + std::string(look.part->file) + ").";
     finding.steps = {std::string(look.part->step)};
     return finding;
   }
   if (look.tried.find("ELFCLASS32") != std::string::npos) {
-    finding.what = "The OpenHaptics library that is installed is one for 32-bit programs.";
+    finding.what = "The installed OpenHaptics library is for 32-bit programs.";
     finding.steps = {"Install the 64-bit one (\"amd64\") from 3D Systems"};
     return finding;
   }
-  finding.what = "The OpenHaptics library is installed, but does not load.";
+  finding.what = "The OpenHaptics library is installed, but could not be loaded.";
   finding.steps = {
-      "Read below which file it misses, and install what has that file:\napt-file search FILE",
-      "If it misses none, install OpenHaptics and the Touch device driver again"};
+      "The message below names the missing file. Install the package that contains it:\n"
+      "apt-file search FILE",
+      "If no file is missing, install OpenHaptics and the Touch device driver again"};
   return finding;
 }
 
@@ -145,19 +146,21 @@ Finding broken_library(const LibraryLook& look) {
 Finding strange_library(const LibraryLook& look, const std::string& refusal) {
   return {
       .level = FindingLevel::kProblem,
-      .what = look.found + " loads, but is not the OpenHaptics library, or too old a one.",
+      .what = look.found + " was loaded, but is not the OpenHaptics library or is too old.",
       .details = refusal,
-      .steps = {"Install the newest \"OpenHaptics for Linux\" from 3D Systems "
-                "(support.3dsystems.com)",
-                "If FELT_OPENHAPTICS_LIBRARY is set, let it name libHD.so, or let Feltline look "
-                "for it:\nunset FELT_OPENHAPTICS_LIBRARY"}};
+      .steps = {
+          "Install the newest \"OpenHaptics for Linux\" from 3D Systems "
+          "(support.3dsystems.com)",
+          "If FELT_OPENHAPTICS_LIBRARY is set, set it to libHD.so, or let Feltline search for it:\n"
+          "unset FELT_OPENHAPTICS_LIBRARY"}};
 }
 
 Finding missing_library(const LibraryLook& look, bool owns_one) {
   return {.level = owns_one ? FindingLevel::kProblem : FindingLevel::kAbsent,
           .what = owns_one
-                      ? "A device of 3D Systems is here, but not its library, OpenHaptics."
-                      : "OpenHaptics, the library for devices of 3D Systems, is not installed.",
+                      ? "A device by 3D Systems is connected, but its library, OpenHaptics, is not "
+                        "installed."
+                      : "OpenHaptics, the library for devices by 3D Systems, is not installed.",
           .details = look.tried,
           .steps = {"Get \"OpenHaptics for Linux\" and the Touch device driver from 3D Systems "
                     "(support.3dsystems.com), and follow their instructions to install both",
@@ -179,7 +182,7 @@ std::optional<Finding> look_at_setup(const SystemView& system) {
   }
   Finding finding{.level = FindingLevel::kProblem, .what = {}};
   if (!home) {
-    finding.what = "The environment does not say where the Touch driver keeps its settings (" +
+    finding.what = "The environment does not define the folder of the Touch driver's settings (" +
                    std::string(kHdConfigVariable) + ").";
     finding.steps = {"Add it for all users:\necho 'GTDD_HOME=\"" + std::string(kHdConfigHome) +
                          "\"' | sudo tee -a /etc/environment",
@@ -191,7 +194,7 @@ std::optional<Finding> look_at_setup(const SystemView& system) {
   if (names.empty()) {
     if (!system.may_use(folder)) {
       finding.steps.push_back(
-          "Make the folder for its settings, and let yourself write there:\n"
+          "Create the folder for its settings, and give yourself permission to write there:\n"
           "sudo mkdir -p " +
           folder + " && sudo chown " + system.user() + " " + folder);
     }
@@ -204,7 +207,8 @@ std::optional<Finding> look_at_setup(const SystemView& system) {
 
 Finding no_permission(const SystemView& system, const std::string& words, bool is_tty) {
   Finding finding{.level = FindingLevel::kProblem,
-                  .what = "The device is connected, but " + system.user() + " may not use it.",
+                  .what = "The device is connected, but " + system.user() +
+                          " does not have permission to use it.",
                   .details = words,
                   .steps = {"Let Feltline do it:\nfeltline doctor --fix",
                             "Unplug the device and plug it in again"},
@@ -226,12 +230,13 @@ Finding look_at_device(const SystemView& system, bool has_library) {
   const std::vector<UsbDevice> found = touches(system);
   if (found.empty()) {
     return {.level = has_library ? FindingLevel::kWarning : FindingLevel::kAbsent,
-            .what = "No Touch is seen on USB (as " + std::string(kUsbVendor) + ":" +
+            .what = "No Touch was found on USB (as " + std::string(kUsbVendor) + ":" +
                     std::string(kUsbProduct) + ").",
-            .steps = {"See that its power supply is in, and that it is switched on",
+            .steps = {"Check that its power supply is plugged in and that it is switched on",
                       "Plug its USB cable into this computer, not into a hub",
-                      "Devices on FireWire, Ethernet or a printer port are not seen here: see "
-                      "whether it opens:\nfeltline device-test openhaptics:default"}};
+                      "Devices on FireWire, Ethernet or a printer port are not detected here. "
+                      "Check whether it opens:\n"
+                      "feltline device-test openhaptics:default"}};
   }
   for (const UsbDevice& device : found) {
     std::vector<std::string> nodes = nodes_of(system, device);
@@ -242,9 +247,9 @@ Finding look_at_device(const SystemView& system, bool has_library) {
       return no_permission(system, usable.error().message, node.starts_with("/dev/tty"));
     }
   }
-  return {.what = found.size() == 1 ? "A Touch is connected, and may be used."
+  return {.what = found.size() == 1 ? "A Touch is connected and can be used."
                                     : std::to_string(found.size()) +
-                                          " Touch devices are connected, and may be used."};
+                                          " Touch devices are connected and can be used."};
 }
 
 }  // namespace

@@ -77,12 +77,12 @@ class OpenHapticsDriver final : public Driver {
     if (!library) {
       return fail(library.error().code,
                   "OpenHaptics, the library of 3D Systems, is missing: " + library.error().message +
-                      ". \"feltline doctor\" says what to do");
+                      ". \"feltline doctor\" shows what to do");
     }
     if (!(*library)->take()) {
       return fail(ErrorCode::kUnsupported,
-                  "this program has a device of OpenHaptics open already, and that library serves "
-                  "one at a time: close the other one first");
+                  "another OpenHaptics device is already open in this program, and that library "
+                  "supports only one at a time: close the other one first");
     }
     auto opened = open_with(*library, device);
     if (!opened) (*library)->give_back();
@@ -173,9 +173,9 @@ class OpenHapticsDriver final : public Driver {
                ": " + (words.empty() ? "no device" : words);
     }
     return fail(ErrorCode::kNotFound,
-                "no device of 3D Systems could be opened (" + tried +
-                    "). Is it switched on and plugged in, and does no other program use it? "
-                    "\"feltline doctor\" says more");
+                "no device by 3D Systems could be opened (" + tried +
+                    "). Make sure that it is plugged in and switched on, and that no other program "
+                    "uses it. \"feltline doctor\" shows more");
   }
 
   DeviceDescriptor prepared(const HdFunctions& call, DeviceDescriptor device) {

@@ -23,7 +23,7 @@ std::string hindrances(const HdFunctions& call) {
     const DeviceFault fault = fault_of(error.code);
     if (fault == DeviceFault::kForcesOff || fault == DeviceFault::kOverheated) return;
     const char* text = call.error_words(error.code);
-    words += (words.empty() ? "" : "; ") + std::string(text != nullptr ? text : "no words");
+    words += (words.empty() ? "" : "; ") + std::string(text != nullptr ? text : "no message");
   });
   return words;
 }
@@ -104,7 +104,8 @@ unsigned OpenHapticsDevice::serve() noexcept {
 }
 
 Result<void> OpenHapticsDevice::start_loop(Tick tick, void* context) {
-  if (loop_runs_) return fail(ErrorCode::kInvalidArgument, "the loop of the device runs already");
+  if (loop_runs_)
+    return fail(ErrorCode::kInvalidArgument, "the loop of the device is already running");
   const PlainNumbers plain;
   static_cast<void>(hindrances(call_));
   tick_ = tick;
@@ -123,7 +124,7 @@ Result<void> OpenHapticsDevice::start_loop(Tick tick, void* context) {
     stop_loop();
   }
   is_serving_.store(false);
-  return fail(ErrorCode::kIo, "OpenHaptics cannot run the loop of the device: " + words);
+  return fail(ErrorCode::kIo, "OpenHaptics could not start the loop of the device: " + words);
 }
 
 void OpenHapticsDevice::stop_loop() noexcept {
@@ -170,14 +171,15 @@ std::string OpenHapticsDevice::homing_words() {
     case hd::calibration::kInkwell:
       return "Put the stylus into its inkwell, all the way in, and leave it there for a moment.";
     case hd::calibration::kAuto:
-      return "Move the stylus slowly through its whole reach, so that the device finds itself.";
+      return "Move the stylus slowly through its whole range, so that the device can calibrate "
+             "itself.";
     default:
       return "Bring the arm to its rest pose, all joints at right angles, and hold it still.";
   }
 }
 
 Result<void> OpenHapticsDevice::find_home() {
-  if (loop_runs_) return fail(ErrorCode::kInvalidArgument, "the loop of the device runs");
+  if (loop_runs_) return fail(ErrorCode::kInvalidArgument, "the loop of the device is running");
   const PlainNumbers plain;
   const hd::Enum how = style();
   call_.disable(hd::capability::kForceOutput);
@@ -196,7 +198,8 @@ Result<void> OpenHapticsDevice::find_home() {
   drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
   if (is_home) return {};
   if (words.empty()) {
-    words = "it has not seen itself in place within " + std::to_string(kMaxHomingMs / 1000) + " s";
+    words = "it did not reach the calibration position within " +
+            std::to_string(kMaxHomingMs / 1000) + " s";
   }
   return fail(ErrorCode::kIo, "The device is not calibrated: " + words + ". " + homing_words() +
                                   " Then try again.");

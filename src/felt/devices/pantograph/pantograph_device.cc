@@ -28,7 +28,7 @@ double min_gain() noexcept {
   return smallest;
 }
 
-constexpr std::string_view kNotHome = "The arms have not been at rest.";
+constexpr std::string_view kNotHome = "The arms were not at rest.";
 constexpr std::string_view kUnguarded =
     "The process that switches the motors off when Feltline cannot has ended: bring it home again.";
 
@@ -41,7 +41,7 @@ PantographDevice::PantographDevice(std::unique_ptr<ByteStream> port, const Board
       descriptor_(std::move(descriptor)),
       gate_(descriptor_.capabilities),
       is_down_(options.pen_begins_down) {
-  status_.notice = ShortText("It moves in the plane only: a key says when the pen touches.");
+  status_.notice = ShortText("It moves in the plane only: press a key to touch down.");
   shown_.publish(status_);
 }
 
@@ -141,7 +141,7 @@ PantographDevice::Received PantographDevice::receive(std::int64_t within_ns) noe
 tl::expected<PenSample, DeviceFault> PantographDevice::nothing_received(
     Received received) noexcept {
   ++missed_;
-  if (missed_ > kMaxSilentTicks) return gone("The board is silent.");
+  if (missed_ > kMaxSilentTicks) return gone("The board sends nothing.");
   if (missed_ > kMaxMissed || !has_sample_) {
     const bool is_half = received == Received::kHalf;
     throw_away();
@@ -204,7 +204,7 @@ tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns)
     case Received::kBad:
       bar_.reset();
       throw_away();
-      return failed(DeviceFault::kBadData, "The board's answer makes no sense.");
+      return failed(DeviceFault::kBadData, "The board's answer is invalid.");
     case Received::kAngles:
       break;
   }
@@ -236,7 +236,7 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   if (went) sent_ = pushes;
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!passed.was_finite) {
-    return failed(DeviceFault::kBadData, "A force was requested that is not a number.");
+    return failed(DeviceFault::kBadData, "The requested force is not a number.");
   }
   if (!went) return failed(DeviceFault::kOther, "The board does not accept data.");
   if (!is_guarded) return failed(DeviceFault::kForcesOff, kUnguarded);
@@ -274,12 +274,13 @@ void PantographDevice::stop() noexcept {
 
 std::string PantographDevice::homing_words() {
   if (is_home_) return {};
-  std::string words = "This is set up as " + std::string(model_.label) +
-                      ". Measure it: another make draws bent lines and pushes the wrong way";
-  if (model_.gain > min_gain()) words += ", the first make more than ten times as strong";
+  std::string words =
+      "This device is set up as " + std::string(model_.label) +
+      ". Measure it: with the wrong model, lines are bent and forces point the wrong way";
+  if (model_.gain > min_gain()) words += ", and the first model is more than ten times as strong";
   return words +
-         ". Then push both arms outwards, as far as they go, and hold them there: from this place "
-         "the device counts.";
+         ". Then push both arms outwards as far as they go, and hold them there: the device counts "
+         "from this position.";
 }
 
 Result<void> PantographDevice::set_up() {
@@ -307,14 +308,14 @@ Result<void> PantographDevice::set_up() {
     if (received == Received::kAngles) {
       if (port_->keep_guard(torque_frame(model_, {}), kGuardNs)) return {};
       return fail(ErrorCode::kIo,
-                  "No second process could be started, which switches the motors off when Feltline "
-                  "cannot: this computer has no memory, or too many processes, for it.");
+                  "The second process, which switches the motors off if Feltline cannot, could not "
+                  "be started: this computer has too little memory or too many processes.");
     }
     if (received == Received::kClosed) gone("The board was unplugged.");
   }
   return fail(ErrorCode::kIo, is_gone_ ? "The board was unplugged."
-                                       : "What is on this port does not answer like a 2DIY. Is it "
-                                         "this make, and has it its power?");
+                                       : "The device on this port does not answer like a 2DIY. Is "
+                                         "it this model, and does it have power?");
 }
 
 Result<void> PantographDevice::find_home() {

@@ -44,8 +44,8 @@ class PantographDriver final : public Driver {
   Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                              const OpenOptions& options) override {
     Result<std::unique_ptr<DriverDevice>> result =
-        fail(ErrorCode::kNotFound, "There is no port any more for \"" + device.id +
-                                       "\". \"feltline doctor\" says which ports there are.");
+        fail(ErrorCode::kNotFound, "There is no longer a port for \"" + device.id +
+                                       "\". \"feltline doctor\" lists the ports.");
     each([&](const Port& port, const BoardModel& model) {
       const DeviceDescriptor one = descriptor_of(port, model);
       if (one.id == device.id) result = open_port(port, model, one, options);
@@ -83,8 +83,8 @@ class PantographDriver final : public Driver {
                                                   const OpenOptions& options) const {
     auto stream = options_.open(port.path);
     if (!stream) {
-      return fail(stream.error().code, "The 2DIY cannot be opened: " + stream.error().message +
-                                           ". \"feltline doctor\" says what to do.");
+      return fail(stream.error().code, "The 2DIY could not be opened: " + stream.error().message +
+                                           ". \"feltline doctor\" shows what to do.");
     }
     auto device =
         std::make_unique<PantographDevice>(*std::move(stream), model, descriptor, options);

@@ -42,12 +42,13 @@ bool has_modem_manager(const SystemView& system) {
 }
 
 Finding nothing_there(const SystemView& system) {
-  Finding finding{.level = FindingLevel::kAbsent,
-                  .what = "No serial port looks like the board of a 2DIY.",
-                  .steps = {"Only for a 2DIY: plug its USB cable in, and see whether a new line "
-                            "comes:\nls /dev/ttyACM*"}};
+  Finding finding{
+      .level = FindingLevel::kAbsent,
+      .what = "No serial port looks like the board of a 2DIY.",
+      .steps = {"Only for a 2DIY: plug in its USB cable, and check whether a new line appears:\n"
+                "ls /dev/ttyACM*"}};
   if (!system.list("/sys/class/tty").empty() || system.exists("/dev/ttyACM0")) {
-    finding.steps.push_back("If it is there under another name, name it:\nexport " +
+    finding.steps.push_back("If it has another name, set it:\nexport " +
                             std::string(kPortVariable) + "=/dev/ttyACM0");
   }
   return finding;
@@ -56,20 +57,22 @@ Finding nothing_there(const SystemView& system) {
 Finding port_finding(const SystemView& system, const Port& port) {
   const Result<void> usable = system.may_use(port.path);
   if (usable) {
-    return {.what =
-                "The port " + port.path + " may be a 2DIY, and you may use it. Open it to check."};
+    return {.what = "The port " + port.path +
+                    " may be a 2DIY, and you have permission to use it. Open it to check."};
   }
-  Finding finding{.level = FindingLevel::kProblem,
-                  .what = "The port " + port.path + " may be a 2DIY, but you may not use it.",
-                  .details = usable.error().message};
+  Finding finding{
+      .level = FindingLevel::kProblem,
+      .what = "The port " + port.path + " may be a 2DIY, but you do not have permission to use it.",
+      .details = usable.error().message};
   if (usable.error().code == ErrorCode::kNotFound) {
-    finding.what = "The port " + port.path + " is not there.";
-    finding.steps = {"Plug the board in, or correct " + std::string(kPortVariable) +
-                     ". The ports that there are:\nls /dev/ttyACM* /dev/serial/by-id"};
+    finding.what = "The port " + port.path + " does not exist.";
+    finding.steps = {"Plug in the board, or correct " + std::string(kPortVariable) +
+                     ". Existing ports:\nls /dev/ttyACM* /dev/serial/by-id"};
     return finding;
   }
   finding.steps = {
-      "Let Feltline allow it to whoever sits at this computer:\nfeltline doctor --fix"};
+      "Let Feltline write a rule that lets the user of this computer use it:\n"
+      "feltline doctor --fix"};
   const auto groups = system.groups();
   if (std::find(groups.begin(), groups.end(), "dialout") == groups.end()) {
     finding.steps.push_back(
@@ -113,10 +116,11 @@ std::vector<Finding> examine(const SystemView& system) {
   if (has_modem_manager(system) && !system.exists(kRules)) {
     findings.push_back(
         {.level = FindingLevel::kWarning,
-         .what = "ModemManager takes new serial ports for modems and speaks to them for some "
+         .what = "ModemManager treats new serial ports as modems and sends data to them for some "
                  "seconds, which confuses the board.",
-         .steps = {"Let Feltline tell it to leave the board alone:\nfeltline doctor --fix",
-                   "Or wait half a minute after plugging the board in."},
+         .steps =
+             {"Let Feltline write a rule that makes it ignore the board:\nfeltline doctor --fix",
+              "Or wait half a minute after plugging the board in."},
          .fix =
              SystemFix{.path = kRules, .content = rules(), .activate = std::string(kReloadUdev)}});
   }

@@ -30,7 +30,7 @@ Result<void> parse_axis(Value& value, const char* key, EventFields& out) {
 Result<void> parse_time(Value& value, EventFields& out) {
   double ms = 0.0;
   if (Result<void> read = parse_number(value, "t_ms", kEventTimeLimit, ms); !read) return read;
-  if (ms < 0.0) return bad("t_ms: is before the start of the session, which is 0");
+  if (ms < 0.0) return bad("t_ms: is before 0, the start of the session");
   out.time_ns = std::llround(ms * 1e6);
   return {};
 }
@@ -76,7 +76,7 @@ Result<void> parse_text(Value& value, const char* key, std::string& out,
   Result<std::string> text = read_name(value, max_bytes);
   if (!text) return tl::unexpected(with_context(text.error(), key));
   if (text->empty()) return bad(std::string(key) + ": is empty");
-  if (text->find('\0') != std::string::npos) return bad(std::string(key) + ": holds a NUL");
+  if (text->find('\0') != std::string::npos) return bad(std::string(key) + ": contains a NUL");
   out = std::move(*text);
   return {};
 }
@@ -127,7 +127,7 @@ Result<void> parse_layer(Value& value, EventFields& out) {
   const std::string_view token = token_of(value);
   if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(out.layer.value) ||
       !out.layer) {
-    return bad("id: " + excerpt(token) + " is not a layer, a whole number from 1 on");
+    return bad("id: " + excerpt(token) + " is not a layer, which is a whole number, at least 1");
   }
   return {};
 }
@@ -173,10 +173,10 @@ Result<void> parse_defaults(Value& value, EventFields& out) {
   const std::string_view token = token_of(value);
   std::uint64_t version = 0;
   if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(version) || version == 0) {
-    return bad("defaults: " + excerpt(token) + " is not a whole number from 1 on");
+    return bad("defaults: " + excerpt(token) + " is not a whole number of at least 1");
   }
   if (version > kOptionDefaults) {
-    return bad("defaults: " + excerpt(token) + " is of a newer version of Feltline");
+    return bad("defaults: " + excerpt(token) + " is from a newer version of Feltline");
   }
   out.defaults = static_cast<int>(version);
   return {};
@@ -193,7 +193,8 @@ Result<void> parse_index(Value& value, EventFields& out) {
   const std::string_view token = token_of(value);
   std::uint64_t index = 0;
   if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(index)) {
-    return bad("index: " + excerpt(token) + " is not a place, a whole number from 0 on");
+    return bad("index: " + excerpt(token) +
+               " is not an index, which is a whole number, at least 0");
   }
   out.index = index;
   return {};

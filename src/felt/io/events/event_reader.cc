@@ -150,7 +150,7 @@ struct EventReader::State {
     if (!read) return tl::unexpected(read.error());
     if (values.time_ns < last_ns) {
       return json::bad("t_ms: " + milliseconds_text(values.time_ns) + " is before " +
-                       milliseconds_text(last_ns) + ", the time of the event before");
+                       milliseconds_text(last_ns) + ", the time of the previous event");
     }
     last_ns = values.time_ns;
     return event_of(name, std::move(values));
@@ -171,7 +171,7 @@ Result<ScriptLineKind> EventReader::read(const NdjsonLine& line, Event& event, R
     event = std::move(*read);
     return ScriptLineKind::kEvent;
   }
-  if (!seen->is_other) return json::bad("neither an event nor a stroke: no key \"event\"");
+  if (!seen->is_other) return json::bad("neither an event nor a stroke: key \"event\" is missing");
   const Result<NdjsonKind> kind = state_->strokes.raw_stroke(line, stroke);
   if (!kind) return tl::unexpected(kind.error());
   return *kind == NdjsonKind::kHeader ? ScriptLineKind::kHeader : ScriptLineKind::kStroke;
@@ -187,7 +187,7 @@ Result<void> read_line(EventReader& reader, const NdjsonLine& line, const Script
   if (*kind == ScriptLineKind::kEvent) return sink.event(event);
   if (*kind == ScriptLineKind::kHeader) return {};
   if (sink.stroke) return sink.stroke(stroke);
-  return json::bad("a stroke, where only events are expected");
+  return json::bad("found a stroke, but only events are allowed");
 }
 
 }  // namespace

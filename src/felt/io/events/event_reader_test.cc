@@ -100,8 +100,8 @@ TEST(EventReader, ReadsDevices) {
   EXPECT_EQ(event_of(R"({"event":"device","t_ms":0})"), (Event{0, UseDevice{{}, 1}}));
   EXPECT_EQ(event_of(R"({"event":"device","t_ms":0,"defaults":2})"), (Event{0, UseDevice{{}, 2}}));
   EXPECT_EQ(error_of(R"({"event":"device","t_ms":0,"defaults":99})"),
-            "defaults: 99 is of a newer version of Feltline");
-  EXPECT_THAT(error_of(R"({"event":"device","t_ms":0,"defaults":0})"), HasSubstr("from 1 on"));
+            "defaults: 99 is from a newer version of Feltline");
+  EXPECT_THAT(error_of(R"({"event":"device","t_ms":0,"defaults":0})"), HasSubstr("at least 1"));
   Capabilities can;
   can.sensed_axes = 2;
   can.max_force_n = 3.3;
@@ -142,13 +142,14 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   EXPECT_EQ(error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0})"),
             "key \"index\" is missing");
   for (const char* index : {"-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
-    EXPECT_EQ(error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0,"index":)" +
-                       std::string(index) + "}"),
-              "index: " + std::string(index) + " is not a place, a whole number from 0 on");
+    EXPECT_EQ(
+        error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0,"index":)" + std::string(index) +
+                 "}"),
+        "index: " + std::string(index) + " is not an index, which is a whole number, at least 0");
   }
   for (const char* id : {"0", "-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
     EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0,"id":)" + std::string(id) + "}"),
-              "id: " + std::string(id) + " is not a layer, a whole number from 1 on");
+              "id: " + std::string(id) + " is not a layer, which is a whole number, at least 1");
   }
 }
 
@@ -205,7 +206,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":-1})"),
-            "t_ms: is before the start of the session, which is 0");
+            "t_ms: is before 0, the start of the session");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":1000000001})"),
             "t_ms: 1000000001 is malformed, or larger than 1e9");
   EXPECT_EQ(error_of(R"({"event":"undo","event":"undo","t_ms":0})"), "key \"event\" occurs twice");
@@ -228,7 +229,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
               HasSubstr("buttons: -1 is not a whole number"));
   EXPECT_THAT(error_of(R"({"event":"pen","x":1,"y":2,"z":0,"buttons":4294967296,"t_ms":0})"),
               HasSubstr("buttons: 4294967296 is not a whole number"));
-  EXPECT_EQ(error_of(R"({"event":"import","path":"a\u0000b","t_ms":0})"), "path: holds a NUL");
+  EXPECT_EQ(error_of(R"({"event":"import","path":"a\u0000b","t_ms":0})"), "path: contains a NUL");
   EXPECT_THAT(error_of(R"({"event":"undo","t_ms":0,"note":tru})"),
               HasSubstr("note: tru is not a JSON value"));
 }
@@ -251,7 +252,7 @@ TEST(EventReader, TellsStrokesAndHeaders) {
   EXPECT_EQ(read_line(R"({"event":"undo","points":[[1,2]],"t_ms":0})").kind,
             ScriptLineKind::kEvent);
   EXPECT_EQ(error_of(R"({"points":[]})"), "points: is empty");
-  EXPECT_EQ(error_of(R"({"x":1})"), "neither an event nor a stroke: no key \"event\"");
+  EXPECT_EQ(error_of(R"({"x":1})"), "neither an event nor a stroke: key \"event\" is missing");
 }
 
 TEST(ReadEvents, SaysWhereATimeRunsBackwards) {
@@ -261,14 +262,14 @@ TEST(ReadEvents, SaysWhereATimeRunsBackwards) {
                                         "{\"event\":\"undo\",\"t_ms\":4.5}\n"));
   ASSERT_FALSE(events);
   EXPECT_EQ(events.error().message,
-            "a.ndjson:4: t_ms: 4.5 is before 5, the time of the event before");
+            "a.ndjson:4: t_ms: 4.5 is before 5, the time of the previous event");
 }
 
 TEST(ReadEvents, StrokesAreNoEvents) {
   const Result<std::vector<Event>> events =
       read_events("a.ndjson", read_text("{\"feltline\":1}\n{\"points\":[[1,2]]}\n"));
   ASSERT_FALSE(events);
-  EXPECT_EQ(events.error().message, "a.ndjson:2: a stroke, where only events are expected");
+  EXPECT_EQ(events.error().message, "a.ndjson:2: found a stroke, but only events are allowed");
 }
 
 TEST(ReadScript, GivesLinesInOrderAndPlacesTheErrorsOfTheSink) {

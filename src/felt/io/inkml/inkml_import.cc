@@ -74,13 +74,14 @@ class InkmlReader {
     const pugi::xml_node root = input_.root();
     if (xml_local_name(root.name()) != "ink") {
       return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
-                                               ": not InkML: it begins with '" + root.name() + "'");
+                                               ": not InkML: the first element is '" + root.name() +
+                                               "'");
     }
     const std::string_view name = root.name();
     prefix_ = name.substr(0, name.size() - 3);
     felt_ = xml_prefix_of(root, inkml::kFeltNamespace);
     if (!felt_.empty() && !inkml::read_page(root, felt_, builder_.drawing())) {
-      notice(root, "carries an invalid or too long material, which was left out");
+      notice(root, "has an invalid or too long material, which was skipped");
     }
     find_traces(root);
     groups_.push_back({});
@@ -147,7 +148,7 @@ class InkmlReader {
     if (node.type() != pugi::node_element) return false;
     const std::string_view name = xml_local_name(node.name());
     if (!is_ink(node)) {
-      notice(node, "is of another program and was left out");
+      notice(node, "belongs to another program and was skipped");
     } else if (name == "trace") {
       if (!groups_.back().only_defines && !drawn_.count(node.hash_value())) read_trace(node);
     } else if (name == "traceGroup") {
@@ -165,7 +166,7 @@ class InkmlReader {
       if (!groups_.back().only_defines)
         groups_.back().context = groups_.back().context.overlaid(defined);
     } else if (name != "annotation" && name != "annotationXML") {
-      notice(node, "is unknown and was left out");
+      notice(node, "is unknown and was skipped");
     }
     return false;
   }
@@ -181,7 +182,7 @@ class InkmlReader {
     };
     const std::string_view label = layer.value();
     if (label.size() > limits::kMaxNameBytes) {
-      notice(node, "has a name of more than 4096 bytes, which was left out");
+      notice(node, "has a name of more than 4096 bytes, which was skipped");
     }
     group.layer =
         builder_.add_layer({std::string(label), !is("visible", "false"), is("locked", "true")});
@@ -201,7 +202,7 @@ class InkmlReader {
     }
     if (!only_defined || drawn_.count(found->second.hash_value())) return;
     if (node.attribute("from") || node.attribute("to")) {
-      notice(node, "shows a part of a trace; all of it was taken");
+      notice(node, "shows part of a trace; the whole trace was read");
     }
     drawn_.insert(found->second.hash_value());
     read_trace(found->second);
@@ -228,13 +229,13 @@ class InkmlReader {
   void gather(const pugi::xml_node& node, const Context& context) {
     const std::string_view type = node.attribute("type").value();
     if (type == "penUp") {
-      notice(node, "was made with the pen off the paper and was left out");
+      notice(node, "was made with the pen off the paper and was skipped");
       return;
     }
     const inkml::Format& format = settings_.format(context);
     const Columns& columns = columns_of(node, context);
     if (columns.x == Columns::kNone || columns.y == Columns::kNone) {
-      notice(node, "has no X or no Y and was left out");
+      notice(node, "has no X or no Y and was skipped");
       return;
     }
     const std::string text = xml_text_of(node);
@@ -245,7 +246,7 @@ class InkmlReader {
       if (points_.samples.size() >= limits::kMaxStrokePoints && !has_model) cut(node, context);
     }
     if (!reader.problem().empty()) {
-      notice(node, reader.problem() + "; only the points before it were taken");
+      notice(node, reader.problem() + "; only the points before it were read");
     }
   }
 
@@ -291,7 +292,7 @@ class InkmlReader {
         const double mm = scale.value_or(kInkmlMmPerUnknownUnit) * (channel.is_reversed ? -1 : 1);
         const bool is_x = channel.name == ChannelName::kX;
         if (!scale && is_x) {
-          notice(node, "does not say how long a unit is; it was taken as 1/96 inch");
+          notice(node, "does not define its unit; 1/96 inch was assumed");
         }
         (is_x ? c.x : c.y) = i;
         (is_x ? scale_x : scale_y) = mm;
@@ -305,7 +306,7 @@ class InkmlReader {
         c.ms_per_time = scale.value_or(1.0);
       } else if (channel.name == ChannelName::kWidth) {
         c.width = i;
-        if (!scale) notice(node, "has widths without a unit; they were taken as mm");
+        if (!scale) notice(node, "has widths without a unit; mm was assumed");
         c.mm_per_width = scale.value_or(1.0);
       } else if (channel.name == ChannelName::kTiltX) {
         c.tilt_x = i;
@@ -350,8 +351,9 @@ class InkmlReader {
   // Divides a trace that is too long into several strokes. Each next stroke begins at the end of
   // the previous one.
   void cut(const pugi::xml_node& node, const Context& context) {
-    notice(node, "has more points than a stroke takes (" +
-                     std::to_string(limits::kMaxStrokePoints) + "); it became several strokes");
+    notice(node, "has more points than a stroke can have (" +
+                     std::to_string(limits::kMaxStrokePoints) +
+                     "); it was split into several strokes");
     const InkSample last = points_.samples.back();
     const std::vector<WidePoint> width(points_.line.end() - (points_.line.empty() ? 0 : 1),
                                        points_.line.end());
@@ -365,12 +367,12 @@ class InkmlReader {
   void add_stroke(const pugi::xml_node& node, const Context& context) {
     if (points_.samples.empty()) {
       if (std::string_view(node.attribute("type").value()) != "penUp") {
-        notice(node, "has no points and was left out");
+        notice(node, "has no points and was skipped");
       }
       return;
     }
     if (points_.is_erased) {
-      notice(node, "was made with the eraser end and was left out");
+      notice(node, "was made with the eraser end and was skipped");
       return;
     }
     const inkml::Brush* brush = settings_.brush(context);
@@ -386,7 +388,7 @@ class InkmlReader {
     if (data) data->color = color;
     Result<Stroke> stroke = data ? Stroke::create(*std::move(data)) : tl::unexpected(data.error());
     if (!stroke) {
-      notice(node, "was left out: " + stroke.error().message);
+      notice(node, "was skipped: " + stroke.error().message);
       return;
     }
     const char* id =

@@ -41,9 +41,8 @@ const std::string kMm =
 TEST(InkmlImport, WithoutUnitsAPixelIsA96thOfAnInch) {
   const Imported d = read(ink("<trace>\n0 0, 96 0, 192 0\n</trace>\n"));
   expect_from_to(only_stroke(d), {0, 0}, {50.8, 0});
-  EXPECT_THAT(
-      texts(d.report),
-      ElementsAre("line 2: trace does not say how long a unit is; it was taken as 1/96 inch"));
+  EXPECT_THAT(texts(d.report),
+              ElementsAre("line 2: trace does not define its unit; 1/96 inch was assumed"));
 }
 
 TEST(InkmlImport, TheSubsetOfOffice) {
@@ -142,9 +141,9 @@ TEST(InkmlImport, BrushesGiveColourAndWidth) {
   EXPECT_EQ(s[4].color(), (Rgba{0, 0, 255, 255})) << "a brush between traces holds from there";
   EXPECT_THAT(texts(d.report),
               ::testing::UnorderedElementsAre(
-                  "line 2: brushProperty of form 'rectangle' is round now",
-                  "line 2: brush 'c' is a broad nib; its larger side was taken as the width",
-                  "line 3: trace has a brushRef to something that is not there"));
+                  "line 2: brushProperty of form 'rectangle' was replaced by a round one",
+                  "line 2: brush 'c' is a broad nib; its longer side was used as the width",
+                  "line 3: trace has a brushRef to something that does not exist"));
 }
 
 TEST(InkmlImport, ContextsAreInheritedAndOverridden) {
@@ -184,9 +183,9 @@ TEST(InkmlImport, TransformsToTheCanvas) {
       {10, 20}, {60, 10});
   expect_from_to(only_stroke(with("<mapping type=\"identity\"/>")), {0, 0}, {100, 20});
   EXPECT_THAT(texts(with("<mapping type=\"mathml\"/>").report),
-              Contains(HasSubstr("canvasTransform 't' has no mapping that can be followed")));
+              Contains(HasSubstr("canvasTransform 't' has no supported mapping")));
   EXPECT_THAT(texts(with("<mapping type=\"affine\"><affine>1 0, 0 1</affine></mapping>").report),
-              Contains(HasSubstr("has no matrix of two rows of three numbers")));
+              Contains(HasSubstr("does not have a matrix of two rows of three numbers")));
 }
 
 TEST(InkmlImport, PressureAndTimesMakeThePencilsWidths) {
@@ -273,8 +272,8 @@ TEST(InkmlImport, PenUpEraserAndTipAreNoInk) {
                "0TT,5 0</trace>"));
   expect_from_to(only_stroke(d), {0, 0}, {5, 0});
   EXPECT_THAT(texts(d.report),
-              ElementsAre("line 3: trace was made with the pen off the paper and was left out",
-                          "line 5: trace was made with the eraser end and was left out"));
+              ElementsAre("line 3: trace was made with the pen off the paper and was skipped",
+                          "line 5: trace was made with the eraser end and was skipped"));
 }
 
 TEST(InkmlImport, ViewsAddNothingUnlessTheTraceWaitsInDefinitions) {
@@ -309,13 +308,12 @@ TEST(InkmlImport, WhatIsNotKnownIsNamed) {
                                     "<trace/>\n<trace>? ?</trace>"));
   EXPECT_THAT(
       texts(d.report),
-      ElementsAre(
-          "line 2: wobble 'w' is unknown and was left out",
-          "line 3: x:y is of another program and was left out",
-          "line 4: trace refers to 'http://far/#x' in another document, which is not read",
-          "line 4: trace has 'x,5 0' where a value must be, in point 2; only the points before "
-          "it were taken",
-          "line 5: trace has no points and was left out (and 1 more like it)"));
+      ElementsAre("line 2: wobble 'w' is unknown and was skipped",
+                  "line 3: x:y belongs to another program and was skipped",
+                  "line 4: trace refers to 'http://far/#x' in another document, which is not read",
+                  "line 4: trace has 'x,5 0' instead of a value, in point 2; only the points "
+                  "before it were read",
+                  "line 5: trace has no points and was skipped (and 1 more like it)"));
 }
 
 TEST(InkmlImport, ChannelsAtTheirLimit) {
@@ -349,7 +347,8 @@ TEST(InkmlImport, DeepGroupsAndManyTracesAreNoTrouble) {
 }
 
 TEST(InkmlImport, OtherFilesAreErrors) {
-  EXPECT_THAT(import_inkml("<svg/>").error().message, HasSubstr("not InkML: it begins with 'svg'"));
+  EXPECT_THAT(import_inkml("<svg/>").error().message,
+              HasSubstr("not InkML: the first element is 'svg'"));
   EXPECT_THAT(import_inkml("").error().message, HasSubstr("is not XML"));
 }
 

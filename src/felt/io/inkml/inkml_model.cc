@@ -158,27 +158,27 @@ std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const 
   if (prefix.empty() || !node.attribute((prefix + "points").c_str())) return std::nullopt;
   if (ours("trace") != hex(trace_sum(trace))) {
     return invalid_data(
-        "was changed by another program: its points were taken, not the curve beside them");
+        "was changed by another program: its points were read, not the stored curve");
   }
   StrokeData d;
   d.medium = ours("material");
   d.closed = ours("closed") == "true";
   d.color = color;
   if (d.medium.size() > limits::kMaxNameBytes || ours("id").size() > limits::kMaxNameBytes) {
-    return invalid_data("has a name of more than 4096 bytes; its points were taken");
+    return invalid_data("has a name of more than 4096 bytes; its points were read");
   }
   if (!read_points(ours("points"), d.points) || !read_joint_kinds(ours("joints"), d.joints) ||
       !read_width_list(ours("widths"), d.widths)) {
-    return invalid_data("has a damaged curve; its points were taken");
+    return invalid_data("has a damaged curve; its points were read");
   }
   if (!ours("tones").empty() && !read_tone_list(ours("tones"), d.widths)) {
     return invalid_data(
-        "has tones that are not one number of 0 to 1 a width; its points were taken");
+        "has invalid tones (one number from 0 to 1 per width is needed); its points were read");
   }
   mend_rounding(d);
   Result<Stroke> stroke = Stroke::create(std::move(d));
   if (!stroke) {
-    return invalid_data("has a damaged curve; its points were taken: " + stroke.error().message);
+    return invalid_data("has a damaged curve; its points were read: " + stroke.error().message);
   }
   return NamedStroke{std::string(ours("id")), *std::move(stroke)};
 }

@@ -105,7 +105,7 @@ int Settings::find(const pugi::xml_node& node, const char* attribute, const Ids&
   }
   const auto found = ids.find(text.substr(1));
   if (found != ids.end()) return found->second;
-  notice(node, std::string("has a ") + attribute + " to something that is not there");
+  notice(node, std::string("has a ") + attribute + " to something that does not exist");
   return -1;
 }
 
@@ -123,7 +123,7 @@ Context Settings::read_context(const pugi::xml_node& node) {
     const std::string_view name = xml_local_name(child.name());
     Context defined;
     if (name == "context" || !define(child, defined)) {
-      notice(child, "is unknown in a context and was left out");
+      notice(child, "is unknown in a context and was skipped");
     }
     Context& part = name == "inkSource" ? device : own;
     part = part.overlaid(defined);
@@ -155,11 +155,11 @@ int Settings::read_brush(const pugi::xml_node& node) {
   }
   if (is_marker && !has_transparency) brush.color.a = kMarkerAlpha;
   if (brush.width_mm && height_mm > 0.0 && std::fabs(height_mm - *brush.width_mm) > 1e-3) {
-    notice(node, "is a broad nib; its larger side was taken as the width");
+    notice(node, "is a broad nib; its longer side was used as the width");
     brush.width_mm = std::max(*brush.width_mm, height_mm);
   }
   if (brush.width_mm && !(*brush.width_mm > 0.0 && *brush.width_mm <= kMaxBrushMm)) {
-    notice(node, "has a width that no brush has; it was left out");
+    notice(node, "has an impossible width, which was skipped");
     brush.width_mm.reset();
   }
   brushes_.push_back(brush);
@@ -176,10 +176,10 @@ void Settings::read_property(const pugi::xml_node& node, Brush& brush) {
     const auto unit = mm_of_unit(node.attribute("units").value());
     const auto number = number_of(value);
     if (!number) {
-      notice(node, "is not a valid width and was left out");
+      notice(node, "is not a valid width and was skipped");
       return;
     }
-    if (!unit) notice(node, "has no unit of length; it was taken as mm");
+    if (!unit) notice(node, "has no unit of length; mm was assumed");
     brush.width_mm = *number * unit.value_or(1.0);
   } else if (name == "transparency") {
     const auto number = number_of(value);
@@ -187,10 +187,11 @@ void Settings::read_property(const pugi::xml_node& node, Brush& brush) {
   } else if (name == "ignorePressure") {
     brush.ignores_pressure = is_true(value);
   } else if (name == "tip") {
-    if (value != "ellipse") notice(node, "of form '" + std::string(value) + "' is round now");
+    if (value != "ellipse")
+      notice(node, "of form '" + std::string(value) + "' was replaced by a round one");
   } else if (name != "height" && name != "rasterOp" && name != "antiAliased" &&
              name != "fitToCurve") {
-    notice(node, "'" + std::string(name) + "' is unknown and was left out");
+    notice(node, "'" + std::string(name) + "' is unknown and was skipped");
   }
 }
 
@@ -212,7 +213,7 @@ void Settings::read_color(const pugi::xml_node& node, Brush& brush) {
 int Settings::add_format(const pugi::xml_node& node) {
   std::string problem;
   formats_.push_back(read_format(node, problem));
-  if (!problem.empty()) notice(node, problem + "; the rest was left out");
+  if (!problem.empty()) notice(node, problem + "; the rest was skipped");
   remember(node, format_ids_, static_cast<int>(formats_.size()) - 1);
   return static_cast<int>(formats_.size()) - 1;
 }
@@ -259,7 +260,7 @@ int Settings::read_transform(const pugi::xml_node& node) {
     map = read_mapping(child);
     if (map && number == 2) map = inverse(*map);
   }
-  if (!map) notice(node, "has no mapping that can be followed; coordinates stay as they are");
+  if (!map) notice(node, "has no supported mapping; its coordinates were not changed");
   transforms_.push_back(map.value_or(Affine{}));
   remember(node, transform_ids_, static_cast<int>(transforms_.size()) - 1);
   return static_cast<int>(transforms_.size()) - 1;
@@ -273,7 +274,7 @@ std::optional<Affine> Settings::read_mapping(const pugi::xml_node& node) {
   const std::string_view type = node.attribute("type").value();
   if (type == "identity" || (type.empty() && !node.first_child())) return Affine{};
   if (type != "affine") {
-    notice(node, "of type '" + std::string(type) + "' cannot be followed");
+    notice(node, "of type '" + std::string(type) + "' is not supported");
     return std::nullopt;
   }
   std::string text;
@@ -285,13 +286,13 @@ std::optional<Affine> Settings::read_mapping(const pugi::xml_node& node) {
   NumberList numbers(text);
   for (double& v : m) {
     if (numbers.next(v) != NumberList::Next::kNumber) {
-      notice(node, "has no matrix of two rows of three numbers");
+      notice(node, "does not have a matrix of two rows of three numbers");
       return std::nullopt;
     }
   }
   double more = 0.0;
   if (numbers.next(more) != NumberList::Next::kEnd) {
-    notice(node, "is not of two dimensions and cannot be followed");
+    notice(node, "is not two-dimensional and is not supported");
     return std::nullopt;
   }
   return Affine{m[0], m[3], m[1], m[4], m[2], m[5]};

@@ -66,7 +66,7 @@ bool InkmlTraceReader::read_value(Channel& channel, double& value) {
   } else {
     double number = 0.0;
     if (!read_number(number)) {
-      return stop("has '" + shown(rest_) + "' where a value must be");
+      return stop("has '" + shown(rest_) + "' instead of a value");
     }
     value = step(channel, number);
   }

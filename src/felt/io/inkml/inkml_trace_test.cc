@@ -72,14 +72,13 @@ TEST(InkmlTrace, BooleansAndHexadecimal) {
 }
 
 TEST(InkmlTrace, SaysWhereItIsBroken) {
-  EXPECT_EQ(problem("1 2,3 x"), "has 'x' where a value must be, in point 2");
+  EXPECT_EQ(problem("1 2,3 x"), "has 'x' instead of a value, in point 2");
   EXPECT_EQ(problem("1 2 3"), "has more values than channels, in point 1");
-  EXPECT_EQ(problem("1 '"), "has '' where a value must be, in point 1");
-  EXPECT_EQ(problem("inf 2"), "has 'inf 2' where a value must be, in point 1");
-  EXPECT_EQ(problem("1 -nan"), "has '-nan' where a value must be, in point 1");
-  EXPECT_EQ(problem("1e400 1"), "has '1e400 1' where a value must be, in point 1");
-  EXPECT_EQ(problem("#ffffffffffffffffff 1"),
-            "has '#fffffffffff' where a value must be, in point 1");
+  EXPECT_EQ(problem("1 '"), "has '' instead of a value, in point 1");
+  EXPECT_EQ(problem("inf 2"), "has 'inf 2' instead of a value, in point 1");
+  EXPECT_EQ(problem("1 -nan"), "has '-nan' instead of a value, in point 1");
+  EXPECT_EQ(problem("1e400 1"), "has '1e400 1' instead of a value, in point 1");
+  EXPECT_EQ(problem("#ffffffffffffffffff 1"), "has '#fffffffffff' instead of a value, in point 1");
 }
 
 TEST(InkmlTrace, NumbersAtTheirLimits) {

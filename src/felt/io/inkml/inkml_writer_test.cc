@@ -89,7 +89,7 @@ TEST(InkmlWriter, TonesAreWrittenWhereTheyAreNotThoseOfTheWidths) {
     SCOPED_TRACE(tones);
     const Imported back = import_inkml(text.substr(0, at) + tones + text.substr(end)).value();
     ASSERT_EQ(back.report.notices().size(), 1u);
-    EXPECT_THAT(notice_text(back.report.notices()[0]), HasSubstr("tones that are not one number"));
+    EXPECT_THAT(notice_text(back.report.notices()[0]), HasSubstr("invalid tones"));
     EXPECT_EQ(back.drawing.document.layers()[0].strokes.size(), 1u);
   }
 }
@@ -125,7 +125,7 @@ TEST(InkmlWriter, WhatXmlCannotHoldIsAnErrorThatNamesIt) {
     return ink_of(Stroke::create(data).value());
   };
   EXPECT_THAT(inkml_text(of_medium("a\x01")).error().message,
-              HasSubstr("stroke 1: XML cannot hold"));
+              HasSubstr("stroke 1: XML cannot contain"));
   EXPECT_THAT(inkml_text(ink_of(fine, "\x01")).error().message, HasSubstr("a layer's name: "));
   const Drawing longest = of_medium(std::string(4096, 'x'));
   EXPECT_EQ(import_inkml(inkml_text(longest).value()).value().drawing, longest);

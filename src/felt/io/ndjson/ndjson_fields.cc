@@ -135,7 +135,7 @@ Result<void> parse_segment(Value& value, std::vector<Point>& points) {
   if (Result<void> parsed = read_numbers(value, c); !parsed) return parsed;
   const Point start{c[0], c[1]};
   if (points.empty()) points.push_back(start);
-  if (!(points.back() == start)) return bad("does not start where the one before ends");
+  if (!(points.back() == start)) return bad("does not start at the end of the previous one");
   for (std::size_t k = 2; k < c.size(); k += 2) points.push_back({c[k], c[k + 1]});
   return {};
 }
@@ -212,7 +212,7 @@ Result<void> parse_tones(Value& value, std::vector<double>& out) {
     if (!read_number(item, kSketchLimit, tone)) {
       return tl::unexpected(number_error(token, kSketchLimit));
     }
-    if (!(tone >= 0.0 && tone <= 1.0)) return bad(excerpt(token) + " is not within 0 to 1");
+    if (!(tone >= 0.0 && tone <= 1.0)) return bad(excerpt(token) + " is not from 0 to 1");
     out.push_back(tone);
     return {};
   });
@@ -239,7 +239,7 @@ Result<void> parse_version(Value& value) {
   }
   if (version == 1) return {};
   return fail(ErrorCode::kUnsupported,
-              "feltline: format version " + std::to_string(version) + " is not known here");
+              "feltline: format version " + std::to_string(version) + " is not supported");
 }
 
 Result<void> parse_unit(Value& value) {

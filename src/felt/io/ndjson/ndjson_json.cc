@@ -82,9 +82,9 @@ Error syntax_error(simdjson::error_code code) {
     case simdjson::UNCLOSED_STRING:
       return {ErrorCode::kInvalidData, "the line ends inside a string"};
     case simdjson::UNESCAPED_CHARS:
-      return {ErrorCode::kInvalidData, "a control character stands in a string"};
+      return {ErrorCode::kInvalidData, "a string contains a control character"};
     case simdjson::STRING_ERROR:
-      return {ErrorCode::kInvalidData, "a string holds a wrong escape"};
+      return {ErrorCode::kInvalidData, "a string contains an invalid escape"};
     case simdjson::NUMBER_ERROR:
       return {ErrorCode::kInvalidData, "a number is malformed or out of range"};
     case simdjson::INCOMPLETE_ARRAY_OR_OBJECT:
@@ -96,7 +96,8 @@ Error syntax_error(simdjson::error_code code) {
     case simdjson::CAPACITY:
       return {ErrorCode::kLimitExceeded, "the record does not fit into memory"};
     default:
-      return {ErrorCode::kInvalidData, "the text is not JSON: comma, colon or bracket amiss"};
+      return {ErrorCode::kInvalidData,
+              "the text is not JSON: a comma, colon or bracket is wrong or missing"};
   }
 }
 

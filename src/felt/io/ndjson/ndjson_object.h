@@ -90,7 +90,7 @@ Result<void> for_each_member(simdjson::ondemand::parser& parser, const NdjsonLin
     }
     if (Result<void> taken = take(key, field.value()); !taken) return taken;
   }
-  if (!document.current_location().error()) return bad("text goes on after the end of the object");
+  if (!document.current_location().error()) return bad("there is text after the end of the object");
   return {};
 }
 

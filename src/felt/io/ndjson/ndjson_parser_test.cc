@@ -301,7 +301,7 @@ TEST(NdjsonHeader, IsRecognisedAnywhereByItsFirstKey) {
 }
 
 TEST(NdjsonHeader, RefusesWhatWeDoNotKnow) {
-  EXPECT_THAT(raw_error(R"({"feltline":2})"), HasSubstr("version 2 is not known"));
+  EXPECT_THAT(raw_error(R"({"feltline":2})"), HasSubstr("version 2 is not supported"));
   EXPECT_THAT(raw_error(R"({"feltline":"new"})"), HasSubstr("not a format version"));
   EXPECT_THAT(raw_error(R"({"feltline":1,"unit":"px"})"), HasSubstr("px is not mm"));
 }
@@ -346,8 +346,8 @@ TEST(NdjsonSketch, TonesThatAreNoneAreAnErrorThatNamesThePlace) {
   EXPECT_EQ(error("[0,1]"), "tones: 2 for 3 widths");
   EXPECT_EQ(error("[0,1,0,1]"), "tones: 4 for 3 widths");
   EXPECT_EQ(error("[]"), "tones: 0 for 3 widths");
-  EXPECT_EQ(error("[0,1.01,0]"), "tones[1]: 1.01 is not within 0 to 1");
-  EXPECT_EQ(error("[0,0,-1e-9]"), "tones[2]: -1e-9 is not within 0 to 1");
+  EXPECT_EQ(error("[0,1.01,0]"), "tones[1]: 1.01 is not from 0 to 1");
+  EXPECT_EQ(error("[0,0,-1e-9]"), "tones[2]: -1e-9 is not from 0 to 1");
   EXPECT_EQ(error("[null,0,0]"), "tones[0]: null is not a number");
   EXPECT_THAT(error("[0,1e999,0]"), HasSubstr("tones[1]: "));
   EXPECT_THAT(error("[0,NaN,0]"), HasSubstr("tones[1]: "));
@@ -361,7 +361,7 @@ TEST(NdjsonSketch, NamesTheKeyTheIndexAndTheReason) {
     return sketch_error(text);
   };
   EXPECT_EQ(swapped("[3,0,4", "[3,1e-9,4"),
-            "segments[1]: does not start where the one before ends");
+            "segments[1]: does not start at the end of the previous one");
   EXPECT_EQ(swapped(",6,0]", ",6]"), "segments[1]: 7 numbers instead of 8");
   EXPECT_EQ(swapped(",6,0]", ",6,0,0]"), "segments[1]: more than 8 numbers");
   EXPECT_EQ(swapped(",6,0]", ",6,null]"), "segments[1]: number 7: null is not a number");

@@ -55,7 +55,7 @@ Result<void> check_sketch_numbers(const StrokeData& data) {
                        std::all_of(data.widths.begin(), data.widths.end(),
                                    [&](const WidthKnot& knot) { return fits(knot.width_mm); });
   if (is_fine) return {};
-  return fail(ErrorCode::kLimitExceeded, "reaches farther than 1e10 mm, which .ndjson cannot hold");
+  return fail(ErrorCode::kLimitExceeded, "extends beyond 1e10 mm, the limit of .ndjson");
 }
 
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data) {

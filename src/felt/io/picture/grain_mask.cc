@@ -114,7 +114,8 @@ void GrainMasks::draw(const Stroke& stroke, const View& view, GrainMask& mask) {
 
 Result<std::optional<GrainMask>> GrainMasks::of(const Stroke& stroke) {
   if (!(print_.dpi >= GrainPrint::kMinDpi) || !(print_.dpi <= GrainPrint::kMaxDpi)) {
-    return fail(ErrorCode::kInvalidArgument, "grain is 20 to 1200 dots per inch fine");
+    return fail(ErrorCode::kInvalidArgument,
+                "the resolution of grain must be 20 to 1200 dots per inch");
   }
   const View page = View::at_dpi({area_.x0, area_.y0}, print_.dpi);
   const Rect side = page.area_px(area_);

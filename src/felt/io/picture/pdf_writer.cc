@@ -201,7 +201,8 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
   }
   const double longest = std::max(area.width(), area.height()) * kPointsPerMm;
   if (!(area.width() > 0.0) || !(area.height() > 0.0) || !(longest <= kMaxPoints)) {
-    return fail(ErrorCode::kLimitExceeded, "a PDF page has sides from above 0 to 5080 mm");
+    return fail(ErrorCode::kLimitExceeded,
+                "the sides of a PDF page must be above 0 and at most 5080 mm");
   }
   const Rect reach = area.inflated(kClipMarginMm);
   for (const Layer& layer : document.layers()) {
@@ -212,7 +213,7 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
         continue;
       }
       return fail(ErrorCode::kLimitExceeded,
-                  "stroke " + stroke_name(id) + " reaches farther than 1e6 mm from the page");
+                  "stroke " + stroke_name(id) + " extends more than 1e6 mm from the page");
     }
   }
   return {};

@@ -149,7 +149,7 @@ bool decode_grey(png_structp png, png_infop info, Session& session) {
   const int passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
   if (png_get_rowbytes(png, info) != std::size_t{2} * session.width) {
-    png_error(png, "the picture cannot be read as grey");
+    png_error(png, "the picture cannot be converted to grey");
   }
   session.pixels.resize(std::size_t{2} * session.width * session.height);
   for (int pass = 0; pass < passes; ++pass) {

@@ -26,13 +26,13 @@ class QuickdrawReader {
   void add(const NdjsonLine& line) {
     if (records_.size() == static_cast<std::size_t>(kMaxQuickdrawDrawings)) {
       report_.add(line.number(), "drawing",
-                  "was left out: a contact sheet holds " + std::to_string(kMaxQuickdrawDrawings));
+                  "was skipped: a contact sheet holds " + std::to_string(kMaxQuickdrawDrawings));
       return;
     }
     QuickdrawRecord record;
     if (const Result<void> done = parser_.parse(line, record); !done) {
       if (first_error_.empty()) first_error_ = done.error().message;
-      report_.add(line.number(), "", "is not a drawing and was left out: " + done.error().message);
+      report_.add(line.number(), "", "is not a drawing and was skipped: " + done.error().message);
       return;
     }
     records_.push_back(std::move(record));
@@ -41,8 +41,9 @@ class QuickdrawReader {
 
   Result<Imported> finish() {
     if (records_.empty()) {
-      return fail(ErrorCode::kInvalidData,
-                  first_error_.empty() ? "holds no drawing" : "holds no drawing: " + first_error_);
+      return fail(ErrorCode::kInvalidData, first_error_.empty()
+                                               ? "contains no drawing"
+                                               : "contains no drawing: " + first_error_);
     }
     const auto count = static_cast<int>(records_.size());
     const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
@@ -95,7 +96,7 @@ class QuickdrawReader {
           data ? Stroke::create(*std::move(data)) : tl::unexpected(data.error());
       if (!stroke) {
         report_.add(lines_[static_cast<std::size_t>(index)], "a stroke of '" + name + "'",
-                    "was left out: " + stroke.error().message);
+                    "was skipped: " + stroke.error().message);
         continue;
       }
       builder_.add(layer, *std::move(stroke));

@@ -46,12 +46,13 @@ TEST(QuickdrawLine, SimplifiedAndRaw) {
 
 TEST(QuickdrawLine, ErrorsNameTheElement) {
   EXPECT_THAT(parse_error(R"({"word":"cat"})"), HasSubstr("key \"drawing\" is missing"));
-  EXPECT_THAT(parse_error(R"({"drawing":[]})"), HasSubstr("holds no stroke"));
+  EXPECT_THAT(parse_error(R"({"drawing":[]})"), HasSubstr("contains no stroke"));
   EXPECT_THAT(parse_error(R"({"drawing":[[[1,2],[3]]]})"),
-              HasSubstr("drawing[0]: a stroke needs as many y"));
-  EXPECT_THAT(parse_error(R"({"drawing":[[[1],[3],[]]]})"), HasSubstr("as many y, and t"));
+              HasSubstr("drawing[0]: a stroke needs equal numbers of"));
+  EXPECT_THAT(parse_error(R"({"drawing":[[[1],[3],[]]]})"),
+              HasSubstr("equal numbers of x, y and t"));
   EXPECT_THAT(parse_error(R"({"drawing":[[[],[]]]})"),
-              HasSubstr("drawing[0]: a stroke needs a point"));
+              HasSubstr("drawing[0]: a stroke needs at least one point"));
   EXPECT_THAT(parse_error(R"({"drawing":[[[1],["a"]]]})"), HasSubstr("drawing[0]: y[0]: "));
   EXPECT_THAT(parse_error(R"({"drawing":[[[1],[2]],7]})"),
               HasSubstr("drawing[1]: 7 is not an array"));
@@ -150,7 +151,7 @@ TEST(QuickdrawImport, AContactSheet) {
   EXPECT_NEAR(testing::strokes_in(d.drawing.document, 4)[0].position(0).y, 64.5, 1e-6);
   ASSERT_EQ(d.report.notices().size(), 1u);
   EXPECT_THAT(notice_text(d.report.notices()[0]),
-              HasSubstr("line 6: is not a drawing and was left out"));
+              HasSubstr("line 6: is not a drawing and was skipped"));
 }
 
 TEST(QuickdrawImport, TheNumberOfDrawingsIsLimited) {
@@ -169,8 +170,8 @@ TEST(QuickdrawImport, TheNumberOfDrawingsIsLimited) {
 }
 
 TEST(QuickdrawImport, NothingIsAnError) {
-  EXPECT_EQ(import_quickdraw("").error().message, "holds no drawing");
-  EXPECT_THAT(import_quickdraw("\n\n[1]\n").error().message, HasSubstr("holds no drawing: "));
+  EXPECT_EQ(import_quickdraw("").error().message, "contains no drawing");
+  EXPECT_THAT(import_quickdraw("\n\n[1]\n").error().message, HasSubstr("contains no drawing: "));
 }
 
 }  // namespace

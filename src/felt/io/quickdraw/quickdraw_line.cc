@@ -50,9 +50,9 @@ Result<void> parse_stroke(Value& value, std::vector<InkSample>& samples) {
   }
   const auto& [x, y, t] = columns;
   if (x.size() != y.size() || (count > 2 && t.size() != x.size())) {
-    return json::bad("a stroke needs as many y, and t, as x");
+    return json::bad("a stroke needs equal numbers of x, y and t");
   }
-  if (x.empty()) return json::bad("a stroke needs a point");
+  if (x.empty()) return json::bad("a stroke needs at least one point");
   samples.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     InkSample sample{{x[i], y[i]}, {}, {}};
@@ -67,7 +67,7 @@ Result<void> parse_drawing(Value& value, QuickdrawRecord& out) {
     out.strokes.emplace_back();
     return parse_stroke(item, out.strokes.back());
   });
-  if (done && out.strokes.empty()) return json::bad("drawing: holds no stroke");
+  if (done && out.strokes.empty()) return json::bad("drawing: contains no stroke");
   return done;
 }
 

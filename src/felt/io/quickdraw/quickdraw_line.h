@@ -27,7 +27,8 @@ bool looks_like_quickdraw(std::string_view line) noexcept;
 
 /// The error message for such a line in a file whose beginning was not that of a Quick, Draw! file.
 inline constexpr const char* kUnknownQuickdraw =
-    "is a drawing of Quick, Draw!, but the first 4096 bytes of the file do not show it";
+    "is a drawing of Quick, Draw!, but this could not be detected from the first 4096 bytes of the "
+    "file";
 
 /// Adds points to a stroke of a simplified drawing, in which only the ends of straight lines are
 /// stored. The points lie on these lines and are dense near their ends, so that the fitted curve

@@ -315,7 +315,7 @@ void append_svg_group_end(std::string& out) {
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
                                std::size_t number, double tolerance_mm, const GrainMask* mask) {
   if (!within_reach(stroke.bounds())) {
-    return fail(ErrorCode::kLimitExceeded, "the stroke reaches farther than 1e9 mm");
+    return fail(ErrorCode::kLimitExceeded, "the stroke extends beyond 1e9 mm");
   }
   const StrokeData& d = stroke.data();
   const std::string count = std::to_string(number);

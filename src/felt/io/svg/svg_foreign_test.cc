@@ -119,8 +119,8 @@ TEST(SvgForeign, FillingsBecomeEdges) {
   EXPECT_EQ(ink[0].color(), (Rgba{0, 128, 128, 255}));
   EXPECT_EQ(ink[0].width_mm(0.0), 0.35);
   EXPECT_EQ(ink[1].color(), (Rgba{255, 0, 0, 255}));
-  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 2: path 'a' is filled and has no line"));
-  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 3: circle has a filling, which was left out"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 2: path 'a' has a fill but no line"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 3: circle has a fill, which was skipped"));
 }
 
 TEST(SvgForeign, SaysWhatItLeavesOut) {
@@ -135,12 +135,12 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
       "<path stroke='red' d='M1 1h9x'/>"));
   const std::string text = notice_lines(drawing);
   for (const char* expected :
-       {"line 2: text 'title' is not a stroke and was left out (and 3 more like it)",
-        "line 5: script was left out: nothing moves", "line 6: g has a filter",
-        "line 6: g has a mask", "line 6: g is cut to a clip path", "line 7: path has markers",
-        "it is in another file", "what it repeats is not in the file", "is hidden in the file",
-        "mean colour of its stops", "as far as it can be read: no command at character 7",
-        "has flat or square ends"}) {
+       {"line 2: text 'title' is not a stroke and was skipped (and 3 more like it)",
+        "line 5: script was skipped: animation is not", "line 6: g has a filter",
+        "line 6: g has a mask", "line 6: g has a clip path", "line 7: path has markers",
+        "it is in another file", "the element it refers to is not in the file",
+        "is hidden in the file", "mean colour of its stops",
+        "was read up to an error: no command at character 7", "has flat or square ends"}) {
     EXPECT_THAT(text, HasSubstr(expected));
   }
   const std::vector<Stroke> ink = strokes(drawing);
@@ -210,7 +210,7 @@ TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
   EXPECT_NEAR(strokes(ring).at(0).width_mm(0.0), 3.0, 1e-9);
   EXPECT_NEAR(strokes(ring).at(0).width_mm(4.0), 3.0, 1e-9);
   const Imported broken = imported(power_stroke("offset_points=''", "M10 10h10"));
-  EXPECT_THAT(notice_lines(broken), HasSubstr("has lost its variable width"));
+  EXPECT_THAT(notice_lines(broken), HasSubstr("lost its variable width"));
   EXPECT_EQ(strokes(broken).size(), 1U);
 }
 
@@ -289,12 +289,12 @@ TEST(SvgForeign, RepeatingElementsEnds) {
     text += "</g>";
   }
   const Imported bomb = imported(svg(text + "<path id='l10'" + kLine + " d='M1 1h9'/>"));
-  EXPECT_THAT(notice_lines(bomb), HasSubstr("'use' repeats more than is taken"));
+  EXPECT_THAT(notice_lines(bomb), HasSubstr("too many elements are repeated by 'use'"));
   EXPECT_LE(strokes(bomb).size(), static_cast<std::size_t>(limits::kMaxSvgUseElements));
   const Imported cycle = imported(
       svg("<g id='a'><use xlink:href='#b'/></g><g id='b'><use xlink:href='#a'/></g><use id='c' "
           "xlink:href='#c'/>"));
-  EXPECT_THAT(notice_lines(cycle), HasSubstr("it repeats itself"));
+  EXPECT_THAT(notice_lines(cycle), HasSubstr("it refers to itself"));
   // One long path, repeated: the total number of curves is limited.
   std::string path = "M0 0";
   for (int i = 0; i < 20000; ++i) path += "l9 9";
@@ -307,7 +307,7 @@ TEST(SvgForeign, RepeatingElementsEnds) {
     segments += static_cast<std::size_t>(s.segment_count());
   }
   EXPECT_LE(segments, limits::kSpareSvgSegments + long_file.size() / 2);
-  EXPECT_THAT(notice_lines(many), HasSubstr("more curves than are taken"));
+  EXPECT_THAT(notice_lines(many), HasSubstr("too many curves"));
 }
 
 /// Tests work that is not repeated elements. Each of these files would take minutes without a

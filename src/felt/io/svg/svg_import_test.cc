@@ -173,7 +173,7 @@ TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
     SCOPED_TRACE(tones);
     const Imported back =
         imported(changed(text, tones_attribute, "felt:tones=\"" + std::string(tones) + "\""));
-    EXPECT_THAT(notice_lines(back), HasSubstr("tones that are not one number of 0 to 1"));
+    EXPECT_THAT(notice_lines(back), HasSubstr("invalid tones"));
     EXPECT_EQ(testing::strokes_in(back.drawing.document, 0)[0].data().widths[1],
               (WidthKnot{1.0, 2.0, tone_of_width(2.0)}));
   }

@@ -20,7 +20,7 @@ namespace {
 /// Layer for ink that is in no layer of the file.
 constexpr const char* kLayerName = "Ink";
 /// Notice for ink that is farther from (0, 0) than files can store.
-constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
+constexpr const char* kFar = "extends beyond 1e9 mm and was skipped";
 
 Rect bounds_mm(const SvgShape& shape) {
   Rect box;
@@ -86,7 +86,7 @@ void SvgInk::root(const SvgRoot& root) {
   Drawing& drawing = builder_.drawing();
   for (const std::string_view text : root.materials) {
     if (add_material_text(drawing.materials, text)) continue;
-    notice(0, "svg", "carries an invalid or too long material, which was left out");
+    notice(0, "svg", "has an invalid or too long material, which was skipped");
   }
   const auto set_page = [&drawing](const std::optional<Page>& page) {
     drawing.has_page = page.has_value();
@@ -100,7 +100,7 @@ void SvgInk::root(const SvgRoot& root) {
   if (!root.begins_at_zero || !root.width_mm || !root.height_mm) return;
   set_page(page_of(*root.width_mm, *root.height_mm));
   if (!drawing.has_page) {
-    notice(0, "svg", "has a page size that is not allowed, which was ignored");
+    notice(0, "svg", "has an invalid page size, which was ignored");
   } else if (is_ours_) {
     drawing.page.paper = {0, 0, 0, 0};
   }
@@ -113,7 +113,7 @@ void SvgInk::paper(Rgba color) {
 
 void SvgInk::layer(const SvgLayer& layer) {
   if (builder_.layer_count() >= limits::kMaxSvgLayers) {
-    return notice(0, "svg", "has more than 10000 layers; the others joined the last");
+    return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
   }
   std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
   builder_.add_layer({std::move(name), layer.visible, layer.locked});
@@ -139,7 +139,7 @@ bool SvgInk::take_as_paper(const SvgShape& shape) {
                                std::fabs(box.x1 - page.x1), std::fabs(box.y1 - page.y1)});
   if (!(off <= 0.01)) return false;
   drawing.page.paper = shape.fill->color;
-  say(shape, "fills the page and was taken as the paper");
+  say(shape, "fills the page and was used as the paper colour");
   return true;
 }
 
@@ -150,18 +150,18 @@ bool SvgInk::outside_frame(const SvgShape& shape) {
     return false;
   }
   if (!box.intersects(frame)) {
-    say(shape, "lies outside of the frame that shows it and was left out");
+    say(shape, "is outside the frame that shows it and was skipped");
     return true;
   }
-  say(shape, "sticks out of the frame that shows it, and was not cut");
+  say(shape, "extends beyond the frame that shows it and was not clipped");
   return false;
 }
 
 bool SvgInk::add_wide(const SvgShape& shape) {
   Result<SvgWideStroke> wide = svg_wide_stroke(*shape.variable_width, shape.to_mm);
   if (!wide) {
-    say(shape, "has lost its variable width (" + wide.error().message +
-                   "); its outline was taken instead");
+    say(shape,
+        "lost its variable width (" + wide.error().message + "); its outline was used instead");
     return false;
   }
   if (shape.variable_width->is_ours) {
@@ -184,10 +184,10 @@ void SvgInk::notice_ends(const SvgShape& shape) {
   const bool has_joints = std::any_of(shape.contours.begin(), shape.contours.end(),
                                       [](const SvgContour& c) { return c.segment_count() > 1; });
   if (has_ends && shape.line->cap != SvgCap::kRound) {
-    say(shape, "has flat or square ends; those of ink are round");
+    say(shape, "has flat or square ends, which became round");
   }
   if (has_joints && shape.line->join != SvgJoin::kRound) {
-    say(shape, "has pointed or cut corners; those of ink are round");
+    say(shape, "has pointed or cut corners, which became round");
   }
 }
 
@@ -227,13 +227,14 @@ void SvgInk::add_line(SvgShape& shape) {
     line.dashes = std::move(round.pattern);
     line.dash_offset = round.offset;
     if (round.has_dots) say(shape, "has flat dashes shorter than its width, which became dots");
-    if (round.runs_together) say(shape, "has dashes that run together, because ends are round");
+    if (round.runs_together) say(shape, "has dashes that merge, because their ends became round");
     if (changes) line.cap = shape.line->cap = SvgCap::kRound;
   }
-  if (shows_filling(shape)) say(shape, "has a filling, which was left out: ink is lines");
+  if (shows_filling(shape))
+    say(shape, "has a fill, which was skipped, because ink consists of lines");
   notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
-    say(shape, "is transparent and of several parts; where these cross, it became darker");
+    say(shape, "is transparent and has several parts; it became darker at their crossings");
   }
   // Contours are moved out of the shape, so that a long path is not in memory twice.
   for (SvgContour& contour : shape.contours) {
@@ -244,7 +245,7 @@ void SvgInk::add_line(SvgShape& shape) {
     auto dashes =
         svg_dashes(contour, line.dashes, line.dash_offset, line.cap != SvgCap::kButt, dashes_left_);
     if (!dashes) {
-      say(shape, "has more dashes than are taken, and became a solid line");
+      say(shape, "has too many dashes and became a solid line");
       add_contour(shape, std::move(contour), line.color, line.width);
       continue;
     }
@@ -254,9 +255,10 @@ void SvgInk::add_line(SvgShape& shape) {
 }
 
 void SvgInk::add_edge(SvgShape& shape) {
-  say(shape, "is filled and has no line; it became a thin line along its edge");
+  say(shape, "has a fill but no line; it became a thin line along its edge");
   const Affine to_mm = std::exchange(shape.to_mm, Affine{});
-  if (determinant(to_mm) == 0.0) return say(shape, "is flattened to nothing and was left out");
+  if (determinant(to_mm) == 0.0)
+    return say(shape, "has no extent after its transform and was skipped");
   for (SvgContour& contour : shape.contours) {
     if (!contour.closed && contour.points.front() != contour.points.back()) {
       const Cubic c = straight(contour.points.back(), contour.points.front());
@@ -274,7 +276,7 @@ void SvgInk::add_contour(const SvgShape& shape, SvgContour contour, Rgba color, 
   constexpr std::size_t kMax = limits::kMaxSvgStrokeSegments;
   const std::size_t count = contour.segment_count();
   if (count <= kMax) return add_part(shape, std::move(contour), color, width);
-  say(shape, "has more than 250000 segments and became several strokes");
+  say(shape, "has more than 250000 segments and was split into several strokes");
   for (std::size_t begin = 0; begin < count; begin += kMax) {
     const auto first = contour.points.begin() + static_cast<std::ptrdiff_t>(3 * begin);
     const std::size_t points = 3 * std::min(kMax, count - begin) + 1;
@@ -297,10 +299,10 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   SvgCenterLine line = svg_center_line(moved);
   moved.points = std::vector<Point>();  // frees memory: paths can be long
   if (line.joined_short) {
-    say(shape, "has parts shorter than 0.05 mm, which were joined to those beside them");
+    say(shape, "has parts shorter than 0.05 mm, which were joined to their neighbours");
   }
   SvgLineWidths widths = svg_line_widths(line, shape.to_mm, width);
-  if (widths.knots.empty()) return say(shape, "is flattened to nothing and was left out");
+  if (widths.knots.empty()) return say(shape, "has no extent after its transform and was skipped");
   if (widths.is_stretched) {
     say(shape, "has a line that is stretched in one direction; its width was sampled");
   }
@@ -317,7 +319,8 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
 
 void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name) {
   Result<Stroke> stroke = Stroke::create(std::move(data));
-  if (!stroke) return say(shape, "makes no stroke and was left out: " + stroke.error().message);
+  if (!stroke)
+    return say(shape, "does not form a stroke and was skipped: " + stroke.error().message);
   if (is_far(stroke->bounds())) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
   // If a shape becomes several strokes, the first one gets its name.

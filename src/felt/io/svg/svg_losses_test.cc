@@ -77,7 +77,7 @@ TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
   const ReadBack read(line("stroke='rgb(from red r g b)'"));
   ASSERT_EQ(read.strokes.size(), 1U);
   EXPECT_EQ(read.strokes[0].color(), kBlack);
-  EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
+  EXPECT_THAT(read.notices, HasSubstr("has a stroke that could not be read, and became black"));
   // This is how CSS is meant to work: an older form before the new one is the fallback.
   const ReadBack older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
   ASSERT_EQ(older.strokes.size(), 1U);
@@ -103,7 +103,7 @@ TEST(SvgLosses, Variables) {
   EXPECT_EQ(inner.strokes[1].width_mm(0.0), 4.0);
   const ReadBack unknown(line("stroke='var(--none)'"));
   ASSERT_EQ(unknown.strokes.size(), 1U);
-  EXPECT_THAT(unknown.notices, HasSubstr("has a stroke that is not read, and became black"));
+  EXPECT_THAT(unknown.notices, HasSubstr("has a stroke that could not be read, and became black"));
   const ReadBack loop("<style>:root{--a:var(--b);--b:var(--a)}</style>" +
                       line("stroke='var(--a)'"));
   EXPECT_EQ(loop.strokes.size(), 1U);
@@ -122,7 +122,7 @@ TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
   }
   const ReadBack read(line("style='" + style + "' stroke='var(--a)'"));
   ASSERT_EQ(read.strokes.size(), 1U);
-  EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
+  EXPECT_THAT(read.notices, HasSubstr("has a stroke that could not be read, and became black"));
 
   // One value may read less than this needs. The file has a total limit for all values.
   const SvgVariables variables{{"--a", "var(--none,)"}};
@@ -149,7 +149,8 @@ TEST(SvgLosses, WidthsThatAreCalculatedOrNotRead) {
   EXPECT_DOUBLE_EQ(width("calc(10px / 4)"), 2.5);
   EXPECT_NEAR(width("calc(1em - 10px)"), 6.0, 1e-9);
   const ReadBack wrong(line("stroke='red' stroke-width='fat'"));
-  EXPECT_THAT(wrong.notices, HasSubstr("has a stroke-width that is not read, which was ignored"));
+  EXPECT_THAT(wrong.notices,
+              HasSubstr("has a stroke-width that could not be read, which was ignored"));
 }
 
 TEST(SvgLosses, PrefixesDeclaredBelowTheRoot) {
@@ -207,7 +208,7 @@ TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
       "<path d='M0 10h100' fill='none' stroke='red' stroke-width='10' "
       "stroke-dasharray='5 5'/>");
   EXPECT_THAT(wide.notices, HasSubstr("dashes shorter than its width, which became dots"));
-  EXPECT_THAT(wide.notices, HasSubstr("has dashes that run together"));
+  EXPECT_THAT(wide.notices, HasSubstr("has dashes that merge"));
 }
 
 TEST(SvgLosses, AGradientIsItsMeanColour) {
@@ -242,11 +243,11 @@ TEST(SvgLosses, ARectangleThatIsCutIsNoPaper) {
 TEST(SvgLosses, WhatIsLeftOutIsTold) {
   const std::string red = line("stroke='red'");
   EXPECT_THAT(ReadBack(red, "<?xml-stylesheet href='a.css'?>").notices,
-              HasSubstr("names a style sheet in another file"));
+              HasSubstr("refers to a style sheet in another file"));
   EXPECT_THAT(ReadBack("<style>g{fill:red;&:hover{fill:blue}}</style>" + red).notices,
-              HasSubstr("rules of style sheets are not known"));
+              HasSubstr("rules of style sheets are not supported"));
   EXPECT_THAT(ReadBack("<path d='M0 0h9' fill='none' marker-end='url(#m)'/>" + red).notices,
-              HasSubstr("has markers, which were left out"));
+              HasSubstr("has markers, which were skipped"));
   EXPECT_THAT(ReadBack("<g style='mix-blend-mode:multiply'>" + red + "</g>").notices,
               HasSubstr("blend mode, which was ignored"));
   EXPECT_THAT(ReadBack("<g style='zoom:2'>" + red + "</g>").notices, HasSubstr("has a zoom"));
@@ -273,7 +274,7 @@ TEST(SvgLosses, APathThatIsTooLongForAStrokeBecomesSeveral) {
   ASSERT_EQ(read.strokes.size(), 2U);
   const Stroke& first = read.strokes[0];
   EXPECT_EQ(first.position(first.segment_count()), read.strokes[1].position(0.0));
-  EXPECT_THAT(read.notices, HasSubstr("became several strokes"));
+  EXPECT_THAT(read.notices, HasSubstr("was split into several strokes"));
 }
 
 }  // namespace

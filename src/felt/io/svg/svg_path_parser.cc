@@ -56,7 +56,7 @@ class PathParser {
       const char command = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
       const int count = argument_count(command);
       if (count < 0) return problem("no command");
-      if (first && command != 'm') return problem("no M at the beginning, but another command");
+      if (first && command != 'm') return problem("the first command is not M");
       scan_.take(letter);
       first = false;
       if (count == 0) {
@@ -66,7 +66,7 @@ class PathParser {
                  !wrong.empty()) {
         return wrong;
       }
-      if (path_.full()) return problem("more curves than are taken");
+      if (path_.full()) return problem("too many curves");
     }
     return {};
   }
@@ -81,7 +81,7 @@ class PathParser {
         if (!read_argument(command, i, v)) return problem("a number is missing or beyond 1e9");
       }
       carry_out(command, relative, v);
-      if (path_.full()) return problem("more curves than are taken");
+      if (path_.full()) return problem("too many curves");
       if (command == 'm') command = 'l';
       scan_.skip_comma();
     } while (scan_.at_number());

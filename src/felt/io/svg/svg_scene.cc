@@ -58,7 +58,7 @@ Result<void> SvgWalker::begin() {
   if (root.is_ours && version != "1" && version != kSvgVersion) {
     return fail(ErrorCode::kUnsupported, "was written by a newer Feltline (version '" +
                                              std::string(version.substr(0, 100)) +
-                                             "', this one knows 1 and 2)");
+                                             "'; this version reads 1 and 2)");
   }
   root.page = document_.ours(node, "page");
   root.surface = document_.ours(node, "surface");
@@ -85,7 +85,7 @@ Result<void> SvgWalker::begin() {
   }
   e.state.units.root_font_size = e.state.style.font_size;
   if (e.state.style.opacity < 1.0) {
-    notice(node, "is transparent as a whole, and was made so stroke by stroke");
+    notice(node, "is transparent as a whole; the transparency was applied to each stroke");
   }
   push(e, Frame());
   return {};
@@ -95,11 +95,12 @@ Result<void> read_svg_scene(std::string_view text, SvgSceneSink& sink) {
   Result<std::unique_ptr<SvgDocument>> document = SvgDocument::parse(text);
   if (!document) return tl::unexpected(document.error());
   if (const std::int64_t rules = (*document)->style_sheet().left_out(); rules > 0) {
-    sink.notice(0, "style",
-                std::to_string(rules) + " rules of style sheets are not known and were ignored");
+    sink.notice(
+        0, "style",
+        std::to_string(rules) + " rules of style sheets are not supported and were ignored");
   }
   if ((*document)->names_outer_style()) {
-    sink.notice(0, "xml-stylesheet", "names a style sheet in another file, and none is opened");
+    sink.notice(0, "xml-stylesheet", "refers to a style sheet in another file, which was not read");
   }
   return SvgWalker(**document, text.size(), sink).walk();
 }

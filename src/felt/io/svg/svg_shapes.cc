@@ -144,7 +144,7 @@ SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
   } else {
     outline.problem = add_points(node.attribute("points").value(), name == "polygon", path);
   }
-  if (path.full()) outline.problem = "more curves than are taken";
+  if (path.full()) outline.problem = "too many curves";
   outline.contours = path.take();
   return outline;
 }

@@ -314,7 +314,7 @@ void rejoin(StrokeData& d, std::vector<std::string>& notices) {
   d.points = std::move(line.points);
   d.joints = std::move(line.joints);
   d.closed = line.closed;
-  notices.emplace_back("has parts shorter than 0.05 mm, which were joined to those beside them");
+  notices.emplace_back("has parts shorter than 0.05 mm, which were joined to their neighbours");
 }
 
 void move_to_page(StrokeData& d, const Affine& m, std::vector<std::string>& notices) {
@@ -334,7 +334,7 @@ Result<StrokeData> power_stroke(const SvgVariableWidth& a, const SvgContour& lin
   Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
   if (!knots) return tl::unexpected(knots.error());
   if (knots->is_sampled) {
-    notices.emplace_back("has widths between its knots by the rule " + std::string(a.interpolator) +
+    notices.emplace_back("has widths interpolated by the rule " + std::string(a.interpolator) +
                          ", which were sampled");
   }
   StrokeData d;
@@ -360,7 +360,7 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   if (!path.problem.empty()) return invalid_data("its centre line has an error");
   SvgWideStroke wide;
   if (path.contours.size() > 1) {
-    wide.notices.emplace_back("has a centre line of several parts; the first was taken");
+    wide.notices.emplace_back("has a centre line of several parts; only the first was read");
   }
   const SvgContour& line = path.contours.front();
   std::optional<StrokeData> d = a.is_ours ? our_model(a, line) : std::nullopt;
@@ -369,7 +369,8 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
       (a.points.empty() ? read_tones(a.tones, d->widths) : read_exact_tones(a.tones, d->widths));
   if (d && !a.tones.empty() && !has_tones) {
     wide.notices.emplace_back(
-        "has tones that are not one number of 0 to 1 a width; it got those of its widths");
+        "has invalid tones (one number from 0 to 1 per width is needed); the tones of its widths "
+        "were used");
   }
   if (d && a.has_effect) {
     Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);

@@ -117,7 +117,7 @@ bool SvgWalker::within_budget(const pugi::xml_node& node, bool repeats) {
     repeat_bytes_left_ -= static_cast<std::int64_t>(std::strlen(a.value())) + kNodeBytes;
   }
   if (--repeats_left_ >= 0 && repeat_bytes_left_ >= 0) return true;
-  notice(node, "was left out: 'use' repeats more than is taken");
+  notice(node, "was skipped: too many elements are repeated by 'use'");
   return false;
 }
 
@@ -144,7 +144,8 @@ void SvgWalker::visit(const pugi::xml_node& node, const Frame& from) {
   if (e.name.empty()) return;
   const bool is_target = from.is_use && e.name == "symbol";
   if (is_one_of(e.name, kSilent) && !is_target) return;
-  if (is_one_of(e.name, kAnimations)) return notice(node, "was left out: nothing moves in ink");
+  if (is_one_of(e.name, kAnimations))
+    return notice(node, "was skipped: animation is not supported");
   if (!passes_conditions(node)) return;
   if (resolve(e)) dispatch(e, from);
 }
@@ -154,12 +155,12 @@ bool SvgWalker::resolve(Element& e) {
   State& s = e.state;
   e.declared.variables = s.variables;
   if (!svg_declared(e.node, document_.style_sheet(), clean_style_, e.declared)) {
-    notice(e.node, "has not got all its styles: the style sheet asks for too many steps");
+    notice(e.node, "was read without some of its styles, because the style sheet is too complex");
   }
   s.variables = e.declared.variables;
   if (!e.declared.unread.empty()) {
     const bool is_color = e.declared.value_of(e.declared.unread) == "black";
-    notice(e.node, "has a " + std::string(e.declared.unread) + " that is not read, " +
+    notice(e.node, "has a " + std::string(e.declared.unread) + " that could not be read, " +
                        (is_color ? "and became black" : "which was ignored"));
   }
   s.style = svg_style(e.declared, s.style, s.units);
@@ -172,7 +173,7 @@ bool SvgWalker::resolve(Element& e) {
   }
   const bool is_layer = document_.inkscape(e.node, "groupmode") == "layer";
   if (!s.style.displayed && !is_layer) {
-    notice(e.node, "is hidden in the file and was left out");
+    notice(e.node, "is hidden in the file and was skipped");
     return false;
   }
   s.opacity *= s.style.opacity;
@@ -203,7 +204,7 @@ void SvgWalker::apply_transform(Element& e) {
           origin == Vec{} ? *m : then(then(translation(-1.0 * origin), *m), translation(origin));
       s.to_mm = then(moved, s.to_mm);
     } else {
-      notice(e.node, "has a transform with an error, which was ignored");
+      notice(e.node, "has an invalid transform, which was ignored");
     }
   }
 }
@@ -212,7 +213,7 @@ void SvgWalker::notice_effects(Element& e) {
   const auto check = [&](SvgProperty p, const char* what) {
     if (is_given(e.declared[p])) notice(e.node, what);
   };
-  check(SvgProperty::kClipPath, "is cut to a clip path, which was ignored");
+  check(SvgProperty::kClipPath, "has a clip path, which was ignored");
   // Our own masks show the grain of the surface, which is not part of the line.
   const bool is_grain =
       !document_.ours(e.node, "widths").empty() &&
@@ -222,7 +223,7 @@ void SvgWalker::notice_effects(Element& e) {
   check(SvgProperty::kZoom, "has a zoom, which was ignored");
   const std::string_view blend = e.declared[SvgProperty::kMixBlendMode];
   if (is_given(blend) && !svg_same_word(blend, "normal")) {
-    notice(e.node, "is mixed with what is below it by a blend mode, which was ignored");
+    notice(e.node, "has a blend mode, which was ignored");
   }
   if (is_given(e.declared[SvgProperty::kClipPath]) || is_given(e.declared[SvgProperty::kMask])) {
     e.state.is_cut = true;
@@ -233,7 +234,7 @@ void SvgWalker::dispatch(Element& e, const Frame& from) {
   if (e.name == "g" || e.name == "a") {
     if (document_.inkscape(e.node, "groupmode") == "layer") enter_layer(e);
     if (e.state.style.opacity < 1.0) {
-      notice(e.node, "is transparent as a whole, and was made so stroke by stroke");
+      notice(e.node, "is transparent as a whole; the transparency was applied to each stroke");
     }
     return push(e, from);
   }
@@ -242,12 +243,12 @@ void SvgWalker::dispatch(Element& e, const Frame& from) {
   if (e.name == "svg") return visit_svg(e, from);
   if (e.name == "symbol") return visit_symbol(e, from);
   if (e.name == "switch") return visit_switch(e, from);
-  notice(e.node, "is not a stroke and was left out");
+  notice(e.node, "is not a stroke and was skipped");
 }
 
 void SvgWalker::push(const Element& e, const Frame& from) {
   if (stack_.size() >= static_cast<std::size_t>(limits::kMaxXmlDepth)) {
-    return notice(e.node, "was left out: it is nested more than 256 deep");
+    return notice(e.node, "was skipped: it is nested more than 256 deep");
   }
   Frame frame;
   frame.node = e.node;
@@ -271,7 +272,7 @@ void SvgWalker::enter_layer(Element& e) {
 void SvgWalker::visit_switch(Element& e, const Frame& from) {
   int children = 0;
   for (const pugi::xml_node child : e.node.children()) {
-    if (++children > kMaxChoices) return notice(e.node, "has too many choices and was left out");
+    if (++children > kMaxChoices) return notice(e.node, "has too many choices and was skipped");
     if (from.repeats) repeat_bytes_left_ -= kNodeBytes;
     if (child.type() != pugi::node_element) continue;
     const std::string_view name = document_.svg_name(child, e.state.default_is_svg);
@@ -291,14 +292,14 @@ void SvgWalker::visit_use(Element& e, const Frame& from) {
   const std::string_view href = svg_trimmed(svg_href(e.node));
   if (href.empty()) return;
   if (href.front() != '#') {
-    return notice(e.node, "was left out: it is in another file, and none is opened");
+    return notice(e.node, "was skipped: it is in another file, which is not read");
   }
   const pugi::xml_node target = document_.find(href.substr(1));
-  if (!target) return notice(e.node, "was left out: what it repeats is not in the file");
+  if (!target) return notice(e.node, "was skipped: the element it refers to is not in the file");
   const bool is_cycle =
       target == e.node ||
       std::any_of(stack_.begin(), stack_.end(), [&](const Frame& f) { return f.node == target; });
-  if (is_cycle) return notice(e.node, "was left out: it repeats itself");
+  if (is_cycle) return notice(e.node, "was skipped: it refers to itself");
   const auto length = [&](const char* name, SvgAxis axis) {
     return svg_length(e.node.attribute(name).value(), axis, e.state.units).value_or(0.0);
   };
@@ -313,7 +314,7 @@ void SvgWalker::visit_use(Element& e, const Frame& from) {
   frame.next = target;
   frame.only_one = frame.is_use = frame.repeats = true;
   if (e.state.style.opacity < 1.0) {
-    notice(e.node, "is transparent as a whole, and was made so stroke by stroke");
+    notice(e.node, "is transparent as a whole; the transparency was applied to each stroke");
   }
 }
 
@@ -345,7 +346,7 @@ void SvgWalker::enter_viewport(Element& e, const Rect& place, bool clips) {
     if (frame) {
       s.frame = s.frame ? common(*s.frame, *frame) : *frame;
     } else {
-      notice(e.node, "is cut to a frame that is turned, which was ignored");
+      notice(e.node, "is clipped to a rotated frame, which was ignored");
     }
   }
   s.to_mm = then(translation({place.x0, place.y0}), s.to_mm);
@@ -370,17 +371,17 @@ void SvgWalker::visit_shape(Element& e) {
   for (const pugi::xml_node child : e.node.children()) {
     if (++children > kMaxOfShape) break;
     if (is_one_of(document_.svg_name(child, e.state.default_is_svg), kAnimations)) {
-      notice(child, "was left out: nothing moves in ink");
+      notice(child, "was skipped: animation is not supported");
     }
   }
   if (is_paper(e)) {
     const SvgStyle& style = e.state.style;
     return sink_.paper(svg_faded(style.fill.color, style.fill_opacity));
   }
-  if (!e.state.style.visible) return notice(e.node, "is hidden in the file and was left out");
+  if (!e.state.style.visible) return notice(e.node, "is hidden in the file and was skipped");
   SvgOutline outline = svg_outline(e.name, e.node, e.declared, e.state.units, segments_left_);
   if (!outline.problem.empty()) {
-    notice(e.node, "was taken as far as it can be read: " + outline.problem);
+    notice(e.node, "was read up to an error: " + outline.problem);
   }
   for (const SvgContour& c : outline.contours) {
     segments_left_ -= std::min(segments_left_, c.segment_count());

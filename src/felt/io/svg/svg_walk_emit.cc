@@ -172,11 +172,11 @@ std::optional<Rgba> SvgWalker::paint_color(const SvgPaint& paint, const Element&
       color = server.color;
     } else if (server.is_gradient) {
       color = server.color;
-      notice(e.node, "is painted by a gradient; it got the mean colour of its stops");
+      notice(e.node, "is painted with a gradient; the mean colour of its stops was used");
     } else {
       color = plain(paint.fallback, paint.fallback_color);
       if (!color) color = server.color;
-      notice(e.node, "is painted by a pattern; it got one colour");
+      notice(e.node, "is painted with a pattern; a single colour was used");
     }
   }
   if (!color) return std::nullopt;
@@ -263,10 +263,10 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
         svg_faded(style.fill.kind == SvgPaint::Kind::kCurrent ? style.color : style.fill.color,
                   style.fill_opacity * e.state.opacity);
   }
-  if (style.has_marker) notice(e.node, "has markers, which were left out");
+  if (style.has_marker) notice(e.node, "has markers, which were skipped");
   if (!shape.fill && !shape.line && !is_ink) return;
   if (shape.fill && shape.line && style.reorders_paint) {
-    notice(e.node, "paints its line below its filling, which was ignored");
+    notice(e.node, "paints its line below its fill, which was ignored");
   }
   if (!has_layer_ || current_layer_ != e.state.layer.number) {
     sink_.layer(e.state.layer);

@@ -117,7 +117,7 @@ class TagCounter {
     const std::size_t end = text_.find_first_of("[>", at_);
     if (end != std::string_view::npos && text_[end] == '[') {
       return fail(ErrorCode::kUnsupported,
-                  here() + "a document type with definitions of its own is not read");
+                  here() + "a document type with internal definitions is not supported");
     }
     at_ = end == std::string_view::npos ? text_.size() : end + 1;
     return {};

@@ -32,7 +32,7 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
       return fail(ErrorCode::kInvalidData, "text that is not UTF-8 cannot be written as XML");
     }
     if (!allowed_in_xml(code)) {
-      return fail(ErrorCode::kInvalidData, "XML cannot hold the character " + hex_code(code));
+      return fail(ErrorCode::kInvalidData, "XML cannot contain the character " + hex_code(code));
     }
     switch (code) {
       case '&':

@@ -62,13 +62,13 @@ class XoppReader {
   Result<Imported> read() {
     const pugi::xml_node root = input_.root();
     if (std::string_view(root.name()) != "xournal") {
-      return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
-                                               ": not a Xournal++ document: it begins with '" +
-                                               root.name() + "'");
+      return fail(ErrorCode::kInvalidData,
+                  "line " + std::to_string(input_.line_of(root)) +
+                      ": not a Xournal++ document: the first element is '" + root.name() + "'");
     }
     double version = 0.0;
     if (single_number(root.attribute("fileversion").value(), version) && version > kKnownVersion) {
-      notice(root, "is of a newer version than Feltline knows; what it knows was read");
+      notice(root, "has a newer version than Feltline supports; the known parts were read");
     }
     several_pages_ = false;
     int pages = 0;
@@ -82,7 +82,7 @@ class XoppReader {
       if (name == "page") {
         read_page(node);
       } else if (name != "title" && name != "preview") {
-        notice(node, "is unknown and was left out");
+        notice(node, "is unknown and was skipped");
       }
     }
     finish_page(root);
@@ -101,7 +101,7 @@ class XoppReader {
     if (!single_number(page.attribute("width").value(), width_pt) ||
         !single_number(page.attribute("height").value(), height_pt) || !(width_pt > 0.0) ||
         !(height_pt > 0.0)) {
-      notice(page, "has no size; it was taken as A4");
+      notice(page, "has no size; A4 was assumed");
       width_pt = kA4WidthPt;
       height_pt = kA4HeightPt;
     }
@@ -117,7 +117,7 @@ class XoppReader {
       } else if (name == "layer") {
         read_layer(node, ++layer_number);
       } else {
-        notice(node, "is unknown and was left out");
+        notice(node, "is unknown and was skipped");
       }
     }
   }
@@ -126,30 +126,30 @@ class XoppReader {
     const std::string_view type = node.attribute("type").value();
     const std::string_view style = node.attribute("style").value();
     if (type != "solid") {
-      notice(node, "of type '" + std::string(type) + "' is a picture and was left out");
+      notice(node, "of type '" + std::string(type) + "' is a picture and was skipped");
       return;
     }
     if (!style.empty() && style != "plain") {
-      notice(node, "of style '" + std::string(style) + "': its lines were left out");
+      notice(node, "of style '" + std::string(style) + "': its lines were skipped");
     }
     const std::string_view text = node.attribute("color").value();
     std::optional<Rgba> color = named_color(kPaperColors, text);
     if (!color) color = color_of(text);
     if (!color) {
-      notice(node, "has a colour that is unknown; it was taken as white");
+      notice(node, "has an unknown colour; white was used");
       color = kWhite;
     }
     if (!paper_) {
       paper_ = color;
     } else if (*paper_ != *color) {
-      notice(node, "has another colour than the first page, whose colour is used");
+      notice(node, "has a different colour from the first page; the first page's colour was used");
     }
   }
 
   void read_layer(const pugi::xml_node& node, int number) {
     std::string label = node.attribute("name").value();
     if (label.size() > limits::kMaxNameBytes) {
-      notice(node, "has a name of more than 4096 bytes, which was left out");
+      notice(node, "has a name of more than 4096 bytes, which was skipped");
       label.clear();
     }
     if (label.empty()) label = "Layer " + std::to_string(number);
@@ -161,11 +161,11 @@ class XoppReader {
       if (name == "stroke") {
         read_stroke(child, strokes);
       } else if (name == "text" || name == "link") {
-        notice(child, "is text, not a stroke, and was left out");
+        notice(child, "is text, not a stroke, and was skipped");
       } else if (name == "image" || name == "teximage") {
-        notice(child, "is a picture and was left out");
+        notice(child, "is a picture and was skipped");
       } else {
-        notice(child, "is unknown and was left out");
+        notice(child, "is unknown and was skipped");
       }
     }
     // If there are several pages, a page without ink gets no layer.
@@ -182,7 +182,7 @@ class XoppReader {
   void read_stroke(const pugi::xml_node& node, std::vector<Stroke>& strokes) {
     read_points(node);
     if (line_.empty()) {
-      notice(node, "has no points and was left out");
+      notice(node, "has no points and was skipped");
       return;
     }
     read_widths(node);
@@ -195,7 +195,7 @@ class XoppReader {
     note_what_is_lost(node);
     Result<Stroke> stroke = Stroke::create(*std::move(data));
     if (!stroke) {
-      notice(node, "was left out: " + stroke.error().message);
+      notice(node, "was skipped: " + stroke.error().message);
       return;
     }
     strokes.push_back(*std::move(stroke));
@@ -205,7 +205,7 @@ class XoppReader {
     const std::string_view text = node.attribute("color").value();
     std::optional<Rgba> color = color_of(text);
     if (!color) {
-      notice(node, "has a colour that is unknown; it was taken as black");
+      notice(node, "has an unknown colour; black was used");
       color = Rgba{};
     }
     const bool says_alpha = text.size() == 9;
@@ -220,13 +220,13 @@ class XoppReader {
     const std::string_view style = node.attribute("style").value();
     const std::string_view cap = node.attribute("capStyle").value();
     if (tool == "eraser") {
-      notice(node, "of the white-out eraser was taken as ink of its colour");
+      notice(node, "of the white-out eraser was read as ink of its colour");
     } else if (tool != "pen" && tool != "highlighter") {
-      notice(node, "of an unknown tool was taken as a pen's");
+      notice(node, "of an unknown tool was read as a pen's");
     }
-    if (!style.empty() && style != "plain") notice(node, "is not dashed any more");
+    if (!style.empty() && style != "plain") notice(node, "is no longer dashed");
     if (node.attribute("fill")) notice(node, "lost the fill of its area");
-    if (cap == "butt" || cap == "square") notice(node, "has round ends now");
+    if (cap == "butt" || cap == "square") notice(node, "got round ends");
   }
 
   /// Reads the points of a stroke, in mm on the page, without widths.
@@ -244,7 +244,7 @@ class XoppReader {
     if (x_is == Next::kBad || y_is == Next::kBad) {
       notice(node, "contains something that is not a number; only the points before it were read");
     } else if (x_is == Next::kNumber) {
-      notice(node, "has a last point without y, which was left out");
+      notice(node, "has a last point without y, which was skipped");
     }
   }
 
@@ -257,7 +257,7 @@ class XoppReader {
     NumberList numbers(text);
     Next next = numbers.next(nominal_pt);
     if (next != Next::kNumber || !(nominal_pt > 0.0)) {
-      notice(node, "has no width; it was drawn with the usual one");
+      notice(node, "has no width; the default width was used");
       nominal_pt = kUsualWidthPt;
       next = Next::kEnd;
     }
@@ -272,7 +272,7 @@ class XoppReader {
     }
     if (next == Next::kBad) notice(node, "has a width that is not a number");
     if (pieces_.size() + 1 < line_.size()) {
-      if (!pieces_.empty()) notice(node, "has too few widths; it was drawn with one width");
+      if (!pieces_.empty()) notice(node, "has too few widths; a single width was used");
       pieces_.clear();
     }
     for (std::size_t i = 0; i < line_.size(); ++i) {
@@ -298,7 +298,7 @@ class XoppReader {
     page.height_mm = within(bottom_mm_);
     page.paper = paper_.value_or(kWhite);
     if (width_mm_ > Page::kMaxMm || bottom_mm_ > Page::kMaxMm) {
-      notice(root, "is larger than the largest page (5000 mm); the rest lies outside the page");
+      notice(root, "is larger than a page can be (5000 mm); the rest lies outside the page");
     }
     builder_.drawing().page = page;
     builder_.drawing().has_page = true;
@@ -323,7 +323,7 @@ Result<std::string> unpacked(std::string_view bytes) {
   const Result<std::string> kind = file_in_zip(bytes, "mimetype");
   if (!kind) return kind;
   if (kind->find("application/xournal++") == std::string::npos) {
-    return fail(ErrorCode::kInvalidData, "is a zip archive, but not of Xournal++");
+    return fail(ErrorCode::kInvalidData, "is a zip archive, but not by Xournal++");
   }
   return file_in_zip(bytes, "content.xml");
 }

@@ -99,14 +99,13 @@ TEST(XoppImport, ToolsColoursAndStylesThatWeDoNotHaveAreNoticed) {
   EXPECT_EQ(s[3].color(), (Rgba{0x33, 0x33, 0xcc, 255}));
   EXPECT_EQ(s[4].color(), (Rgba{0, 0, 0, 255}));
   const auto notes = texts(d.report);
-  EXPECT_THAT(notes, Contains("line 7: stroke has round ends now"));
+  EXPECT_THAT(notes, Contains("line 7: stroke got round ends"));
   EXPECT_THAT(notes,
-              Contains("line 8: stroke of the white-out eraser was taken as ink of its colour"));
-  EXPECT_THAT(notes, Contains("line 9: stroke is not dashed any more"));
+              Contains("line 8: stroke of the white-out eraser was read as ink of its colour"));
+  EXPECT_THAT(notes, Contains("line 9: stroke is no longer dashed"));
   EXPECT_THAT(notes, Contains("line 9: stroke lost the fill of its area"));
-  EXPECT_THAT(notes, Contains("line 10: stroke of an unknown tool was taken as a pen's"));
-  EXPECT_THAT(notes,
-              Contains("line 10: stroke has a colour that is unknown; it was taken as black"));
+  EXPECT_THAT(notes, Contains("line 10: stroke of an unknown tool was read as a pen's"));
+  EXPECT_THAT(notes, Contains("line 10: stroke has an unknown colour; black was used"));
 }
 
 TEST(XoppImport, WhatIsNoInkIsNamedWithItsLine) {
@@ -115,9 +114,9 @@ TEST(XoppImport, WhatIsNoInkIsNamedWithItsLine) {
                 "<image left=\"0\" top=\"0\">AAAA</image>\n<teximage text=\"x\"/>\n<wobble/>\n"));
   EXPECT_THAT(
       texts(d.report),
-      ::testing::ElementsAre("line 6: text is text, not a stroke, and was left out",
-                             "line 7: image is a picture and was left out (and 1 more like it)",
-                             "line 9: wobble is unknown and was left out"));
+      ::testing::ElementsAre("line 6: text is text, not a stroke, and was skipped",
+                             "line 7: image is a picture and was skipped (and 1 more like it)",
+                             "line 9: wobble is unknown and was skipped"));
 }
 
 TEST(XoppImport, PagesLieBelowEachOther) {
@@ -144,8 +143,9 @@ TEST(XoppImport, PagesLieBelowEachOther) {
   EXPECT_THAT(
       texts(d.report),
       ::testing::ElementsAre(
-          "line 3: background of style 'lined': its lines were left out (and 2 more like it)",
-          "line 5: background has another colour than the first page, whose colour is used"));
+          "line 3: background of style 'lined': its lines were skipped (and 2 more like it)",
+          "line 5: background has a different colour from the first page; the first page's colour "
+          "was used"));
 }
 
 TEST(XoppImport, PagesWithoutInkGiveALayerToDrawOn) {
@@ -204,9 +204,9 @@ TEST(XoppImport, TakesEveryPacking) {
 
 TEST(XoppImport, OtherFilesAreErrors) {
   const auto error = [](std::string_view bytes) { return import_xopp(bytes).error().message; };
-  EXPECT_THAT(error("<svg/>"), HasSubstr("not a Xournal++ document: it begins with 'svg'"));
+  EXPECT_THAT(error("<svg/>"), HasSubstr("not a Xournal++ document: the first element is 'svg'"));
   EXPECT_THAT(error(""), HasSubstr("is not XML"));
-  EXPECT_THAT(error("\x1F\x8B"), HasSubstr("is cut off"));
+  EXPECT_THAT(error("\x1F\x8B"), HasSubstr("is incomplete"));
   EXPECT_THAT(error("PK\x03\x04 and so on"), HasSubstr("is a damaged zip archive"));
 }
 

@@ -310,11 +310,10 @@ Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, do
                                    std::span<const int> keep, int through) {
   const int n = stroke.segment_count();
   if (first < 0 || first > n || last < 0 || last > n || (last <= first && !stroke.closed())) {
-    return fail(ErrorCode::kInvalidArgument,
-                "the part of a stroke that is to have fewer segments does not lie on it");
+    return fail(ErrorCode::kInvalidArgument, "the part to simplify is not within the stroke");
   }
   if (!(tolerance_mm >= 0.0)) {
-    return fail(ErrorCode::kInvalidArgument, "a tolerance must be a number from 0 on");
+    return fail(ErrorCode::kInvalidArgument, "a tolerance must be a number of at least 0");
   }
   const std::vector<bool> fixed = fixed_joints(stroke, first, last, keep);
   Rewriter result(stroke);

@@ -203,7 +203,7 @@ void make_smooth(StrokeData& data, std::size_t before, std::size_t after, Vec in
 
 Result<Stroke> with_tip_at(const Stroke& stroke, StrokeTip tip, Point target, double fade_mm) {
   if (stroke.closed()) return refuse("a closed stroke has no end to move");
-  if (!is_finite(target)) return refuse("the place for the end of a stroke is not finite");
+  if (!is_finite(target)) return refuse("the position of the end of a stroke is not finite");
   const Point from = tip_point(stroke, tip);
   const Vec shift = target - from;
   if (shift == Vec{}) return stroke;
@@ -232,7 +232,7 @@ Result<Stroke> joined(const Stroke& first, const Stroke& second, double smooth_b
 }
 
 Result<Stroke> closed(const Stroke& stroke, double smooth_below_deg) {
-  if (stroke.closed()) return refuse("the stroke is closed already");
+  if (stroke.closed()) return refuse("the stroke is already closed");
   if (tip_point(stroke, StrokeTip::kEnd) != tip_point(stroke, StrokeTip::kStart)) {
     return refuse("a stroke whose ends do not meet cannot be closed");
   }

@@ -110,7 +110,8 @@ Result<Stroke> sub_stroke(const Stroke& stroke, double u0, double u1) {
 
 Result<std::pair<Stroke, Stroke>> split(const Stroke& stroke, double u) {
   if (stroke.closed()) {
-    return fail(ErrorCode::kInvalidArgument, "a closed stroke has no two parts at one cut");
+    return fail(ErrorCode::kInvalidArgument,
+                "a closed stroke cannot be divided into two parts by one cut");
   }
   auto before = sub_stroke(stroke, 0.0, u);
   if (!before) return tl::unexpected<Error>(std::move(before.error()));

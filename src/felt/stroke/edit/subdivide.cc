@@ -108,7 +108,7 @@ Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
     // NaN compares false.
     if (!(us[k] >= (k > 0 ? us[k - 1] : 0.0) && us[k] <= n)) {
       return fail(ErrorCode::kInvalidArgument,
-                  "places where a stroke is divided must ascend and lie on it");
+                  "the parameters at which a stroke is divided must ascend and lie on it");
     }
   }
   std::vector<int> numbers;

@@ -131,7 +131,7 @@ Result<Stroke> with_tip_bent(const Stroke& stroke, StrokeTip tip, Point target, 
                              Vec turn) {
   const auto refuse = [](const char* why) { return fail(ErrorCode::kInvalidArgument, why); };
   if (stroke.closed()) return refuse("a closed stroke has no end to move");
-  if (!is_finite(target)) return refuse("the place for the end of a stroke is not finite");
+  if (!is_finite(target)) return refuse("the position of the end of a stroke is not finite");
   const Vec shift = target - tip_point(stroke, tip);
   if (shift == Vec{} && turn == Vec{}) return stroke;
   auto zone = zone_of(stroke, tip, reach_mm, 2.0 * norm(shift));

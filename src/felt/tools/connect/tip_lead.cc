@@ -134,7 +134,7 @@ TipLead::TipLead(const Stroke& stroke, StrokeTip tip)
 
 Result<Stroke> TipLead::at(Point target) const {
   if (!is_finite(target)) {
-    return fail(ErrorCode::kInvalidArgument, "the place for the end of a stroke is not finite");
+    return fail(ErrorCode::kInvalidArgument, "the position of the end of a stroke is not finite");
   }
   return whole(bent(target, std::nullopt));
 }

@@ -75,14 +75,14 @@ Result<Strand> GrabPull::bent(Vec displacement) const {
     return fail(ErrorCode::kInvalidArgument, "the displacement of a pull is not finite");
   }
   if (!(weights_.gain(place_.t) > 0.0)) {
-    return fail(ErrorCode::kInvalidData, "nothing that may move moves what was taken hold of");
+    return fail(ErrorCode::kInvalidData, "the grabbed point depends on no movable control point");
   }
   Strand strand = strand_;
   // Starts at the current position of the point. It has moved by a micrometre when zero-length
   // handles got a length (R21).
   const Point from = evaluate(strand.segment(place_.segment), place_.t);
   if (!strand.bend(place_.segment, place_.t, weights_, origin_ + displacement - from)) {
-    return fail(ErrorCode::kInvalidData, "the pull would fold a segment to nothing");
+    return fail(ErrorCode::kInvalidData, "the pull would reduce a segment to a point");
   }
   return strand;
 }

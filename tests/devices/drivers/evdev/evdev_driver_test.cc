@@ -285,7 +285,7 @@ TEST(EvdevDriver, WhatCannotWorkIsRefusedWithTheNextStep) {
   fixture.stick.set_slots(2);
   Result<void> opened = fixture.open();
   ASSERT_FALSE(opened);
-  EXPECT_NE(opened.error().message.find("2 effects, and three are needed"), std::string::npos);
+  EXPECT_NE(opened.error().message.find("2 effects, but three are needed"), std::string::npos);
   fixture.stick.set_slots(16);
   fixture.stick.fake_system().forbid("/dev/input/event7");
   opened = fixture.open();

@@ -62,7 +62,7 @@ TEST(ForceDimension, LookingDoesNotDisturbWhatIsOpen) {
   EXPECT_TRUE(run(bench, 5 * kMs, 10 * kMs, {0, 0, 1}).has_value());
   const auto twice = other->open(bench.found(), {});
   ASSERT_FALSE(twice.has_value());
-  EXPECT_THAT(twice.error().message, HasSubstr("open in this program already"));
+  EXPECT_THAT(twice.error().message, HasSubstr("already open in this program"));
   EXPECT_TRUE(bench.state().is_open);
   EXPECT_EQ(bench.broken_rule(), "");
 }

@@ -665,7 +665,7 @@ TEST(HaplyDoctor, AServiceThatDoesNotRunIsStarted) {
   Table table;
   table.system.add_file("/lib/systemd/system/haply-inverse-service.service");
   const std::string text = said(table.driver->diagnose(table.system));
-  EXPECT_THAT(text, HasSubstr("does not run"));
+  EXPECT_THAT(text, HasSubstr("is not running"));
   EXPECT_THAT(text, HasSubstr("systemctl enable --now haply-inverse-service"));
 }
 
@@ -674,7 +674,7 @@ TEST(HaplyDoctor, AnotherPortIsReadFromTheServicesConfiguration) {
   table.system.add_file(kConfigFile, R"({"communication/websocket/port": 8500, "x": [1]})");
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("localhost:8500"));
   table.system.add_file(kConfigFile, "{");
-  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("not readable"));
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("not valid JSON"));
   table.system.set_environment(kUrlVariable, "ws://localhost:77x");
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("not a valid address"));
 }
@@ -698,10 +698,10 @@ TEST(HaplyDoctor, ARunningServiceSaysTheRest) {
 TEST(HaplyDoctor, NoDeviceAndAnotherProgramOnThePort) {
   Table table({}, {{InjectedFault::kUnplugged, 0, 100 * kMs}});
   table.system.add_listener(10001);
-  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("sees no device"));
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("does not detect a device"));
   table.system.set_environment(kUrlVariable, "localhost:9999");
   table.system.add_listener(9999);
-  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("does not answer as"));
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("does not answer like"));
 }
 
 TEST(HaplyDoctor, AnotherComputersServiceIsLookedForThere) {

@@ -359,13 +359,13 @@ TEST(PantographDriver, WithoutAGuardNothingPushes) {
   table.board.refuse_guards(true);
   const auto opened = table.open();
   ASSERT_FALSE(opened.has_value());
-  EXPECT_THAT(opened.error().message, HasSubstr("No second process"));
+  EXPECT_THAT(opened.error().message, HasSubstr("The second process"));
   table.board.refuse_guards(false);
   ASSERT_TRUE(table.open());
   table.board.refuse_guards(true);
   const auto home = table.device->find_home();
   ASSERT_FALSE(home.has_value());
-  EXPECT_THAT(home.error().message, HasSubstr("No second process"));
+  EXPECT_THAT(home.error().message, HasSubstr("The second process"));
   for (int i = 0; i < 3; ++i) table.tick({1, 0, 0});
   EXPECT_EQ(table.world.held_force(), Force{});
   table.board.refuse_guards(false);
@@ -439,7 +439,7 @@ TEST(PantographDoctor, SaysWhatIsMissing) {
 
   table.system.set_environment(kPortVariable, kPath);
   table.system.remove(kPath);
-  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("is not there"));
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("does not exist"));
   EXPECT_TRUE(table.driver->find().empty());
 
   table.system.add_file(kPath).forbid(kPath).add_file("/usr/sbin/ModemManager");

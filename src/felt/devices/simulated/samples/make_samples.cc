@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     std::ofstream out(path, std::ios::binary);
     out << felt::to_ndjson(set);
     if (!out.flush()) {
-      std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+      std::fprintf(stderr, "%s: cannot write\n", path.c_str());
       return 1;
     }
   }
