@@ -42,7 +42,7 @@ struct ReplayCommandArguments {
   std::string forces, plot, sound, stats;
   ReplayArguments pen;
   std::uint64_t seed = 0;
-  std::string sheet;  ///< the surface by a former flag, which did not change the picture
+  std::string former_surface;  ///< the surface by a former flag, which did not change the picture
   std::string medium;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
@@ -91,7 +91,7 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
       .add_option("--seed", args.seed, "Seed of the hand's tremor for raw strokes; 0 for no tremor")
       ->check(whole_number())
       ->capture_default_str();
-  command.add_option("--sheet,--material", args.sheet)->group("");  // former names
+  command.add_option("--sheet,--material", args.former_surface)->group("");  // former names
   command.add_option("--medium", args.medium,
                      "The medium to draw with, in its default widths and colour: an id of\n"
                      "'feltline materials'");
@@ -169,7 +169,7 @@ void check_outputs(const ReplayCommandArguments& args) {
 /// Returns the id of the surface to draw on, or "" without one. A file with a relief applies only
 /// to the picture.
 std::string drawn_surface(const ReplayCommandArguments& args) {
-  if (!args.sheet.empty()) return args.sheet;
+  if (!args.former_surface.empty()) return args.former_surface;
   const std::string& surface = args.picture.surface;
   const bool is_file = surface.ends_with(".png") || surface.ends_with(".toml");
   return is_file ? std::string() : surface;
