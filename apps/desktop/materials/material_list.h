@@ -18,7 +18,7 @@ class MaterialList : public QTreeWidget {
  public:
   explicit MaterialList(QWidget* parent = nullptr);
 
-  /// Shows these materials. `desk` tells which of them are user-defined, and whether they are
+  /// Shows these materials. `desk` determines which of them are user-defined, and whether they are
   /// saved.
   void show_materials(const Materials& known, const MaterialEditorModel& desk);
   void show_chosen(const MaterialKey& key);
