@@ -14,7 +14,7 @@ namespace felt::cli {
 /// show the changed part of the page: before, in progress with the tool's overlay, and after.
 ///
 /// "Before" shows the moment at which the pen first touches the surface with the act's tool; "in
-/// progress" shows the last moment of that gesture.
+/// progress" shows the last moment of the gesture that begins there.
 class ActPictures {
  public:
   /// `act` is a name like "2-pull", for an act with the tool "pull".

@@ -33,9 +33,9 @@ class Console {
   /// processed. This counts as a failure only with --strict.
   void notice(const std::string& message);
   /// Reports a record that could not be read from a file or written to the output. Prints
-  /// "feltline: name:line: what", without the line if it is 0. Messages of a file that differ only
-  /// in numbers and names are of one kind; the first kShownOfAKind of each kind are printed, and
-  /// end_records() prints the number of the others.
+  /// "feltline: name:line: what", without the line if it is 0. If messages about the same file
+  /// differ only in numbers and names, they are of one kind. The first kShownOfAKind messages of
+  /// each kind are printed; end_records() prints the number of the others.
   void record_error(const std::string& name, std::int64_t line, const std::string& what);
   /// For each kind, prints how many messages were not printed: "name: ... and 65,997 more like it".
   void end_records();
@@ -45,8 +45,9 @@ class Console {
   /// Returns true if a failure was recorded; the exit code of the program is then 1.
   [[nodiscard]] bool failed() const noexcept { return failed_; }
 
-  /// Shows the progress of `what`: `done` of `total` bytes (0 if unknown) and `strokes` strokes.
-  /// Draws at most ten times a second, and does not draw during the first half second.
+  /// Shows the progress of `what`: `done` of `total` bytes, and `strokes` strokes. Pass 0 for
+  /// `total` if it is unknown. Draws at most ten times a second, and does not draw during the first
+  /// half second.
   void progress(const char* what, std::int64_t done, std::int64_t total, std::int64_t strokes);
   /// Shows a status line, at most ten times a second. Each line replaces the one before.
   void status(const std::string& line);

@@ -8,10 +8,10 @@
 namespace felt::cli {
 
 /// Removes all layers except those in `text`, the value of --layers. "visible" removes hidden
-/// layers; "all" keeps all layers and makes them visible. Otherwise `text` contains the numbers of
-/// layers, separated by commas ("1,3"), with 1 for the lowest, or the name of one layer; these
-/// layers become visible. An empty text changes nothing. Fails if a layer does not exist; the
-/// message lists the layers.
+/// layers; "all" keeps all layers and makes them visible. Otherwise `text` is the name of one
+/// layer, or a list of numbers and names separated by commas ("1,3"); layer 1 is the lowest. The
+/// layers that it names become visible. An empty text changes nothing. Fails if a layer does not
+/// exist; the message lists up to 20 layers.
 Result<void> choose_layers(const std::string& text, Drawing& drawing);
 
 }  // namespace felt::cli

@@ -18,8 +18,8 @@ class DemoAct {
 
   void tool(const char* id);
   void set(const char* id, const OptionValue& value);
-  /// Adds pencil strokes that `hand` draws, in the form of recorded samples. Increases `count` by
-  /// one for each stroke and names the stroke by it ("demo-7").
+  /// Adds the pencil strokes that `hand` draws, as recorded samples. For each stroke, increases
+  /// `count` by one and uses it in the name of the stroke ("demo-7").
   void draw(WritingHand& hand, const std::vector<Gesture>& gestures, int& count);
 
   /// Adds a movement through the air and a moment of rest above the point.
@@ -44,7 +44,7 @@ class DemoAct {
 
   std::string text_;
   double now_s_ = 0.0;
-  double drawing_s_ = 0.0;  // duration of the lines for the pencil
+  double drawing_s_ = 0.0;  // time needed to draw the strokes that draw() added
   Vec3 hand_{};
   bool is_there_ = false;
 };

@@ -15,13 +15,13 @@ namespace felt::cli {
 
 /// Strokes that a worker has encoded for an output.
 struct EncodedStrokes {
-  std::string text;  ///< elements of an SVG file; for the other formats lines of .ndjson
+  std::string text;  ///< elements of an SVG file, or lines of .ndjson for other formats
   Rect bounds;       ///< bounds of the strokes' ink
   void clear() { *this = {}; }
 };
 
-/// Encodes a stroke for an output of that format and appends it to `out`. `number` must be
-/// different for each stroke. Fails if the format cannot hold the stroke; `out` is then unchanged.
+/// Encodes a stroke for an output in `format` and appends it to `out`. `number` must be different
+/// for each stroke. Fails if the format cannot hold the stroke; `out` is then unchanged.
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out);
 

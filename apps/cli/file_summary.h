@@ -17,7 +17,7 @@ struct FileSummary {
   FileFormat format = FileFormat::kNdjson;
   std::optional<Imported> opened;  ///< for formats that are read as a whole
   std::int64_t strokes = 0;
-  Rect bounds;  ///< ink in mm, or samples in the unit of the file
+  Rect bounds;  ///< of the ink in mm, or of the samples in the file's unit
 
   // The following members are set for a sketch.
   std::int64_t segments = 0;

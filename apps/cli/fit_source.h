@@ -18,10 +18,12 @@ class FitSource {
       : paths_(paths), settings_(settings) {}
 
   /// Replaces the content of `item` by the next item. Returns false after the last input. If an
-  /// input cannot be opened or read completely, or is empty, the item has a failure and no lines.
+  /// input cannot be opened or read completely, is empty, or contains curves that are already
+  /// fitted, the item has a failure and no lines.
   bool next(FitItem& item);
 
-  /// These return the progress for the progress line. The total is 0 while a size is unknown.
+  /// These functions return the progress for the progress line. The total is the size of all inputs
+  /// that have been opened so far; an input of unknown size counts as 0.
   [[nodiscard]] std::int64_t bytes_read() const noexcept;
   [[nodiscard]] std::int64_t total_bytes() const noexcept { return total_bytes_; }
 

@@ -42,8 +42,8 @@ class StrokeMeter {
  public:
   explicit StrokeMeter(const InkFitOptions& options);
 
-  /// Measures the time of each call of the fitter, which adds one sample, and counts the
-  /// allocations in these calls.
+  /// Measures the time of each call that adds one sample to the fitter, and counts the allocations
+  /// in these calls.
   ///
   /// The stroke is fitted kRuns times, and the shortest time of each call is used. A call does the
   /// same work in each run, so additional time is caused by the machine (interrupts, cold caches).

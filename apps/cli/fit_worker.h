@@ -31,7 +31,7 @@ struct FitItem {
   std::optional<Imported> drawing;
   std::size_t drawing_bytes = 0;  ///< size of the input that `drawing` comes from
   std::int64_t first_record = 1;  ///< number of its first record, counted from 1 over all inputs
-  std::optional<Error> failure;   ///< failure of the input after these lines
+  std::optional<Error> failure;   ///< set if the input failed; the item then has no lines
 
   [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes() + drawing_bytes; }
 };

@@ -24,8 +24,9 @@ class ForcePlot {
 
   /// Sets the texts above the plot.
   void set_title(std::string title, std::string note);
-  /// Sets the time interval that the plot shows; a strip above shows the whole recording. If this
-  /// is not called, the plot shows the whole recording.
+  /// Makes the plot show only this time interval, and adds a strip that shows the sent force of the
+  /// whole recording. If this function is not called, the plot shows the whole recording without a
+  /// strip.
   void set_span(const PlotSpan& span) { span_ = span; }
   /// Returns the interval of the whole recording.
   [[nodiscard]] PlotSpan whole() const noexcept;

@@ -16,7 +16,7 @@ const MaterialLibrary& known_materials(Console& console);
 /// if neither exists; the message begins with `text`.
 Result<SurfaceMaterial> find_surface(const std::string& text, const Materials& known);
 
-/// Loads a picture that belongs to the text of a material.
+/// Loads the height picture that the text of a material names.
 Result<HeightPicture> load_height_picture(const std::string& path);
 
 }  // namespace felt::cli

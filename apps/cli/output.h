@@ -29,8 +29,8 @@ class Output {
   Result<void> overwrite(std::string_view bytes);
   /// Completes the file and gives it its name. Fails if the file cannot be written or renamed.
   Result<void> commit();
-  /// Writes these bytes and commits. save() also reads the file back and compares it with the bytes
-  /// (save_file); use it for a user's work that exists nowhere else.
+  /// These functions write the bytes and commit. save() also reads the file back and compares it
+  /// with the bytes (save_file). Use save() for a user's work that exists nowhere else.
   Result<void> write_all(std::string_view bytes);
   Result<void> save(std::string_view bytes);
 

@@ -23,8 +23,8 @@ SessionView view_of(const Session& session, std::optional<Point> pen);
 /// Returns the smallest part of the page that contains everything in `view`.
 Rect bounds_of(const SessionView& view);
 
-/// Returns the opaque colour of a role. The colour is one of plot_color(), which people with any
-/// kind of colour vision can distinguish. Roles that never occur in the same tool may share a
+/// Returns the opaque colour of a role. It is one of the colours of plot_color(), which people with
+/// any kind of colour vision can distinguish. Roles that never occur in the same tool may share a
 /// colour.
 Rgba role_color(Overlay::Role role) noexcept;
 

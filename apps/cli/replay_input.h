@@ -13,8 +13,8 @@ namespace felt::cli {
 /// Reads the strokes of a file: .ndjson, .felt (visible layers only), or .svg written by Feltline.
 Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
 
-/// Reads a file of these formats as a drawing. A .felt file keeps its layers, ids and materials;
-/// strokes in .ndjson become one layer.
+/// Reads a file of one of the formats of read_strokes() as a drawing. The layers, ids and materials
+/// of a .felt file are kept; strokes in .ndjson become one layer.
 Result<Drawing> read_start(const std::string& path);
 
 /// Reads a script from a file, or from stdin ("-"), and adds it to a replay.

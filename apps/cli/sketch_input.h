@@ -9,10 +9,10 @@
 
 namespace felt::cli {
 
-/// Reads an input for which is_lines() is true, encodes its strokes for an output of that format,
-/// and passes them to `take`, several strokes at a time. Raw pen samples are fitted first. Bad
-/// records, and strokes that the format cannot hold, are reported and skipped. Returns false if
-/// `take` returned false.
+/// Reads an input for which is_lines() is true, encodes its strokes for an output in `format`, and
+/// passes them to `take`, several strokes at a time. Raw pen samples are fitted first. Bad records,
+/// and strokes that the format cannot hold, are reported and skipped. Returns false if `take`
+/// returned false.
 bool for_each_piece(const Input& input, Format format, Console& console,
                     const std::function<bool(const EncodedStrokes&)>& take);
 

@@ -35,7 +35,7 @@ Result<std::vector<PlannedFix>> plan_fixes(const DoctorReport& report, const Sys
 /// Returns a description of the planned changes, so that the user can decide.
 std::string plan_text(const std::vector<PlannedFix>& fixes);
 
-/// Writes the file directly if the prefix is set or the user is root; otherwise runs sudo or
+/// Writes the file directly if `has_prefix` is true or the user is root; otherwise runs sudo or
 /// pkexec, which ask for a password. Prints each command that it runs to stderr. Fails if a step
 /// fails; earlier steps are not undone.
 Result<void> write_fix(const PlannedFix& fix, bool has_prefix);

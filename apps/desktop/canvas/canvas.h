@@ -53,8 +53,8 @@ class Canvas : public QWidget {
   /// Sets whether the user draws with a tablet pen instead of a mouse. Ink then appears exactly
   /// under the tip of the pen.
   void set_tablet_in_hand(bool tablet);
-  /// Sets the message about the pen's pressure, translated, that the canvas shows while the drawing
-  /// is empty. If `status` is empty, the canvas derives the message from the samples.
+  /// Sets the translated message about the pen's pressure. The canvas shows it while the drawing is
+  /// empty. If `status` is empty, the canvas derives the message from the samples.
   void set_pen_status(const QString& status);
   /// Sets the name of the right mouse button's action, which the hint shows; "" if the button has
   /// no action.

@@ -56,7 +56,7 @@ class InkTileStore {
     PlaneSpec spec;
     std::map<TilePlace, Tile> tiles;
   };
-  /// A tile with a painting that was interrupted.
+  /// A tile whose painting was interrupted.
   struct Begun {
     std::uint64_t plane = 0;
     TilePlace place;

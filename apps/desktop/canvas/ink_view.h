@@ -24,7 +24,7 @@ struct TileNews;
 ///   view.apply(edit);                   // for every edit that the document applied
 ///   view.show(session.preview());       // the preview of a gesture
 ///   view.set_view(canvas_view, dpr);
-///   view.paint(painter, dirty);         // copies the tiles; old ones stand in for missing ones
+///   view.paint(painter, dirty);         // copies the tiles; old tiles replace missing tiles
 ///
 /// Use it in Qt's main thread. It owns the worker thread.
 class InkView : public QObject {
@@ -49,9 +49,9 @@ class InkView : public QObject {
   /// Sets the layer of new ink; the layers above it cover new ink. Without a layer, new ink is
   /// painted above all other ink.
   void draw_below(std::optional<LayerId> layer);
-  /// Paints the layers that cover new ink over `ink`, a picture of the new ink. The top left corner
-  /// of the picture is at the device pixel `at` of the widget. Changes only pixels that have new
-  /// ink, so that the caller can then paint `ink` over the canvas.
+  /// Paints the layers above the new ink onto `ink`, which is a picture of the new ink. The top
+  /// left corner of the picture is at the device pixel `at` of the widget. Changes only pixels that
+  /// have new ink, so that the caller can then paint `ink` over the canvas.
   void cover(QImage& ink, QPoint at);
   /// Returns the exact transform from mm to widget pixels with which the ink is painted: the view's
   /// transform, shifted by less than a device pixel so that panning can copy pixels. Use this

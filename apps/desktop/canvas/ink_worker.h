@@ -19,11 +19,11 @@
 namespace felt::desktop {
 
 /// A thread that keeps the tiles of a document up to date. Each request is an order with a number.
-/// Orders are processed in sequence. A preview or a view is skipped if the next order is also a
-/// preview or a view, respectively. The worker makes tiles in this sequence: visible tiles that an
-/// edit changed, then missing tiles from the middle outwards, then the tiles in a margin around the
-/// view. Call all functions from one thread other than the worker's. All functions except `wait`
-/// return immediately.
+/// Orders are processed in sequence. A waiting preview is skipped if the next order is also a
+/// preview; a waiting view is skipped if the next order is also a view. The worker makes tiles in
+/// this sequence: visible tiles that an edit changed, then missing tiles from the middle outwards,
+/// then the tiles in a margin around the view. Call all functions from one thread other than the
+/// worker's. All functions except `wait` return immediately.
 class InkWorker {
  public:
   /// The progress of the orders and the view.
@@ -41,7 +41,7 @@ class InkWorker {
   InkWorker& operator=(const InkWorker&) = delete;
 
   /// These functions post an order and return its number: open a document, apply an edit, show or
-  /// hide a preview, set the view (`over` is a plane with only the layers above a given one; see
+  /// hide a preview, set the view (`over` is a plane with only the layers above a given layer; see
   /// InkTileStore::look), and drop the tiles of a plane.
   std::uint64_t open(Document document);
   std::uint64_t apply(Edit edit);

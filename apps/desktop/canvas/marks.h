@@ -57,7 +57,7 @@ void list_overlay(const Overlay& overlay, const CanvasView& view, const QFont& f
 /// Adds the marks for the nib, the hand and the force.
 void list_pen(const PenMark& pen, Marks& marks);
 /// Skips the marks at the start and at the end that are equal in both lists, and adds the areas of
-/// all other marks to `region`. If there are many, adds only their bounding rectangles.
+/// all other marks to `region`. If a list has many such marks, adds only one rectangle around them.
 void add_difference(const Marks& before, const Marks& after, QRegion& region);
 
 /// Returns the opaque mixture of two colours: `a` if share_of_b is 0, `b` if it is 1.

@@ -41,12 +41,13 @@ class InkBrush {
 
 /// The ink of the stroke in progress, which the tool shows as Overlay::ink sample by sample. It
 /// looks exactly like the finished stroke, with the same edges, colour, alpha and grain. Segments
-/// that no longer change are kept as a coverage mask that stores the maximum for each pixel.
+/// that no longer change are kept as a mask that stores the maximum coverage of each pixel.
 /// Therefore each sample only requires painting the new segments and the provisional end, even if
 /// the line crosses itself there.
 ///
-/// When the stroke was added to the document, the worker may need a moment to update its tiles.
-/// Until the tiles contain the stroke, the ink is *drying*: this class continues to paint it.
+/// After the stroke has been added to the document, the worker may need a moment to update its
+/// tiles. Until the tiles contain the stroke, the ink is *drying*: this class continues to paint
+/// it.
 class WetInkView {
  public:
   void set_view(const DeviceView& view);
@@ -67,8 +68,8 @@ class WetInkView {
   /// Returns the width of the wet ink at the pen, in mm.
   [[nodiscard]] double width_mm() const noexcept;
 
-  /// A function that paints the layers above over `ink`, a picture with its top left corner at the
-  /// device pixel `at`.
+  /// A function that paints the layers above the wet ink onto `ink` (InkView::cover). `ink` is a
+  /// picture with its top left corner at the device pixel `at`.
   using Cover = std::function<void(QImage& ink, QPoint at)>;
   void paint(QPainter& painter, const QRect& part, const Cover& cover = {});
 

@@ -69,8 +69,8 @@ class DeviceCare : public QObject {
   QPointer<QWidget> window_;
   std::unique_ptr<DriverWatch::Watching> watching_;
   QString waits_for_;
-  bool has_failed_ = false;  // the device failed or did not open: do not retry until it was
-                             // unplugged
+  bool has_failed_ = false;  // the device failed or did not open: do not retry until it has
+                             // been unplugged
   QElapsedTimer since_back_;
   QTimer calm_;
   QTimer patience_;

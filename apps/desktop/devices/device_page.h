@@ -16,16 +16,16 @@
 namespace felt::desktop {
 
 /// The page "Device" of the preferences: the pen device, its state and its settings. The list shows
-/// real devices first, each with its state, and then a row that offers help if a device is missing.
-/// The tablet and the simulated styluses follow. A simulated stylus is used as soon as its row is
-/// selected. A real device is used only when the user presses the button, because its arm may have
-/// to move. The page searches for devices while it is visible.
+/// real devices first, each with its state. The next row offers help for finding a device that is
+/// not in the list. The tablet and the simulated styluses follow. A simulated stylus is used as
+/// soon as its row is selected. A real device is used only when the user presses the button,
+/// because its arm may have to move. The page searches for devices while it is visible.
 class DevicePage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `care` opens the devices and may ask the user questions. If it is null, devices are opened
-  /// without questions. The main window passes one.
+  /// `care` opens the devices and may ask the user questions. The main window passes its
+  /// DeviceCare. If `care` is null, devices are opened without questions.
   explicit DevicePage(Studio& studio, DeviceCare* care = nullptr, QWidget* parent = nullptr);
 
   /// Updates the list of devices.

@@ -48,8 +48,8 @@ class DriverWatch : public QObject {
 
   /// Returns the force devices that the last search found.
   [[nodiscard]] const std::vector<PenDeviceInfo>& found() const noexcept { return found_; }
-  /// Returns the ids and names of the devices that play waveforms, as the last search found them
-  /// (cue_player.h opens them).
+  /// Returns the ids and names of the cue devices that the last search found. A CuePlayer opens
+  /// them.
   [[nodiscard]] const std::vector<std::pair<QString, QString>>& found_cues() const noexcept {
     return cues_;
   }

@@ -8,8 +8,8 @@
 
 namespace felt::desktop {
 
-/// The medium at the first start. A mouse always presses evenly, and this medium draws smooth,
-/// exact lines with even pressure.
+/// The medium at the first start. By default the pressure of a mouse is constant, and with constant
+/// pressure this medium draws smooth, exact lines.
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
 /// Returns the option's specification with this program's default value. It differs from the

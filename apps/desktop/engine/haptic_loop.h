@@ -26,9 +26,10 @@ namespace felt::desktop {
 /// If the loop is live, a real-time thread ticks the servo, and a timer emits `due` shortly after a
 /// tick, when samples can be read. The timer is needed because the real-time thread wakes no other
 /// thread. It fires after every tick while the user holds a device, the pen touches, or the pointer
-/// moved in the last 0.1 s; then after every fourth tick, and from 0.5 s on after every 16th. If
-/// mouse or tablet move a device without forces, thread and timer pause some seconds after the last
-/// event, until wake(). Use this class only in Qt's main thread.
+/// moved in the last 0.1 s. Otherwise it fires after every fourth tick, and when the pointer has
+/// not moved for 0.5 s, after every 16th tick. If mouse or tablet move a device without forces,
+/// thread and timer pause some seconds after the last event, until wake(). Use this class only in
+/// Qt's main thread.
 class HapticLoop : public QObject {
   Q_OBJECT
 
@@ -68,8 +69,8 @@ class HapticLoop : public QObject {
   [[nodiscard]] DeviceStatus device_status();
   /// Emits device_status_changed if the status changed. Checks at most every 20 ms.
   void check_device();
-  /// Returns true if any loop of this process had to end while a call into the vendor's library for
-  /// this device did not return. Such a device is abandoned, together with all objects that the
+  /// Returns true if any loop of this process had to end before a call into the vendor's library
+  /// for this device had returned. Such a device is abandoned, together with all objects that the
   /// call may still use, and the tablet is used instead; unresponsive_text() explains this to the
   /// user.
   [[nodiscard]] static bool is_unresponsive(const QString& device_id);

@@ -93,7 +93,7 @@ Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect
 /// Does the same with the page of a new drawing.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id);
 
-/// Returns the device that the user has chosen if it is connected; otherwise the device that is
+/// Returns the device that the user has chosen if it is connected; otherwise "tablet", which is
 /// always available.
 QString chosen_pen_device();
 

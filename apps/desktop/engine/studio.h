@@ -21,8 +21,8 @@ namespace felt::desktop {
 struct PenState {
   bool is_known = false;  ///< false before the first sample
   PenSample sample;       ///< the newest sample that the session handled
-  Point hand;             ///< position from mouse or tablet; the sample's position without a
-                          ///< simulated hand
+  Point hand;             ///< position from mouse or tablet; if these do not move the hand, the
+                          ///< position of the sample
   Force asked;            ///< force that the tool asked for
   Force sent;             ///< force that was sent to the device
 };
@@ -55,17 +55,18 @@ class Studio : public QObject {
   /// is updated.
   void set_user_materials(const Materials& known);
   /// Sets the page. This is not a step of undo, but it is an unsaved change. The session uses the
-  /// page's surface; if the page names no surface or an unknown one, the session keeps its surface.
-  /// When the user chooses a surface ("surface.material"), that surface becomes the page's. If the
-  /// paper is white or has the usual colour of the previous surface, it then gets the usual colour
-  /// of the new surface; a paper colour that the user chose stays. The paper's colour is also
-  /// updated in this way if the usual colour of the page's surface changes (set_user_materials()).
+  /// page's surface; if the page names no surface or an unknown surface, the session keeps its
+  /// surface. When the user chooses a surface ("surface.material"), that surface becomes the
+  /// page's. If the paper is white or has the usual colour of the previous surface, it then gets
+  /// the usual colour of the new surface; a paper colour that the user chose stays. The paper's
+  /// colour is also updated in this way if the usual colour of the page's surface changes
+  /// (set_user_materials()).
   void set_page(const Page& page);
   /// Replaces the drawing. History, selection and unsaved changes start again. The tool and its
   /// options stay. The surface stays, too, unless the page names a known surface. `materials` are
   /// the texts of the materials that come with the drawing. A text that cannot be read is skipped,
   /// and `refused` says why. The drawing's materials are used even if a user-defined material of
-  /// the same name has other figures; in this case `refused` names the material. `ink` becomes the
+  /// the same name has other values; in this case `refused` names the material. `ink` becomes the
   /// colour of new lines before `opened` is emitted. option_changed is not emitted for this colour,
   /// because it comes with the drawing and the user did not choose it.
   void open(Document document, const Page& page, std::span<const std::string> materials = {},
@@ -90,8 +91,8 @@ class Studio : public QObject {
   bool import(const QString& path, std::span<const StrokePtr> strokes);
   /// Adds those media of the strokes that are not known yet; call it before import(). `texts` are
   /// the materials that come with the strokes; a text that cannot be read is skipped. If a medium
-  /// is already known but with other figures, the known one stays. Returns the labels of the media
-  /// with other figures, each once.
+  /// is already known but with other values, the known medium stays. Returns the labels of such
+  /// media, each once.
   std::vector<std::string> add_media(std::span<const std::string> texts,
                                      std::span<const StrokePtr> strokes);
   /// Selects another tool until give_back_tool() is called, for example while a key is held or the

@@ -15,8 +15,8 @@ inline constexpr double kScreenPxPerMm = 96.0 / 25.4;
 /// be recognised without colour: a check mark, a ring, an eye, dots, a triangle or a stop sign.
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);
 
-/// Returns a ring that contains a dot, for something that is present, or a question mark if `asks`,
-/// for help.
+/// Returns a ring with a question mark, which stands for help, if `asks` is true; otherwise a ring
+/// with a dot, which stands for something that is present.
 QPixmap ring_icon(bool asks, const QPalette& palette, int size, qreal dpr);
 
 /// Returns a red stop sign, for the button that ends all forces.
@@ -25,13 +25,13 @@ QIcon stop_icon(const QPalette& palette, int size, qreal dpr);
 /// Returns the palette of the button that ends all forces: `palette` with a slight red tint.
 QPalette stop_palette(QPalette palette);
 
-/// Returns the icon of a button for a choice. It shows the swatch with an outline, and a frame with
-/// a check mark if the button is checked.
+/// Returns the icon of a button for a choice. It shows the swatch with an outline. If the button is
+/// checked, it also shows a frame with a check mark.
 QIcon swatch_icon(const QPixmap& swatch, const QPalette& palette);
 
-/// Returns a picture of a surface under chalk that is pressed harder from left to right. It shows
-/// the same relief that the hand feels (felt/render/grain.h), in life size, on white paper in
-/// every theme.
+/// Returns a picture of a chalk stroke on a surface. The pressure of the stroke increases from left
+/// to right. The picture shows the same relief that the hand feels (felt/render/grain.h), in life
+/// size, on white paper in every theme.
 QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
                     qreal dpr);
 

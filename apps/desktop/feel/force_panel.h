@@ -13,7 +13,7 @@
 
 namespace felt::desktop {
 
-/// Shows what the pen feels. A plot shows each term of the force, their sum and the sent force. A
+/// Shows what the pen feels. A plot shows the terms of the force, their sum and the sent force. A
 /// table of the same values serves as the legend. The panel also describes the state of the safety
 /// chain and shows the timing of the loop. Repaints at most 30 times a second, and only while it is
 /// visible and values change.

@@ -17,7 +17,7 @@ class SoundState : public QObject {
  public:
   enum class State {
     kOff,
-    kPlaying,
+    kPlaying,   ///< a sound device plays the sound
     kNoDevice,  ///< there is no sound device, or it does not accept 48 kHz
     kNotBuilt,  ///< the program was built without Qt Multimedia
   };

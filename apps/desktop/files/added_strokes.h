@@ -11,7 +11,7 @@ namespace felt::desktop {
 
 /// Adds the strokes of another drawing as one step of undo, together with their media. `materials`
 /// contains the texts of the media. If this drawing has a medium of the same name with other
-/// figures, the drawing's medium stays as it is and `report` names it. `from` is the name of the
+/// values, the drawing's medium stays as it is and `report` names it. `from` is the name of the
 /// strokes' source; a recording stores it. Returns false if the session refuses the strokes
 /// (Studio::import).
 bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr> strokes,

@@ -25,7 +25,7 @@ inline constexpr const char* kMaterialsMime = "application/x-feltline-materials"
 /// would be very large). The SVG and the picture are made only when a program requests them.
 std::unique_ptr<QMimeData> strokes_mime(Drawing drawing);
 /// These functions return data with only the SVG or only the picture, for programs that would
-/// otherwise choose the wrong one.
+/// otherwise choose the wrong type.
 std::unique_ptr<QMimeData> svg_mime(const Drawing& drawing);
 std::unique_ptr<QMimeData> png_mime(const Drawing& drawing);
 

@@ -15,9 +15,10 @@
 namespace felt::desktop {
 
 /// Copy, cut and paste of strokes: "edit.copy", "edit.cut", "edit.paste", "edit.copy_as_svg",
-/// "edit.copy_as_png". Copies the strokes that are selected as a whole, or all visible strokes if
-/// nothing is selected, together with those of their media that Feltline does not ship. A paste is
-/// one step of undo. Strokes that were copied in this window are pasted with a small offset from
+/// "edit.copy_as_png". Copy copies every visible stroke that is at least partly selected, or all
+/// visible strokes if nothing is selected. Cut copies and deletes only strokes that are selected as
+/// a whole. The clipboard also gets those media of the strokes that Feltline does not ship. A paste
+/// is one step of undo. Strokes that were copied in this window are pasted with a small offset from
 /// the originals.
 class ClipboardActions : public QObject {
   Q_OBJECT

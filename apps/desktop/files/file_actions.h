@@ -25,7 +25,7 @@ class QMenu;
 
 namespace felt::desktop {
 
-/// Functions for the parts of a drawing that FileActions does not own, palette and view.
+/// Functions for palette and view, the parts of a drawing that FileActions does not own.
 struct DrawingLooks {
   std::function<void(Drawing&)> report = {};      ///< adds palette and view to a drawing
   std::function<void(const Drawing&)> show = {};  ///< shows palette and view of a drawing
@@ -70,7 +70,7 @@ class FileActions : public QObject {
   bool may_close();
   /// Adds the strokes of another file, as one step of undo, with their media (added_strokes.h).
   bool import(const QString& path);
-  /// Opens the first file if this window is pristine. Imports all others.
+  /// Opens the first file if this window is pristine. Imports all other files.
   void take_dropped(const QStringList& paths);
   /// Shows a drawing that has no file, such as an example, under this name and without unsaved
   /// changes. Does not ask the user; requires that the window is pristine.

@@ -11,10 +11,13 @@ inline const QString kLastFolder = QStringLiteral("files/last_folder");
 inline const QString kRecent = QStringLiteral("files/recent");
 inline constexpr int kRecentCount = 10;
 
-inline const QString kExportFormat = QStringLiteral("files/export_format");  ///< "svg"
+/// The last choices in the export dialog: the format such as "svg", the resolution, whether the
+/// background is exported (true by default), and whether only the area of the ink is exported
+/// (false by default).
+inline const QString kExportFormat = QStringLiteral("files/export_format");
 inline const QString kExportDpi = QStringLiteral("files/export_dpi");
 inline constexpr double kExportDpiDefault = 300.0;
-inline const QString kExportBackground = QStringLiteral("files/export_background");  ///< true
-inline const QString kExportInkOnly = QStringLiteral("files/export_ink_only");       ///< false
+inline const QString kExportBackground = QStringLiteral("files/export_background");
+inline const QString kExportInkOnly = QStringLiteral("files/export_ink_only");
 
 }  // namespace felt::desktop::files_keys

@@ -12,7 +12,7 @@ namespace felt::desktop {
 /// Ensures that each user has one process per display, so that a file is open in only one window:
 ///
 ///   Instance instance;
-///   if (instance.hand_over(files)) return 0;     // the first process takes them
+///   if (instance.hand_over(files)) return 0;     // the first process opens them
 ///   connect(&instance, &Instance::wanted, ...);  // open each, or raise the window that has it
 ///
 /// A socket left behind by a crash is replaced. If no socket can be made, each process works

@@ -19,7 +19,8 @@ class RecoveryDialog : public QDialog {
  public:
   RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* parent);
 
-  /// Returns the drawing that the user chose. The caller may move its autosave out of it.
+  /// Returns the drawing that the user chose. The caller may move the autosave out of the returned
+  /// object.
   [[nodiscard]] RecoveryOffer& chosen() noexcept { return offers_[chosen_]; }
 
  Q_SIGNALS:

@@ -26,7 +26,7 @@ class HelpActions : public QObject {
  private:
   void make_example(const Example& example);
   void show_tour();
-  /// Shows a window of which only one exists; makes it on the first call.
+  /// Shows the window `dialog`. Makes it with `make` only if it does not exist yet.
   void show_dialog(QPointer<QWidget>& dialog, QWidget* (*make)(const Actions&, QWidget*));
 
   Actions& actions_;

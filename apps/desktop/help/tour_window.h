@@ -24,7 +24,8 @@ class TourWindow : public QWidget {
   explicit TourWindow(QWidget* parent = nullptr);
 
   [[nodiscard]] int act_count() const noexcept;
-  /// Returns the number of the act, from 0. act_count() means the last page, which plays nothing.
+  /// Returns the number of the act, from 0. The number act_count() stands for the last page, which
+  /// plays nothing.
   [[nodiscard]] int act() const noexcept { return act_; }
   void go_to(int act);
   void set_paused(bool paused);

@@ -44,9 +44,9 @@ struct ProbeFigures {
   friend bool operator==(const ProbeFigures&, const ProbeFigures&) = default;
 };
 
-/// Computes the figures. This takes about 50 ms for a device with a rate of 1 kHz, and is
-/// proportional to the rate. The result depends only on `request`. Safe to call from any thread
-/// except the haptic thread. If the device has no motors, uses the simulated Touch.
+/// Computes the figures. The time that this takes is proportional to the rate of the device: about
+/// 50 ms at 1 kHz. The result depends only on `request`. Safe to call from any thread except the
+/// haptic thread. If the device has no motors, uses the simulated Touch.
 ProbeFigures probe_figures(const ProbeRequest& request);
 /// Returns the device that probe_figures() uses: `device`, or the simulated Touch if `device` has
 /// no motors.

@@ -22,9 +22,10 @@
 namespace felt::desktop {
 
 /// The editor of user-defined surfaces and media. It has a list of all materials, and a slider and
-/// a number for every figure of the selected one. Beside them it immediately shows the result:
-/// strokes, a plot of the predicted force, whether the device in use can render the material, and
-/// the present force. The drawing's window stays usable and draws with the edited material.
+/// a number for every value of the selected material. Beside them it immediately shows the result
+/// of a change: strokes, a plot of the predicted force, whether the device in use can render the
+/// material, and the present force. The drawing's window stays usable and draws with the edited
+/// material.
 class MaterialEditor : public QWidget {
   Q_OBJECT
 

@@ -21,8 +21,8 @@ namespace felt::desktop {
 /// drag of a slider is one step.
 ///
 /// Materials that came with the open drawing do not change, either. If such a material has the id
-/// of a user-defined one but other figures, the drawing's material is used while the drawing is
-/// open. A copy never gets an id that the drawing uses.
+/// of a user-defined material but other figures (values), the drawing's material is used while the
+/// drawing is open. A copy never gets an id that the drawing uses.
 ///
 /// To compare figures, each user-defined material has two sets of them, slot A and slot B. Only the
 /// chosen slot is used. The other slot contains the original figures until it is changed. Choosing
@@ -64,12 +64,13 @@ class MaterialEditorModel : public QObject {
   /// Restores origin().
   void revert();
 
-  /// Saves a user-defined material. Of any other material, saves a copy with a new name. Fails as
-  /// UserMaterials::save does; then the material stays unsaved.
+  /// Saves the selected material if it is user-defined; otherwise saves a copy of it under a new
+  /// name. Fails as UserMaterials::save does; then the material stays unsaved.
   Result<void> save();
   /// Saves a copy of the present material under this name, and selects it. Fails as save() does.
   Result<void> save_as(const QString& name);
-  /// Renames the material. Does nothing if the material already has that name, or if `name` has no
+  /// Renames the material, and saves the new name if the material had no unsaved changes. Does
+  /// nothing if the material is not user-defined, if it already has that name, or if `name` has no
   /// printable letter.
   void rename(const QString& name);
   /// Deletes a user-defined material and its file; undo restores both. Does nothing if the material

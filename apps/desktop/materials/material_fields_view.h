@@ -15,8 +15,8 @@
 
 namespace felt::desktop {
 
-/// A row with the control for one figure. It shows the value that show_value() sets, and emits
-/// `chosen` with the value that the user chooses.
+/// A row with the control for one figure (a value) of a material. It shows the value that
+/// show_value() sets, and emits `chosen` with the value that the user chooses.
 class FigureRow : public QWidget {
   Q_OBJECT
 

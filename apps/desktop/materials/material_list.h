@@ -18,7 +18,7 @@ class MaterialList : public QTreeWidget {
  public:
   explicit MaterialList(QWidget* parent = nullptr);
 
-  /// Shows these materials. `model` tells which of them are user-defined, and whether they are
+  /// Shows these materials. `model` determines which of them are user-defined, and whether they are
   /// saved.
   void show_materials(const Materials& known, const MaterialEditorModel& model);
   void show_chosen(const MaterialKey& key);

@@ -33,8 +33,8 @@ QString name_of(const AnyMaterial& material);
 QString words_of(const AnyMaterial& material);
 
 /// Returns an id for a name: "my-soft-chalk" for "My soft chalk". If `is_taken` returns true for
-/// that id, appends the first number with which it returns false. If the name has no Latin letter
-/// and no digit, uses `fallback` in its place.
+/// that id, appends the lowest number, from 2, that makes an unused id ("my-soft-chalk-2"). If the
+/// name has no Latin letter and no digit, uses `fallback` in its place.
 std::string id_for(const QString& name, const std::string& fallback,
                    const std::function<bool(const std::string&)>& is_taken);
 

@@ -14,17 +14,17 @@ namespace felt::desktop {
 
 /// Sets the medium of new lines, and the line widths and the pressure curve of this medium. Each
 /// value is set by an event, so that a replay of a recording gives the same lines. Calls
-/// take_usual_color() if the medium differs from the previous one. Returns false if an event was
-/// refused; then `refused` says why.
+/// take_usual_color() if the medium differs from the previous one. Returns false if no medium for
+/// drawing has that id, or if an event was refused; in the second case `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
 /// Calls take_medium() when the user has clicked a medium, and also applies the medium to the
 /// selected lines. Reports to the user if the colour of new ink changed.
 bool choose_medium(Studio& studio, const std::string& id);
 
 /// Sets the colour of new ink to `now`, the usual colour of the current medium (0xRRGGBB). Does so
-/// only if the present colour is `before`, the usual colour of the previous medium, or black as in
-/// a new drawing. Any other colour was chosen by the user and stays. Returns false if the session
-/// refused the new colour; then `refused` says why.
+/// only if the present colour is `before` (the usual colour of the previous medium) or black (the
+/// colour in a new drawing). Any other colour was chosen by the user and stays. Returns false if
+/// the session refused the new colour; then `refused` says why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
 /// Shows the media for drawing as pictures: a stroke of each, from light to hard, on the current

@@ -7,9 +7,9 @@
 namespace felt::desktop {
 
 /// A plot of the predicted force on the pen during a stroke of 40 mm with even pressure. It shows
-/// the force against the motion along the path, and a band of 0.04 N on each side of its mean. The
-/// hand does not feel changes within the band. The parts of the plot outside of the band are
-/// filled: they are the grain that the hand feels.
+/// the force that opposes the motion, along the path of the stroke, and a band of 0.04 N on each
+/// side of its mean. The hand does not feel changes within the band. The parts of the plot outside
+/// of the band are filled: they are the grain that the hand feels.
 class ProbePlot : public QWidget {
   Q_OBJECT
 

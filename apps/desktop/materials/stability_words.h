@@ -10,8 +10,8 @@ namespace felt::desktop {
 enum class StabilityLevel {
   kGiven,    ///< the device renders the material completely and without trembling
   kLess,     ///< some values are reduced, or the tremble is almost perceptible
-  kNotGiven  ///< a value is less than half of the wanted one, the pen trembles, or the safety chain
-             ///< reports a fault
+  kNotGiven  ///< a value is less than half of the requested value, the pen trembles, or the safety
+             ///< chain reports a fault
 };
 
 /// The stability in words: a state, a number, and the deviations.

@@ -56,13 +56,13 @@ class UserMaterials : public QObject {
   void put(const AnyMaterial& now);
   /// Restores the content of the material's file; removes the material if it has no file.
   void revert(const MaterialKey& key);
-  /// Writes the material to its file in the user's folder, completely or not at all. Fails if the
-  /// file was changed since it was last read or saved here, because replacing it would destroy
-  /// someone's work, or if writing fails. The error names the file and the reason; the material
-  /// then stays unsaved.
+  /// Writes the material to its file in the user's folder, completely or not at all. Fails if
+  /// writing fails. Also fails if the file was changed since it was last read or saved here,
+  /// because replacing it would destroy someone's work. The error names the file and the reason;
+  /// the material then stays unsaved.
   Result<void> save(const MaterialKey& key);
-  /// Returns "" if remove() may delete the material; otherwise the reason: its file is in a folder
-  /// for all users (XDG_DATA_DIRS).
+  /// Returns "" if remove() may delete the material. Otherwise returns a sentence that gives the
+  /// reason: the file is in a folder for all users (XDG_DATA_DIRS).
   [[nodiscard]] QString kept_because(const MaterialKey& key) const;
   /// Deletes the material and its file. It is not an error if the file no longer exists. Fails if
   /// kept_because() returns a reason, if the file was changed since it was last read or saved here,

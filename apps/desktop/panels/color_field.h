@@ -62,8 +62,8 @@ class HueStrip : public QWidget {
   double hue_ = 0.0;
 };
 
-/// A ShadeField and a HueStrip side by side, with which the user can choose any colour. Grey and
-/// black have no hue of their own, so the hue stays as it was when the user chooses one of them.
+/// A ShadeField and a HueStrip side by side, with which the user can choose any colour. If the user
+/// chooses grey or black, which have no hue, the HueStrip does not change.
 class ColorField : public QWidget {
   Q_OBJECT
 

@@ -12,9 +12,9 @@ namespace felt::desktop {
 
 /// Lists the layers, the topmost first. The user can show, lock, rename and reorder them and choose
 /// the current layer, which receives new ink. A click on a row makes its layer the current one; a
-/// click on the eye or the lock at the ends of the row switches these; a double click or F2 renames
-/// the layer; dragging moves it. With the keyboard, the arrow keys move the highlight, Enter makes
-/// the highlighted layer current, and Space shows or hides it.
+/// click on the eye or the lock at the ends of the row shows, hides, locks or unlocks the layer; a
+/// double click or F2 renames the layer; dragging moves it. With the keyboard, the arrow keys move
+/// the highlight, Enter makes the highlighted layer current, and Space shows or hides it.
 class LayersPanel : public QWidget {
   Q_OBJECT
 
@@ -61,8 +61,9 @@ class LayersPanel : public QWidget {
 };
 
 /// Adds layer.add, layer.remove, layer.rename, layer.raise, layer.lower, layer.show, layer.lock,
-/// layer.use_above and layer.use_below; layer.show and layer.lock are switches. All commands apply
-/// to the layer that is highlighted in the panel. All arguments must outlive the actions.
+/// layer.use_above and layer.use_below; layer.show and layer.lock are switches. layer.add,
+/// layer.use_above and layer.use_below start from the current layer; the other commands apply to
+/// the layer that is highlighted in the panel. All arguments must outlive the actions.
 void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel);
 
 }  // namespace felt::desktop

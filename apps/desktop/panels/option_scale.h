@@ -17,7 +17,7 @@ class OptionScale {
 
   /// Returns the slider position of a value. A value out of range gives the nearest end.
   [[nodiscard]] int place_of(double value) const;
-  /// Returns the value of a slider position, rounded to few digits. The ends of the slider give
+  /// Returns the value of a slider position, rounded to a few digits. The ends of the slider give
   /// exactly the ends of the range.
   [[nodiscard]] double value_at(int place) const;
 

@@ -27,8 +27,8 @@ class SwatchModel : public QAbstractListModel {
   std::vector<NamedColor> colors_;
 };
 
-/// Shows swatches side by side. The user chooses one with a click or the arrow keys. The current
-/// colour has a mark.
+/// Shows swatches side by side. The user chooses a swatch with a click or the arrow keys. The
+/// current colour has a mark.
 class SwatchView : public QListView {
   Q_OBJECT
 

@@ -8,14 +8,14 @@
 namespace felt::desktop {
 
 /// Adds tool.pencil, tool.pull, ... for the session's tools, with the shortcuts of their ToolInfo.
-/// The action of the current tool is checked, also if the tool is only borrowed. Also adds
+/// The action of the current tool is checked, even if the tool is only borrowed. Also adds
 /// tool.size_down, tool.size_up, tool.strength_down, tool.strength_up, which change the size and
 /// the forces of the current tool. Both arguments must outlive the actions.
 void add_tool_actions(Actions& actions, Studio& studio);
 
 /// Shows the tools in a bar with picture, name and shortcut; the current tool is pressed. While a
-/// tool is borrowed, the bar shows that, and marks the tool that is selected again afterwards. The
-/// bar is made from the actions of add_tool_actions().
+/// tool is borrowed, the bar shows that it is borrowed, and marks the tool that will be selected
+/// again afterwards. The bar is made from the actions of add_tool_actions().
 class ToolBar : public QToolBar {
   Q_OBJECT
 

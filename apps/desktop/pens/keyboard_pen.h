@@ -16,8 +16,8 @@ namespace felt::desktop {
 /// so that the same keys draw the same line. The view scrolls with the pen. The arguments of the
 /// constructor must outlive this object.
 ///
-/// If the user holds a device that cannot sense contact, its pen counts as touching while one of
-/// these keys is held.
+/// If the user holds a device that cannot sense contact, its pen counts as touching while Return,
+/// Enter or Insert is held.
 class KeyboardPen : public QObject {
   Q_OBJECT
 
@@ -56,7 +56,7 @@ class KeyboardPen : public QObject {
   int key_ = 0;
   int repeats_ = 0;
   bool is_leading_ = false;  // an arrow was pressed since the mouse last moved
-  int held_ = 0;             // the held key because of which a device's pen counts as touching
+  int held_ = 0;             // the key that is held to make a device's pen touch; 0: none
 };
 
 }  // namespace felt::desktop

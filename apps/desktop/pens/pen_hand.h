@@ -10,9 +10,10 @@
 
 namespace felt::desktop {
 
-/// The hand over a canvas. Mouse, tablet, finger or keys move the hand, one source at a time. The
-/// source that has put the pen down keeps the hand until the pen is lifted, but the tablet takes
-/// precedence over the others.
+/// The hand over a canvas. Mouse, tablet, finger or keys move the hand, one source at a time. While
+/// the tablet has the pen down, no other source can move the hand. While another source has the pen
+/// down, the tablet can take over the hand, and so can a source that also puts the pen down; the
+/// first gesture then ends.
 ///
 /// When a button is released, the former tool is selected again only after the session has handled
 /// the sample with the lifted pen, so that the borrowed tool draws its line to the end. The canvas
@@ -26,7 +27,8 @@ class PenHand : public QObject {
   explicit PenHand(Canvas& canvas);
 
   /// Moves the hand to a position, in pixels of the canvas or in mm on the page. `time_ns` is on
-  /// the studio's clock. If another source has the pen down, returns false and does nothing.
+  /// the studio's clock. Returns false and does nothing if another source has the pen down and this
+  /// source cannot take over the hand.
   bool point(Source source, QPointF px, std::int64_t time_ns, bool touching,
              std::optional<double> pressure, std::optional<double> tilt_deg = {});
   bool point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,

@@ -23,8 +23,8 @@ class PenTestArea : public QWidget {
 
  Q_SIGNALS:
   /// Emitted for each event of the pen. `raw` is the tablet's pressure before the curve, or nullopt
-  /// for a mouse; `curved` is the pressure after the curve. Both are 0..1, and 0 if the pen does
-  /// not touch.
+  /// for a mouse or a pen that does not sense pressure; `curved` is the pressure after the curve.
+  /// Both are 0..1, and 0 if the pen does not touch.
   void pressed(std::optional<double> raw, double curved);
   /// Emitted with the angle between the pen and the surface normal, in degrees; nullopt if the pen
   /// does not report its tilt.

@@ -6,7 +6,8 @@ namespace felt::desktop {
 
 /// The curve that maps a tablet's pressure to the pressure that the user wants. It is a cubic from
 /// corner to corner of the unit square. Its two handles lie in the square, so that the curve never
-/// falls. If the pressure is below a threshold, the pen does not count as touching. A value type.
+/// falls. If a threshold is set, the pen counts as touching only while its pressure is above the
+/// threshold. A value type.
 class PressureCurve {
  public:
   static constexpr double kMaxThreshold = 0.5;

@@ -7,8 +7,8 @@
 
 namespace felt::desktop {
 
-/// Shows the pressure curve as a plot with two handles. The user drags them or moves them by the
-/// arrow keys (Space selects the other handle). A dot on the curve shows the pen's present
+/// Shows the pressure curve as a plot with two handles. The user drags the handles or moves them
+/// with the arrow keys (Space selects the other handle). A dot on the curve shows the pen's present
 /// pressure.
 class PressureCurveEditor : public QWidget {
   Q_OBJECT

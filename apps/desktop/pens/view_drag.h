@@ -18,8 +18,8 @@ class ViewDrag {
   /// The canvas must outlive it.
   explicit ViewDrag(Canvas& canvas) : canvas_(canvas) {}
 
-  /// Sets the kind of the next drag and shows the cursor for it. Called when Space is pressed;
-  /// nullopt, when Space is released, means that the next drag does not move the view.
+  /// Sets the kind of the next drag and shows the cursor for it. Called when Space is pressed. Also
+  /// called with nullopt when Space is released; the next drag then does not move the view.
   void offer(std::optional<Kind> kind);
   [[nodiscard]] std::optional<Kind> offered() const noexcept { return offered_; }
 

@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// A button filled with the colour of new ink, which is always visible. A click opens a colours
-/// panel beside it.
+/// A button that is filled with the colour of new ink and is always visible. A click opens a
+/// colours panel beside it.
 class ColorWell : public QToolButton {
   Q_OBJECT
 

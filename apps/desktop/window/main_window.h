@@ -18,8 +18,8 @@ namespace felt::desktop {
 
 /// The window of one drawing: canvas, tool bar, panels, menus, status line.
 ///
-/// The layout of the window (size, position, panels) is stored for the next one. A process may have
-/// several windows (windows.h).
+/// The layout of the window (size, position, panels) is stored for the next window. A process may
+/// have several windows (windows.h).
 class MainWindow : public QMainWindow {
   Q_OBJECT
 

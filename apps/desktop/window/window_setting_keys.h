@@ -7,14 +7,15 @@ namespace felt::desktop::window_keys {
 
 /// Theme: "system", "light" or "dark".
 inline const QString kTheme = QStringLiteral("window/theme");
-/// Language: "en", "de" or "nl", or "" for the system's. A change takes effect at the next start.
+/// Language: "en", "de" or "nl", or "" for the system's language. A change takes effect at the next
+/// start.
 inline const QString kLanguage = QStringLiteral("window/language");
 inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kLayout = QStringLiteral("window/layout");
 /// True if the next start opens the last drawing again.
 inline const QString kReopenLast = QStringLiteral("window/reopen_last");
 
-/// The path of the last drawing.
+/// The path of the drawing that was opened or saved last.
 inline const QString kLastFile = QStringLiteral("window/last_file");
 
 }  // namespace felt::desktop::window_keys

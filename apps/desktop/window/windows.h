@@ -18,20 +18,20 @@ class Windows : public QObject {
 
   /// Opens a window with an empty page.
   MainWindow* open();
-  /// Shows the file in a window and returns the window. If a window already shows the file, uses
-  /// that window; otherwise a pristine window or a new one. If the file cannot be read, the window
-  /// shows the error over an empty page.
+  /// Shows the file in a window and returns the window. Uses the window that already shows the
+  /// file, if there is one; otherwise a window in which nothing was drawn or opened, or a new
+  /// window. If the file cannot be read, that window shows the error over an empty page.
   MainWindow* open_file(const QString& path);
-  /// Opens an example: in `here` if nothing was drawn there, otherwise in a new window.
+  /// Opens an example: in `here` if nothing was drawn or opened there, otherwise in a new window.
   MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
-  /// Prepares the end of the program without asking the user. Switches forces off immediately and
-  /// autosaves all drawings. When the function returns, they are on the disk; the next start offers
-  /// those with unsaved changes.
+  /// Prepares for the end of the program and asks the user nothing. Switches forces off immediately
+  /// and autosaves all drawings. When the function returns, all drawings are on the disk. The next
+  /// start offers to recover those with unsaved changes.
   void release();
   /// Calls release() and closes all windows. Must not be called from within a dialog.
   void end();
-  /// Returns the path of the drawing that was last open, if the next start should open it again and
-  /// the file exists; otherwise "".
+  /// Returns the path of the drawing that was opened or saved last, if the next start should open
+  /// it again and the file exists; otherwise "".
   [[nodiscard]] static QString last_file();
 
  private:

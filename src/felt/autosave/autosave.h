@@ -27,7 +27,7 @@ namespace felt {
 struct AutosaveStatus {
   enum class State {
     kWorking,    ///< saves to the first folder
-    kElsewhere,  ///< the first folder failed; saves to a later one
+    kElsewhere,  ///< the first folder failed; saves to another
     kFailing,    ///< no folder works; tries again regularly
   };
   State state = State::kWorking;
@@ -43,14 +43,14 @@ struct AutosaveOptions {
   /// Called on the autosave thread when AutosaveStatus::state or `why` changes. The status begins
   /// with kWorking.
   std::function<void(const AutosaveStatus&)> on_status = {};
-  /// Called on the autosave thread after each commit with a time on the session's clock, in ns.
-  /// Everything that the session received up to that time is on the disk, together with all samples
-  /// that the autosave has read from the haptic loop's ring.
+  /// Called on the autosave thread after each commit. The argument is a time on the session's
+  /// clock, in ns: everything that the session received up to that time is on the disk, together
+  /// with all samples that the autosave has read from the haptic loop's ring.
   std::function<void(std::int64_t)> on_commit = {};
   /// Time for which messages are collected before a commit.
   std::chrono::milliseconds gather{20};
-  /// Time until the next attempt: `retry` if all folders failed, `retry_first` to return to the
-  /// first folder while a later one works.
+  /// `retry` is the time until the next attempt if all folders failed; `retry_first` is the time
+  /// until the next attempt to return to the first folder while another folder works.
   std::chrono::milliseconds retry{5'000}, retry_first{60'000};
   /// If the edits since the last base are larger than this, a new base is written.
   std::uint64_t max_log_bytes = std::uint64_t{32} << 20;
@@ -93,7 +93,7 @@ struct AutosaveMessage {
 ///   autosave.attach(servo.for_autosave(), offset_ns);
 ///   autosave.post({.name = "harbour.felt", .path = path, .modified = false});   // after a save
 ///
-/// The calls of the edit thread put messages into a queue. The autosave thread applies them to its
+/// Calls on the edit thread put messages into a queue. The autosave thread applies them to its
 /// replica of the drawing (the strokes are shared) and writes them to the database. It also reads
 /// the haptic loop's second ring of samples, so ink is saved even if the edit thread hangs. Only
 /// the destructor and flush() wait for a disk. While the disk stalls, messages wait in the queue

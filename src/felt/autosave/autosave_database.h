@@ -32,9 +32,9 @@ enum class LiveKind : std::uint8_t {
   kTilted = 4,   ///< like kSamples, but with the tilt of the pen
 };
 
-/// An autosave of a drawing: an SQLite database in WAL mode, each commit synchronised
-/// (synchronous=FULL), in a private folder (mode 0700) that its process has locked (FolderLock). It
-/// holds
+/// An autosave of a drawing: an SQLite database in WAL mode that syncs each commit to the disk
+/// (synchronous=FULL). It is in a private folder (mode 0700), which its process has locked
+/// (FolderLock). The database holds
 ///   - the *base*: an earlier state of the whole drawing, in parts of about 64 KiB;
 ///   - every edit since the base, with a serial number that grows by one;
 ///   - `AutosaveInfo`;
@@ -53,8 +53,8 @@ enum class LiveKind : std::uint8_t {
 ///   std::move(*database).remove();             // if everything is in the user's file
 ///
 /// After a crash, all committed data is in the database, even after a power failure if the disk
-/// honours fsync. Data added since the last commit may be missing. The commit that completes a new
-/// base removes the previous base and the edits that the new base contains.
+/// honours fsync. Data added since the last commit may be missing. After the commit that completes
+/// a new base, tidy() deletes the previous base and the edits that the new base contains.
 ///
 /// After an error, do not use this database again, because after a failed fsync the next fsync may
 /// succeed even though data was lost. Create a new database in another folder from the data in
@@ -81,8 +81,8 @@ class AutosaveDatabase {
   /// the next commit.
   Result<bool> write_base_part();
   [[nodiscard]] bool base_in_progress() const noexcept { return base_ != nullptr; }
-  /// Deletes a few of the rows that are no longer needed by any base. Returns false if no such rows
-  /// are left.
+  /// Deletes a few of the rows that the newest base has replaced. Returns false if no such rows are
+  /// left, or if a base is in progress.
   Result<bool> tidy();
 
   /// Adds an edit and returns its serial number: 1, 2, 3 ...
@@ -127,7 +127,7 @@ class AutosaveDatabase {
   std::uint64_t edit_bytes_ = 0, edit_bytes_before_base_ = 0;
 };
 
-/// Name of the database in its folder; `-wal` is beside it.
+/// Name of the database in its folder. The name of SQLite's log beside it ends in `-wal`.
 inline constexpr const char* kAutosaveDatabaseFile = "store.db";
 
 }  // namespace felt

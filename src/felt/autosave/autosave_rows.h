@@ -14,8 +14,8 @@ namespace felt {
 
 // The rows of an autosave database, for writing and reading.
 
-/// "FltW", and the version of this format. Other versions are not read. This is acceptable because
-/// the file never leaves the machine.
+/// The SQLite application id "FltW", and the version of this format. Other versions are not read.
+/// This is acceptable because the file never leaves the machine.
 inline constexpr std::uint32_t kAutosaveApplicationId = 0x466c7457;
 inline constexpr std::uint32_t kAutosaveVersion = 1;
 
@@ -31,8 +31,8 @@ inline constexpr std::array kAutosaveTables = {
     "CREATE TABLE live(sequence INTEGER PRIMARY KEY, kind INTEGER NOT NULL, "
     "length INTEGER NOT NULL, crc INTEGER NOT NULL, bytes BLOB NOT NULL)"};
 
-inline constexpr std::size_t kBasePartBytes =
-    std::size_t{64} << 10;  ///< usual size of a part; a damaged page destroys up to eight parts
+/// Usual size of a part. A damaged SQLite page destroys up to eight parts.
+inline constexpr std::size_t kBasePartBytes = std::size_t{64} << 10;
 inline constexpr std::size_t kMinTextBytes = 4;
 
 constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) noexcept {
@@ -54,7 +54,7 @@ Result<std::string> base_head_bytes(const Drawing& drawing);
 /// Reads the drawing without its strokes: all its layers, and the highest ids ever used.
 Result<Drawing> read_base_head(std::string_view bytes);
 
-/// The content of each later part: consecutive strokes of one layer.
+/// The content of each part after the first: consecutive strokes of one layer.
 struct BaseRun {
   LayerId layer;
   std::vector<std::pair<StrokeId, StrokePtr>> strokes;

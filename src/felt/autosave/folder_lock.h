@@ -41,10 +41,10 @@ class FolderLock {
 /// refuses. The message names the folder.
 Result<void> make_private_folder(const std::string& path);
 
-/// Returns the folders for autosaves, the preferred one first: feltline/working below
-/// $XDG_STATE_HOME (~/.local/state), $XDG_CACHE_HOME (~/.cache), then $XDG_RUNTIME_DIR or a folder
-/// of this user in the folder for temporary files. Does not create them. A variable that is not an
-/// absolute path counts as not set.
+/// Returns the folders for autosaves, the preferred one first: feltline/working in $XDG_STATE_HOME
+/// (default: ~/.local/state), in $XDG_CACHE_HOME (default: ~/.cache) and in $XDG_RUNTIME_DIR (if
+/// set), and last a folder of this user in the folder for temporary files. Does not create them. A
+/// variable that is not an absolute path counts as not set.
 std::vector<std::string> autosave_roots();
 
 }  // namespace felt

@@ -34,7 +34,9 @@ struct LiveChunk {
 /// Uses no clock, thread or file. Not thread-safe.
 class LiveInk {
  public:
-  static constexpr std::size_t kHoverSamples = 64;  ///< enough to settle velocity and contact
+  /// Maximum number of hover samples before the contact in a stretch: enough to settle velocity and
+  /// contact.
+  static constexpr std::size_t kHoverSamples = 64;
   /// If a gesture makes no edit, its stretch ends after the pen was out of contact for this time.
   static constexpr std::int64_t kNoEditNs = 200'000'000;
   /// Maximum size in bytes of a stretch, which corresponds to ten minutes without a lift. Anything

@@ -14,14 +14,15 @@ namespace felt {
 struct Recovered {
   Drawing drawing;
   std::string name;               ///< the drawing's name, as shown to the user
-  std::string path;               ///< the user's file, or ""
+  std::string path;               ///< path of the user's file; "" if the drawing has no file
   bool has_changes = false;       ///< true if the drawing has unsaved changes
   std::int64_t changed_at_s = 0;  ///< when the autosave was last written, seconds since 1970
   std::uint64_t edits = 0;        ///< number of edits that were applied to the base
   /// Time of the newest sample in the drawing, on the session's clock; -1 if no gesture was in
   /// progress.
   std::int64_t last_sample_ns = -1;
-  /// One sentence for each part that could not be read, and how it was handled. Usually empty.
+  /// One sentence for each part that could not be read; it also says how the part was handled.
+  /// Usually empty.
   std::vector<std::string> problems;
 };
 
@@ -35,15 +36,15 @@ struct AbandonedAutosave {
   Result<void> remove() &&;
 };
 
-/// Returns all autosaves below these folders whose process has ended, the newest first. Ignores
-/// roots that do not exist. Also deletes folders without a drawing, which remain if the program was
-/// killed while it started or during a recovery.
+/// Returns all autosaves below these folders that belong to ended processes, the newest first.
+/// Ignores roots that do not exist. Also deletes folders without a drawing, which remain if the
+/// program was killed while it started or during a recovery.
 std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::string>& roots);
 
 /// Returns the last state of the drawing: the base with all edits applied, and the unfinished
-/// gesture, drawn again from its samples. Works on a copy of the database beside the folder, or in
-/// the folder for temporary files if the copy beside it fails, and deletes the copy afterwards. The
-/// autosave itself is only read, so recovery can always be repeated.
+/// gesture, drawn again from its samples. Works on a copy of the database and deletes the copy
+/// afterwards. Makes the copy beside the autosave's folder or, if that fails, in the folder for
+/// temporary files. The autosave itself is only read, so recovery can always be repeated.
 ///
 /// From a damaged autosave it returns the intact parts, and reports the other parts in `problems`.
 /// It skips rows with a wrong checksum, replaces an incomplete base with the user's file, and keeps

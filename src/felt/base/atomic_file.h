@@ -27,7 +27,7 @@ namespace felt {
 /// new AtomicFile.
 class AtomicFile {
  public:
-  /// Opens the temporary file. Fails if `path` is empty, a folder, or may not be written.
+  /// Opens the temporary file. Fails if `path` is empty, is a folder, or may not be written.
   static Result<AtomicFile> create(const std::string& path);
 
   AtomicFile(AtomicFile&& other) noexcept;
@@ -73,8 +73,8 @@ class AtomicFile {
 /// Writes a complete file, or writes to stdout if the path is "-".
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
-/// Writes a document like write_file(), and verifies it. Success means that `bytes` are on the disk
-/// under this name.
+/// Writes a complete file like write_file(), and verifies it. Success means that `bytes` are on the
+/// disk under this name.
 ///  * The new file is reopened and compared with `bytes` before and after the rename. The
 ///    comparison reads from the disk, not from the page cache, if the system allows it.
 ///  * Until the second comparison the old file keeps a second, hidden name. If the new file then

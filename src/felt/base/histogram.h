@@ -8,12 +8,13 @@
 
 namespace felt {
 
-/// Counts whole numbers, such as durations in ns or distances in nm, in buckets. A bucket is at
-/// most 1/64 of its numbers wide; numbers below 128 are counted exactly. The memory is constant,
-/// and the histograms of several threads can be added. Based on Gil Tene's HdrHistogram.
+/// Counts whole numbers, such as durations in ns or distances in nm, in buckets. The width of a
+/// bucket is at most 1/64 of the numbers in it; numbers below 128 are counted exactly. The memory
+/// is constant, and the histograms of several threads can be added. Based on Gil Tene's
+/// HdrHistogram.
 class Histogram {
  public:
-  /// Counts one number; a negative one counts as 0.
+  /// Counts one number; a negative number counts as 0.
   void add(std::int64_t number) noexcept {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(number, 0));
     ++counts_[bucket_of(value)];
@@ -30,8 +31,8 @@ class Histogram {
   /// Returns the exact largest number, or 0 if the histogram is empty.
   [[nodiscard]] std::uint64_t max() const noexcept { return max_; }
 
-  /// Returns the smallest upper edge of a bucket such that at least `fraction` of the numbers are
-  /// at most as large; never more than max().
+  /// Returns the upper edge of the lowest bucket such that at least `fraction` of all numbers are
+  /// in this bucket or below it. Never returns more than max().
   [[nodiscard]] std::uint64_t quantile(double fraction) const noexcept {
     const double wanted = fraction * static_cast<double>(total_);
     std::uint64_t seen = 0;

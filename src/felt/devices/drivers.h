@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Makes one driver of each kind in this build, in the order of display. This is cheap, because
-/// constructing a Driver is.
+/// Makes one driver of each kind in this build, in the order of display. This is cheap, because a
+/// driver loads libraries and opens ports only when it needs them.
 std::vector<std::unique_ptr<Driver>> make_drivers();
 
 /// Returns the driver that a device id names ("haply:049D"), or null if there is no such driver.

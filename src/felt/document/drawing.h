@@ -45,8 +45,8 @@ class DrawingExtras {
 struct Drawing {
   Document document{};
   Page page{};
-  /// False if the file that it was read from has no page size. `page` then has the default size;
-  /// its surface is valid.
+  /// False if the drawing was read from a file without a page size. `page` then has the default
+  /// size; its surface is valid.
   bool has_page = true;
   Rgba color{};                    ///< colour of new ink
   LayerId layer{};                 ///< active layer; zero if the user has not chosen one

@@ -18,15 +18,15 @@ namespace felt {
 /// continually.
 ///
 /// A single SegmentBvh cannot add segments without sorting all of them again, which takes half a
-/// second for 10^6. So this class has many small trees, the *leaves*, of at most kLeafSegments
-/// each, and one tree over their boxes (an R-tree of two levels). A change affects only one leaf or
-/// a few:
+/// second for 10^6 segments. So this class has many small trees, the *leaves*, of at most
+/// kLeafSegments each, and one tree over their boxes (an R-tree of two levels). A change affects
+/// only one leaf or a few:
 ///
 ///  * a segment that stays within the box of its leaf is refitted in place;
 ///  * a new segment, or a segment that leaves the box of its leaf, is stored in a leaf near its
 ///    middle: the leaf whose box needs to grow least;
-///  * a full leaf is split in two, and a degraded one is sorted again: both sort at most
-///    kLeafSegments.
+///  * a full leaf is split in two, and a degraded leaf is sorted again; either operation sorts at
+///    most kLeafSegments segments.
 ///
 /// So no edit rebuilds everything. In the worst case, an edit causes one split for each of its
 /// segments and one sort of the leaves' boxes. Segments of very different size never share a leaf,
@@ -89,8 +89,8 @@ class SegmentForest {
     return leaves_.size() - free_leaves_.size();
   }
   /// Returns the number of segments that were sorted since construction because a leaf was split,
-  /// sorted again or built. This measures the work of edits that is not for their own segments.
-  /// Used by tests.
+  /// sorted again or built. This measures the work that edits cause on other segments than their
+  /// own. Used by tests.
   [[nodiscard]] std::uint64_t sorted_count() const noexcept { return sorted_; }
   /// Returns how many boxes of leaves were sorted since construction.
   [[nodiscard]] std::uint64_t sorted_leaf_count() const noexcept { return sorted_leaves_; }

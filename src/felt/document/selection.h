@@ -47,8 +47,8 @@ class Selection {
 
   /// Updates the selection for an edit that was applied, also by undo or redo.
   void follow(const Edit& edit);
-  /// Does the same as the function above, and also deselects strokes that are now in a hidden or
-  /// locked layer, because the next command must change exactly what is selected. `document` is the
+  /// Does the same as follow(edit), and also deselects strokes that are now in a hidden or locked
+  /// layer, because the next command must change exactly what is selected. `document` is the
   /// document after the edit. Takes linear time in the changes of the edit, and also in the
   /// selection if the edit changes a layer.
   void follow(const Edit& edit, const Document& document);

@@ -10,9 +10,10 @@
 
 namespace felt {
 
-/// Builds edits that divide strokes into parts, again and again during a gesture. This is fast
-/// enough for previews of erasing and cutting at 1 kHz. A stroke is divided into zero, one or
-/// several parts, which are new strokes at its position in the drawing order.
+/// Builds edits that divide strokes into parts. It can build a new edit for each sample of a
+/// gesture, because it is fast enough for previews of erasing and cutting at 1 kHz. A stroke is
+/// divided into zero, one or several parts, which are new strokes at its position in the drawing
+/// order.
 ///
 ///   StrokeDivisions cut;
 ///   cut.set(document, id, {left, right});      // as often as the parts change

@@ -120,8 +120,8 @@ class StrokeIndex {
   /// Returns half of the largest width, in mm, of all strokes that were ever indexed.
   [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
   /// Returns the largest distance of a handle from the box around the two ends of its segment, over
-  /// all strokes that were ever indexed. No handle is farther than this outside the box that
-  /// for_each_segment_in() tests.
+  /// all strokes that were ever indexed. Every handle is in the box that for_each_segment_in()
+  /// tests, or at most this far outside it.
   [[nodiscard]] double farthest_handle_mm() const noexcept { return farthest_handle_mm_; }
   /// Returns the number of ends.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }

@@ -11,9 +11,10 @@ namespace felt {
 struct DeviceDescriptor;
 
 /// A device that plays waveforms instead of forces: a haptic pen, a mouse, a touchpad, a game
-/// controller (docs/design/devices.md#kinds-of-devices: every tool feeds both classes). Usually a
-/// CueLaw calls play(), at most 50 times a second. Drivers skip cues that come too fast for the
-/// device. Used on the edit thread. The destructor silences and closes the device.
+/// controller. Every tool provides output for force devices and for cue devices
+/// (docs/design/devices.md#kinds-of-devices). Usually a CueLaw calls play(), at most 50 times a
+/// second. Drivers skip cues that come too fast for the device. Used on the edit thread. The
+/// destructor silences and closes the device.
 class CueDevice {
  public:
   CueDevice() = default;

@@ -38,7 +38,7 @@ struct DeviceProfile {
   std::string device_id;     ///< DeviceDescriptor::id
   std::string serial = {};   ///< serial number of the device; empty if unknown
   std::string name = {};     ///< given by the user; if empty, the maker's name is used
-  bool left_handed = false;  ///< the hand that holds it now, see switch_hand()
+  bool left_handed = false;  ///< true if the left hand holds it now; see switch_hand()
   std::optional<PlaneCalibration> plane = {};  ///< plane for that hand; nullopt if not calibrated
   std::optional<DrawingArea> area = {};        ///< set together with the plane
   std::optional<PlaneCalibration> other_plane = {};  ///< plane for the other hand

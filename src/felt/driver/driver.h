@@ -53,9 +53,9 @@ struct DeviceStatus {
   std::optional<DeviceFault> last_fault;  ///< the newest fault, even if it is over
   ShortText vendor_words;                 ///< the maker's own text for the newest fault, verbatim
   std::int64_t vendor_code = 0;           ///< the maker's number of the newest fault
-  ShortText notice;  ///< newest message that is not a fault: a flat battery, a filter of the device
-                     ///< that changes our forces
-  std::uint64_t faults = 0;                 ///< since it was opened
+  ShortText notice;  ///< newest message that is not a fault, for example about a flat battery or a
+                     ///< filter of the device that changes our forces
+  std::uint64_t faults = 0;                 ///< number of faults since it was opened
   std::uint64_t reads = 0;                  ///< successful reads since it was opened
   std::optional<double> motor_temperature;  ///< 0 cold .. 1 too warm, the warmest motor
   double rate_hz = 0.0;                     ///< rate that the device reports; 0: unknown

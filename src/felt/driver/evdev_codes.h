@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The numbers of the kernel's input interface that our drivers use, under our own names, so that
-/// the build does not depend on new kernel headers (FF_HAPTIC came with Linux 6.18). They come from
-/// the kernel's documentation of input event codes and of force feedback; evdev_port_test.cc
-/// compares them with the installed headers.
+/// The numbers of the kernel's input interface that our drivers use. They have names here, so that
+/// the build does not depend on new kernel headers (FF_HAPTIC came with Linux 6.18). The numbers
+/// come from the kernel's documentation of input event codes and of force feedback;
+/// evdev_port_test.cc compares them with the installed headers.
 namespace felt::evdev {
 
 inline constexpr std::uint16_t kSyn = 0x00, kKey = 0x01, kAbs = 0x03, kFf = 0x15;  // types

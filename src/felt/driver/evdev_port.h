@@ -24,10 +24,10 @@ struct EvdevAxis {
   std::int32_t flat = 0;  ///< size of the dead zone around the middle
 };
 
-/// A spring, damper or friction along one axis, in the kernel's units: positions -32767..32767 over
-/// the range of the axis, saturations 0..65535 and coefficients -32767..32767 of the device's full
-/// force. With a positive coefficient, a spring pulls to the centre, and a damper or friction
-/// brakes.
+/// A spring, damper or friction along one axis, in the kernel's units. The centre is -32767..32767
+/// over the range of the axis. Saturations (0..65535) and coefficients (-32767..32767) are relative
+/// to the device's full force. With a positive coefficient, a spring pulls to the centre, and a
+/// damper or friction brakes.
 struct EvdevCondition {
   std::uint16_t right_saturation = 0, left_saturation = 0;
   std::int16_t right_coefficient = 0, left_coefficient = 0;
@@ -36,8 +36,8 @@ struct EvdevCondition {
   friend constexpr bool operator==(const EvdevCondition&, const EvdevCondition&) = default;
 };
 
-/// An effect that the device plays by itself. Only the fields of its `type` (a kFf... number of
-/// evdev_codes.h) are used.
+/// An effect that the device plays by itself. `type` is a kFf... number of evdev_codes.h. Fields
+/// that do not apply to this type are ignored.
 struct EvdevEffect {
   std::uint16_t type = 0;
   std::int16_t id =
@@ -53,13 +53,12 @@ struct EvdevEffect {
   friend constexpr bool operator==(const EvdevEffect&, const EvdevEffect&) = default;
 };
 
-/// An open input device of the kernel (/dev/input/eventN), or in tests a fake. Errors are errno
-/// numbers; ENODEV is permanent.
+/// An open input device of the kernel (/dev/input/eventN); tests use a fake. Errors are errno
+/// numbers. ENODEV is permanent: the device is gone.
 ///
-/// next() never waits and may be called on the haptic thread. All other functions wait for the lock
-/// by which the kernel protects the device; an upload holds this lock until its transfer is over.
-/// Two threads may call different functions at the same time. Closing the port stops and erases all
-/// effects.
+/// next() never waits and may be called on the haptic thread. All other functions wait for the
+/// kernel's lock on the device; an upload holds this lock until its transfer is over. Two threads
+/// may call different functions at the same time. Closing the port stops and erases all effects.
 class EvdevPort {
  public:
   EvdevPort() = default;
@@ -83,7 +82,8 @@ class EvdevPort {
   virtual tl::expected<void, int> send(const EvdevEvent& event) noexcept = 0;
 };
 
-/// Opens a device node. Fails with kNotFound, or kIo with the path and errno's text.
+/// Opens a device node. Fails with kNotFound if the node does not exist, and otherwise with kIo;
+/// the message has the path and errno's text.
 Result<std::unique_ptr<EvdevPort>> open_evdev(const std::string& path);
 
 /// Returns an effect as the bytes of the kernel's struct ff_effect. The values of FF_HAPTIC are at

@@ -13,23 +13,23 @@ namespace felt {
 /// the force never exceeds the limits of the device in device_models() and rises by at most
 /// kRiseNPerMs.
 ///
-///   const ForceGate::Passed passed = gate_.pass(asked, now_ns);      // now of the last read()
+///   const ForceGate::Passed passed = gate_.pass(asked, now_ns);  // the time of the last read()
 ///   send(passed.force);
 ///   if (!passed.was_finite) return tl::unexpected(DeviceFault::kBadData);
 ///
-/// These limits are higher than those of the safety chain, which limits_for() derives from the same
-/// figures (but with the user's 3 N and 80 % of the continuous force). A force from a working chain
-/// therefore passes exactly unchanged. The limits matter if the driver does something that the
-/// chain cannot see, for example if it holds a force because the device answers late, or sends no
-/// force for a while.
+/// These limits are higher than those of the safety chain. limits_for() derives the chain's limits
+/// from the same figures, but also applies the user's limit (at most 3 N) and uses only 80 % of the
+/// continuous force. A force from a working chain therefore passes exactly unchanged. The limits
+/// matter if the driver does something that the chain cannot see, for example if it holds a force
+/// because the device answers late, or sends no force for a while.
 ///
 /// Used on the haptic thread; real-time safe. A copy of a ForceGate is a snapshot of its state;
 /// assign it back if sending failed.
 class ForceGate {
  public:
-  /// The largest rise of the force (docs/safety.md, "rise"). In a call of pass(), the force may
-  /// rise for the time since the last call, but for at most two periods of the device and at most 5
-  /// ms.
+  /// The largest rise of the force (docs/safety.md, "rise"). One call of pass() allows a rise of
+  /// this rate times the time since the last call. That time counts as at most two periods of the
+  /// device and at most 5 ms.
   static constexpr double kRiseNPerMs = 0.3;
 
   /// Sets the limits of a device. A device with an invalid force limit gets no force. If the

@@ -13,8 +13,8 @@ namespace felt {
 
 /// An open HID device that is accessed directly, bypassing its kernel driver (/dev/hidrawN). Tests
 /// use a fake. Reports begin with their number, which is 0 if the device does not number them.
-/// Errors are errno numbers. ENODEV is permanent, and so is EIO after the device was unplugged. For
-/// use by one thread at a time.
+/// Errors are errno numbers. ENODEV is permanent, and so is EIO once the device has been unplugged.
+/// For use by one thread at a time.
 class HidrawPort {
  public:
   HidrawPort() = default;
@@ -26,16 +26,17 @@ class HidrawPort {
   /// device takes.
   virtual tl::expected<void, int> write(std::span<const std::uint8_t> report) noexcept = 0;
   /// Reads the next input report, cut to the size of `room`, and returns its size. Returns 0 if no
-  /// report came within the given time; if the time is 0, does not wait. Other programs that have
-  /// opened the device also receive all reports.
+  /// report came within the given time; if the time is 0, does not wait. Reading does not take
+  /// reports away from other programs that have opened the device.
   virtual tl::expected<std::size_t, int> read(std::span<std::uint8_t> room,
                                               std::int64_t within_ns) noexcept = 0;
-  /// Requests the feature report with the number in room[0]; the data is stored after that number.
+  /// Requests the feature report whose number is in room[0], and stores its data from room[1] on.
   /// Returns the length including the number.
   virtual tl::expected<std::size_t, int> feature(std::span<std::uint8_t> room) noexcept = 0;
 };
 
-/// Opens a device node. Fails with kNotFound, or kIo with the path and errno's text.
+/// Opens a device node. Fails with kNotFound if the node does not exist, and otherwise with kIo;
+/// the message has the path and errno's text.
 Result<std::unique_ptr<HidrawPort>> open_hidraw(const std::string& path);
 
 }  // namespace felt

@@ -31,20 +31,21 @@ struct HidrawNode {
   std::uint16_t vendor = 0, product = 0;
   std::string descriptor;  ///< report descriptor, raw bytes
   std::string hid;         ///< sysfs folder of the HID device
-  std::string kernel;      ///< the device's name for KERNELS in udev rules: "0018:045E:0C1B.0003"
+  std::string kernel;      ///< value for KERNELS in udev rules: "0018:045E:0C1B.0003"
 };
 
-/// Returns all devices, ordered by number. Values that cannot be read are left out, or empty.
+/// Return the devices, ordered by number, at most 256. A value that cannot be read is empty or 0.
 std::vector<InputNode> input_nodes(const SystemView& system);
 std::vector<HidrawNode> hidraw_nodes(const SystemView& system);
 
-/// Parses the bits of a sysfs file. The file consists of hexadecimal words, each as large as a C
-/// `long`, with the most significant word first.
+/// Returns the first `largest` bits of a sysfs file, all false if the text is invalid. The file
+/// consists of hexadecimal words, each as large as a C `long`, with the most significant word
+/// first.
 std::vector<bool> sysfs_bits(std::string_view text, std::size_t largest);
 /// Returns vendor and product in the form "046d:c52b", for ids and rules.
 std::string vendor_and_product(std::uint16_t vendor, std::uint16_t product);
-/// Returns the printable ASCII and UTF-8 characters of a device's name without line breaks, at most
-/// 80 bytes.
+/// Returns at most 80 bytes of a device's name, in which each control character, such as a line
+/// break, is replaced by a space.
 std::string shown_name(std::string_view name);
 
 }  // namespace felt

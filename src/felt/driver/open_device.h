@@ -37,22 +37,22 @@ struct DeviceSetup {
 /// Positions and velocities are mapped from the device's frame into the frame of the surface;
 /// forces are mapped back by the inverse rotation. So a movement along +z lifts the pen off the
 /// surface, however the plane is tilted. Pressure, buttons, times and faults pass unchanged. If the
-/// device reports the axis of the pen, its tilt is measured against this plane. Otherwise the tilt
-/// that the device reports is kept.
+/// device reports the axis of the pen, read() computes the tilt as the angle between this axis and
+/// the normal of the surface. Otherwise it keeps the tilt that the device reports.
 ///
 /// read(), between(), write(), held_force() and stop() are used on the thread that Device requires,
 /// and are real-time safe if the same functions of the device are. set_pen_down() may be called
 /// from any thread. All other functions are used on the edit thread.
 class OpenDevice final : public Device {
  public:
-  /// Time that the destructor waits for the driver. If the driver does not return, the device is
-  /// abandoned (felt/rt/abandon.h).
+  /// Longest time that the destructor waits for the driver. If the driver has not returned by then,
+  /// the device is abandoned (felt/rt/abandon.h).
   static constexpr std::chrono::seconds kClosePatience{3};
 
   /// Opens a device that the driver has found. Fails as Driver::open() does.
   static Result<std::unique_ptr<OpenDevice>> open(Driver& driver, const DeviceDescriptor& found,
                                                   const DeviceSetup& setup);
-  /// Takes ownership of a device that its driver has opened. `default_plane` is that of
+  /// Takes ownership of a device that its driver has opened. `default_plane` is the result of
   /// Driver::default_plane().
   OpenDevice(std::unique_ptr<DriverDevice> device, const PlaneCalibration& default_plane,
              const DeviceSetup& setup);

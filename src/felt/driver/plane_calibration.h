@@ -13,34 +13,35 @@
 namespace felt {
 
 /// The position and orientation of the drawing plane in front of a device, stored as a map from the
-/// device's frame to the page's frame (R55: "a driver maps into it"). The map consists of a
-/// rotation, an offset, and one scale for all directions. The page's frame (x right, y down, z
-/// towards the hand) is left-handed, and most devices' frames are right-handed, so the map usually
-/// contains a reflection.
+/// device's frame to the page's frame (R55). The map consists of a rotation, an offset, and one
+/// scale for all directions. The page's frame (x right, y down, z towards the hand) is left-handed,
+/// and most devices' frames are right-handed, so the map usually contains a reflection.
 ///
-/// With the rotation R and the scale s (mm on the page per mm of the hand, 0.5..2, usually 1):
+/// With the rotation R and the scale s (mm on the page per mm of the hand, 0.5..2, usually 1), the
+/// position p, velocity u and force f at the hand become x, v and F on the page:
 ///
 ///   position  x = s R p + o        velocity  v = s R u        force  f = R^T F, so |f| = |F|
 ///
 /// Forces are not scaled: a newton that a tool requests is a newton at the hand, and every limit in
 /// newtons holds at the motors. This has these effects at the hand:
-///   - stiffness k = s K and damping b = s B, because 1 mm of the hand is s mm on the page: the
-///     page may ask for K <= k/s, and limits_for() lowers its budgets in the same way;
-///   - depth: a force F = K d lets the pen sink in by d/s at the hand;
-///   - speed u = V/s: with s < 1 the hand is faster than the pen, so the speed limits are
-///     multiplied by s;
-///   - work f u = F V / s: a force model that is passive on the page (it never gives out more work
-///     than was put in) is passive at the hand, because the factor 1/s is positive and constant.
+///   - a stiffness K and damping B on the page are k = s K and b = s B at the hand, because 1 mm of
+///     the hand is s mm on the page. If the device can render k, the page may request at most k/s,
+///     and limits_for() lowers its budgets in the same way;
+///   - a force F = K d lets the pen sink in by d/s at the hand;
+///   - the speed of the hand is |v|/s: with s < 1 the hand is faster than the pen on the page, so
+///     the speed limits are multiplied by s;
+///   - the power is f u = F v / s: a force model that is passive on the page (it never gives out
+///     more work than was put in) is also passive at the hand, because the factor 1/s is positive
+///     and constant.
 ///
-/// A value type that is trivially copyable. The maps are real-time safe.
+/// A trivially copyable value type. The mapping functions are real-time safe.
 class PlaneCalibration {
  public:
   /// Makes the identity map, for a device that already reports positions in the frame of the page.
   constexpr PlaneCalibration() noexcept = default;
-  /// Restores a map from stored rows(), offset() and scale(). Returns nullopt if the map is
-  /// invalid. It is invalid if the axes do not have length 1 or are not at right angles (both
-  /// within 1e-6), if a number is not finite or exceeds 1e6 mm, or if the scale is not within
-  /// 0.5..2.
+  /// Restores a map from stored rows(), offset() and scale(). Returns nullopt if the axes do not
+  /// have length 1 or are not at right angles (both within 1e-6), if a number is not finite or
+  /// exceeds 1e6 mm, or if the scale is not within 0.5..2.
   static std::optional<PlaneCalibration> from(const std::array<Vec3, 3>& rows, const Vec3& offset,
                                               double scale = 1.0);
 
@@ -120,8 +121,9 @@ std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upp
 /// device's frame. It is needed because three touches do not show which side of the plane faces the
 /// hand.
 ///
-/// Fails if there are fewer than three touches, one is not finite or exceeds 1e6 mm, two are closer
-/// than kMinApartMm, or all are closer than kMinBesideMm to one line.
+/// Fails if there are fewer than three touches, a coordinate is not finite or exceeds 1e6 mm, two
+/// touches are closer together than kMinApartMm, or all touches are within kMinBesideMm of one
+/// line.
 Result<PlaneFit> fit_plane(std::span<const PlaneTouch> touches,
                            Handedness device = Handedness::kRight);
 inline constexpr double kMinApartMm = 15.0;

@@ -25,8 +25,9 @@ class PortGuard {
  public:
   static constexpr std::size_t kMaxBytes = 64;
 
-  /// Starts a guard. The caller still owns `port`. Returns null if `last_words` are longer than
-  /// kMaxBytes, or if a process or connection cannot be created. Used on the edit thread.
+  /// Starts a guard. `port` is a file descriptor, which the caller still owns. Returns null if
+  /// `last_words` are longer than kMaxBytes, or if a process or connection cannot be created. Used
+  /// on the edit thread.
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
                                           std::int64_t patience_ns);
   /// Ends the guard, which then writes the last words. Waits until the guard has exited and has

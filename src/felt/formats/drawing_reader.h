@@ -24,10 +24,10 @@ struct ReadOptions {
   bool salvage = false;
 };
 
-/// Reads a whole drawing of any readable format (docs/formats/README.md). "-" is stdin. The first
-/// bytes of the file determine the format, not its name. If the name suggests another format, a
-/// notice is added to the report. A record of .ndjson that is not a stroke is skipped and reported.
-/// Fits strokes to raw pen samples.
+/// Reads a whole drawing of any readable format (docs/formats/README.md). "-" is stdin. The format
+/// is determined by the first bytes of the file, not by its name. If the name suggests another
+/// format, a notice is added to the report. A record of .ndjson that is not a stroke is skipped and
+/// reported. Fits strokes to raw pen samples.
 ///
 /// The file is not trusted. Fails if it cannot be read, is a folder, exceeds the format's size
 /// limit, has no known format, or is damaged; the message begins with the path. Safe to call from

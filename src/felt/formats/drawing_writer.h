@@ -27,10 +27,10 @@ struct WriteOptions {
   std::optional<GrainPrint> grain_print{};
 };
 
-/// Returns the content of a file in parts, so that several threads can make them and not all parts
-/// need to be in memory (.felt and .png have one part). All parts together are the result of
-/// drawing_bytes(). Valid as long as `drawing` exists. Fails under the same conditions as
-/// drawing_bytes().
+/// Returns the content of a file in parts, so that several threads can make the parts and only a
+/// few of them are in memory (.felt and .png have one part). All parts together are the result of
+/// drawing_bytes(). The result is valid as long as `drawing` exists. Fails under the same
+/// conditions as drawing_bytes().
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options = {});
 

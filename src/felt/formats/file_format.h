@@ -27,7 +27,7 @@ Result<FileFormat> format_of_path(const std::string& path);
 /// lower case.
 bool is_compressed_name(const std::string& path);
 
-/// Number of bytes of a file that format_of_bytes() needs.
+/// Number of bytes from the start of a file that format_of_bytes() needs.
 inline constexpr std::size_t kFormatHeadBytes = 4096;
 
 /// Returns the format of a file by its first bytes, whatever its name. Recognises the signatures of
@@ -36,9 +36,10 @@ inline constexpr std::size_t kFormatHeadBytes = 4096;
 /// else. The bytes are not trusted.
 std::optional<FileFormat> format_of_bytes(std::string_view head);
 
-/// The content of lines of JSON, determined by the keys of the first line that identifies it.
+/// The kinds of content that lines of JSON may have. The keys of the first line that has a known
+/// key determine the kind.
 enum class NdjsonContent {
-  kStrokes,    ///< fitted strokes or raw pen samples (docs/formats/ndjson.md), or unknown
+  kStrokes,    ///< fitted strokes or raw pen samples (docs/formats/ndjson.md); or unknown
   kQuickdraw,  ///< drawings of Quick, Draw!
   kEvents,     ///< an event script or a recording (docs/formats/events.md), which holds no strokes
 };

@@ -29,14 +29,14 @@ struct FormatTraits {
   std::string_view kept{};    ///< what a file of this format keeps of a drawing, as a sentence
 };
 
-/// Returns the rows of all formats. The format that can hold most is the first.
+/// Returns the rows of all formats. The format that can hold the most comes first.
 std::span<const FormatTraits> format_table() noexcept;
 
 /// Returns the row of a format.
 const FormatTraits& traits_of(FileFormat format) noexcept;
 
 /// Returns the format with this name (of --to), in upper or lower case, with or without a dot
-/// before it. Fails for another name; the message lists the known ones.
+/// before it. Fails for any other name; the message lists the known ones.
 Result<FileFormat> format_of_name(std::string_view name);
 
 /// Return the names of the formats that can be read or written, for messages and help, such as

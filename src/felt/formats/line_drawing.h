@@ -44,8 +44,8 @@ inline constexpr const char* kMendedNotice =
 
 /// Reads lines of JSON (docs/formats/ndjson.md) into a drawing with one layer and no page. Reads
 /// fitted strokes exactly as given, and fits strokes to raw pen samples (in mm). A line that is not
-/// a stroke is skipped and reported. A stroke without a name is named after its number among the
-/// strokes.
+/// a stroke is skipped and reported. A stroke without an id is named by stroke_name(), after its
+/// number among the strokes of the file.
 ///
 /// Fails if the text has lines but none could be read, with the first reason. Also fails if the
 /// lines are events.

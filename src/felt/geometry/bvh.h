@@ -14,8 +14,8 @@
 
 namespace felt {
 
-/// The caller's numbers for a segment: its stroke, and its index in that stroke. The tree only
-/// stores them. If two segments are equally near, the one with the lower reference is returned.
+/// The caller's reference to a segment: its stroke, and its index in that stroke. The tree only
+/// stores it, and uses it to choose between segments that are equally near (nearest()).
 struct SegmentRef {
   std::uint64_t stroke = 0;
   std::uint32_t segment = 0;
@@ -29,8 +29,8 @@ struct BvhSegment {
   SegmentRef ref;
 };
 
-/// Limit on the work of one nearest query. The default keeps any query, even an adversarial one,
-/// near 100 us of CPU time: a node takes about 20 ns (100 ns if it is not in the cache), and a
+/// Limit on the work of one nearest query. The default limits any query, even an adversarial one,
+/// to about 100 us of CPU time: a node takes about 20 ns (100 ns if it is not in the cache), and a
 /// piece of a curve (nearest.h) about 80 ns.
 struct BvhWorkCap {
   int nodes = 384;
@@ -95,9 +95,8 @@ class SegmentBvh {
   /// Sorts the current segments again; handles stay the same. Resets degradation().
   void rebuild();
 
-  /// Returns the segment nearest to the query's point. Among the segments at exactly the same
-  /// distance that the search visited, returns the one with the lowest reference, then the lowest
-  /// handle.
+  /// Returns the segment nearest to the query's point. If the search visited several segments at
+  /// exactly this distance, returns the one with the lowest reference, then the lowest handle.
   [[nodiscard]] Hit nearest(const Query& query) const noexcept;
 
   /// Calls visit(handle) for every segment whose tight box (rounded outwards to float) intersects

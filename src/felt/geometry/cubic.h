@@ -40,8 +40,8 @@ constexpr Vec second_derivative(const Cubic& c, double t) noexcept {
                 t * ((c.p[3] - c.p[2]) - (c.p[2] - c.p[1])));
 }
 
-/// Returns the parts [0, t] and [t, 1], computed by de Casteljau. They share the split point bit
-/// for bit, and their outer ends are the ends of c. t is not clamped: outside [0, 1] it
+/// Returns the parts [0, t] and [t, 1], computed by de Casteljau's algorithm. They share the split
+/// point bit for bit, and their outer ends are the ends of c. t is not clamped: outside [0, 1] it
 /// extrapolates.
 constexpr std::pair<Cubic, Cubic> split(const Cubic& c, double t) noexcept {
   const Point a = lerp(c.p[0], c.p[1], t), b = lerp(c.p[1], c.p[2], t), d = lerp(c.p[2], c.p[3], t);
@@ -84,15 +84,15 @@ constexpr Rect control_bounds(const Cubic& c) noexcept {
 
 /// Returns an upper bound in mm of the distance from any point of the curve to its chord, the
 /// straight line *segment* p0 p3. The bound is 0 if and only if the curve lies on the chord.
-/// Because the distance to a convex set is a convex function, dist f(t) <= b1(t) dist p1 + b2(t)
-/// dist p2 <= 3/4 max(dist p1, dist p2). For curves without inflection, the bound is at most 1.7
-/// times too large.
+/// With the Bernstein polynomials b1 and b2, dist f(t) <= b1(t) dist p1 + b2(t) dist p2 <= 3/4
+/// max(dist p1, dist p2), because the distance to a convex set is a convex function. For curves
+/// without inflection, the bound is at most 1.7 times too large.
 double flatness(const Cubic& c) noexcept;
 
 /// Returns the unit direction of travel at t in [0, 1]. If f' is zero there (a zero handle, a
-/// cusp), returns the limit from inside the segment: at the ends the direction to the next distinct
-/// control point, at a cusp the direction in which the curve leaves. Returns (0, 0) if the segment
-/// is a point.
+/// cusp), returns the limit from inside the segment. At an end, this is the direction of the line
+/// between the end and the next distinct control point; at a cusp, it is the direction in which the
+/// curve leaves. Returns (0, 0) if the segment is a point.
 Vec tangent(const Cubic& c, double t) noexcept;
 
 /// Returns the signed curvature in 1/mm: cross(f', f'') / |f'|^3, positive if the curve turns from
@@ -108,10 +108,10 @@ inline double control_length(const Cubic& c) noexcept {
 inline constexpr double kLengthAccuracyMm = 1e-9;
 
 /// Returns the arc length in mm of the part between t0 and t1 in [0, 1] (in either order), within
-/// `accuracy_mm` or 1e-14 of the control polygon, whichever is larger. Adaptive Gauss-Kronrod (7,
-/// 15) on an explicit stack, at most 256 pieces; pieces near a cusp are halved until they are
-/// negligible, because error estimates are unreliable there. Returns NaN if a coordinate is not
-/// finite.
+/// `accuracy_mm` or 1e-14 of the length of the control polygon, whichever is larger. Uses adaptive
+/// Gauss-Kronrod quadrature (7, 15) on at most 256 pieces, with an explicit stack; pieces near a
+/// cusp are halved until they are negligible, because error estimates are unreliable there. Returns
+/// NaN if a coordinate is not finite.
 double arc_length(const Cubic& c, double t0, double t1,
                   double accuracy_mm = kLengthAccuracyMm) noexcept;
 
@@ -120,9 +120,8 @@ inline double arc_length(const Cubic& c, double accuracy_mm = kLengthAccuracyMm)
   return arc_length(c, 0.0, 1.0, accuracy_mm);
 }
 
-/// Returns the t in [0, 1] at which the arc from 0 is `length_mm` long, within `accuracy_mm` of
-/// length. Returns 0 if the length is 0 or less; returns 1 if it is the whole length or more, or
-/// NaN.
+/// Returns the t in [0, 1] at which the arc from 0 to t is `length_mm` long, within `accuracy_mm`.
+/// Returns 0 if the length is 0 or less; returns 1 if it is the whole length or more, or NaN.
 double parameter_at_length(const Cubic& c, double length_mm,
                            double accuracy_mm = kLengthAccuracyMm) noexcept;
 

@@ -34,8 +34,8 @@ struct HeightFieldSpec {
 /// x and in y, each wave fits a whole number of times into the tile, and its length is within a
 /// factor of 1.25 of the wavelength. The other characters are filtered with a Fourier transform,
 /// which removes shorter waves. The 256 x 256 heights of the tile are interpolated with a cubic
-/// B-spline, so that height, slope and curvature are continuous; otherwise the user would feel each
-/// of the tile's cells.
+/// B-spline, so that height, slope and curvature are continuous; otherwise the user would feel the
+/// cells of the tile.
 ///
 /// Uses only + - * / and sqrt, so that the same seed gives the same heights on every machine.
 class HeightField {
@@ -49,8 +49,8 @@ class HeightField {
     Vec slope{};  ///< gradient, mm per mm
   };
 
-  /// Makes the relief of a character; kPicture gives grain here. Takes 20 to 60 ms, so do not call
-  /// it on the haptic thread.
+  /// Makes the relief of a character. For kPicture, makes grain, because the picture is not known
+  /// here. Takes 20 to 60 ms, so do not call it on the haptic thread.
   explicit HeightField(const HeightFieldSpec& spec);
   /// Makes a relief from kSide x kSide heights in any unit, row by row, which are scaled to the rms
   /// of `spec`. The heights should repeat without a seam and have no wave shorter than

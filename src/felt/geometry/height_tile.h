@@ -13,8 +13,8 @@
 namespace felt::height_tile {
 
 inline constexpr int kSide = HeightField::kSide;
-/// Limits of the relief's waves, as a number of waves per tile. Waves above kFadeFrom are weakened,
-/// and waves from kMaxWaves on are removed.
+/// Limits of the relief's waves. Waves that fit into the tile more than kFadeFrom times are
+/// weakened, and those that fit kMaxWaves times or more are removed.
 inline constexpr double kFadeFrom = 30.0;
 inline constexpr double kMaxWaves = HeightField::kWavesPerTile * HeightField::kBand;
 
@@ -45,8 +45,8 @@ class Random {
 /// machines.
 std::array<double, kSide> cosines();
 
-/// Removes waves that fit into the tile fewer than `least` times, or `most` times or more. Weakens
-/// those between `fade_from` and `most` gradually.
+/// Removes waves that fit into the tile fewer than `smallest` times, or `largest` times or more.
+/// Gradually weakens those between `fade_from` and `largest`.
 void keep_band(Tile& tile, double smallest, double fade_from, double largest);
 
 /// Returns the relief of a character, before its rms is set (height_characters.cc).

@@ -17,7 +17,7 @@ inline constexpr double kMeetMm = 1e-9;
 struct Crossing {
   enum class Kind : std::uint8_t {
     kCross,    ///< they pass through each other
-    kTouch,    ///< they meet, but no crossing is proven: at tangents, at cusps, at an end of either
+    kTouch,    ///< they meet, but no crossing is proven, for example at tangents, cusps and ends
     kOverlap,  ///< an end of a part that both cubics share
   };
   double t1 = 0.0;  ///< parameter on the first cubic
@@ -66,9 +66,9 @@ inline constexpr int kIntersectPairs = 4096;
 ///
 /// Guarantees: f(t1) and g(t2) of each result are within kMeetMm (plus 1e-13 of the coordinates) of
 /// each other; every transversal crossing is found; curves that come within half of kMeetMm of each
-/// other are found as a touch. Crossings closer to each other than the length of a touch may be
-/// merged into one result. No recursion, no allocation. Returns no points if a coordinate is not
-/// finite.
+/// other are found as a touch. Results are merged into one if they are within 1e-7 mm of each other
+/// along both curves, or if a touch extends from one to the other. No recursion, no allocation.
+/// Returns no points if a coordinate is not finite.
 Crossings intersections(const Cubic& first, const Cubic& second,
                         int max_pairs = kIntersectPairs) noexcept;
 

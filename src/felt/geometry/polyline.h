@@ -47,8 +47,9 @@ Point point_at_length(std::span<const Point> line, double length_mm) noexcept;
 /// Linear in the sizes of `line` and `out`.
 void resample(std::span<const Point> line, std::span<Point> out) noexcept;
 
-/// Queries on polygons: closed polylines whose last point is joined to the first (which may be
-/// omitted at the end). They may cross themselves, repeat points and have any orientation.
+/// Queries on polygons: closed polylines whose last point is joined to the first. The first point
+/// may, but need not, be repeated at the end. Polygons may cross themselves, repeat points and have
+/// any orientation.
 
 /// The rule for which points a self-crossing polygon contains.
 enum class FillRule : std::uint8_t {
@@ -65,13 +66,13 @@ bool contains(std::span<const Point> polygon, Point p, FillRule rule) noexcept;
 /// boundary turns from +x to +y (clockwise as the user sees it). Parts enclosed twice count twice.
 double area(std::span<const Point> polygon) noexcept;
 
-/// Marks with 1 in `keep` the points of an open polyline that Douglas-Peucker keeps: every dropped
-/// point lies within `tolerance_mm` of the line between its kept neighbours; the ends are kept.
-/// Requires `keep` and `line` to have the same size. Returns the number of kept points. Does not
-/// allocate or recurse, because the marks serve as the stack. Usually takes n log n time, in the
-/// worst case n^2. To simplify a closed outline, pass it as an open polyline with its first point
-/// repeated. Source: Douglas, Peucker, "Algorithms for the reduction of the number of points
-/// required to represent a digitized line", 1973.
+/// Simplifies an open polyline with the Douglas-Peucker algorithm: sets `keep` to 1 for the points
+/// that are kept and to 0 for the others. Every dropped point lies within `tolerance_mm` of the
+/// line between its kept neighbours; the ends are kept. Requires `keep` and `line` to have the same
+/// size. Returns the number of kept points. Does not allocate or recurse, because the marks serve
+/// as the stack. Usually takes n log n time, in the worst case n^2. To simplify a closed outline,
+/// pass it as an open polyline with its first point repeated. Source: Douglas, Peucker, "Algorithms
+/// for the reduction of the number of points required to represent a digitized line", 1973.
 std::size_t mark_simplified(std::span<const Point> line, double tolerance_mm,
                             std::span<std::uint8_t> keep) noexcept;
 

@@ -14,8 +14,8 @@ inline constexpr double kMaxTiltDeg = 90.0;
 inline constexpr double kFreeTiltDeg = 40.0;
 inline constexpr double kFullTiltDeg = 65.0;
 
-/// Converts a tilt in degrees to the 0..1 that media use (material/materials.h). NaN counts as
-/// upright. Real-time safe.
+/// Converts a tilt in degrees to the share of its full effect on media, 0..1
+/// (material/materials.h). NaN counts as upright. Real-time safe.
 constexpr double tilt_share(double tilt_deg) noexcept {
   if (!(tilt_deg > kFreeTiltDeg)) return 0.0;
   const double share = (tilt_deg - kFreeTiltDeg) / (kFullTiltDeg - kFreeTiltDeg);
@@ -28,14 +28,15 @@ inline std::optional<double> checked_tilt(std::optional<double> tilt_deg) noexce
   return std::fmin(std::fmax(*tilt_deg, 0.0), kMaxTiltDeg);
 }
 
-/// Returns the tilt of a pen along `axis` (in either direction, of any length): the angle to the z
-/// axis in degrees, 0..90, rounded to tenths of a degree. No pen measures finer, and short numbers
-/// keep recordings small. Returns nullopt if the axis has no direction. Real-time safe.
+/// Returns the tilt of a pen whose axis is `axis` (which may point in either direction and have any
+/// length): the angle to the z axis in degrees, 0..90, rounded to tenths of a degree. No pen
+/// measures finer, and short numbers keep recordings small. Returns nullopt if the axis has no
+/// direction. Real-time safe.
 std::optional<double> tilt_of_axis(const Vec3& axis) noexcept;
 
 /// Returns the tilt of a pen from its projections on the planes x-z and y-z, in degrees, -90..90
 /// (tiltX and tiltY of a tablet, OTx and OTy of InkML): atan(sqrt(tan^2 tx + tan^2 ty)), rounded to
-/// tenths. Returns nullopt if an angle is not finite or beyond 90.
+/// tenths. Returns nullopt if an angle is not within -90..90.
 std::optional<double> tilt_of_xy(double x_deg, double y_deg) noexcept;
 
 }  // namespace felt

@@ -28,7 +28,7 @@ struct Capabilities {
   Vec3 workspace_max{80, 60, 35};      ///< mm
   double position_step_mm = 0.0;       ///< resolution of the position; 0 = unknown
   std::int64_t period_ns = 1'000'000;  ///< period of the servo loop, 0.2..4 ms
-  int delay_ticks = 1;                 ///< ticks from reading a position to its force
+  int delay_ticks = 1;                 ///< ticks from reading a position until its force acts
   bool senses_pressure = false;
   /// Millimetres on the page for one millimetre of the hand, 0.5..2 (PlaneCalibration::scale). The
   /// lengths, stiffness and damping in this struct are those on the page; forces are not scaled.
@@ -42,7 +42,7 @@ struct Capabilities {
   friend constexpr bool operator==(const Capabilities&, const Capabilities&) noexcept = default;
 };
 
-/// Returns a value that a device reported, or 0 if it is not finite and positive.
+/// Returns a value that a device reported, or 0 unless it is finite and positive.
 inline double finite_positive(double value) noexcept {
   return std::isfinite(value) && value > 0.0 ? value : 0.0;
 }

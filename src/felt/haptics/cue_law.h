@@ -24,13 +24,14 @@ struct CueFeel {
 };
 
 /// Returns the cue feel of a medium on a surface. The waveform follows from the medium's
-/// properties, so that user-defined media have one, too. It is kEraser if the medium does not draw;
-/// kBrush or kMarker, by friction, if little grain is felt through it (hairs and fibres); kInk if
-/// it glides; kChiselMarker if it is waxy; kPencil (on a surface without grain kInk) if it has no
-/// more friction than a pencil; otherwise kBuzz (charcoal, chalk). The roughness grows with the
-/// relief and with the share of the relief that is felt: 0.4 on glass, 0.81 for a pencil on paper,
-/// towards 1 for chalk on a blackboard. These values are estimates. The function looks up the
-/// relief, so don't call it on the haptic thread.
+/// properties, so that user-defined media have one, too. The first of these that applies is used:
+/// kEraser if the medium does not draw; kBrush or kMarker, depending on friction, if little grain
+/// is felt through it (hairs and fibres); kInk if it glides; kChiselMarker if it is waxy; kPencil
+/// if it has about the friction of a pencil or less (but kInk on a surface without grain);
+/// otherwise kBuzz (charcoal, chalk). The roughness grows with the relief and with the share of the
+/// relief that is felt: 0.4 on glass, 0.81 for a pencil on paper, towards 1 for chalk on a
+/// blackboard. These values are estimates. The function looks up the relief, so don't call it on
+/// the haptic thread.
 CueFeel cue_feel_of(const Medium& tool, const SurfaceMaterial& surface);
 
 /// The state of the pen at one moment.
@@ -43,36 +44,36 @@ struct CueInput {
   Point place{};                ///< position on the surface, mm
 };
 
-/// Converts a sample. If the device senses pressure, a pressure of 1 counts as kFullPushN;
-/// otherwise the push follows from the depth in the surface's spring.
+/// Converts a sample of the pen. If the device senses pressure, a pressure of 1 counts as
+/// kFullPushN; otherwise the push follows from the depth in the surface's spring.
 CueInput cue_input_of(const PenSample& sample, const SurfaceMaterial& surface) noexcept;
 inline constexpr double kFullPushN = 2.0;  ///< full width of a line (R17)
 
 /// Returns how strongly rubbing is felt, 0..1. It is continuous and grows with speed up to 1. It
-/// also grows with push, unless the push flattens the relief faster than that: relief_left(wear,
-/// push/kFullPushN), the same formula as for the felt and the displayed relief. If the wear is at
-/// most 0.5, it always grows with push.
+/// also grows with the push, unless the push flattens the relief faster. The share of the relief
+/// that is left is relief_left(wear, push/kFullPushN), the same formula as for the felt and the
+/// displayed relief. If the wear is at most 0.5, the intensity always grows with the push.
 ///
 ///   I = r sqrt(P / 75 mW), at most 1,    P = mu Fn (v - 2 mm/s)+
 ///   r = 0.4 + (roughness - 0.4) relief_left
 ///
-/// It is 0 at rest and without push: the first 2 mm/s are ignored because they may be hand tremor.
-/// It is proportional to the root of the friction power P because, if a fixed share of P becomes
-/// vibration, the amplitude of the vibration is proportional to the root of P. Recordings of tools
-/// dragged over materials show the same tendency: vibration grows with speed and with normal force
-/// (Romano and Kuchenbecker, IEEE Trans. Haptics 5(2), 2012), and felt texture grows with the
-/// amplitude of vibration that is coupled to the motion (Strohmeier and Hornbaek, CHI 2017). 75 mW
-/// is the power of a pencil that is pressed with 1.5 N and moved at 200 mm/s. The constants are
-/// estimates.
+/// (x)+ is max(0, x). The intensity is 0 without push and at rest; the first 2 mm/s are ignored
+/// because they may be hand tremor. It is proportional to the root of the friction power P because,
+/// if a fixed share of P becomes vibration, the amplitude of the vibration is proportional to the
+/// root of P. Recordings of tools dragged over materials show the same tendency: vibration grows
+/// with speed and with normal force (Romano and Kuchenbecker, IEEE Trans. Haptics 5(2), 2012), and
+/// felt texture grows with the amplitude of vibration that is coupled to the motion (Strohmeier and
+/// Hornbaek, CHI 2017). 75 mW is the power of a pencil that is pressed with 1.5 N and moved at 200
+/// mm/s. The constants are estimates.
 double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) noexcept;
 
 /// Returns a factor of the intensity, around 1, that renders the hills of the relief that the pen
-/// crosses: 1 + told grain relief_left h/(2 rms), with h limited to 2 rms in either direction. The
-/// relief is the same object that is also felt, seen and heard. A device receives only some 20 cues
-/// a second, so hills can be rendered only while at most kToldHillsPerS of them pass per second. At
-/// kLostHillsPerS and more, which is typical of drawing, the hills merge into steady humming:
-/// `told` falls from 0.6 to 0 between the two rates. The result is 0.4 to 1.6, continuous, and 1
-/// without a relief.
+/// crosses: 1 + reported grain relief_left h/(2 rms). The height h is limited to 2 rms in either
+/// direction. The relief is the same object that is also felt, seen and heard. A device receives
+/// only some 20 cues a second, so hills can be rendered fully only if at most kReportedHillsPerS of
+/// them pass per second. At kLostHillsPerS and more, which is typical of drawing, the hills merge
+/// into steady humming: `reported` falls from 0.6 to 0 between the two rates. The result is 0.4 to
+/// 1.6, continuous, and 1 without a relief.
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept;
 inline constexpr double kReportedHillsPerS = 3.0;
 inline constexpr double kLostHillsPerS = 7.0;
@@ -90,12 +91,12 @@ enum class CueEvent : std::uint8_t {
 /// times a second to 1 kHz:
 ///
 ///   law.set_feel(cue_feel_of(medium, surface));
-///   law.tell(CueEvent::kSnapped);                        // when it happens
+///   law.report(CueEvent::kSnapped);                      // when it happens
 ///   if (auto cue = law.step(cue_input_of(pen, surface))) device.play(*cue, now_ns);
 ///
 /// * It sends at most one cue every kMinApartNs; single cues of one kind are at least kSameApartNs
-///   apart. A cue that could not be sent within kStaleNs is dropped; of two events the more
-///   important one is sent.
+///   apart. A cue that could not be sent within kStaleNs is dropped. If two cues wait, only the
+///   more important one is sent.
 /// * Contact has the same hysteresis as ink: a pen counts as lifted when it is 0.5 mm above the
 ///   surface or has been off the surface for 25 ms. So a pen that chatters on the surface counts as
 ///   touching once.

@@ -11,8 +11,8 @@ namespace felt {
 /// The paper requires a force of 0.2..1 N that grows with d. l(d) satisfies this, but its jump to
 /// 0.2 N at d = 0 would cause a limit cycle (up to 0.14 N above 30 Hz), so within the first 0.7 to
 /// 0.9 mm the force is that of a spring of stiffness Kcap (docs/design/forces.md#edit-law). The
-/// rational function l also grows strictly in double precision, whereas 1 - exp(-d/D) would become
-/// constant near 37 D.
+/// rational function l also grows strictly when computed in double precision, whereas 1 - exp(-d/D)
+/// would become constant near 37 D.
 struct ForceLaw {
   double spread_mm = 10.0;     ///< D: 10 for edits, 40 for transforms
   double cap_n_per_m = 300.0;  ///< Kcap, which is also the largest slope

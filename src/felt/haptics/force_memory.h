@@ -67,8 +67,8 @@ class ForceTerms {
 };
 
 /// A point that follows the pen, such as a towed nib; the brick that moves it stores it here.
-/// `gesture` is the number that the tool gave its gesture: if the number changes, the follower
-/// starts again.
+/// `gesture` is the tool's number for the current gesture. If it changes, the follower starts
+/// again.
 struct Follower {
   Point position{};  ///< mm
   Vec velocity{};    ///< mm/s, for followers that have a velocity
@@ -77,9 +77,9 @@ struct Follower {
 };
 
 /// The state of force bricks from tick to tick, and the data that the loop gives them for this
-/// tick. Each active model has its own ForceMemory. When one model replaces another, it starts with
-/// a copy of the other's memory, so that, for example, a bristle stays anchored. The type has
-/// constant size and is trivially copyable.
+/// tick. Each active model has its own ForceMemory. A model that replaces another starts with a
+/// copy of the previous model's memory, so that, for example, a bristle stays anchored. The type
+/// has constant size and is trivially copyable.
 struct ForceMemory {
   // Set by the loop before each evaluation.
   double dt_s = 0.001;                ///< time since the last tick, clamped to 0.2..5 ms
@@ -88,7 +88,7 @@ struct ForceMemory {
   double material_cap_n_per_m = 0.0;  ///< the device's maximum for a plane (R55); 0 = no bound
   // Set by bricks and read by later bricks of the same model, such as the friction after the plane.
   double normal_force_n = 0.0;  ///< total force of the plane on this tick
-  /// Only the spring part of that push, which determines the width (R14).
+  /// The spring part of normal_force_n, which determines the width (R14).
   double spring_force_n = 0.0;
   // Set by the texture; used and reset by the friction, which comes after the texture.
   double friction_factor = 1.0;  ///< mu(x) / mu of this tick

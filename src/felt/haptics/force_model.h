@@ -19,7 +19,7 @@ inline constexpr std::size_t kForceFunctorBytes = 2048;
 
 /// A force that may run on the haptic thread. It has constant size, is copied as bytes and never
 /// throws. `slopes()` returns the stiffness that the force needs from the stiffness budget (R56).
-/// Objects that it points to must outlive the loop.
+/// Objects that the functor points to must outlive the loop.
 template <class F>
 concept ForceFunctor = std::is_trivially_copyable_v<F> && sizeof(F) <= kForceFunctorBytes &&
                        alignof(F) <= alignof(std::max_align_t) &&
@@ -101,7 +101,7 @@ class Compose<First, Rest...> {
       : first_(first), rest_(rest...) {}
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-    // Before the other bricks, because the order matters.
+    // A separate statement, so that this brick is evaluated before the others.
     const Force force = first_(sample, memory);
     return force + rest_(sample, memory);
   }

@@ -73,19 +73,20 @@ class VelocityFilter {
   bool has_last_ = false;
 };
 
-/// Part of a speed that dampers ignore.
+/// The part of a speed that dampers ignore, because it may be an error of the sensor.
 inline constexpr double kUnknownSpeedMmPerS = 6.0;
 
 /// Returns the velocity along the surface that dampers may rely on: the measured one shortened by 6
 /// mm/s, or zero if the pen is slower than that.
 ///
-/// One step of a position sensor (0.03 mm) appears in a velocity that is low-pass filtered at 100
-/// Hz as 12 mm/s at 1 kHz and 17 mm/s at 5 kHz, whether the pen moved by a step or crept over an
-/// edge. At rest, dampers of 3 N s/m in total turn that into kicks that keep a frictionless pen
-/// oscillating between two steps: 0.031 N above 30 Hz at 1 kHz and 0.038 N at 5 kHz beside
-/// stiffnesses of 900 N/m. With this function, the force above 30 Hz is 0.018 and 0.023 N
-/// (spring_test.cc checks the bound). Oscillations that remain undamped are smaller than 0.05 mm at
-/// 20 Hz. Shortening keeps the direction, so a damper can still only remove energy.
+/// After the low-pass filter at 100 Hz, one step of a position sensor (0.03 mm) appears as a
+/// velocity of 12 mm/s on a loop at 1 kHz, and of 17 mm/s at 5 kHz. This happens even if the pen
+/// only crept over the edge between two steps. At rest, dampers of 3 N s/m in total turn these
+/// velocities into kicks that keep a frictionless pen oscillating between two steps. Together with
+/// stiffnesses of 900 N/m, the force above 30 Hz is then 0.031 N at 1 kHz and 0.038 N at 5 kHz.
+/// With this function, it is 0.018 and 0.023 N (spring_test.cc checks the bound). Oscillations that
+/// remain undamped are smaller than 0.05 mm at 20 Hz. Shortening keeps the direction, so a damper
+/// can still only remove energy.
 inline Vec known_velocity(const PenSample& sample) noexcept {
   const Vec v = in_plane(sample.velocity);
   const double speed = norm(v);

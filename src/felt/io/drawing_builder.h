@@ -32,7 +32,7 @@ class DrawingBuilder {
   /// NUL, the layer is named after its position: "Layer 3".
   std::size_t add_layer(LayerState state);
   [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
-  /// Adds a stroke on top of that layer. Requires an index from add_layer().
+  /// Adds a stroke on top of the layer with the index `layer`. Requires an index from add_layer().
   void add(std::size_t layer, Stroke stroke, std::string_view name = {});
   /// Adds a stroke that has the id `id` in another document. The stroke keeps that id.
   void add(std::size_t layer, StrokePtr stroke, StrokeId id);

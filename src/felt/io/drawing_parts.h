@@ -63,7 +63,7 @@ struct StrokeRange {
 };
 
 /// Maximum number of strokes and of control points in a part. A single stroke with more control
-/// points becomes a part of its own.
+/// points becomes a separate part.
 inline constexpr std::size_t kPartStrokes = 128;
 inline constexpr std::size_t kPartPoints = 8192;
 

@@ -17,7 +17,7 @@ namespace felt {
 Result<Palette> read_gpl(const std::string& file, std::string_view text);
 
 /// Returns the text of a .gpl file that read_gpl() reads back as the same palette. Alpha is not
-/// written, because the format has none. Requires a palette within the limits, with names that
+/// written, because the format has no alpha. Requires a palette within the limits, with names that
 /// read_gpl() accepts and that neither begin nor end with a space.
 std::string write_gpl(const Palette& palette);
 

@@ -25,8 +25,8 @@ struct WidePoint {
 inline constexpr double kDrawnLineToleranceMm = 0.05;
 /// Largest difference between the width profile and the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;
-/// A straight piece of a drawn line that is longer than this, in mm, is assumed to be drawn with a
-/// ruler and becomes one straight segment.
+/// If a straight piece of a drawn line is longer than this, in mm, it is assumed to have been drawn
+/// with a ruler and becomes one straight segment.
 inline constexpr double kRuledMm = 20.0;
 
 /// Converts the data of other programs to strokes: pen samples, or lines with widths. Use one

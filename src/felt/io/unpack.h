@@ -19,7 +19,7 @@ struct UnpackLimits {
                                               ///< unpacked to packed size
 };
 
-/// These return true if the data begins like gzip data, or like a zip archive.
+/// Return true if the data begins like gzip data (is_gzip) or like a zip archive (is_zip).
 bool is_gzip(std::string_view bytes) noexcept;
 bool is_zip(std::string_view bytes) noexcept;
 
@@ -52,9 +52,9 @@ void append_gzip_tail(std::string& out, std::uint32_t crc32, std::uint64_t raw_b
 std::string zlib_head();
 void append_zlib_tail(std::string& out, std::uint32_t adler32);
 
-/// ..._of() returns the checksum of a piece; ..._joined() returns that of two consecutive pieces,
-/// from their checksums and the size of the second. The checksum of no bytes is 0 for CRC-32 and 1
-/// for Adler-32.
+/// ..._of() returns the checksum of a piece; ..._joined() computes the checksum of two consecutive
+/// pieces from their checksums and the size of the second piece. The checksum of no bytes is 0 for
+/// CRC-32 and 1 for Adler-32.
 std::uint32_t crc32_of(std::string_view bytes);
 std::uint32_t crc32_joined(std::uint32_t first, std::uint32_t second, std::uint64_t second_bytes);
 std::uint32_t adler32_of(std::string_view bytes);

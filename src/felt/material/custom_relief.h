@@ -9,14 +9,16 @@
 
 namespace felt {
 
-/// The number of heights along each side of the square in the text of a material. The shortest wave
-/// of a relief is about three heights long (HeightField::kBand).
+/// The text of a material stores a custom relief as a square of heights. This is the number of
+/// heights along each side. The shortest wave of a relief is about three heights long
+/// (HeightField::kBand).
 inline constexpr int kOwnReliefSide = 128;
 
-/// Returns a custom relief, for SurfaceMaterial::picture, from a picture. Resamples it to
+/// Converts a picture to a custom relief for SurfaceMaterial::picture. Resamples the picture to
 /// kOwnReliefSide^2 heights of 16 bits, as in the text of a material. Returns the same object for
-/// the same heights, so that materials with equal texts compare equal and each relief is made (60
-/// ms) only once. Call on any thread except the haptic thread. Fails if height_field_of fails.
+/// the same heights, so that materials with equal texts compare equal and each relief is computed,
+/// which takes 60 ms, only once. Call on any thread except the haptic thread. Fails if
+/// height_field_of fails.
 Result<std::shared_ptr<const HeightField>> custom_relief(const HeightPicture& picture);
 
 /// Returns the custom relief of a text written by custom_relief_text; white space is ignored. Fails

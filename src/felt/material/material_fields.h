@@ -40,8 +40,8 @@ struct MaterialField {
 
   /// Returns the value used if the text does not have the field.
   [[nodiscard]] double fallback() const { return get(Material{}); }
-  /// Returns true if the value is in range. A wavelength of 0 means "no grain": it is out of range,
-  /// and is not written.
+  /// Returns true if the value is in range. A wavelength of 0 means "no grain". This value is out
+  /// of range, so it is not written.
   [[nodiscard]] bool allows(double value) const noexcept;
 };
 
@@ -61,7 +61,7 @@ const MediumField* find_medium_field(std::string_view id) noexcept;
 std::string allowed_text(const SurfaceField& field);
 std::string allowed_text(const MediumField& field);
 
-/// The names of the values of HeightCharacter, in its order.
+/// The names of the values of HeightCharacter, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 6> kGrainCharacters = {"grain",  "rough", "weave",
                                                                      "fibres", "wood",  "picture"};
 

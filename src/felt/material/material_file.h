@@ -26,8 +26,9 @@ inline constexpr std::size_t kMaxMaterialLabelBytes = 80;
 struct MaterialSource {
   /// The name of the file; messages start with it.
   std::string name = "material";
-  /// Reads the picture named by `grain.picture` (see io/png.h). If it is empty, a text that names a
-  /// picture is an error, because a session reads no files: the text must contain everything.
+  /// Reads the picture that `grain.picture` names (see io/png.h). If this function is empty, a text
+  /// that names a picture is an error, because a session reads no files: the text must contain
+  /// everything.
   std::function<Result<HeightPicture>(const std::string& file)> load_picture = {};
 };
 

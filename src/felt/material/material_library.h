@@ -11,8 +11,8 @@
 
 namespace felt {
 
-/// Reads a greyscale picture from a file, for example read_height_png of io/png.h. If it is empty,
-/// a material that names a picture is an error.
+/// Reads a greyscale picture from a file, for example read_height_png of io/png.h. If the function
+/// is empty, a material that names a picture is an error.
 using LoadPicture = std::function<Result<HeightPicture>(const std::string& path)>;
 
 /// A material that is not built in, and the path of its file.
@@ -32,7 +32,7 @@ struct MaterialLibrary {
 
 /// Returns the folders that may contain materials: feltline/materials in XDG_DATA_HOME (default
 /// ~/.local/share), then in each of XDG_DATA_DIRS (default /usr/local/share and /usr/share). The
-/// first one is the user's folder; it is "" if neither XDG_DATA_HOME nor HOME is set. Reads the
+/// first element is the user's folder; it is "" if neither XDG_DATA_HOME nor HOME is set. Reads the
 /// environment, so no other thread may change it meanwhile.
 std::vector<std::string> material_folders();
 
@@ -45,22 +45,24 @@ std::vector<std::string> material_folders();
 MaterialLibrary load_materials(std::span<const std::string> folders,
                                const LoadPicture& load_picture = {});
 
-/// Reads one file, and the picture that it may name in the same folder. Fails if the file cannot be
-/// read or read_material fails; the error names the file.
+/// Reads one file. If the material names a picture, also reads the picture from the same folder.
+/// Fails if the file cannot be read or read_material fails; the error names the file.
 Result<AnyMaterial> read_material_file(const std::string& path,
                                        const LoadPicture& load_picture = {});
 
-/// Returns the MaterialSource for the text of a file: its name, and pictures in the same folder.
+/// Returns the MaterialSource for the text of a file. It contains the name of the file and loads
+/// pictures from the same folder.
 MaterialSource material_source(const std::string& path, const LoadPicture& load_picture = {});
 
-/// Returns the path of the file in a folder that has a material of the same kind and id, even if
-/// its other fields differ; returns "" if no such file can be read.
+/// Returns the path of the file in `folder` that has a material of the same kind and id as
+/// `material`, even if the other fields differ; returns "" if no such file can be read.
 std::string material_path(const std::string& folder, const AnyMaterial& material);
 
-/// Saves a user-defined material in a folder, which is created if necessary. Replaces the file with
-/// the same kind and id; otherwise writes ID.toml. The file is replaced completely or not at all.
-/// Returns the path of the file. Fails if the id is built in, material_error() is not "", a file
-/// has the same id but the other kind, ID.toml has another material, or the disk fails.
+/// Saves a user-defined material in a folder, which is created if necessary. If a file in the
+/// folder has the same kind and id, replaces that file; otherwise writes ID.toml. The file is
+/// replaced completely or not at all. Returns the path of the file. Fails if the id is built in,
+/// material_error() is not "", a file has the same id but the other kind, ID.toml has another
+/// material, or the disk fails.
 Result<std::string> save_material(const std::string& folder, const AnyMaterial& material);
 
 /// Deletes the file with the kind and id of this material. Fails if the folder has no such file, or

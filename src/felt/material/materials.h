@@ -42,7 +42,7 @@ struct MediumLook {
   double grain = 1.0;          ///< visible share of the surface's relief; 0 for wet media
   double cut_light = 0.35;     ///< the surface stays bare below this height, in RMS, at tone 0
   double cut_heavy = -2.6;     ///< height below which the surface stays bare at tone 1
-  double soft = 0.9;           ///< half the width of the edge of a grain, in RMS
+  double soft = 0.9;           ///< the ink fades in within this height of the cut, in RMS
   double crumb = 0.0;          ///< amount of grain that the medium itself adds (dust, crumbs), 0..1
   double crumb_mm = 0.3;       ///< wavelength of that grain
   double edge = 0.0;           ///< width of the soft edge of the line, as a share of its radius
@@ -56,7 +56,7 @@ struct MediumLook {
 struct MediumSound {
   double loudness = 1.0;    ///< 0..1
   double brightness = 0.5;  ///< 0..1
-  double squeak = 0.0;      ///< how easily stick-slip squeaks (chalk, felt-tip), 0..1
+  double squeak = 0.0;      ///< how easily it squeaks by stick-slip (chalk, felt-tip), 0..1
 
   friend bool operator==(const MediumSound&, const MediumSound&) = default;
 };
@@ -101,7 +101,7 @@ constexpr double relief_left(double wear, double firmness) noexcept {
   return 1.0 - share(wear) * share(firmness);
 }
 
-/// What a surface, apart from its relief, adds to the sound of a pen that rubs on it.
+/// The contribution of a surface to the sound of rubbing, apart from that of its relief.
 struct SurfaceSound {
   double loudness = 1.0;    ///< 0..1, 0 is silent
   double brightness = 0.5;  ///< 0 dull (felt) .. 1 bright (glass)
@@ -122,7 +122,7 @@ struct SurfaceMaterial {
   double grain_mm = 0.0;
   HeightCharacter grain_character = HeightCharacter::kGrain;
   std::uint32_t grain_seed = 1;
-  /// The custom relief if the character is kPicture; it is scaled to the size above.
+  /// The custom relief if the character is kPicture; it is scaled to `grain_um` and `grain_mm`.
   std::shared_ptr<const HeightField> picture{};
   SurfaceSound sound{};
   std::uint32_t color_rgb = 0xFFFFFF;  ///< default colour, 0xRRGGBB; a page can have another
@@ -135,7 +135,7 @@ struct SurfaceMaterial {
 };
 
 /// All surfaces and media, built-in and user-defined, by their ids. A value type; do not change it
-/// while another thread reads it. The first surface is paper, the first medium the pencil.
+/// while another thread reads it. The first surface is paper, and the first medium is the pencil.
 class Materials {
  public:
   /// Returns the built-in surfaces (paper, rough-paper, watercolour, canvas, blackboard, felt,
@@ -157,7 +157,7 @@ class Materials {
   std::vector<Medium> media_;
 };
 
-// Returns the surfaces of Materials::built_in().
+// Shorthands for the functions of Materials::built_in() with the same meaning.
 std::span<const SurfaceMaterial> surface_materials() noexcept;
 std::span<const Medium> media() noexcept;
 const SurfaceMaterial* find_surface(std::string_view id) noexcept;

@@ -8,8 +8,8 @@ namespace felt {
 /// Returns the relief of a surface, or null if the surface is smooth. Force, display and sound get
 /// the same object (R47). The first call for a relief takes 20 to 60 ms. The relief is kept until
 /// the program ends, so that a force model may point to it. Surfaces that differ only in height or
-/// wavelength share a tile, so that other values of these take little time. Call on any thread
-/// except the haptic thread.
+/// wavelength share the computed tile, so that a change of these values takes little time. Call on
+/// any thread except the haptic thread.
 const HeightField* surface_grain(const SurfaceMaterial& surface);
 
 }  // namespace felt

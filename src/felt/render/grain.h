@@ -10,31 +10,31 @@ namespace felt {
 
 struct InkLook;
 
-/// The look of media on a surface (paper, "future work"; docs/design/rendering.md#grain-in-ink;
-/// R47): dry ink lies on the hills of the relief and leaves the valleys bare; with more pressure it
-/// reaches deeper. The formulas use the values of the medium's MediumLook, the tone t, and the push
-/// q at a distance of rho radii from the middle of the line. The tip presses less towards its edge,
-/// so q is smaller there.
+/// The look of media on a surface (R47; docs/design/rendering.md#grain-in-ink; "future work" of the
+/// paper): dry ink lies on the hills of the relief and leaves the valleys bare; with more pressure
+/// it reaches deeper. The formulas use the values of the medium's MediumLook, its wear, the tone t,
+/// and the push q at a distance of rho radii from the middle of the line. The tip presses less
+/// towards its edge, so q is smaller there.
 ///
 ///   alpha = opacity(q) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
 ///   r = (grain d s(x) + crumb c(x) + streaks b(y)) / n,   n = |(grain, crumb, streaks)|
 ///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
 ///   q = t (1 - 0.45 rho^2)
 ///
-/// The smoothstep of h - h_cut(p) comes from docs/design/rendering.md#grain-in-ink. Its terms are
-/// Feltline's own choice:
+/// The form smoothstep(h - h_cut(p)) comes from docs/design/rendering.md#grain-in-ink. The terms
+/// are Feltline's own choice:
 /// s  the same height h that the hand feels at x, plus a *tooth*: the same map, finer and (except
-///    for wood) rotated. The tooth is drawn, but not felt, because grain shorter than 1 mm cannot
-///    be both stable and strong enough to be felt at 1 kHz (docs/design/forces.md#texture). s is in
-///    units of its own RMS;
+///    for wood) rotated. The tooth is drawn, but not felt, because in a loop of 1 kHz, grain
+///    shorter than 1 mm cannot be both stable and strong enough to feel
+///    (docs/design/forces.md#texture). s is in units of its own RMS;
 /// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
-/// c  the medium's own dust: a separate map, as coarse as crumb_mm, fixed to the page;
-/// b  hairs, by the position y across the line: the single hairs of a dry brush are visible.
-/// Within `edge` radii of the rim, alpha fades to 0, and q falls to -1/3, where the ink reaches no
-/// part of the relief, so that the edge of dust frays. Wet ink dries darker at the rim: alpha is
-/// multiplied by up to 1 + rim. If a pixel is larger than the grain, alpha is the mean over the
-/// detail that the pixel cannot show. Nothing here depends on earlier strokes, so any order of
-/// painting gives the same picture.
+/// c  the medium's own dust: a separate map with the wavelength crumb_mm, fixed to the page;
+/// b  the single hairs of a dry brush, by the position y across the line.
+/// Within `edge` radii of the rim, alpha fades to 0 and q falls to -1/3. At this q the ink reaches
+/// no part of the relief, so the edge of a dusty line frays. Wet ink dries darker at the rim: alpha
+/// is multiplied by up to 1 + rim. If a pixel is larger than the grain, alpha is the mean over the
+/// detail that the pixel cannot show. The look of a stroke does not depend on earlier strokes, so
+/// strokes may be shaded in any order.
 ///
 /// A value type. Copies share their tables: 1.4 MB of relief, 4.2 MB more above 24 pixels per
 /// wavelength, and 32 KiB for each medium and scale. Safe to use from any thread.
@@ -53,7 +53,7 @@ class Grain {
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
   /// Returns s in units of its RMS, or 0 if the surface has no relief.
   [[nodiscard]] double relief(Point place) const noexcept;
-  /// Returns alpha in the middle of a line, without hairs, for the medium with the id `material`.
+  /// Returns alpha in the middle of a line, without hairs, for the medium with the id `medium`.
   /// An unknown medium looks like the pencil. Returns 1 if the grain is plain.
   [[nodiscard]] double alpha(Point place, double tone, std::string_view medium) const noexcept;
 
@@ -62,8 +62,8 @@ class Grain {
   [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view medium,
                                                     double px_per_mm) const;
 
-  /// Returns true if both draw the same pixels, because they have the same relief and media with
-  /// the same looks.
+  /// Returns true if both have the same relief and media with the same looks, so that they draw the
+  /// same pixels.
   friend bool operator==(const Grain& a, const Grain& b) noexcept;
 
  private:

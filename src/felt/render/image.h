@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// A rectangle of pixels; x1 and y1 are one past the last.
+/// A rectangle of pixels; x1 and y1 are one past the last pixel.
 struct PixelRect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 

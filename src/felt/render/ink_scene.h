@@ -34,8 +34,8 @@ struct InkHeight {
 
 /// A display's copy of a document. It is updated by the document's edits, and quickly finds the
 /// strokes in a part of the page, in drawing order. Only opening a document and changing whole
-/// layers take time linear in the size of the sketch. A preview is applied to this copy, and undone
-/// when the next preview or edit arrives. Only strokes that look different afterwards are reported
+/// layers take time linear in the size of the sketch. A preview is applied to this copy and is
+/// undone when the next preview or edit arrives. Only strokes that then look different are reported
 /// as damage.
 ///
 /// Not thread-safe. Strokes are shared with the document, which may be used on another thread.
@@ -47,15 +47,15 @@ class InkScene {
   InkScene& operator=(const InkScene&) = delete;
 
   /// Applies an edit of the document and ends the preview. Adds the area to repaint to `damage`.
-  /// Fails as Document::apply does; then only the preview is removed.
+  /// Fails if Document::apply would fail; in that case it only removes the preview.
   Result<void> apply(const Edit& edit, InkDamage& damage);
   /// Shows `preview` applied to the document, or the document itself if `preview` is empty. Damage
   /// and errors are the same as in apply().
   Result<void> show(const std::optional<Edit>& preview, InkDamage& damage);
 
-  /// Replaces the content of `found` with the strokes of visible layers if their bounds touch the
-  /// area, lowest first. The pointers are valid until the next change. If `above` is set, finds
-  /// only strokes of the layers above that layer.
+  /// Replaces the content of `found` with all strokes that are in visible layers and have bounds
+  /// touching the area, lowest first. The pointers are valid until the next change. If `above` is
+  /// set, finds only strokes of the layers above that layer.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {

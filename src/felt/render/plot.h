@@ -10,9 +10,8 @@
 
 namespace felt {
 
-/// Returns a colour from a palette that is distinguishable with any colour vision (Okabe, Ito,
-/// "Color universal design", 2008), in the order in which a plot should use them. The colours
-/// repeat, so `i` may be any number.
+/// Returns colour `i` of a palette for any colour vision (Okabe, Ito, "Color universal design",
+/// 2008). A plot should use the colours in this order. They repeat, so `i` may be any number.
 Rgba plot_color(std::size_t i) noexcept;
 
 /// An interval of time.

@@ -14,9 +14,8 @@ struct PlotTicks {
   [[nodiscard]] std::string label(double value) const;
 };
 
-/// Returns about `count` ticks for a range, at least 2 in any range that is not empty. Returns no
-/// ticks if the range is narrower than 1e-9, wider than 1e9, at most a billionth of its distance
-/// from 0, or not finite.
+/// Returns about `count` ticks for a range, and at least 2. Returns no ticks if the range is empty,
+/// narrower than 1e-9, wider than 1e9, at most a billionth of its distance from 0, or not finite.
 PlotTicks plot_ticks(double low, double high, int count);
 
 }  // namespace felt

@@ -21,10 +21,10 @@ struct TipAt {
 /// the position across the line, from which InkShade computes the look of a medium. Reuses its
 /// buffer. Not thread-safe.
 ///
-/// The strip between two dabs has the push tone (1 - 0.45 rho^2) at rho radii from its middle line.
-/// Within the soft edge of a medium, the push falls to kMinPush. If a line crosses itself, the
-/// larger push is kept, so the result depends neither on the order nor on which part of a picture
-/// is drawn.
+/// In the strip between two dabs, the push at rho radii from the middle line is tone * (1 - 0.45
+/// rho^2). Within the soft edge of a medium, the push falls to kMinPush. If a line crosses itself,
+/// the larger push is kept, so the result depends neither on the order nor on which part of a
+/// picture is drawn.
 class PressureMap {
  public:
   static constexpr double kMinPush = -1.0 / 3.0;  ///< the ink reaches no part of the relief
@@ -34,12 +34,12 @@ class PressureMap {
   /// Starts an empty map for the pixels of `area`. `edge` is MediumLook::edge.
   void begin(PixelRect area, double edge);
   /// Adds the path of the tip, with straight lines from dab to dab. If the path is a part of a
-  /// ring, `into` and `out` are the directions, of length 1, in which the tip arrived and
-  /// continues. Without them the path begins and ends with a cap.
+  /// closed stroke, `into` and `out` are the directions, of length 1, in which the tip arrives at
+  /// the path and leaves it. Without them the path begins and ends with a cap.
   void lay(std::span<const TipAt> way, Vec into = {}, Vec out = {});
 
   [[nodiscard]] PixelRect area() const noexcept { return area_; }
-  /// Returns the row of pixels, starting at area().x0.
+  /// Returns the values of row y, starting at area().x0.
   [[nodiscard]] const std::int32_t* row(int y) const noexcept {
     return values_.data() + static_cast<std::size_t>(y - area_.y0) * stride_;
   }

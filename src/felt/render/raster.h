@@ -16,11 +16,13 @@ inline constexpr double kRasterTolerancePx = 0.05;
 ///
 /// An outline is filled by the non-zero rule and covers each pixel once, so that a transparent
 /// stroke is not darker where it crosses itself. Pixels outside `clip` do not change. Filling an
-/// area at once or in tiles gives the same pixels, up to 2 of 255 levels at the seams.
+/// area in tiles gives the same pixels as filling it in one call, except for differences of up to 2
+/// of 255 levels at the seams.
 ///
 /// For a long stroke, only the segments near the clip are traced.
 ///
-/// Reuses its buffers, so it does not allocate per outline after warm-up. Not thread-safe.
+/// Reuses its buffers, so that after warm-up it does not allocate for each outline. Not
+/// thread-safe.
 class Rasterizer {
  public:
   Rasterizer();

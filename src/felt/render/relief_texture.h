@@ -35,9 +35,9 @@ class ReliefTexture {
   /// Requires that `field` outlives it.
   explicit ReliefTexture(const HeightField* field) noexcept : field_(field) {}
 
-  /// Returns the coarsest level with texels no larger than 3/4 of a pixel, or the finest one, with
-  /// 64 texels per wavelength. Returns null if there is no relief, or if a tile is at most 8 pixels
-  /// wide. Making a level takes 20 to 100 ms.
+  /// Returns the coarsest level with texels no larger than 3/4 of a pixel. If there is none,
+  /// returns the finest level, which has 64 texels per wavelength. Returns null if there is no
+  /// relief, or if a tile is at most 8 pixels wide. Making a level takes 20 to 100 ms.
   std::shared_ptr<const ReliefLevel> level(double px_per_wavelength);
 
  private:
@@ -48,9 +48,9 @@ class ReliefTexture {
   std::array<std::shared_ptr<const ReliefLevel>, kFinest + 1> levels_{};
 };
 
-/// Maps pixels of a view to texels of a level: the texel at the middle of pixel (x, y), or the
-/// texels around it. Steps from pixel to pixel in whole numbers, so the result does not depend on
-/// which part of a picture is drawn.
+/// Maps pixels of a view to texels of a level: the texel at the middle of pixel (x, y), or, if
+/// texels are large, the mean of the texels around it. Steps from pixel to pixel in whole numbers,
+/// so the result does not depend on which part of a picture is drawn.
 class ReliefPlane {
  public:
   ReliefPlane() = default;

@@ -11,7 +11,7 @@ namespace felt {
 struct SceneLayer;
 struct SceneStroke;
 
-/// Up to kMax strokes of a layer in drawing order; a layer is a list of these.
+/// Up to kMax strokes of a layer in drawing order; a layer is a list of such blocks.
 struct OrderBlock {
   static constexpr std::size_t kMax = 512;
   std::vector<SceneStroke*> strokes;

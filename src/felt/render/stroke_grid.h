@@ -18,7 +18,7 @@ class StrokeGrid {
   /// Adds a stroke. Its `box` must not change until the stroke is removed.
   void add(SceneStroke& stroke);
   void remove(SceneStroke& stroke);
-  /// Appends the strokes with boxes that share a point with the area, in unspecified order.
+  /// Appends the strokes whose boxes share a point with the area, in unspecified order.
   void find(const Rect& area, std::vector<const SceneStroke*>& found) const;
 
  private:

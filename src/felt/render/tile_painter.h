@@ -32,8 +32,8 @@ struct InkJob {
   [[nodiscard]] bool is_done() const noexcept { return next == strokes.size(); }
 };
 
-/// Two pictures of a tile: the strokes below and the strokes above those of a preview. They are
-/// kept while the preview changes.
+/// Two pictures of a tile: the strokes below those of a preview, and the strokes above them. They
+/// are kept while the preview changes.
 struct TileSplit {
   PixelRect valid;                  ///< area of the pictures; empty if nothing is kept
   std::vector<std::uint8_t> below;  ///< picture of the strokes below, transparent background
@@ -51,20 +51,20 @@ struct TileSplit {
 /// Paints parts of pictures of a scene, on a transparent background. Not thread-safe.
 class TilePainter {
  public:
-  /// Returns the job that draws `part` of the picture with this view, without a split. If `above`
-  /// is set, the job draws only the layers above that layer.
+  /// Returns the job that draws `part` of the picture with this view directly, without a TileSplit.
+  /// If `above` is set, the job draws only the layers above that layer.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
-  /// Draws the next stroke of a job. Requires that the part was cleared before the first one.
+  /// Draws the next stroke of a job. Requires that the part was cleared before the first stroke.
   void draw_next(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws one stroke.
   void draw(const Stroke& stroke, const View& view, PixelRect part, const InkStyle& style,
             Pixels target);
 
   /// Repaints `part` while a preview is shown. The strokes below and above those of the preview
-  /// come from `split`; if `split` does not fit, it is first made again for a larger area. If it
-  /// fits, the time depends only on the strokes of the preview and those between them. Returns
-  /// false, and paints nothing, if this is not faster than drawing directly.
+  /// come from `split`. If `split` fits, the time depends only on the strokes of the preview and
+  /// those between them; otherwise `split` is first made again for a larger area. Returns false,
+  /// and paints nothing, if this is not faster than drawing directly.
   bool paint_split(const InkScene& scene, const View& view, PixelRect part, const InkStyle& style,
                    TileSplit& split, Pixels target);
 

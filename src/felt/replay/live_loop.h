@@ -11,25 +11,26 @@
 namespace felt {
 
 /// A real device in the haptic loop, from opening to unplugging. Forces are off at first. The
-/// destructor closes the device without force.
+/// destructor sets the force to zero and closes the device.
 class LiveLoop {
  public:
-  /// Asks the user, with the maker's instructions, whether the arm may move on its own.
+  /// Shows the user the maker's instructions and asks whether the arm may move on its own.
   using MayMove = std::function<bool(const std::string& instructions)>;
 
-  /// Opens the device, homes it if necessary (without asking the user if `may_move` is null), and
-  /// starts the loop. If no plane was calibrated, the centre of the device's workspace is the
-  /// centre of `page`. On failure, the error contains the maker's message and a suggestion.
+  /// Opens the device, homes it if necessary, and starts the loop. If `may_move` is null, homes the
+  /// device without asking the user. If no plane was calibrated, the centre of the device's
+  /// workspace is the centre of `page`. On failure, the error contains the maker's message and a
+  /// suggestion.
   static Result<std::unique_ptr<LiveLoop>> start(const RealDevice& device, const Rect& page,
                                                  double force_limit_n, const MayMove& may_move);
   LiveLoop(const LiveLoop&) = delete;
   LiveLoop& operator=(const LiveLoop&) = delete;
   ~LiveLoop();
 
-  /// Stops the loop without force. Returns false if the device is unresponsive in a call of its
-  /// maker's library (RealtimeThread::stop()). Device and loop are then abandoned, and only the
-  /// destructor may be called. The driver must not be used either, because its calls may wait for
-  /// the unresponsive call.
+  /// Sets the force to zero and stops the loop. Returns false if the device is unresponsive in a
+  /// call of its maker's library (RealtimeThread::stop()). Device and loop are then abandoned, and
+  /// only the destructor may be called. The driver must not be used either, because its calls may
+  /// wait for the unresponsive call.
   [[nodiscard]] bool stop() noexcept;
   /// Restarts the ticks, with forces off. Requires that stop() returned true. Fails like start().
   Result<void> go_on();

@@ -14,8 +14,8 @@ namespace felt {
 struct RealDevice {
   Driver* driver = nullptr;
   DeviceDescriptor found;
-  /// The profile for this id. It may be that of another unit of the same model, because the serial
-  /// number of this one is not known before it is opened.
+  /// The profile for this id. It may belong to another unit of the same model, because the serial
+  /// number of a device is not known before the device is opened.
   DeviceProfile profile;
 };
 

@@ -20,19 +20,19 @@ class RecordCopy {
   using Clock = std::chrono::steady_clock;
 
   /// Keeps a copy for a future file `output`. If `output` is not a file ("-", a pipe), the copy is
-  /// in the folder for temporary files. Its name contains our process id, so that no other copy is
-  /// overwritten.
+  /// in the folder for temporary files. The name of the copy contains our process id, so that no
+  /// other copy is overwritten.
   explicit RecordCopy(const std::string& output, Clock::duration every = std::chrono::seconds(3));
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// Records that the drawing has changed.
   void note_edit() noexcept { is_changed_ = true; }
   /// Writes a copy if the interval has passed, but not while the previous copy is still being
-  /// written. Call it in each turn of the loop.
+  /// written. Call it on each pass of the loop that draws.
   void keep(const Session& session);
   /// Waits until the current copy is written.
   void wait();
-  /// Removes the copy, because the drawing was saved.
+  /// Removes the copy. Call it when the drawing has been saved.
   void remove();
 
  private:

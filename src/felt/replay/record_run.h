@@ -46,8 +46,8 @@ struct RecordOptions {
 };
 
 /// A live drawing session with a real device: the edit side of the loop without a window. If the
-/// device fails, the ink stays. The session continues when the device is connected again, without
-/// forces until the user allows them again.
+/// device fails, the ink is kept. The session continues when the device is connected again; forces
+/// stay off until the user allows them again.
 ///
 /// Pressing Enter switches forces off and on; a notice confirms the change.
 class RecordRun {

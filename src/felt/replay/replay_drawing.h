@@ -15,8 +15,8 @@ namespace felt {
 std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawing,
                                                             const Materials& known);
 
-/// Returns `start`, the drawing with which the session began, with this document and with the
-/// current surface, colour, layer and material texts of the session.
+/// Returns a copy of `start`, the drawing with which the session began, but with this document and
+/// with the session's current surface, colour, layer and material texts.
 Drawing drawing_after(Drawing start, const Session& session, Document document);
 
 /// Returns the document as it is shown, with the preview of the gesture in progress applied.

@@ -36,8 +36,8 @@ struct ReplaySettings {
 /// device's values.
 ///
 /// The workspace is unlimited in x and y, as if the paper were moved under the device. Without
-/// force nothing stops the hand at the surface, so contact and width follow from its pressure
-/// instead of its depth.
+/// force nothing stops the hand at the surface, so contact and width follow from the pressure of
+/// the hand instead of its depth.
 ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
                                std::optional<double> rate_hz, std::optional<int> delay_ticks);
 
@@ -49,10 +49,11 @@ struct ReplayTick {
 };
 
 /// Device, hand, loop, tools and document in one object. It plays events on a virtual clock and
-/// counts them. The same events give the same ticks and the same document.
+/// counts the results (ReplayStats). The same events give the same ticks and the same document.
 ///
-/// Adding an event fails if the session would refuse it. Added events are queued until `play`.
-/// Events that are added after a play are played on a new loop.
+/// Adding a tool, option, material or import event fails if the session would refuse it; other
+/// events are checked when they are played. Added events are queued until `play`. Events that are
+/// added after a play are played on a new loop.
 class ReplayMachine {
  public:
   struct Observer {
@@ -63,8 +64,8 @@ class ReplayMachine {
     std::function<void(const Session& session, double fraction)> turn{};
     /// If set, stops the play at this time, accurate to 4 ms, even in the middle of a gesture.
     std::optional<std::int64_t> until_ns{};
-    /// Called when the play stops at `until_ns`, before the gesture in progress is ended as at the
-    /// end of a script.
+    /// Called when the play stops at `until_ns`. Afterwards the gesture in progress is ended, as it
+    /// is at the end of a script.
     std::function<void(const Session& session, const PenSample& pen)> stopped{};
   };
 
@@ -81,7 +82,7 @@ class ReplayMachine {
   /// Begins a stroke: the next events draw it.
   void begin_stroke();
   /// Ends the stroke. Its ink is compared with this path. Outside such strokes, ink is compared
-  /// with the aims of the hand while it presses.
+  /// with the aims of the hand while the hand presses.
   void stroke_drawn(const std::vector<Point>& meant);
   /// Returns true if so many events are queued that they should be played as soon as the pen is
   /// lifted.
@@ -91,8 +92,8 @@ class ReplayMachine {
   /// Returns the earliest time that the next event may have.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
 
-  /// Returns the counts since the last call, without the wall time. Strokes and segments are those
-  /// of the document now.
+  /// Returns the counts since the last call, without the wall time. `strokes` and `segments`
+  /// describe the current document.
   ReplayStats take_stats();
 
   /// Returns how the hand draws on the current surface with the current medium.

@@ -63,8 +63,9 @@ class ScriptFeed {
 
   /// Reads a whole script. `name` is used in errors. Stops at the first error, "NAME:LINE: reason".
   Result<void> read(const std::string& name, ReadBytes read);
-  /// Starts the loop again with the next event, at `from_ns` or later. The hand waits above the
-  /// first stroke until forces have faded in, so that the force is the same as for other strokes.
+  /// Call it when the loop starts again; the next event comes at `from_ns` or later. The hand waits
+  /// above the first stroke until forces have faded in, so that the force is the same as for other
+  /// strokes.
   void begin_play(std::int64_t from_ns) noexcept;
   /// Lets the hand rest for a moment after raw strokes, so that the pen, which follows it, comes to
   /// rest, too. Call it before a play.

@@ -19,8 +19,8 @@ class ScriptRun {
   /// Returns the progress through all scripts, 0..1, if the current play is at `part`, 0..1.
   [[nodiscard]] double progress(double part) const noexcept;
 
-  /// Reads a script. `name` is for errors. Imports are relative to `folder`, which ends with a
-  /// slash ("": the working directory). The error is "NAME:LINE: reason".
+  /// Reads a script. `name` is for errors. Paths of imports are relative to `folder`, which ends
+  /// with a slash; "" is the working directory. The error is "NAME:LINE: reason".
   Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
   /// Plays everything read so far. More scripts may follow.
   Result<void> play();

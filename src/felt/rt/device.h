@@ -33,7 +33,7 @@ std::string_view describe(DeviceFault fault) noexcept;
 ///
 /// read(), write() and stop() are called on the haptic thread only, each at most once per tick and
 /// in this order. They must not allocate, throw, or block beyond the device's own transfer.
-/// Positions and forces are in the frame of the surface; a driver converts to and from it.
+/// Positions and forces are in the frame of the surface; a driver converts to and from this frame.
 class Device {
  public:
   Device() = default;
@@ -62,10 +62,10 @@ class Device {
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Requests a force, which the device holds until the next write().
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
-  /// Returns the force that the device holds after the last write(), if a driver may send another
-  /// one than requested because the device answers late or the driver has its own limit. This value
-  /// is logged. Returns nullopt if the device holds the requested force. Haptic thread only, after
-  /// write().
+  /// Returns the force that the device holds after the last write(). A driver implements this
+  /// function if it may send another force than requested, because the device answers late or the
+  /// driver has its own limit. The returned force is logged. Returns nullopt if the device holds
+  /// the requested force. Haptic thread only, after write().
   [[nodiscard]] virtual std::optional<Force> held_force() const noexcept { return std::nullopt; }
   /// Returns true if the pen is at the end of an arm. The position of an arm cannot jump, so the
   /// loop keeps jumps out of the ink (LeapFilter). A mouse or a joystick may jump.

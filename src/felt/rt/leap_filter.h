@@ -8,8 +8,9 @@
 
 namespace felt {
 
-/// Keeps positions that an arm cannot have reached out of the ink, whether forces are on or off. It
-/// is needed because the safety chain accepts every position while no force can be output.
+/// Rejects positions that an arm cannot have reached, so that they do not become ink, whether
+/// forces are on or off. The filter is needed because the safety chain accepts every position while
+/// no force can be output.
 ///
 /// A single jump is dropped. If a jump lasts (JumpGuard), or positions keep jumping, the stroke
 /// ends at the last accepted position, and a new one may begin after positions have been steady for
@@ -32,9 +33,9 @@ class LeapFilter {
   explicit LeapFilter(const SafetyLimits& limits) noexcept
       : clock_(limits), leaps_(limits), steady_(limits) {}
 
-  /// Processes the next finite sample of an arm. Returns the sample to pass on: usually the same
-  /// one. If jumps have lasted too long, returns the last accepted position once more, lifted off
-  /// the surface, which ends the stroke. Returns nullopt if no sample is to be passed on.
+  /// Processes the next finite sample of an arm. Returns the sample to pass on, which is usually
+  /// `sample`. If jumps have lasted too long, returns the last accepted position once more, lifted
+  /// off the surface, which ends the stroke. Returns nullopt if no sample is to be passed on.
   std::optional<PenSample> pass(const PenSample& sample, std::int64_t now_ns) noexcept;
 
   /// Returns the number of strokes that were ended by a jump.

@@ -14,7 +14,7 @@ namespace felt {
 /// real-time safe.
 class TimeHistogram {
  public:
-  /// Adds a duration. A negative one counts as 0.
+  /// Adds a duration. A negative duration counts as 0.
   constexpr void add(std::int64_t ns) noexcept {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(ns, 0));
     ++buckets_[index_of(value)];

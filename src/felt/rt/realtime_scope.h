@@ -21,7 +21,7 @@ inline constinit thread_local int realtime_depth = 0;
 
 /// Marks a scope, one tick of the haptic loop, in which no call may block. The scope costs two
 /// additions. An interposer in tests/devices/rt checks that no call blocks; with FELT_RTSAN,
-/// RealtimeSanitizer checks it, too.
+/// RealtimeSanitizer checks this, too.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
   RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(kHapticRole)) {

@@ -60,7 +60,7 @@ struct RealtimeOptions {
 ///   if (auto started = loop.start(); !started) ...   // fails only if no thread can be started
 ///   status_bar(describe(loop.status()));
 ///   servo.heartbeat(loop.now_ns()); ...
-///   if (!loop.stop()) ...                            // zero force; false: the device hangs
+///   if (!loop.stop()) ...                            // sets zero force; false if the device hangs
 ///
 /// With a host, this object has neither a thread nor deadlines: lateness is relative to one period
 /// after the previous tick. The servo is then stopped on the host's thread, in a last tick, so that
@@ -86,8 +86,8 @@ class RealtimeThread {
   /// After a failure the loop does not run.
   Result<void> start();
   /// Ends the loop: sets the force to zero and calls Device::stop(). Returns within a period and a
-  /// tick, or when the device's current transfer ends; with a host that no longer calls, after
-  /// `host_patience_ns`. Has no effect if the loop does not run.
+  /// tick, or when the device's current transfer ends if that is later. If a host no longer calls,
+  /// returns after `host_patience_ns`. Has no effect if the loop does not run.
   ///
   /// Returns false if a tick still hangs in a call of the vendor's driver after `stop_patience_ns`
   /// (with a host: `host_patience_ns`). The request to end remains: if that call ever returns, the

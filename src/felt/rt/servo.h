@@ -67,7 +67,7 @@ class Servo {
 
   /// Runs one tick. Haptic thread only.
   const TickReport& step(std::int64_t now_ns) noexcept FELT_NONBLOCKING FELT_NOT_EDIT;
-  /// Ends the loop: switches the forces off, in the device, too. Call it on the haptic thread, or
+  /// Ends the loop: switches the forces off, also in the device. Call it on the haptic thread, or
   /// on any thread if no loop runs. Afterwards the servo can be armed and stepped again.
   void stop() noexcept FELT_NOT_EDIT;
 
@@ -88,10 +88,10 @@ class Servo {
   /// 0..1 (clamped; NaN is ignored; initially 1). The strength changes linearly, by the whole range
   /// in kStrengthRampS, so that the force stays continuous. Safe to call from any thread.
   void set_strength(double share) noexcept;
-  /// Sets the offset, session time minus loop time, ns; initially 0. Force models are evaluated in
-  /// session time, which is also the time of the pen samples from which tools make the models. So a
-  /// model can compute its age (R30). If the session began before this loop, set the offset before
-  /// publish(). Safe to call from any thread.
+  /// Sets the offset in ns: session time minus loop time; initially 0. Force models are evaluated
+  /// in session time, which is also the time of the pen samples from which tools make the models.
+  /// So a model can compute its age (R30). If the session began before this loop, set the offset
+  /// before publish(). Safe to call from any thread.
   void set_session_offset(std::int64_t offset_ns) noexcept;
   [[nodiscard]] std::int64_t session_offset_ns() const noexcept {
     return session_offset_ns_.load(std::memory_order_relaxed);

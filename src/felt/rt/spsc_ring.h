@@ -17,9 +17,10 @@ namespace felt {
 /// The constructor allocates and touches all memory, so that a push causes neither an allocation
 /// nor a page fault.
 ///
-/// We don't use the usual library (moodycamel's ReaderWriterQueue), for three reasons. It orders by
-/// stand-alone fences, which the ThreadSanitizer of g++ does not model and so cannot check. It does
-/// not count overflows. Every user of the installed headers would need its package.
+/// We don't use the usual library (moodycamel's ReaderWriterQueue), for three reasons. That library
+/// orders memory accesses by stand-alone fences, which the ThreadSanitizer of g++ does not model
+/// and so cannot check. It does not count overflows. Every user of our installed headers would also
+/// need its package.
 template <class T, std::size_t N>
 class SpscRing {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -12,10 +12,9 @@ namespace felt {
 /// Steps a servo in virtual time: as fast as the processor can, and identically on each run. It
 /// never reads the real time. Replay, tests and the demonstration use it.
 ///
-/// If a sequence of n delays (`lateness_ns`) is given, tick k, due after k periods, happens
-/// lateness_ns[k mod n] later. Periods that pass during the delay are skipped, as in
-/// RealtimeThread. So recorded scheduler jitter can be replayed
-/// (docs/design/loop.md#what-is-proven).
+/// If a sequence of n delays (`lateness_ns`) is given, tick k happens lateness_ns[k mod n] after it
+/// is due. Periods that pass during the delay are skipped, as in RealtimeThread. This can replay
+/// recorded scheduler jitter (docs/design/loop.md#what-is-proven).
 ///
 ///   VirtualClock clock(servo);
 ///   for (...) { feed the device; const TickReport& report = clock.tick(); drain the rings; }

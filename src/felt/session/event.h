@@ -19,8 +19,8 @@ struct SelectTool {
   friend bool operator==(const SelectTool&, const SelectTool&) = default;
 };
 
-/// Sets an option of a tool or of the surface ("surface.material") or the colour of new ink
-/// ("ink.color").
+/// Sets an option of a tool, an option of the surface ("surface.material"), or the colour of new
+/// ink ("ink.color").
 /// {"event":"option","id":"pencil.snap","value":"both"}
 struct SetOption {
   std::string id;
@@ -84,8 +84,8 @@ struct SelectStrokes {
 struct DeleteEvent {
   friend bool operator==(const DeleteEvent&, const DeleteEvent&) = default;
 };
-/// Copies the strokes that are wholly selected, slightly shifted, each to the top of its layer, and
-/// selects the copies. {"event":"duplicate"}
+/// Copies the strokes that are wholly selected, and selects the copies. Each copy is slightly
+/// shifted and goes to the top of the layer of its original. {"event":"duplicate"}
 struct DuplicateEvent {
   friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
 };
@@ -128,27 +128,27 @@ inline constexpr int kOptionDefaults = 2;
 
 /// Sets the device that samples come from and forces go to. Applies to all later events.
 /// {"event":"device","max_force_n":3.3,...} A gesture in progress is committed as if the pen had
-/// been lifted. It is meant for recordings that are passed directly to a session; the Player
-/// refuses it because it has its own device. The text form has no workspace, because tools do not
-/// use it.
+/// been lifted. The event is meant for recordings that are passed directly to a session. The Player
+/// refuses it, because the Player has a device already. The text form has no workspace, because
+/// tools do not use the workspace.
 struct UseDevice {
   Capabilities capabilities;
   /// The version of the defaults in the program that made the recording. If it differs from the
-  /// version of the session, options that still have their default are set to the defaults of this
-  /// version.
+  /// version of the session, options that still have their default are set to the defaults of the
+  /// recording's version.
   int defaults = kOptionDefaults;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };
 
-/// Adds a surface or medium, or replaces the one with the same id. If it is in use, it changes
-/// immediately. {"event":"material","text":"kind = \"surface\"..."} The text defines it completely
-/// (docs/formats/material.md).
+/// Adds a surface or medium, or replaces the one with the same id. If it is in use, the change
+/// takes effect immediately. {"event":"material","text":"kind = \"surface\"..."} The text defines
+/// the material completely (docs/formats/material.md).
 struct UseMaterial {
   std::string text;
   friend bool operator==(const UseMaterial&, const UseMaterial&) = default;
 };
 
-/// An event of a drawing session, the only input that a session has
+/// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
   std::int64_t time_ns = 0;

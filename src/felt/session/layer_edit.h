@@ -16,7 +16,7 @@ inline bool is_open(const Layer& layer) noexcept {
 /// if no layer is open.
 LayerId highest_open_layer(const Document& document) noexcept;
 
-/// Returns the whole effect of a layer event on a document as one edit, and so one undo step. The
+/// Returns the whole effect of a layer event on a document as one edit, which is one undo step. The
 /// edit is empty if nothing changes; for kUse it is always empty. If no open layer would remain,
 /// the edit also adds one on top, because ink must never go to a layer that the user cannot see.
 ///

@@ -23,7 +23,7 @@ struct PlayerOptions {
   /// Maximum duration of a script from first to last event. A longer script is an error.
   std::int64_t longest_ns = std::int64_t{24} * 3600 * 1'000'000'000;
 
-  /// Called at each tick of the loop. The CSV of forces and plots use it.
+  /// Called at each tick of the loop, for example to write the CSV file of forces or to make plots.
   std::function<void(const TickReport&)> on_tick = {};
   /// Reads the strokes that an import event names. Without it, import events are errors.
   std::function<Result<std::vector<StrokePtr>>(const ImportEvent&)> read_import = {};
@@ -49,9 +49,9 @@ struct PlayReport {
   friend bool operator==(const PlayReport&, const PlayReport&) = default;
 };
 
-/// Plays a script on a virtual clock: its poses go through the device and the haptic loop, all
-/// other events to the session (decision 0006). It is deterministic: the same script, device and
-/// options give the same document, report and forces, byte for byte.
+/// Plays a script on a virtual clock: its poses go through the device and the haptic loop, and all
+/// other events go directly to the session (decision 0006). It is deterministic: the same script,
+/// device and options give the same document, report and forces, byte for byte.
 ///
 ///   SimulatedStylus stylus(...);
 ///   Session session(make_tools(), {.device = stylus.capabilities()});
@@ -66,8 +66,8 @@ struct PlayReport {
 /// jumps, so that the document is the same with and without forces.
 class Player {
  public:
-  /// Makes a player. Device, hand and session must outlive it. `hand` is usually the device itself.
-  /// It is null if no hand is simulated.
+  /// Makes a player. Device, hand and session must outlive it. `hand` is usually the device itself,
+  /// or null if no hand is simulated.
   Player(Device& device, HandInput* hand, Session& session, PlayerOptions options);
 
   /// Plays the whole script. It may be called again: the next script continues with the current

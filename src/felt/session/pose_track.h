@@ -23,10 +23,10 @@ struct ScriptPose {
   friend constexpr bool operator==(const ScriptPose&, const ScriptPose&) noexcept = default;
 };
 
-/// Computes the pen between the pose events of a script, by the rules of docs/formats/events.md
-/// ("Between two events"): straight lines between poses, but no ink on the path to the point where
-/// the pen is put down, and a lift at the end. Time must only increase. A tick takes constant time
-/// on average.
+/// Computes the pose of the pen between the pose events of a script, by the rules of
+/// docs/formats/events.md ("Between two events"): straight lines between poses, but no ink on the
+/// path to the point where the pen is put down, and a lift at the end. Time must only increase. A
+/// tick takes constant time on average.
 class PoseTrack {
  public:
   static constexpr std::int64_t kLongGapNs = 200'000'000;

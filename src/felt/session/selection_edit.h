@@ -22,10 +22,10 @@ Selection selected(const Document& document, const Selection& before, SelectStro
 /// edit is empty if no stroke is wholly selected.
 Edit delete_edit(const Document& document, const Selection& selection);
 
-/// Copies the strokes that are wholly selected, shifted, to the top of their layers in drawing
-/// order. The edit is empty if no stroke is wholly selected. Fails if a shifted stroke breaks an
-/// invariant: at very large coordinates, rounding can make its points invalid. The message names
-/// the stroke.
+/// Copies the strokes that are wholly selected, in drawing order, to the top of their layers. The
+/// copies are shifted by kDuplicateShiftMm. The edit is empty if no stroke is wholly selected.
+/// Fails if a shifted stroke breaks an invariant: at very large coordinates, rounding can make its
+/// points invalid. The message names the stroke.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
 /// Sets the colour (nullopt keeps it) and the medium ("" keeps it) of the strokes that are selected
@@ -33,7 +33,7 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
 Result<Edit> restyle_edit(const Document& document, const Selection& selection,
                           std::optional<Rgba> color, const std::string& medium);
 
-/// Returns a selection that contains every stroke that an edit adds, wholly selected.
+/// Returns a selection in which all strokes that the edit adds are wholly selected.
 Selection made_by(const Edit& edit);
 
 }  // namespace felt

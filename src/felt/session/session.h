@@ -48,9 +48,9 @@ struct SessionOptions {
 ///   session.apply({t, SetOption{"pencil.snap", "both"}});
 ///   servo.publish(session.force());       // every few ms
 ///
-/// A *gesture* begins with the sample that touches the surface. It is in progress until the tool
-/// returns its result, which is usually when the pen is lifted, and as long as the gesture's
-/// preview is shown. The preview of a hovering pen is not a gesture. During a gesture:
+/// A *gesture* begins with the sample that touches the surface. It ends when the tool has returned
+/// its result (usually when the pen is lifted) and the gesture's preview is no longer shown. The
+/// preview of a hovering pen is not a gesture. During a gesture:
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
@@ -58,15 +58,16 @@ struct SessionOptions {
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
-/// New ink goes to the *current layer*, which is always visible and unlocked. If it is hidden or
-/// locked, the highest open layer becomes current. If an edit would leave no open layer, it also
-/// adds one. The *selection* is updated by every edit; strokes in hidden or locked layers are
-/// deselected. Undo does not restore the current layer or the selection.
+/// New ink goes to the *current layer*, which is always *open*: visible and unlocked. If this layer
+/// is hidden, locked or removed, the highest open layer becomes current. If a layer event would
+/// leave no open layer, its edit also adds one. The *selection* is updated by every edit; strokes
+/// in hidden or locked layers are deselected. Undo does not restore the current layer or the
+/// selection.
 ///
-/// Samples that are not finite, or farther than 1e9 mm, are dropped. Pressures are clamped to 0..1
-/// and tilts to 0..90 degrees (NaN counts as unknown). Velocities are computed from positions and
-/// times, whatever the device reports, because a recording does not contain velocities and must
-/// give the same session.
+/// Samples with a coordinate that is not finite or exceeds 1e9 mm are dropped. Pressures are
+/// clamped to 0..1 and tilts to 0..90 degrees (NaN counts as unknown). Velocities are computed from
+/// positions and times, whatever the device reports, because a recording does not contain
+/// velocities and must give the same session.
 ///
 /// Use it on the edit thread only. It does not use clocks, threads or files.
 class Session {
@@ -128,7 +129,8 @@ class Session {
   /// Returns the present id of an option that was renamed, for example "surface.material" for
   /// "sheet.material". Returns any other id unchanged.
   [[nodiscard]] std::string current_option_id(std::string_view id) const;
-  /// Returns an option by its id, also by a former one. Fails if it does not exist.
+  /// Returns the value of an option, by its current or a former id. Fails if the option does not
+  /// exist.
   [[nodiscard]] Result<OptionValue> option(std::string_view id) const;
   /// Returns the number of edits applied to the document, including those of undo and redo.
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
@@ -149,7 +151,8 @@ class Session {
   Result<void> set_option(std::int64_t time_ns, const std::string& id, const OptionValue& value);
   Result<void> use_defaults(int version);
   Result<void> use_material(const UseMaterial& event);
-  /// If an option names a material that is not built in, records the material first, once.
+  /// If an option names a material that is not built in, records the material before the option,
+  /// but each material only once.
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
   Result<void> undo();
   Result<void> redo();

@@ -9,13 +9,13 @@
 
 namespace felt {
 
-/// Returns the medium of the current tool: that of its option "material" if the tool has this
-/// option, the eraser for a tool that erases, and the pencil for all others. The reference is valid
-/// as long as the session's materials do not change.
+/// Returns the medium of the current tool: the eraser if the tool erases, the value of its option
+/// "medium" if the tool has this option, and otherwise the pencil. The reference is valid as long
+/// as the session's materials do not change.
 const Medium& medium_in_hand(const Session& session);
 
 /// Returns the full id of an option of the first tool that draws, for example "pencil.medium" for
-/// "material".
+/// "medium".
 std::string drawing_option(const Session& session, std::string_view option);
 /// Returns the id of the medium of new lines; "" if no tool draws.
 std::string drawing_medium(const Session& session);

@@ -5,9 +5,9 @@
 
 namespace felt {
 
-/// Converts the pen of a session to the input of the sound (felt/sound): which medium rubs on which
-/// surface, and how hard. Caches values that are expensive to compute. Use it on the edit thread,
-/// with one session at a time.
+/// Converts the pen samples of a session to the input of the sound (felt/sound): which medium rubs
+/// on which surface, and how hard. Caches values that are expensive to compute. Use it on the edit
+/// thread, with one session at a time.
 class SoundInput {
  public:
   explicit SoundInput(const Session& session) : session_(&session) {}

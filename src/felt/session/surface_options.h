@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// The options of the surface, which do not belong to a tool. In events they are called
-/// "surface.ID": `material` is the id of a SurfaceMaterial.
+/// The options of the surface, which do not belong to a tool. The only option is `material`, the id
+/// of a SurfaceMaterial; in events it is called "surface.material".
 class SurfaceOptions {
  public:
   static std::span<const OptionSpec> table();

@@ -14,7 +14,7 @@ constexpr double follow_share(double time_s, double rate_hz) noexcept {
   return 1.0 - plain::exp(-1.0 / (time_s * rate_hz));
 }
 
-/// Two first-order low-pass filters in series: 12 dB an octave above the corner.
+/// Two first-order low-pass filters in series, which fall by 12 dB per octave above the corner.
 class LowPass {
  public:
   void set(double corner_hz, double rate_hz) noexcept {

@@ -39,7 +39,7 @@ struct RubbingSample {
   std::int64_t time_ns = 0;  ///< session time
   Point at{};                ///< position on the page, mm
   double push_n = 0.0;       ///< force on the surface, N; 0 above the surface
-  /// If the pen has just come down, the speed at which it did, mm/s; 0 if unknown.
+  /// If the pen has just come down, the speed at which it landed, mm/s; 0 if unknown.
   double strike_mm_per_s = 0.0;
 };
 

@@ -25,8 +25,8 @@ class RubbingPlayer {
   static constexpr double kRateHz = RubbingSynth::kRateHz;
   /// Maximum number of samples in the queue. If more are pushed, the oldest is dropped.
   static constexpr std::size_t kMaxWaiting = 1024;
-  /// A path that has a longer gap, or that is faster than kFastestMmPerS, is split into two, and
-  /// the pen counts as lifted in between.
+  /// If the gap between two samples is longer than kLongestGapNs, or the path between them is
+  /// faster than kFastestMmPerS, the pen counts as lifted in between.
   static constexpr std::int64_t kLongestGapNs = 50'000'000;
   static constexpr double kFastestMmPerS = 5000.0;
 
@@ -41,9 +41,9 @@ class RubbingPlayer {
   /// Returns the number of samples of sound up to the end of the path pushed so far.
   [[nodiscard]] std::size_t ready() const noexcept;
 
-  /// Keeps the playback delay near `behind_s` seconds after the newest sample. If the path has run
-  /// out, pauses until `behind_s` of path is available again. If the delay has grown, skips a part
-  /// of the path: during silence, if the delay is more than twice `behind_s`; at any time, if it is
+  /// Keeps the playback about `behind_s` seconds behind the newest sample. If the path has run out,
+  /// pauses until `behind_s` of path is available again. If the delay has grown, skips a part of
+  /// the path: during silence, if the delay is more than twice `behind_s`; at any time, if it is
   /// more than kMaxBehindS. Call it before each render() in real time.
   void keep_up(double behind_s) noexcept;
   static constexpr double kMaxBehindS = 0.250;

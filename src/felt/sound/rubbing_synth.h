@@ -13,20 +13,20 @@ namespace felt {
 /// It adds up these parts:
 ///
 ///   hills      the slope of the relief along the path times the speed: this shakes the pen (R47)
-///   roughness  noise as a function of position, below the waves of the relief (roughness.h). Its
-///              loudness is the root of the friction power, mu N v (van den Doel, Kry and Pai
-///              2001), and it is louder uphill than downhill, so that the weave of a canvas is
+///   roughness  noise as a function of position, with shorter waves than the relief (roughness.h).
+///              Its loudness is the square root of the friction power, mu N v (van den Doel, Kry
+///              and Pai 2001). It is louder uphill than downhill, so that the weave of a canvas is
 ///              heard in the hiss, too
 ///   squeak     a mode that friction feeds if friction falls with speed, as in stick-slip
-///              (Avanzini, Serafin and Rocchesso 2005): a Hopf oscillator, which limits itself,
-///              fed by the slope of a Stribeck curve
+///              (Avanzini, Serafin and Rocchesso 2005): a Hopf oscillator, which limits its own
+///              amplitude, fed by the slope of a Stribeck curve
 ///   tap        a pulse of force when the pen comes down
 ///
 /// All parts but the squeak go through the bodies (resonances of surface and medium) and, in
 /// parallel, through a low-pass filter that depends on the brightness of both. The sum then goes
-/// through a soft limiter and a gate. The gate is exactly 0 at most kSilentAfterS after the pen is
-/// lifted or stops. |sample| is always less than 1, and never NaN for the input that next() allows.
-/// A value type that does not allocate. Use it on one thread at a time.
+/// through a soft limiter and a gate. The gate reaches exactly 0 within kSilentAfterS after the pen
+/// is lifted or stops. |sample| is always less than 1, and never NaN for the input that next()
+/// allows. A value type that does not allocate. Use it on one thread at a time.
 class RubbingSynth {
  public:
   static constexpr double kRateHz = 48000.0;

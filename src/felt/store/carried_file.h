@@ -39,7 +39,7 @@ class CarriedFile {
   FeltSchema schema_;
 };
 
-/// Copies the rows of a table for which stays(row) is true. The table in `to` may have more
+/// Copies those rows of a table for which stays(row) is true. The table in `to` may have more
 /// columns.
 template <class Stays>
 Result<void> copy_rows(const Database& from, const Database& to, const FeltTable& table,

@@ -18,7 +18,8 @@ struct Drawing;
 /// Recorded forces are multiples of this force, in N. It is much finer than the resolution of any
 /// device.
 inline constexpr double kRecordedForceStepN = 1e-4;
-/// Largest recorded force, in N. Larger forces are recorded as kMaxRecordedForceN, and NaN as 0.
+/// Largest recorded component of a force, in N. Larger components are clamped to
+/// +-kMaxRecordedForceN; components that are not finite are recorded as 0.
 inline constexpr double kMaxRecordedForceN = 100.0;
 
 /// The force that the haptic loop computed at a sample, and the force that it sent to the device
@@ -80,8 +81,8 @@ class FeltRecorder {
   std::int64_t last_ns_ = 0;
 };
 
-/// Calls `tell` for every event of a recording, in order, with samples as pen events. Stops at the
-/// first error of `tell` and returns it.
+/// Calls `report` for every event of a recording, in order, with samples as pen events. Stops at
+/// the first error of `report` and returns it.
 Result<void> play_recording(const FeltRecording& recording,
                             const std::function<Result<void>(const Event&)>& report);
 

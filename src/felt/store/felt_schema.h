@@ -63,8 +63,8 @@ Result<FeltTable> parse_table(std::string_view sql);
 
 /// Reads the tables of an untrusted file. Ignores views, and indexes on tables that are not ours,
 /// because these are not data. Fails if one of our tables is missing or does not begin with our
-/// columns, if parse_table() rejects another table, or if the file has a trigger, a virtual table
-/// or an index on our tables.
+/// columns, if parse_table() rejects a table, or if the file has a trigger, a virtual table or an
+/// index on our tables.
 Result<FeltSchema> read_schema(const Database& database);
 
 }  // namespace felt

@@ -10,8 +10,8 @@
 namespace felt {
 
 /// The table `material` of a file: texts of materials. A file without material texts does not have
-/// this table; neither have files written before materials existed. An older program that saves the
-/// file keeps the table unchanged.
+/// this table, nor do files that were written before materials existed. An older program that saves
+/// the file keeps the table unchanged.
 inline constexpr std::string_view kMaterialTable =
     "CREATE TABLE material(id INTEGER PRIMARY KEY, text TEXT NOT NULL, checksum INTEGER NOT NULL)";
 
@@ -20,7 +20,7 @@ inline constexpr std::string_view kMaterialTable =
 Result<void> write_materials(Database& database, const Drawing& drawing);
 /// Reads the table from an untrusted database. Requires that the database has the table.
 Result<void> read_materials(const Database& database, Drawing& drawing);
-/// Returns the checksum of a text, which is stored beside it.
+/// Returns the checksum that is stored beside a text.
 std::int64_t material_checksum(std::string_view text) noexcept;
 
 }  // namespace felt

@@ -23,9 +23,9 @@ struct ScannedRow {
   std::vector<Value> values;
 };
 
-/// Scans all pages of an SQLite file, one by one, and calls `tell` for every readable row of every
-/// table. Needs only the leaf pages, not the interior pages that lead to them. Used for files that
-/// SQLite refuses. Nothing in these files is trusted, and the work and memory of the scan are
+/// Scans all pages of an SQLite file, one by one, and calls `report` for every readable row of
+/// every table. Needs only the leaf pages, not the interior pages that lead to them. Used for files
+/// that SQLite refuses. Nothing in these files is trusted, and the work and memory of the scan are
 /// bounded. Skips rows of more than 64 columns. Format: sqlite.org/fileformat2.html.
 void scan_rows(std::string_view bytes, const std::function<void(ScannedRow)>& report);
 

@@ -22,7 +22,7 @@ bool is_editable(const Document& document, LayerId layer) noexcept;
 
 /// Returns `base` and `more` joined into one stroke that keeps the direction of `base`. Requires
 /// the end `at` of `more` to lie exactly on the end `tip` of `base`, bit for bit. Joint, colour,
-/// widths and errors are as in `joined`.
+/// widths and errors are as for joined() (join.h).
 Result<Stroke> joined_at(const Stroke& base, StrokeTip tip, const Stroke& more, StrokeTip at);
 
 }  // namespace felt

@@ -23,8 +23,8 @@ inline bool is_pen_position(const Vec3& at) noexcept {
 ///   - kLiftMm above the surface. This is more than the resolution of a sensor (0.03 mm), the
 ///     height of grain (0.1 mm) and a bounce of the tip (0.3 mm), but a hand that lifts the pen (50
 ///     mm/s and more) reaches it in 10 ms; or
-///   - out of contact for kLiftNs. This is the time of three reports of a 133 Hz tablet, one of
-///     which may be lost, and half of the shortest lift between two strokes of handwriting; or
+///   - out of contact for kLiftNs. In this time a 133 Hz tablet sends three reports, so one may be
+///     lost. The shortest lift between two strokes of handwriting takes twice as long; or
 ///   - out of contact for kMaxGapSamples samples, in case the clock stands still.
 /// Until contact ends, samples out of contact neither draw nor end the gesture; the caller buffers
 /// them.

@@ -23,9 +23,9 @@ inline constexpr double kSharedPointMm = 0.02;
 
 /// Returns the points that a stroke of the document shares with other strokes on visible layers:
 /// the ends of other strokes that lie on its curve, and its own ends that lie on the curves of
-/// other strokes. Of strokes on locked layers, only the ends on its curve are found. The result is
-/// sorted by `other`, then by `other_u`. Takes time linear in the segments of the stroke and the
-/// ink near them.
+/// other strokes. If the other stroke is on a locked layer, only its ends on the curve of this
+/// stroke are found. The result is sorted by `other`, then by `other_u`. Takes time linear in the
+/// segments of the stroke and the ink near them.
 std::vector<Junction> junctions_of(const Document& document, const StrokeIndex& index, StrokeId id,
                                    const Stroke& stroke);
 

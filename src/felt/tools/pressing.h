@@ -12,7 +12,8 @@ namespace felt {
 /// (docs/design/forces.md#pressing; R14, R18):
 ///   - if the device senses pressure: that value, clamped;
 ///   - if it senses depth: p = clamp((K depth - F0)/(F1 - F0), 0, 1), from the spring force of the
-///     plane, so that the same push draws the same width on every surface;
+///     plane (K is stiffness_n_per_m()), so that the same push draws the same width on every
+///     surface;
 ///   - else (a mouse): nullopt.
 class Pressing {
  public:

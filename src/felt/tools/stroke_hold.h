@@ -22,8 +22,8 @@ class StrokeHold {
   /// Maximum distance of the pen from the stroke, mm. If the pen is farther away, it has no effect
   /// (R20).
   static constexpr double kReachMm = 8.0;
-  /// The next point is searched within this arc length of the last one, plus twice the distance
-  /// that the pen has moved.
+  /// The next point is searched for within this arc length of the last point, plus twice the
+  /// distance that the pen has moved.
   static constexpr double kWindowMm = 5.0;
 
   /// The point of the stroke under the pen.

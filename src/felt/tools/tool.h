@@ -26,10 +26,10 @@ inline constexpr std::uint32_t kSecondModifier = 1U << 1;
 /// What a tool does to a drawing. Other modules and the programs branch on ToolKind, never on a
 /// tool's id.
 enum class ToolKind : std::uint8_t {
-  kDraws,  ///< adds strokes in the medium of its option "material"; a session starts with this tool
-  kEdits,  ///< changes strokes under the pen
-  kErases,      ///< removes ink; its medium is "eraser"
-  kSelects,     ///< changes the selection and draws it
+  kDraws,    ///< adds strokes in the medium of its option "medium"; a session starts with this tool
+  kEdits,    ///< changes strokes under the pen
+  kErases,   ///< removes ink; its medium is "eraser"
+  kSelects,  ///< changes the selection and draws it
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; draws the
                 ///< selection
 };
@@ -48,8 +48,8 @@ enum class ToolPath : std::uint8_t {
 struct ToolUse {
   std::string_view mode = {};             ///< value of the option "mode"; "" matches any mode
   std::string_view hint = {};             ///< one line of text, shown while the pen hovers
-  std::string_view first_modifier = {};   ///< effect of kFirstModifier: "thinner"; "" for none
-  std::string_view second_modifier = {};  ///< effect of kSecondModifier; "" for none
+  std::string_view first_modifier = {};   ///< effect of kFirstModifier, such as "thinner"; or ""
+  std::string_view second_modifier = {};  ///< effect of kSecondModifier, or "" if it has none
   std::string_view size = {};  ///< id of the number option that sets the tool's size; "" for none
   ToolPath path = ToolPath::kAway;
 };

@@ -41,7 +41,7 @@ struct OptionSpec {
   OpenChoice open = OpenChoice::kNone;  ///< kChoice
   bool is_seldom = false;               ///< rarely changed: a panel hides it in a collapsed section
   bool is_momentary = false;  ///< meant for the next few gestures: programs do not save it
-  /// The id before a rename, or "". Recordings, settings and scripts that have it are still read.
+  /// The id before a rename, or "". Recordings, settings and scripts that use it still work.
   std::string_view former_id = {};
 };
 

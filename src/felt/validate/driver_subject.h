@@ -9,9 +9,9 @@ namespace felt {
 /// A device under test that a driver opens, with positions in the frame of the surface.
 class DriverSubject final : public TestSubject {
  public:
-  /// `driver` must outlive this object. Uses the plane of the profile if that plane was set with
-  /// the same unit of the device, otherwise the driver's default plane. Does not use the user's
-  /// limits.
+  /// `driver` must outlive this object. Uses the plane of the profile. If the profile has no plane,
+  /// or was made with another unit of the same model (is_of()), uses the driver's default plane.
+  /// Ignores the user's limits.
   DriverSubject(Driver& driver, DeviceDescriptor found, const OpenOptions& options,
                 DeviceProfile profile = {});
 

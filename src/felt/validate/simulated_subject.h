@@ -8,8 +8,8 @@
 namespace felt {
 
 struct SimulatedSubjectOptions {
-  /// Time of the simulated watchdog, which most devices have in their firmware: after this time
-  /// without communication the force becomes zero. 0 = no watchdog.
+  /// Timeout of the simulated watchdog. Most devices have a watchdog in their firmware: after this
+  /// time without communication, the force becomes zero. 0 = no watchdog.
   std::int64_t watchdog_ns = 32'000'000;
 };
 

@@ -32,7 +32,7 @@ enum class PersonTask : std::uint8_t {
   kFindHome,       ///< home the device as it requires
   kLeaveAlone,     ///< take the hands off the device
   kHoldStill,      ///< hold the pen in the air, as for writing, without moving
-  kDrawCircles,    ///< small circles in the air, about one a second
+  kDrawCircles,    ///< draw small circles in the air, about one a second
   kDraw,           ///< draw on the surface as usual
   kUnplug,         ///< disconnect the cable when the test asks for it
   kReplug,         ///< connect the cable again

@@ -14,9 +14,9 @@ struct ValidationOptions {
   std::string program;     ///< name and version of the caller, for the report
   int level = 10;          ///< run the checks of levels 1 to `level`
   std::uint64_t seed = 1;  ///< random seed for the order of the axes in the checks that push
-  int openings = 100;
-  double rate_s = 10.0;  ///< duration of measuring the loop's rate
-  double soak_s = 60.0;  ///< level 10
+  int openings = 100;      ///< how often level 1 opens and closes the device
+  double rate_s = 10.0;    ///< duration of measuring the loop's rate
+  double soak_s = 60.0;    ///< duration of the soak test (level 10)
   /// Called every few ms; if it returns true, the test ends with zero force, and the report
   /// contains the checks done so far.
   std::function<bool()> is_cancelled = {};

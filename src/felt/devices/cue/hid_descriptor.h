@@ -10,7 +10,7 @@
 
 namespace felt {
 
-/// Returns a HID usage: page in the upper, number in the lower 16 bits.
+/// Returns a HID usage: the page in the upper 16 bits, the number in the lower 16 bits.
 constexpr std::uint32_t hid_usage(std::uint16_t page, std::uint16_t id) noexcept {
   return std::uint32_t{page} << 16 | id;
 }
@@ -22,7 +22,7 @@ struct HidField {
   HidReportKind kind = HidReportKind::kInput;
   std::uint8_t report = 0;  ///< number of the report; 0 if not numbered
   std::uint32_t usage = 0;
-  std::uint32_t collection = 0;   ///< usage of the innermost collection that has one
+  std::uint32_t collection = 0;   ///< usage of the innermost collection that has a usage
   std::uint32_t application = 0;  ///< usage of the outermost collection
   std::uint32_t group = 0;        ///< number of the outermost collection, counted from 1
   bool is_constant = false;

@@ -12,10 +12,11 @@
 
 namespace felt {
 
-/// A haptic mouse that uses Logitech's HID++ 2.0. Only a part of the protocol is needed: long
-/// reports of 20 bytes, number 0x11, {device, feature, function and software, 16 bytes}. Messages
-/// of Solaar or another program to the same device have another software number and are ignored. No
-/// setting of the device is changed, so the strength of its vibration stays as the user has set it.
+/// A haptic mouse that uses Logitech's HID++ 2.0. Only the long reports of the protocol are needed.
+/// They have 20 bytes: report number 0x11, device, feature, function and software number (4 bits
+/// each), and 16 bytes of data. Answers to Solaar or another program that uses the same device have
+/// another software number and are ignored. No setting of the device is changed, so the strength of
+/// its vibration stays as the user has set it.
 ///
 /// Feature 0x19B0, haptics, as found by other projects (Solaar, OpenLogi): function 0 lists the
 /// available waveforms, function 4 plays one.

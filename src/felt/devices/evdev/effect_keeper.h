@@ -44,8 +44,8 @@ class EffectKeeper {
 
   // These are called on the worker, or on the thread that does its work (in tests).
 
-  /// Stops effects immediately if silence was requested; uploads and plays if kUploadNs have
-  /// passed.
+  /// Stops effects immediately if silence was requested. Uploads and plays effects if kUploadNs
+  /// have passed since it last did so.
   void serve(std::int64_t now_ns) noexcept;
   /// Stops and erases all effects. Requires that no thread calls serve() at the same time.
   void erase_all() noexcept;
@@ -70,7 +70,7 @@ class EffectKeeper {
   // Used by the worker only.
   std::array<std::int16_t, EffectPlan::kKinds> ids_{-1, -1, -1};
   std::uint32_t served_epoch_ = 0;
-  EffectPlan there_;  // last uploaded effects, and which of them play
+  EffectPlan there_;  // the last uploaded effects, and which of these play
   std::int64_t played_ns_ = 0, renewed_ns_ = 0;
   bool has_renewed_ = false;
 };

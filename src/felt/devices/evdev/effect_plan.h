@@ -23,7 +23,7 @@ struct EffectPlan {
   enum Kind : std::uint8_t { kSpring, kFriction, kConstant };
   static constexpr std::size_t kKinds = 3;
   std::array<EvdevEffect, kKinds> effects{};
-  std::bitset<kKinds> plays;  ///< which of them play
+  std::bitset<kKinds> plays;  ///< the effects that play
 
   friend bool operator==(const EffectPlan&, const EffectPlan&) = default;
 };
@@ -36,11 +36,11 @@ FitAbility ability_of(const StickForces& stick) noexcept;
 /// with more than `max_n`, because the saturation of each effect limits its force. If necessary,
 /// all effects are scaled down by the same factor.
 ///
-/// Condition effects are preferred: their direction does not depend on how a kernel driver
-/// interprets the direction field, and if the program hangs, a spring still has its centre where
-/// the program put it. A force that does not depend on the position becomes a saturated spring
-/// whose centre is at the end of the travel. Any other spring saturates at 0.05 N above its current
-/// force: if the requested force merely rose with time, the fit may have mistaken this for
+/// Condition effects (springs and frictions) are preferred: their direction does not depend on how
+/// a kernel driver interprets the direction field, and if the program hangs, a spring still has its
+/// centre where the program put it. A force that hardly depends on the position becomes a saturated
+/// spring whose centre is at the end of the travel. Any other spring saturates at 0.05 N above its
+/// current force: if the requested force merely rose with time, the fit may have mistaken this for
 /// stiffness, and the spring must not push much harder than requested.
 ///
 /// Units are those of DirectInput's definition of the same effects, which kernel drivers pass on: a
@@ -50,9 +50,9 @@ FitAbility ability_of(const StickForces& stick) noexcept;
 EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& stick,
                         double max_n) noexcept;
 
-/// Returns the largest possible force, N, at any position of the grip, if each effect comes from
-/// one of two plans. Such a mixture occurs because the effects of a new plan are uploaded one after
-/// another.
+/// Returns the largest force, N, that is possible at any position of the grip if each effect may
+/// come from either plan. Such a mixture occurs because the effects of a new plan are uploaded one
+/// after another.
 double strongest_n(const EffectPlan& one, const EffectPlan& other,
                    const StickForces& stick) noexcept;
 

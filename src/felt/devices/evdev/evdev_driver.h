@@ -20,8 +20,8 @@ struct EvdevOptions {
   bool has_thread = true;
 };
 
-/// An additional interface of this driver's devices, for an owner that does the work of their
-/// thread.
+/// An additional interface of this driver's devices. Through it, an owner does the work of a
+/// device's thread.
 class EffectServed {
  public:
   virtual ~EffectServed() = default;

@@ -18,14 +18,14 @@ struct FitAbility {
   double max_stiffness_n_per_mm = 1.0;
 };
 
-/// A force that a device renders by itself until the next update: a spring around its current
+/// A force that a device renders by itself until the next update: a spring around the current
 /// position, and a friction.
 ///
 ///   F(x, v) = force_n - stiffness (x - position_mm) - friction_n sgn(v)
 struct AxisFit {
   double position_mm = 0.0;         ///< position of the newest sample
   double force_n = 0.0;             ///< force at that position, without the friction
-  double stiffness_n_per_mm = 0.0;  ///< never negative: a negative one would push away
+  double stiffness_n_per_mm = 0.0;  ///< never negative: that would push the grip away
   double friction_n = 0.0;          ///< dissipates energy; never negative
 };
 

@@ -71,7 +71,7 @@ class StickAxes {
   /// be used.
   [[nodiscard]] bool is_stale(std::int64_t now_ns) const noexcept;
   /// Sets the state after events were lost, and lets listen() read events again. Fails with
-  /// stand.error if the state could not be read; listen() then still waits.
+  /// stand.error if the state could not be read; listen() then still reads no events.
   tl::expected<void, int> take(const StickStand& stand, std::int64_t now_ns) noexcept;
   /// Returns the pen sample at this time.
   PenSample sample(std::int64_t now_ns) noexcept;

@@ -9,8 +9,8 @@
 /// Every function for a single device takes the device's number as its last argument. In the
 /// maker's header this argument has a default value and is easily overlooked; if a function type
 /// here lacked it, the function would read an undefined value. All functions are plain C functions.
-/// Those that return an int return a negative number for an error, and otherwise 0 or a positive
-/// notice.
+/// Those that return an int return a negative number for an error; otherwise they return their
+/// result, 0, or a positive notice.
 namespace felt::dhd {
 
 using Id = char;

@@ -22,8 +22,8 @@ namespace felt::dhd {
 /// write() sends a force. *Taken*: the device switched the motors off by itself; read() still
 /// works, and write() returns kForcesOff. If the user switched the motors off (force button, grip),
 /// only the user can switch them on again. If a guard of the device switched them off, this object
-/// enables them again. If that was the watchdog, it does so as soon as no force is requested. After
-/// other guards, it waits until no force has been requested for kRestNs and the arm moves slowly.
+/// enables them again: after the watchdog, as soon as no force is requested; after any other guard,
+/// when no force has been requested for kRestNs and the arm moves slowly.
 ///
 /// Velocities are computed here from positions, as for the simulated devices (VelocityFilter),
 /// because all proofs of the forces' stability assume this filter. The library's own velocity is an

@@ -87,8 +87,8 @@ class Library {
   /// 20)".
   [[nodiscard]] std::string last_words() const;
 
-  /// Returns the number of connected devices, including those that other programs use. If the
-  /// number is negative, treat it as 0.
+  /// Returns the number of connected devices, including those that other programs use. A negative
+  /// number means that the library failed; treat it as 0.
   [[nodiscard]] int count() const;
   /// Identifies the device at this index of the list. Opens it briefly if it is not open in this
   /// program; the arm does not move. Fails with the library's text if the device cannot be opened.

@@ -19,7 +19,8 @@ struct SystemType {
   std::string_view model;  ///< id of device_models()
   std::string_view label;  ///< for the user; if empty, the library's name is used
   ForceCall call = ForceCall::kForce;
-  /// True if the second button is under the finger (omega.3 of type 110; CHAI3D's CDeltaDevices).
+  /// True if the second button is under the finger (omega.3 with type 110; see CHAI3D's
+  /// CDeltaDevices).
   bool second_button_is_first = false;
 };
 

@@ -55,7 +55,7 @@ class HaplyDevice final : public DriverDevice {
   static constexpr std::int64_t kSendNs = 100'000;
   static constexpr std::int64_t kMaxHeldNs = 20'000'000;
   static constexpr std::int64_t kMaxSilentNs = 1'000'000'000;
-  /// Number of states in a row that show no force although one was sent. After that, the other name
+  /// After this many states in a row that show no force although a force was sent, the other name
   /// of the force vector is tried (ForceKey).
   static constexpr int kDeafStates = 200;
   static constexpr double kFeltN = 0.3;  ///< a state must show a sent force of this size or more

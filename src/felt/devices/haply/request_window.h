@@ -17,12 +17,13 @@ namespace felt::haply {
 ///   else if (window.may_release()) ...     a message without force may be sent
 ///   if (window.is_overdue()) ...          a message without force should be sent, to ask again
 ///
-/// TCP loses nothing, but a service may answer several messages with one state. After kPatienceNs
-/// without an answer, a message without force asks again. If an answer has arrived since the newest
-/// message was sent, that answer counts as the answer to all messages. The patience doubles each
-/// time. So if a service is merely slower than the patience, the count is wrong only a few times,
-/// and up to four messages can then wait at the service. None of these carries a force, because
-/// forces are off by then (ServicePace::kHoldNs is shorter than the patience).
+/// TCP loses nothing, but a service may answer several messages with one state. So if no answer
+/// comes for kPatienceNs (the patience), there are two cases: if an answer has arrived since the
+/// newest message was sent, it counts as the answer to all messages; otherwise, if only one message
+/// is unanswered, a message without force asks again. In both cases the patience doubles. So if a
+/// service is merely slower than the patience, the count is wrong only a few times, and up to four
+/// messages can then wait at the service. None of these carries a force, because forces are off by
+/// then (ServicePace::kHoldNs is shorter than the patience).
 ///
 /// Used on the haptic thread; real-time safe.
 class RequestWindow {

@@ -24,8 +24,8 @@ struct Address {
 struct ServiceAddress {
   Address control{.port = 10001};
   Address events{.port = 10020};
-  std::string source;  ///< "FELT_HAPLY_URL", the configuration file; empty for the default ports
-  /// A sentence that says why the configuration cannot be read, or empty if it can be read. The
+  std::string source;  ///< name of the variable or file; empty for the default addresses
+  /// A sentence that says why a variable or the configuration file is invalid; otherwise empty. The
   /// other members are valid in both cases.
   std::string wrong;
 };

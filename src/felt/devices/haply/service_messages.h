@@ -12,7 +12,7 @@
 
 /// The messages of the Inverse Service 3.x (maker's pages "WebSocket Protocol", "Control Commands",
 /// "JSON Conventions", "Events & Monitoring"), parsed in place. Unknown keys are skipped. A message
-/// is bad if it has another type of value where a number must be.
+/// is bad if a value that must be a number has another type.
 namespace felt::haply {
 
 /// The newest state of our device in a state message, in the service's units (m, m/s, N) and its

@@ -9,7 +9,7 @@ namespace felt {
 
 /// Returns our fault for an error of the library. Force errors are temporary: the motors are off
 /// for a while, but reading goes on. Errors of the device, its cable or the timer are permanent.
-/// All others (0x100, and from 0x400 on) mean that the library rejected one of our calls.
+/// All others (0x100 to 0x1FF, and from 0x400 on) mean that the library rejected one of our calls.
 constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   switch (error >> 8) {
     case 2:
@@ -21,7 +21,8 @@ constexpr DeviceFault fault_of(hd::Enum error) noexcept {
   }
 }
 
-/// Returns the more serious of two faults. If both occur in one tick, only this one is reported.
+/// Returns the more serious of two faults. If both occur in one tick, only the more serious fault
+/// is reported.
 constexpr std::optional<DeviceFault> graver(std::optional<DeviceFault> a,
                                             std::optional<DeviceFault> b) noexcept {
   constexpr auto weight = [](std::optional<DeviceFault> fault) {

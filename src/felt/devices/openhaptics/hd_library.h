@@ -67,8 +67,9 @@ class HdLibrary {
   bool is_taken_ = false;
 };
 
-/// Removes up to `most` errors from the library's stack, newest first. Calls `each(info)` for each
-/// removed error and returns their number. May be called on every thread that may call the library.
+/// Removes up to `largest` errors from the library's stack, newest first. Calls `each(info)` for
+/// each removed error and returns their number. May be called on every thread that may call the
+/// library.
 template <class Each>
 std::size_t drain_errors(const HdFunctions& call, std::size_t largest, Each&& each) {
   std::size_t count = 0;

@@ -12,7 +12,8 @@ namespace felt {
 /// has the lowest limits, if the name is unknown.
 const DeviceModel& openhaptics_model(std::string_view model_type) noexcept;
 
-/// The limits that a device reports, in the maker's units. An unknown limit is 0 or invalid.
+/// The limits that a device reports, in the maker's units. A limit that is not finite or not above
+/// 0 counts as unknown.
 struct HdLimits {
   double max_force_n = 0.0;
   double continuous_force_n = 0.0;
@@ -28,8 +29,9 @@ struct HdLimits {
 Capabilities openhaptics_capabilities(const Capabilities& row, const HdLimits& said) noexcept;
 
 /// Returns the plane that is parallel to the desk: the page's x is the device's x (to the right),
-/// down the page is towards the user (z), and up from the page is up (y). The page's (0, 0) is the
-/// centre of the workspace, at half of its height.
+/// the page's downward direction is the device's z (towards the user), and the direction out of the
+/// page is the device's y (up). The page's (0, 0) is the centre of the workspace, at half of its
+/// height.
 PlaneCalibration openhaptics_plane(const Capabilities& device) noexcept;
 
 }  // namespace felt

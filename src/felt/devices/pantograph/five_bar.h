@@ -19,14 +19,16 @@ struct FiveBarSize {
 /// Computes the position of the handle from the angles of both arms, and the motor torques for a
 /// force at the handle.
 ///
-/// Let A and B be the elbows, E the handle, u = E - A and w = E - B. The forearms' lengths are
-/// constant, so u . E' = u . A' and w . E' = w . B'. Therefore
+/// Let A and B be the elbows, E the handle, u = E - A, w = E - B, th1 and th2 the angles of the
+/// arms, and ' the derivative with respect to time. Because the forearms' lengths are constant,
+///   u . E' = u . A',   w . E' = w . B'.
+/// Therefore
 ///   J = 1/(u x w) [ w_y (u.a)  -u_y (w.b) ; -w_x (u.a)  u_x (w.b) ],   a = dA/dth1, b = dB/dth2
 /// is the Jacobian dE/dth. The torques are J^T F, so F . v = tau . omega at all angles.
 ///
-/// u x w = L^2 sin(angle between the forearms). If the forearms are nearly in line, or the elbows
-/// nearly meet, small torques cause huge forces. Therefore authority(), the factor for forces,
-/// falls to 0 before the linkage gets there.
+/// u x w = L^2 sin(angle between the forearms), where L is the length of a forearm. If the forearms
+/// are nearly in line, or the elbows nearly meet, small torques cause huge forces. Therefore
+/// authority(), the factor for forces, falls to 0 before the linkage reaches such a position.
 class FiveBar {
  public:
   static constexpr double kNoAuthority = 0.10;   ///< sine of the forearms' angle; no force below
@@ -34,8 +36,9 @@ class FiveBar {
 
   /// Returns the linkage for angles in rad, counter-clockwise from +x. Returns nullopt if the arms
   /// cannot have these angles (elbows too far apart, or at the same point). For each pair of
-  /// angles, two positions of the handle are possible. This function chooses the one to the left of
-  /// the line from A to B; if arm 1 points to the left, that one is in front of the motors.
+  /// angles, two positions of the handle are possible. This function chooses the position on the
+  /// left of the directed line from A to B. If arm 1 points towards -x and arm 2 towards +x, this
+  /// position is on the +y side of the line.
   static std::optional<FiveBar> at(const FiveBarSize& size,
                                    const std::array<double, 2>& angles_rad) noexcept;
 
@@ -45,7 +48,7 @@ class FiveBar {
   [[nodiscard]] Vec3 velocity(const std::array<double, 2>& omega_rad_s) const noexcept;
   /// Returns the motors' torques, N m, for this force at the handle. Uses the force's x and y only.
   [[nodiscard]] std::array<double, 2> torques(const Force& force) const noexcept;
-  /// Returns the factor, 0..1, by which a force at this position must be reduced. It is 0 near a
+  /// Returns the factor, 0..1, by which a force at this position must be multiplied. It is 0 near a
   /// singular position.
   [[nodiscard]] double authority() const noexcept { return authority_; }
   /// Returns the Jacobian dE/dth in mm/rad. Its rows are x and y.

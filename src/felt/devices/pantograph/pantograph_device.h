@@ -29,11 +29,11 @@ namespace felt::pantograph {
 /// cannot be sent, write() fails with kOther. A separate process (ByteStream's keep_guard) sends
 /// zero torques if this program was killed or stopped, or is silent for kGuardNs. Without that
 /// process no force is possible: find_home() fails if it does not start, and write() returns
-/// kForcesOff after it has ended. If the board itself hangs, it keeps its torques. Then only
-/// unplugging the USB cable or the switch of the motors turns the motors off.
+/// kForcesOff after it has ended. If the board itself hangs, it keeps its torques. Then the motors
+/// can be turned off only by their switch or by unplugging the USB cable.
 ///
-/// The encoders count from the position at power-on, so the arms must be in their rest pose at that
-/// time: homing() is kRestPose until find_home().
+/// The encoders count from the position at which the board was set up last, so the user must hold
+/// the arms in their rest pose during find_home(). homing() is kRestPose until then.
 class PantographDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 400'000;
@@ -45,7 +45,7 @@ class PantographDevice final : public DriverDevice {
   static constexpr int kMaxMissed = 4;
   static constexpr int kMaxSilentTicks = 500;
   /// The z of a pen that touches the surface and of a pen that does not. The difference is so small
-  /// that the safety chain neither treats it as a jump nor as a high speed that must be damped.
+  /// that the safety chain treats it neither as a jump nor as a high speed that must be damped.
   static constexpr double kDownMm = -0.25, kUpMm = 0.25;
 
   PantographDevice(std::unique_ptr<ByteStream> port, const BoardModel& model,

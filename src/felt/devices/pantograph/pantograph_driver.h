@@ -15,8 +15,8 @@ struct PantographOptions {
 };
 
 /// Makes the driver of Haply's 2DIY: a five-bar pantograph on Haply's board. The driver uses the
-/// board's serial protocol and needs no software of the maker. Its plane of motion is the drawing
-/// plane.
+/// board's serial protocol and needs no software of the maker. The device's plane of motion is the
+/// drawing plane.
 ///
 /// A board does not report its version, so each port that may be a board is listed once for each
 /// version. Ports of Arduino-like boards are found automatically; FELT_PANTOGRAPH_PORT

@@ -16,7 +16,7 @@ struct Port {
   std::string model;  ///< BoardModel::id if the user named it; empty if unknown
 };
 
-/// Returns the port that FELT_PANTOGRAPH_PORT names, or, if it is not set, the ports in
+/// Returns the port that FELT_PANTOGRAPH_PORT names or, if that variable is not set, the ports in
 /// /dev/serial/by-id that look like a board.
 std::vector<Port> find_ports(const SystemView& system);
 

@@ -20,14 +20,14 @@ namespace felt {
 /// If a lift begins and ends between two reads, the second read reports the lift. So a slow loop
 /// neither loses a dot nor joins two strokes.
 ///
-/// If a sample has an earlier time than the sample before it, it gets the time of that sample.
-/// Samples that are not finite are left out. Forces have no effect; the last one is stored.
+/// A sample whose time is earlier than that of the previous sample gets the time of the previous
+/// sample. Samples that are not finite are left out. Forces have no effect; the last one is stored.
 ///
 /// read() is used on the haptic thread. It is real-time safe, and its duration is linear in the
 /// number of samples since the last read.
 class RecordedDevice final : public Device {
  public:
-  /// The device reports `capabilities`, so that a session computes the forces for them.
+  /// The device reports `capabilities`; a session computes its forces for these capabilities.
   RecordedDevice(std::vector<PenSample> recording, const Capabilities& capabilities);
 
   [[nodiscard]] std::string_view name() const noexcept override { return "replay"; }

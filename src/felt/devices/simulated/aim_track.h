@@ -18,9 +18,9 @@ struct StampedAim {
 };
 
 /// Plays the aims of a tablet with their original spacing in time, although a window system
-/// delivers them late and several together. Each aim is played when its age reaches the playback
-/// delay. The delay is about the largest age with which an aim arrived in the last second or two,
-/// but at most 15 ms. An aim that arrives with a larger age is played immediately. So the delay
+/// delivers them late and several at once. Each aim is played when its age reaches the playback
+/// delay. The delay is about the largest age that an aim had on arrival in the last second or two,
+/// but at most 15 ms. An aim that is older than that on arrival is played immediately. So the delay
 /// does not keep growing, and no aim is lost.
 ///
 /// With `joins`, at() interpolates linearly between one aim and the next. The second aim must then
@@ -37,8 +37,8 @@ class AimTrack {
 
   explicit AimTrack(bool joins) noexcept : joins_(joins) {}
 
-  /// Appends an aim. A time that is not later than that of the last aim is set to 50 us after that;
-  /// a time in the future is set to `now_ns`. Requires has_room().
+  /// Appends an aim. A time less than 50 us after that of the last aim is set to 50 us after it; a
+  /// time in the future is set to `now_ns`. Requires has_room().
   void push(const StampedAim& aim, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool has_room() const noexcept { return count_ < kMax; }
   [[nodiscard]] bool is_set() const noexcept { return is_set_; }

@@ -25,7 +25,7 @@ enum class MousePressure : std::uint8_t {
   kBySpeed,   ///< falls with the speed, from 0.8 at rest to 0.2 at 300 mm/s and more
 };
 
-/// Converts each event of mouse or tablet to an aim of the simulated hand
+/// Converts each event of a mouse or tablet to an aim of the simulated hand
 /// (docs/design/loop.md#data-flow). On a device that pushes back, pressure sets how far below the
 /// surface the hand aims, so that the hand presses with the force for that pressure. On a device
 /// without forces, pressure is passed on unchanged. Tilt is always passed on unchanged.

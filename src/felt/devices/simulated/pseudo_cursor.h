@@ -30,7 +30,7 @@ class PseudoCursor {
     kTabletInk,  ///< drawing with a pen on a tablet
   };
 
-  /// Returns the position of the cursor. `hand` is the position that mouse or tablet report,
+  /// Returns the position of the cursor. `hand` is the position that the mouse or tablet reports,
   /// `stylus` the position of the simulated pen, which the forces move, and `dt_s` the time since
   /// the last call.
   Point update(Point hand, Point stylus, Use use, double dt_s) noexcept;

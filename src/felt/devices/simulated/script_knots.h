@@ -18,8 +18,8 @@ struct ScriptKnot {
   std::optional<double> tilt_deg{};
 };
 
-/// Returns the knots of a recorded stroke. How the recorded times are used is described at
-/// script_hand(). The result is empty if no point is usable.
+/// Returns the knots of a recorded stroke. script_hand() describes the use of the recorded times.
+/// The result is empty if no point is usable.
 std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressure);
 
 /// Interpolates a stroke linearly between its knots, at increasing times. Requires at least one

@@ -86,8 +86,8 @@ double aim_depth_mm(const HandScriptOptions& options, double pressure,
 ///
 /// For a dot, the pen presses for at least 60 ms, so that the dot is not lost. Points that are not
 /// finite are left out. A stroke is drawn at the pace of an unhurried hand (hand_path.h) if a time
-/// is missing, if a time is earlier than the one before it, or if all times are equal. The pace is
-/// at most 500 mm/s, and a pause lasts at most 1 s.
+/// is missing, if a time is earlier than the one before it, or if all times are equal. Otherwise it
+/// is drawn at the recorded times, but at most at 500 mm/s and with pauses of at most 1 s.
 std::vector<TimedAim> script_hand(std::span<const RecordedPath> strokes,
                                   const HandScriptOptions& options);
 

@@ -29,9 +29,9 @@ struct StampedAim;
 ///
 /// A device without force (mouse, tablet) has no body: the pen is exactly at the aim, and write()
 /// has no effect. Aims with times are played with their original spacing (AimTrack). On a device
-/// without a body, each aim gives one sample with the position of the aim and its time plus the
-/// delay of the track; a read may return several such samples. On a device with a body, the aims
-/// move the hand.
+/// without a body, each aim gives one sample. The sample has the aim's position, and its time is
+/// that of the aim plus the delay of the track. One read may give several such samples. On a device
+/// with a body, the aims move the hand.
 ///
 /// The simulation starts at the time of the first read(). If the time of a read is not later than
 /// that of the last one, nothing moves. After a gap, at most 100 ms are simulated, to bound the
@@ -42,8 +42,8 @@ struct StampedAim;
 class SimulatedStylus final : public Device, public HandInput {
  public:
   static constexpr int kMaxDelayTicks = 7;
-  static constexpr std::size_t kWaitingAims =
-      2048;                                       ///< if more come between two reads, they are lost
+  /// Maximum number of aims that can wait for the next read. Aims beyond that are lost.
+  static constexpr std::size_t kWaitingAims = 2048;
   static constexpr std::size_t kMaxSamples = 16;  ///< maximum number of samples in one read()
 
   /// `hand` holds the stylus initially; if it is nullopt, nobody holds the stylus. `delay_ticks` is
@@ -68,8 +68,9 @@ class SimulatedStylus final : public Device, public HandInput {
   /// Sets the hand's aim (HandInput). To press, aim below the surface. Targets are clamped to 100
   /// mm around the workspace; the pen itself does not leave the workspace. A target that is not
   /// finite is ignored; a pressure or tilt that is NaN counts as missing. If several untimed aims
-  /// come between two reads, only the newest is used, but no aim is dropped that begins or ends a
-  /// contact (by pressure, buttons or depth).
+  /// come between two reads, the second read uses only the newest. But if one of them begins or
+  /// ends a contact (by pressure, buttons or depth), that aim and all later ones are left to the
+  /// following read.
   using HandInput::aim;
   void aim(const Aim& aim) noexcept override;
   /// Sets the hand's aim at a time. An aim without a time discards all timed aims that were not

@@ -14,7 +14,7 @@ namespace felt {
 /// is optional. InkSample is not used, because devices do not depend on the ink layer.
 struct HandSample {
   Point position;            ///< mm, page frame
-  double pressure = 0.0;     ///< above 0 up to 1
+  double pressure = 0.0;     ///< greater than 0, at most 1
   std::int64_t time_ns = 0;  ///< since the start of the hand's first stroke
 
   friend constexpr bool operator==(const HandSample&, const HandSample&) noexcept = default;

@@ -17,29 +17,30 @@ using SurfaceForce = Compose<Plane, Texture, Friction>;
 
 /// Returns the largest sum of slopes along one axis that a device can render, N/m (R56): 900 if at
 /// most 2 ms pass between reading a position and the end of its force. For a longer delay it is
-/// proportional to 1/delay, for example 600 at 3 ms. The safety chain uses the same number, so it
-/// does not weaken a model that stays within it.
+/// proportional to 1/delay, for example 600 at 3 ms. The safety chain uses the same number, so the
+/// chain does not weaken a model that stays within this budget.
 double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 
-/// Returns the plane of a surface on a device. C is the hardest K that a device can render: the
-/// minimum of 0.9 of the device's maximum (R55), the stiffness budget, and the limit that the
-/// sensor sets. If C is less than kHardestNPerM, all surfaces are made softer together, so that
-/// felt, paper, board and glass remain distinguishable (R13):
+/// Returns the options of the plane of a surface on a device: its stiffness K and its damping B. C
+/// is the largest K that the device can render: the minimum of 0.9 of the device's maximum (R55),
+/// the stiffness budget, and the limit that the position sensor sets (below). If C is less than
+/// kHardestNPerM, all surfaces are made softer together, so that felt, paper, board and glass
+/// remain distinguishable (R13):
 ///
 ///   K = min(K of the surface, C sqrt(K of the surface/kHardestNPerM))
 ///
 /// B is at most the device's maximum, and at most 2 N s/m on loops with periods below 0.5 ms
-/// (docs/design/forces.md#plane). If the sensor is coarse, K and B are reduced: one step of the
-/// sensor may change the force of the spring by at most 0.025 N, and that of the damper by at most
-/// another 0.025 N. (To the damper a step is a speed: the step divided by 1.6 ms plus a period.)
-/// Without this reduction, a sliding pen would hum between two steps at 60 to 100 Hz
-/// (docs/stability.md), with 0.03 to 0.06 N for steps of 0.055 mm. The width of a line is computed
-/// with this K.
+/// (docs/design/forces.md#plane). If the sensor is coarse, C and B are reduced, but not below 200
+/// N/m and 0.5 N s/m. Above these values, one step of the sensor changes the force of the spring by
+/// at most 0.025 N, and that of the damper by at most another 0.025 N. (To the damper a step is a
+/// speed: the step divided by 1.6 ms plus a period.) Without this reduction, a sliding pen would
+/// hum between two steps at 60 to 100 Hz (docs/stability.md), with 0.03 to 0.06 N for steps of
+/// 0.055 mm. The width of a line is computed with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
-/// Returns the friction of a medium on a surface on a device. k is the bristle stiffness of the
-/// medium (default 600 N/m) if the budget then leaves 300 N/m for one more spring (edit, snap). On
-/// slower loops k is less (300 N/m at 3 ms), and d is reduced in proportion. A coarse sensor
-/// reduces k and d, as it does for the plane.
+/// Returns the options of the friction of a medium on a surface on a device. The bristle stiffness
+/// k is that of the medium (default 600 N/m) if the budget then leaves 300 N/m for one more spring
+/// (edit, snap). On slower loops k is less (300 N/m at 3 ms), and the damping d is reduced in
+/// proportion. A coarse sensor also reduces k and d, as it does for the plane.
 FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
 
@@ -52,15 +53,15 @@ inline constexpr double kHardestNPerM = 800.0;
 /// with a coefficient of up to 0.6. So the width does not depend on how warm the motors are (R14):
 /// a push below F1 is never limited, and any push above F1 draws full width. A user who lowers the
 /// force limit lowers F1, too, if `device` comes from with_force_limit(). With a limit below 0.25
-/// N, or with forces off, the surface yields before full width is reached. After it has yielded,
-/// the width depends on the depth of the pen. A master strength s below 1 makes the surface softer
-/// to the hand: a push of s F1 then draws full width.
+/// N, or with forces off, the surface yields before full width is reached. The width then depends
+/// on the depth of the pen. With a master strength s below 1, the user's factor on all forces, the
+/// surface is softer to the hand, and a push of s F1 draws full width.
 double firm_push_n(const Capabilities& device) noexcept;
 
-/// Returns the push at which the hand feels all of the flattening that a medium causes
+/// Returns the push that flattens the felt relief as far as the medium can flatten it
 /// (relief_left): 1.2 x the continuous force, clamped to 0.2..2 N. On weak devices this push is
-/// greater than F1, because the grain of rough paper would otherwise be too weak to feel. On screen
-/// the relief is flattened at the push for full width.
+/// greater than F1, because the grain of rough paper would otherwise be too weak to feel. On
+/// screen, the relief is flattened that far at F1.
 double flattening_push_n(const Capabilities& device) noexcept;
 
 /// Returns the texture options for the grain of a surface under a medium, on a device.

@@ -6,7 +6,8 @@
 
 namespace felt {
 
-/// Friction of one material on another (docs/design/forces.md#friction; values in material.cc).
+/// Friction of one material on another (docs/design/forces.md#friction; values in
+/// docs/materials.md).
 struct FrictionOptions {
   double coefficient = 0.25;         ///< mu, static = kinetic
   double stiffness_n_per_m = 600.0;  ///< k of the bristle
@@ -21,7 +22,7 @@ struct FrictionOptions {
 /// Below the limit the foot does not move, so there is no drift however long the hand presses. At
 /// the limit the foot follows the pen, so F = mu Fn in every steady slide. Static friction equals
 /// kinetic friction, because low stiction helps aiming and high stiction hurts (Richard and
-/// Cutkosky 2000). A friction that is a function of the speed would buzz at rest (0.17-0.58 N above
+/// Cutkosky 2000). Friction that is a function of the speed would buzz at rest (0.17-0.58 N above
 /// 30 Hz; docs/design/forces.md#friction).
 ///
 /// v is known_velocity() (pen_sample.h): the measured velocity, shortened by 6 mm/s of uncertainty.

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// The resistance of a surface (docs/design/forces.md#surfaces; values in material.cc).
+/// The resistance of a surface (docs/design/forces.md#surfaces; values in docs/materials.md).
 struct PlaneOptions {
   double stiffness_n_per_m = 500.0;
   double damping_n_s_per_m = 2.0;
@@ -16,7 +16,7 @@ struct PlaneOptions {
 ///
 ///   F_z = max(0, K depth - B vz)   if depth > 0, else 0
 ///   K   = min(K of the material * memory.scale.normal, memory.material_cap_n_per_m)
-///   vz  = difference of z, low-pass filtered at 100 Hz; negative while the pen goes in
+///   vz  = dz/dt, low-pass filtered at 100 Hz; negative while the pen goes in
 ///
 /// Neither the spring nor the damper ever pulls the pen in. At rest F_z = K depth.
 ///
@@ -27,8 +27,8 @@ struct PlaneOptions {
 ///   the displacement in between says nothing about the present speed.
 /// * |vz| is clamped to 500 mm/s, so the damper adds at most 1 N. Faster motion is left to the
 ///   safety chain, so that a stale position does not cause a kick.
-/// * A smaller budget reduces K and leaves B unchanged, because at a longer delay the damper keeps
-///   a soft plane calm (docs/design/forces.md#plane).
+/// * If the stiffness budget is smaller, K is reduced and B is not, because at a longer delay the
+///   damper keeps a soft plane calm (docs/design/forces.md#plane).
 ///
 /// Writes memory.normal_force_n (for the friction) and memory.spring_force_n (for the width).
 class Plane {

@@ -19,16 +19,16 @@ namespace felt {
 ///        = Fp S((d - (M - w))/w)          M - w < d < M,   S(x) = 1 - 3x^2 + 2x^3
 ///        = 0                              d >= M
 ///
-/// It points towards the target and is continuous and zero at both ends, whereas the paper's force
-/// law l (ForceLaw) would jump by 0.2 N. If the lengths do not fit (d0 + w > M), d0 has priority
-/// and w = M - d0.
+/// The force points towards the target, is continuous, and is zero at d = 0 and from d = M on. The
+/// paper's force law l (ForceLaw) would jump by 0.2 N at d = 0. If the lengths do not fit (d0 + w >
+/// M), d0 has priority and w = M - d0.
 struct WellShape {
   double radius_mm = 8.0;  ///< M
   double core_mm = 2.0;    ///< d0
   double rim_mm = 2.0;     ///< w
   double force_n = 0.6;    ///< Fp
-  /// Damping that keeps the core calm even next to the stiffness of a friction bristle at 3 ms of
-  /// delay. It acts on known_velocity() and decreases to 0 along the rim.
+  /// Damping. It keeps the core calm at a delay of 3 ms even when a friction bristle adds
+  /// stiffness. It acts on known_velocity() and decreases to 0 along the rim.
   double damping_n_s_per_m = 1.0;
 
   /// Returns F without the damping, in N; 0 if d <= 0 or d >= M.
@@ -36,13 +36,13 @@ struct WellShape {
   /// Returns the energy needed to pull the pen from the target to a distance, mJ; by default 3.6 mJ
   /// to leave the well.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
-  /// Returns the stiffness at the target, N/m, the steepest slope that pulls back. The rim has a
-  /// slope of up to 1.5 Fp/w of the opposite sign, because the pull ends there; that slope causes
-  /// no oscillation at any delay.
+  /// Returns the stiffness at the target, N/m, which is the largest stiffness of the well. In the
+  /// rim, the force falls with distance by up to 1.5 Fp/w; such a negative stiffness causes no
+  /// oscillation at any delay.
   [[nodiscard]] double core_slope_n_per_m() const noexcept;
   /// Returns this well with its stiffness at the target multiplied by `share` (0..1). The core
-  /// becomes wider, and Fp does not change. Only if the core would then overlap the rim, Fp is
-  /// reduced, too. The damping does not change.
+  /// becomes wider, and Fp does not change. If the core would then overlap the rim, it ends at the
+  /// rim, and Fp is reduced instead. The damping does not change.
   [[nodiscard]] WellShape softened(double share) const noexcept;
   /// Returns the share of the damping at a distance: 1 up to the rim, 0 from M on.
   [[nodiscard]] double damped_share(double distance_mm) const noexcept;
@@ -50,12 +50,12 @@ struct WellShape {
 
 /// Up to four snap targets. Their forces add, so the sum is continuous and has a potential,
 /// independent of the positions of the targets. A tool that wants only the nearest target passes
-/// just that one (R43). The dampings do not add: the strongest one acts.
+/// just that one (R43). Their dampings do not add; only the strongest one acts.
 ///
 /// If the share s of the stiffness budget is below 1 (R56), a single well is softened by s^2
-/// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops, too. The
-/// force of several wells is multiplied by s, so they attract less, because wider cores would not
-/// bound the sum of overlapping wells.
+/// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops, too.
+/// Several wells are not softened, because wider cores would not bound the stiffness of overlapping
+/// wells. Instead their force is multiplied by s, so they attract less.
 class SnapWells {
  public:
   static constexpr std::size_t kMax = 4;
@@ -68,8 +68,8 @@ class SnapWells {
   SnapWells() noexcept = default;
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
-  /// Returns an upper bound of the stiffness. If wells overlap, their slopes add: the slope of the
-  /// nearest core, and F/d of the others.
+  /// Returns an upper bound of the stiffness. If wells overlap, it is the slope of the nearest core
+  /// plus F/d of each other well.
   [[nodiscard]] Slopes slopes() const noexcept;
 
  private:

@@ -10,19 +10,20 @@
 
 namespace felt {
 
-/// Parameters of the force of an edit during its gesture.
+/// Parameters of the force that an edit exerts during its gesture.
 struct EditOptions {
   ForceLaw law = kEditLaw;
   double damping_n_s_per_m = 1.0;  ///< Bed, multiplied by known_velocity()
 };
 
-/// Pulls the pen back to the point at which it grabbed (R29, R30;
+/// Pulls the pen back to `origin`, the point at which the gesture grabbed (R29, R30;
 /// docs/design/forces.md#edit-springs):
 ///
 ///   F = -phi(|V|) V/|V| - Bed v,   V = pen - origin, along the surface
 ///
-/// V is the total displacement. The force is conservative except for the damping, hence passive,
-/// and does not depend on the loop's rate. Publish it only while the gesture lasts.
+/// V is the total displacement, and phi is the force law. The force is conservative apart from its
+/// damping, and therefore passive. It does not depend on the loop's rate. Publish it only while the
+/// gesture lasts.
 class EditSpring {
  public:
   explicit EditSpring(Point origin, const EditOptions& options = {}) noexcept
@@ -52,10 +53,10 @@ struct CurveNear {
 ///
 /// The tool publishes the curve every few milliseconds. Between two publications the force assumes
 /// that the curve continues to yield as the tool will compute it: V' = v - V/tau, solved for a pen
-/// that has moved in a straight line since. So the force does not depend on the rate of the loop or
-/// of the publications (R30), and it needs no memory. Samples must be in session time, as
-/// `curve.time_ns` is (Servo::set_session_offset). This is a nonlinear Maxwell element: F v = dU/dt
-/// + phi(d) d/tau, so the hand gets back less energy than it has put in.
+/// that has moved in a straight line since the publication. So the force does not depend on the
+/// rate of the loop or of the publications (R30), and it needs no memory. Samples must be in
+/// session time, as `curve.time_ns` is (Servo::set_session_offset). This is a nonlinear Maxwell
+/// element: F v = dU/dt + phi(d) d/tau, so the hand gets back less energy than it has put in.
 class SweepSpring {
  public:
   explicit SweepSpring(const CurveNear& curve, const EditOptions& options = {},
@@ -83,7 +84,7 @@ struct LineUnderNib {
 /// Resists a nib that pushes lines (R29, eq. 8). The force is phi(d) along the normal, where d is
 /// the displacement of the pushed line. A pushed line does not move back, so the force remains
 /// while the nib rests against it, and falls to zero within a distance of phi(d)/Kcap when the nib
-/// leaves. The hand gets back work that it has done on the line only over that distance.
+/// leaves. So the line returns work to the hand only over that distance.
 class PushSpring {
  public:
   explicit PushSpring(const LineUnderNib& line, const EditOptions& options = {}) noexcept
@@ -97,10 +98,10 @@ class PushSpring {
   EditOptions options_;
 };
 
-/// Returns -phi(|V|) V/|V| - share b v in N, the part that the springs here and in the stabiliser
-/// have in common. A share of the stiffness budget below 1 (R56) softens the spring near 0 and
-/// leaves the level of the force law unchanged, so that a slow loop resists as strongly as a fast
-/// one (R30).
+/// Returns -phi(|V|) V/|V| - share b v in N: the force that springs here and in the stabiliser have
+/// in common. A share of the stiffness budget below 1 (R56) softens the spring near 0 and leaves
+/// the level of the force law unchanged, so that a slow loop resists as strongly as a fast one
+/// (R30).
 Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per_m,
                 Vec velocity_mm_per_s, double share) noexcept;
 

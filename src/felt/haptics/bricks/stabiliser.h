@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// Parameters of a nib on a short rope behind the pen: towed (drag) drawing. It steadies curves in
-/// cases in which friction alone does not (Keefe 2007, docs/design/forces.md#stabilisers).
+/// Parameters of a nib on a short rope behind the pen: towed (drag) drawing. It steadies curves
+/// that friction alone does not steady (Keefe 2007, docs/design/forces.md#stabilisers).
 struct TowOptions {
   /// Within this distance the rope is slack: no force, and the nib rests.
   double rope_mm = 4.0;
@@ -52,14 +52,17 @@ struct InertiaOptions {
 ///
 ///   m u' = K (p - q) + B (v - u) - c u,   q' = u
 ///
-/// It uses backward Euler, which removes energy at every period and never adds any. When the
-/// coupling slips, it slips for the mass and the hand alike, so that both get the same force.
+/// Here q and u are the position and velocity of the mass, p and v are those of the pen, K and B
+/// belong to the coupling, and c is the drag. The function uses backward Euler, which may remove
+/// energy in a tick but never adds any. When the coupling slips, its limited pull acts both on the
+/// mass and on the hand.
 Vec move_mass(const InertiaOptions& options, Follower& mass, Point pen, Vec pen_velocity_mm_per_s,
               double dt_s) noexcept;
 
-/// Virtual inertia by a virtual coupling. It is never F = m a, because the acceleration measured on
-/// an impedance device is noise and delay (docs/design/forces.md#stabilisers). At each landing the
-/// mass starts under the pen, with the pen's velocity.
+/// Virtual inertia by a virtual coupling. The force is never computed as m a, because the
+/// acceleration measured on an impedance device is noisy and delayed
+/// (docs/design/forces.md#stabilisers). At each landing the mass starts under the pen, with the
+/// pen's velocity.
 class Inertia {
  public:
   explicit Inertia(const InertiaOptions& options = {}) noexcept : options_(options) {}

@@ -12,7 +12,8 @@ namespace felt {
 
 /// The counter-force of a transform (paper, eq. 10; docs/design/forces.md#tether; R35-R38). Curves
 /// that connect the selection to the rest of the drawing resist the transform. The resistance grows
-/// with S, the sum of the distances that their fixed ends (anchors) *would* have moved:
+/// with S. It is the sum of the distances that the fixed ends of these curves (anchors) would have
+/// moved with the selection, for a translation by d, a rotation by th or a scaling by s:
 ///
 ///   translation  S = N |d|              F along -d
 ///   rotation     S = sum r_i |th|       F across the arm from centre to pen, against th
@@ -22,17 +23,19 @@ namespace felt {
 /// N is the number of anchors, and r_i are their distances from the centre. The haptic thread needs
 /// only N or sum r_i from the drawing. Without anchors the force is zero.
 ///
-/// `way` is the distance that the pen has moved, defined so that no slope exceeds Kcap (R38): |d|;
-/// r |th|/sqrt(1 + th^2), where th is unwrapped beyond full turns; r0 (1 - min(s, 1/s)), which is
-/// the same for s and 1/s (R37). Within 5 mm of the centre, the direction of a rotation or scaling
-/// is not well defined, so F fades with r/5 mm. s is limited to 0.05..20. A tether with anchors
-/// also damps the motion of the pen (Bed).
+/// `way` is the distance that the pen has moved, defined so that no slope exceeds Kcap (R38). For a
+/// translation it is |d|. For a rotation it is max(r, 5 mm) |th|/sqrt(1 + th^2), where r is the
+/// distance of the pen from the centre, and th counts full turns. For a scaling it is r0 (1 -
+/// min(s, 1/s)), which is the same for s and 1/s (R37); r0 is the distance of the grabbed point
+/// from the centre. Within 5 mm of the centre, the direction of a rotation or scaling is not well
+/// defined, so F is multiplied by r/5 mm. s is limited to 0.05..20. A tether with anchors also
+/// damps the motion of the pen (Bed).
 ///
-/// If the share s of the stiffness budget is below 1 (R56), Kcap is reduced to s^2 Kcap (169 N/m at
-/// 250 Hz; with s Kcap a light hand trembles) and the damping by s. The level l does not change, so
-/// that a slow loop resists as strongly as a fast one (R30). The force then fades within a larger
-/// radius, because F/r, the slope of a force that turns with the arm, must also stay within the
-/// reduced Kcap.
+/// If the share c of the stiffness budget is below 1 (R56), Kcap is multiplied by c^2 and the
+/// damping by c. This gives 169 N/m at 250 Hz; with c Kcap, a light hand would tremble. The level l
+/// does not change, so that a slow loop resists as strongly as a fast one (R30). The force then
+/// fades within a larger radius, because F/r, the slope of a force that turns with the arm, must
+/// also stay within the reduced Kcap.
 ///
 /// A constrained tether resists only the motion that the transform really makes (constrained()): a
 /// translation along the axis of the larger component, or a rotation by whole steps of
@@ -45,7 +48,7 @@ class Tether {
   /// Makes a tether without anchors, which has no force.
   Tether() noexcept = default;
   static Tether translation(Point grab, int anchors) noexcept;
-  /// If `gesture` differs from that of the last rotation, counting of turns starts again at 0.
+  /// If `gesture` differs from that of the last rotation, th starts again at 0.
   static Tether rotation(Point centre, Point grab, double sum_of_radii_mm,
                          std::uint32_t gesture) noexcept;
   static Tether scale(Point centre, Point grab, double sum_of_radii_mm) noexcept;
@@ -86,11 +89,11 @@ inline constexpr double kTurnStepRad = 15.0 * 3.14159265358979323846 / 180.0;
 
 /// Returns the angle from `first_arm` to `arm`, rad, unwrapped so that full turns add up: the
 /// equivalent angle that is nearest to `last_rad`. If an arm has no length, returns `last_rad`.
-/// Both the transform tool and its force use it.
+/// The transform tool and its force both use this function.
 double unwrapped_turn_rad(Vec first_arm, Vec arm, double last_rad) noexcept;
 
-/// Returns the scale factor of a pen at `arm` from the centre that grabbed at `first_arm`:
-/// 0.05..20, or 1 if first_arm has no length.
+/// Returns the scale factor, 0.05..20, if the pen grabbed at `first_arm` from the centre and is now
+/// at `arm`. Returns 1 if `first_arm` has no length.
 double scale_factor(Vec first_arm, Vec arm) noexcept;
 
 }  // namespace felt

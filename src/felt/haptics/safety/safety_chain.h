@@ -28,7 +28,7 @@ enum class SafetyFault : std::uint8_t {
   kLateTick,       ///< soft
   kTooFast,        ///< soft
   kEditSilent,     ///< soft
-  kVeryLateTick,   ///< soft, zero immediately
+  kVeryLateTick,   ///< soft, but the force is zero immediately
   kNotFinite,      ///< hard: NaN or infinity in a sample or a force
   kDeviceError,    ///< hard: the device could not be read or written
   kPositionJump,   ///< hard, if it lasts
@@ -50,7 +50,7 @@ struct SafetyReport {
   SafetyState state = SafetyState::kOff;
   SafetyFault fault = SafetyFault::kNone;
   std::uint32_t limited_by = 0;
-  std::uint32_t soft_faults = 0;  ///< number since the start
+  std::uint32_t soft_faults = 0;  ///< number since the chain was made
   std::uint32_t hard_faults = 0;
   /// RMS of the force: the root of its low-pass filtered square, which follows the heat of the
   /// motors (MotorGuard).
@@ -70,7 +70,7 @@ struct SafetyReport {
 ///
 /// One tick, in this order:
 ///   begin(now)          measures dt; checks the time since the last tick and the heartbeats
-///   admit(sample)       checks if the sample is plausible (false: do not evaluate the model)
+///   admit(sample)       returns true if the sample is plausible (false: do not evaluate the model)
 ///   budget(slopes)      returns the fractions of the model's stiffness that are allowed
 ///   limit(asked)        applies the stages in order: finite, peak, speed, continuous, engaging or
 ///                       falling, rise

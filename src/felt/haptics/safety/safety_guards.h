@@ -17,13 +17,13 @@ enum class Lateness : std::uint8_t {
   kVeryLate,  ///< more than very_late_s; the motion of the pen in between is unknown
 };
 
-/// The time since the last tick, in three versions. If the time is uncertain, less force must
-/// result. So stages that let a force grow use the short `credited_s`, and stages that reduce a
-/// force use the long `charged_s`.
+/// The time since the last tick, in three versions. If the time is uncertain, the chain must use
+/// the smaller force. So stages that let a force grow use the short `credited_s`, and stages that
+/// reduce a force use the long `charged_s`.
 struct TickTime {
   double model_s = 0.001;  ///< for the force models: clamped to 0.2..5 ms
   double credited_s =
-      0.0;  ///< for rises, ramps: at most two periods and at most 5 ms; 0 if time stops
+      0.0;  ///< for rises and ramps: at most two periods, at most 5 ms; 0 if the clock stops
   double charged_s = 0.001;  ///< for watchdogs, falls, heat: at least 0.2 ms, no upper bound
   Lateness lateness = Lateness::kOnTime;
 };
@@ -75,7 +75,7 @@ bool repeats(const PenSample& last, const PenSample& sample) noexcept;
 /// The result of checking a position.
 enum class PositionVerdict : std::uint8_t {
   kBelieved,
-  kHeld,   ///< too far from the last accepted one: hold the last force
+  kHeld,   ///< too far from the last accepted position: hold the last force
   kFault,  ///< too far for too long
 };
 
@@ -135,8 +135,8 @@ class SpeedGuard {
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   /// Returns the velocity that has that speed, mm/s.
   [[nodiscard]] const Vec3& velocity_mm_per_s() const noexcept { return velocity_mm_per_s_; }
-  /// Returns true if forces must be cut: cut_samples samples in a row were above the speed cut, or
-  /// one sample above cut_now.
+  /// Returns true if forces must be cut: cut_samples samples in a row were above cut_m_per_s, or
+  /// one sample was above cut_now_m_per_s.
   [[nodiscard]] bool must_cut() const noexcept { return must_cut_; }
 
  private:
@@ -155,20 +155,20 @@ class SpeedGuard {
   bool must_cut_ = false;
 };
 
-/// Returns the force that the motors may hold indefinitely, N. MotorGuard limits a force that lasts
-/// to this value. Infinite if the device has no rating.
+/// Returns the force that the motors may hold indefinitely, N. If a force lasts, MotorGuard reduces
+/// it to this value. Infinite if the device has no rating.
 double sustained_force_n(const SafetyLimits& limits) noexcept;
 
 /// Protects the motors from overheating (docs/design/limits.md#motors: RMS over 10 s at most 80 %
 /// of the rating, then a fade over 1 s with a notice).
 ///
-/// The mean square m of the force is low-pass filtered with half the window as time constant, as a
-/// motor warms. Its bound keeps the plain RMS over any whole window below the limit L: the energy
-/// of a window W is at most tau m + W m, so m <= L^2 W/(W + tau). The permitted force depends only
-/// on m: the farther m is below its bound, the higher the force. When m reaches the bound, the
-/// permitted force is the sustainable force sqrt(m); the fade from the peak takes about fade_s. So
-/// a hand that keeps pressing feels the plane become softer, once, and never a cut or an
-/// oscillation.
+/// The mean square m of the force is low-pass filtered with a time constant tau of half the window,
+/// which models how a motor warms. The bound of m keeps the plain RMS over any whole window below
+/// the limit L: the energy of a window W is at most tau m + W m, so m <= L^2 W/(W + tau). The
+/// permitted force depends only on m: the farther m is below its bound, the higher the force. When
+/// m reaches the bound, the permitted force is the sustainable force sqrt(m); the fade from the
+/// peak takes about fade_s. So a hand that keeps pressing feels the plane become softer, once, and
+/// never a cut or an oscillation.
 class MotorGuard {
  public:
   explicit MotorGuard(const SafetyLimits& limits) noexcept;
@@ -180,8 +180,8 @@ class MotorGuard {
   /// Returns the root of the mean square, N.
   [[nodiscard]] double rms_n() const noexcept;
   /// Returns true if the notice should be shown: from a tick with `limited` (the force was limited
-  /// on that tick) until the motors have cooled to half the heat. This hysteresis applies to the
-  /// notice only, not to the force.
+  /// on that tick) until the mean square has fallen below half of its bound. This hysteresis
+  /// applies to the notice only, not to the force.
   bool is_warm(bool limited) noexcept;
 
  private:
@@ -200,8 +200,8 @@ class PassivityObserver {
  public:
   /// Forgets all state, so that the next sample counts as the first.
   void reset() noexcept;
-  /// Adds a sample. The device has held `sent` since the previous one. Returns the energy in mJ, >
-  /// 0 if the loop gave more than it received. Huge numbers saturate.
+  /// Adds a sample. The device has held `sent` since the previous one. Returns the energy in mJ. It
+  /// is positive if the loop gave more than it received. Huge numbers saturate.
   double update(const PenSample& sample, const Force& sent) noexcept;
 
  private:

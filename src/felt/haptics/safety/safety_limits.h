@@ -37,7 +37,7 @@ struct SafetyLimits {
   double cut_now_m_per_s = 2.0;  ///< the force is cut after a single sample above this speed
 
   double jump_mm_per_ms = 3.0;  ///< a sample farther from the previous one is not accepted
-  double jump_hold_s = 0.002;   ///< time for which the last force is held before it is a hard fault
+  double jump_hold_s = 0.002;   ///< the last force is held this long; then a jump is a hard fault
 
   double silent_damp_s = 0.5;  ///< if the edit thread is silent for this time, only damping remains
   double silent_stop_s =
@@ -50,7 +50,7 @@ struct SafetyLimits {
   double soft_fault_window_s = 10.0;
 
   double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis up to 2 ms of delay
-  double budget_slow_n_per_m = 600.0;  ///< R56: the budget at 3 ms; in proportion to 1/delay
+  double budget_slow_n_per_m = 600.0;  ///< R56: the budget at 3 ms; it is proportional to 1/delay
 
   std::int64_t period_ns = 1'000'000;
   int delay_ticks = 1;
@@ -61,7 +61,7 @@ struct SafetyLimits {
 bool is_sound(const SafetyLimits& limits) noexcept;
 
 /// Returns the limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the
-/// rating (docs/design/limits.md#motors), damping = 0.5 and stiffness = 0.9 of its maxima
+/// rating (docs/design/limits.md#motors), damping = 0.5 and stiffness = 0.9 of the device's maxima
 /// (docs/design/limits.md#stiffness-budget, R55). `user_limit_n` is clamped to 0..3 N. NaN and
 /// negative numbers count as 0. A device that reports an invalid force or scale gets no force.
 ///
@@ -71,12 +71,12 @@ bool is_sound(const SafetyLimits& limits) noexcept;
 /// and speeds and jumps are multiplied by min(1, s).
 SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) noexcept;
 
-/// Returns the device with advised_force_n lowered to the limit that the user set, so that
-/// limits_for() of it equals limits_for(device, user_limit_n). Pass it to the session (UseDevice),
-/// because the width of a line depends on the force that the device may output (firm_push_n, R14);
-/// recordings then contain the limit, too. Returns the device unchanged if the limit is higher than
-/// the device's own. Also returns it unchanged if the limit is 0 or less, because forces are then
-/// off.
+/// Returns a copy of `device` with advised_force_n lowered to the limit that the user set, so that
+/// limits_for() of the copy equals limits_for(device, user_limit_n). Pass it to the session
+/// (UseDevice), because the width of a line depends on the force that the device may output
+/// (firm_push_n, R14); recordings then contain the limit, too. The copy is unchanged if
+/// limits_for(device) is not above the user's limit anyway. It is also unchanged if the user's
+/// limit is 0 or less, because forces are then off.
 Capabilities with_force_limit(const Capabilities& device, double user_limit_n) noexcept;
 
 }  // namespace felt

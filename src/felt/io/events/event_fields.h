@@ -26,7 +26,7 @@ struct EventFields {
   std::optional<double> tilt_deg;
   std::string path;
   bool select = false;
-  int defaults = 1;  ///< 1 for recordings that do not name them
+  int defaults = 1;  ///< version of the default options; 1 if the recording has none
   SelectStrokes::What selection{};
   LayerEvent::Do action{};
   LayerId layer;

@@ -52,7 +52,7 @@ struct Resolution {
   std::string units;
 };
 
-/// Parses a decimal number with a point, in any locale, with optional spaces and a leading plus.
+/// Parses a number with a decimal point, in any locale, with optional spaces and a leading plus.
 /// Returns nullopt for anything else, including infinity and NaN.
 std::optional<double> number_of(std::string_view text) noexcept;
 
@@ -69,7 +69,7 @@ Format read_format(const pugi::xml_node& node, std::string& problem);
 Format default_format();
 
 /// Returns the size of one unit of a channel in mm, ms or degrees, from its resolution or, if the
-/// channel has none, from its units. Returns nullopt if the file does not specify it.
+/// channel has no resolution, from its units. Returns nullopt if the file specifies neither.
 std::optional<double> scale_of(const Channel& channel, const std::vector<Resolution>& resolutions);
 
 }  // namespace felt::inkml

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Our own attributes of traces and of the root element in InkML. With them a drawing is read back
-/// exactly. Private to this layer; docs/formats/inkml.md describes them.
+/// Feltline's attributes of traces and of the root element in InkML. They let a drawing be read
+/// back exactly. Private to this layer; docs/formats/inkml.md describes them.
 
 #include <cstdint>
 #include <optional>
@@ -37,7 +37,7 @@ Result<void> append_model(std::string& out, std::string_view id, const Stroke& s
 
 /// Returns the stroke that our attributes of a trace element describe, with the colour `color`, or
 /// nullopt if the element has no such attributes. Fails if the attributes do not describe a valid
-/// stroke, or if they were written for other points than those in `trace`.
+/// stroke, or if they belong to points other than those in `trace`.
 std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const std::string& prefix,
                                               std::span<const WidePoint> trace, Rgba color);
 

@@ -18,7 +18,8 @@ namespace felt {
 ///
 /// Each channel has its own mode, which remains in effect until a prefix changes it: ! explicit, '
 /// first difference, " second difference. "*" repeats the previous value, difference or second
-/// difference, "?" is an unknown value. Booleans are T and F, hexadecimal numbers begin with #.
+/// difference, and "?" is an unknown value. Booleans are T and F, and hexadecimal numbers begin
+/// with #.
 class InkmlTraceReader {
  public:
   /// Requires at least one channel: regular ones first, then those that a point may omit. The text

@@ -13,11 +13,11 @@ namespace felt {
 /// trace.
 inline constexpr double kTraceToleranceMm = 0.01;
 
-/// Returns a drawing as InkML. For all programs, the file has traces with X, Y and W in mm, brushes
-/// for the colours and a traceGroup for each layer. In addition, it has the exact strokes in our
-/// own attributes, which import_inkml() reads back. `paper` replaces the colour of the page. Equal
-/// drawings give equal bytes. Fails if a name is longer than 4096 bytes or has characters that XML
-/// cannot hold, or if a coordinate is beyond 1e9 mm; the message names the stroke.
+/// Returns a drawing as InkML. Any program can read the traces with X, Y and W in mm, the brushes
+/// for the colours, and a traceGroup for each layer. In addition, the file has the exact strokes in
+/// Feltline's attributes, which import_inkml() reads back. `paper` replaces the colour of the page.
+/// Equal drawings give equal bytes. Fails if a name is longer than 4096 bytes or has characters
+/// that XML cannot hold, or if a coordinate is beyond 1e9 mm; the message names the stroke.
 Result<std::unique_ptr<DrawingParts>> inkml_parts(const Drawing& drawing,
                                                   const std::optional<Rgba>& paper = {});
 

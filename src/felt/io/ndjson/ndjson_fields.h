@@ -10,7 +10,7 @@ namespace felt::json {
 
 /// Reads an id: a string, or a number, which is stored as it is written in the file.
 Result<void> parse_id(Value& value, std::string& out);
-/// [[x,y,pressure|null,t_ms|null],...]; Pressure and time may be missing. A fifth element may be an
+/// [[x,y,pressure|null,t_ms|null],...]; pressure and time may be missing. A fifth element may be an
 /// object with the tilt; other elements are ignored.
 Result<void> parse_points(Value& value, std::vector<InkSample>& out);
 

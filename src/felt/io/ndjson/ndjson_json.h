@@ -1,7 +1,7 @@
 #pragma once
 
 /// The parts of NdjsonParser that use simdjson's on-demand interface. Private to this layer. Each
-/// function consumes its value and leaves the document at the start of the next one. After an
+/// function consumes its value and leaves the document at the start of the next value. After an
 /// error, the document must not be used again.
 
 #include <simdjson.h>

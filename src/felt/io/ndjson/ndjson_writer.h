@@ -19,12 +19,12 @@ namespace felt {
 /// differ from the defaults.
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
 
-/// Appends one line as append_sketch_line() does for each stroke of the visible layers, with
-/// stroke_name() as its id.
+/// For each stroke of the visible layers, appends a line as append_sketch_line() does, with
+/// stroke_name() as the id.
 void append_sketch_lines(std::string& out, const Document& document);
 
-/// Fails if a number of the stroke is larger than limits::kMaxSketchNumber, because such a line
-/// could not be read back.
+/// Fails if the magnitude of a coordinate or width exceeds limits::kMaxSketchNumber, because such a
+/// line could not be read back.
 Result<void> check_sketch_numbers(const StrokeData& data);
 
 /// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}. Pressure or time is omitted if no sample

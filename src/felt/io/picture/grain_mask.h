@@ -42,7 +42,7 @@ class GrainMasks {
   static std::optional<double> dpi_for_all(std::span<const StrokePtr> strokes, const Rect& area,
                                            double dpi) noexcept;
 
-  /// Masks cover only the part of strokes inside `area`.
+  /// Masks cover only the parts of strokes that are inside `area`.
   GrainMasks(const GrainPrint& print, const Rect& area) noexcept;
 
   /// Returns the mask of a stroke, or nullopt if all of the stroke's ink is visible or none of it

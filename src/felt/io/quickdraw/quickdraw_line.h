@@ -32,9 +32,9 @@ inline constexpr const char* kUnknownQuickdraw =
 
 /// Adds points to a stroke of a simplified drawing, in which only the ends of straight lines are
 /// stored. The points lie on these lines and are dense near their ends, so that the fitted curve
-/// follows the lines; without them, it would only have to pass near a few points that are far
-/// apart. Strokes that have times, values outside 0..255 or more than kMaxSimplifiedPoints points
-/// are not from simplified drawings and are not changed.
+/// follows the lines. Without the added points, the curve would only have to pass near a few points
+/// that are far apart. Strokes that have times, values outside 0..255 or more than
+/// kMaxSimplifiedPoints points are not from simplified drawings and are not changed.
 void restore_simplified(std::vector<InkSample>& stroke);
 inline constexpr std::size_t kMaxSimplifiedPoints = 1000;
 

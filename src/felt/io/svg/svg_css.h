@@ -43,10 +43,10 @@ class SvgStyleSheet {
   /// Appends the text of a style element.
   void add(std::string_view css);
 
-  /// Calls back with every declaration that applies to an element. If several declarations set the
-  /// same property, the one with the greatest `precedence` wins; the order of declarations with
+  /// Calls `found` with every declaration that applies to an element. If several declarations set
+  /// the same property, the one with the greatest `precedence` wins; the order of declarations with
   /// equal precedence is unspecified. The number of matching steps for a file is limited. Returns
-  /// false if they are used up; from then on, no rules apply.
+  /// false if no steps are left; from then on, no rules apply.
   bool match(const pugi::xml_node& node,
              const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
 
@@ -57,8 +57,8 @@ class SvgStyleSheet {
   /// have no other value for it.
   [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
   void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
-  /// Returns the number of bytes that replacing variables may still read in this file. The caller
-  /// subtracts the bytes that it reads.
+  /// Returns the number of bytes that may still be read in this file to replace variables. The
+  /// caller subtracts the bytes that it reads.
   [[nodiscard]] std::size_t& variable_bytes_left() noexcept { return variable_bytes_left_; }
   /// Returns the number of rules and @-rules that were skipped.
   [[nodiscard]] std::int64_t left_out() const noexcept { return left_out_; }

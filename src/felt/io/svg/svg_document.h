@@ -30,13 +30,13 @@ class SvgDocument {
   }
   /// Returns the first element with this id, or a null node.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// Returns an attribute in the namespace of Inkscape or of Feltline. The data() of the result is
-  /// null if the attribute is missing.
+  /// Return an attribute in the namespace of Inkscape, Feltline or Sodipodi. The data() of the
+  /// result is null if the attribute is missing.
   [[nodiscard]] std::string_view inkscape(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view ours(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view sodipodi(const pugi::xml_node& node, const char* name) const;
   /// Returns the name of an SVG element without its prefix; empty for other elements.
-  /// `default_is_svg` tells whether names without a prefix are SVG at this point.
+  /// `default_is_svg` is true if names without a prefix are SVG at this point.
   [[nodiscard]] std::string_view svg_name(const pugi::xml_node& node, bool default_is_svg) const;
   SvgStyleSheet& style_sheet() noexcept { return style_sheet_; }
   /// Returns true if the file refers to an external style sheet (xml-stylesheet).

@@ -17,8 +17,8 @@ struct GrainMask;
 /// These functions write the pieces of an SVG file of a sketch (docs/formats/svg.md). Most of them
 /// append to `out`. Equal values give equal bytes.
 
-/// Namespace of the attributes for our model, and the version that is written. Version 1 wrote
-/// every number as a decimal with 17 digits, in mm.
+/// Namespace of the attributes for our model, and the version that is written. In version 1, every
+/// number was a decimal with 17 digits, in mm.
 inline constexpr std::string_view kSvgNamespace = "https://feltline.org/ns/1";
 inline constexpr std::string_view kSvgVersion = "2";
 
@@ -30,8 +30,8 @@ inline constexpr std::string_view kSvgMaskId = "grain";
 inline constexpr std::size_t kSvgHeadBytes = 640;
 
 /// Paths are written in mm, rounded to steps of 0.001 mm. The user unit is 1 mm and not 0.001 mm,
-/// because Inkscape computes a PowerStroke to 0.01 user units and fails if that is much less than
-/// the stroke's width.
+/// because Inkscape computes a PowerStroke with an accuracy of 0.01 user units, and fails if the
+/// stroke is very much wider than that.
 inline constexpr double kSvgStepsPerMm = 1e3;
 
 /// The medium of strokes that specify none.

@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// Converts a scene to ink: the second step of reading SVG. Pass it to read_svg_scene, then call
-/// take().
+/// Converts a scene to ink: the second step of reading SVG. Pass an SvgInk to read_svg_scene(),
+/// then call take().
 class SvgInk final : public SvgSceneSink {
  public:
   /// Width of the line along the edge of a shape that is only filled.

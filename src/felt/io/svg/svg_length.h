@@ -11,7 +11,8 @@ namespace felt {
 inline constexpr double kSvgPxPerInch = 96.0;
 inline constexpr double kSvgMmPerPx = 25.4 / kSvgPxPerInch;
 
-/// The side of the viewport that a percentage refers to.
+/// The length in the viewport that a percentage refers to: its width, its height, or its diagonal
+/// as SVG defines it.
 enum class SvgAxis { kX, kY, kDiagonal };
 
 /// The lengths that relative units refer to, all in user units.

@@ -14,9 +14,10 @@ struct SvgLineWidths {
   bool was_thin = false;         ///< the width was below kMinWidthMm at some point and was raised
 };
 
-/// Returns the widths of a line that is `width` user units wide along `line` (in mm). `to_mm`
-/// transformed the line to the page. A pen of width w draws a line that is w |det| / |to_mm d| wide
-/// when it moves in the direction d, a vector of length 1 in user units.
+/// Returns the widths on the page of a line that was drawn with a width of `width` user units.
+/// `line` is its centre line in mm, and `to_mm` transforms user units to the page. Where the line
+/// runs in the direction d, a vector of length 1 in user units, it is w |det| / |to_mm d| wide,
+/// with w = `width` and the determinant det of `to_mm`.
 SvgLineWidths svg_line_widths(const SvgCenterLine& line, const Affine& to_mm, double width);
 
 }  // namespace felt

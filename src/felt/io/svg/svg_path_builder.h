@@ -39,7 +39,7 @@ class SvgPathBuilder {
 
   [[nodiscard]] Point here() const noexcept { return here_; }
   [[nodiscard]] bool full() const noexcept { return full_; }
-  /// Returns the contours. A move without a following line does not make a contour.
+  /// Returns the contours. A move makes no contour unless a line, a curve or close() follows it.
   std::vector<SvgContour> take();
 
  private:

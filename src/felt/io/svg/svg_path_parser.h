@@ -17,7 +17,7 @@ struct SvgPathData {
 
 /// Parses the attribute `d` in the full grammar of SVG: repeated commands, numbers without
 /// separators, flags without separators. Parsing stops at an error; the commands before it are
-/// used, as the standard requires. `most` is the largest magnitude of a number.
+/// used, as the standard requires. `largest` is the largest magnitude of a number.
 SvgPathData parse_svg_path(std::string_view d, std::size_t max_segments, double largest = 1e9);
 
 /// Pairs of numbers, as in polylines: x,y x,y ...

@@ -10,12 +10,12 @@ namespace felt {
 /// what it should, the text stays unread.
 class SvgScan {
  public:
-  /// Numbers with a magnitude beyond `most` are not read.
+  /// Numbers with a magnitude beyond `largest` are not read.
   explicit SvgScan(std::string_view text, double largest = 1e9) noexcept
       : text_(text), size_(text.size()), max_(largest) {}
 
   void skip_spaces() noexcept;
-  /// Skips spaces with at most one comma among them.
+  /// Skips spaces and at most one comma.
   void skip_comma() noexcept;
   /// Reads a number of SVG: sign, digits, point, exponent. If the text is "1e", reads 1 and leaves
   /// "e" unread. Accepts at most 64 characters.

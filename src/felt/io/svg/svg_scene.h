@@ -88,8 +88,8 @@ class SvgSceneSink {
   /// Begins a layer. All content up to the next call is in this layer.
   virtual void layer(const SvgLayer& layer) = 0;
   virtual void shape(SvgShape shape) = 0;
-  /// Sets the colour of the paper. It is the colour of the rectangle that Feltline wrote, or the
-  /// background colour of another drawing.
+  /// Sets the colour of the paper. This is the colour of the background rectangle in a file that
+  /// Feltline wrote, or the background colour in other files.
   virtual void paper(Rgba color) = 0;
   /// Reports content that is not shown as the file specifies. `line` has the same meaning as
   /// SvgShape::line_number.

@@ -20,7 +20,7 @@ namespace felt {
 
 class SvgStyleSheet;
 
-/// The properties that affect the ink, or for which the reader makes a notice.
+/// The properties that affect the ink or cause a notice.
 enum class SvgProperty : std::uint8_t {
   kBackgroundColor,
   kClipPath,

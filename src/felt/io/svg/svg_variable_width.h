@@ -10,8 +10,8 @@
 
 namespace felt {
 
-/// A stroke that was stored in the attributes of a path, with notices about what was changed in
-/// reading it.
+/// A stroke that was stored in the attributes of a path, with notices about changes that were made
+/// while reading it.
 struct SvgWideStroke {
   StrokeData data;
   std::string id;  ///< the id that Feltline gave it; empty if it has none
@@ -21,8 +21,8 @@ struct SvgWideStroke {
 /// Reads the stroke from the attributes. If Feltline wrote them and no other program changed the
 /// path, the stroke is exactly the one that was written. A PowerStroke of Inkscape is converted to
 /// a stroke with the widths at its knots. `to_mm` transforms the stroke to the page; if it is not a
-/// similarity, widths are scaled by sqrt(|determinant|). Fails if the attributes do not make a
-/// stroke; the caller then uses the outline.
+/// similarity, widths are scaled by sqrt(|determinant|). Fails if the attributes do not describe a
+/// valid stroke; the caller then uses the outline.
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& attributes, const Affine& to_mm);
 
 /// Returns true if a transform is a similarity: it rotates, mirrors, moves, and scales all

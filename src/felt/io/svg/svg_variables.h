@@ -12,10 +12,10 @@ namespace felt {
 using SvgVariables = std::map<std::string, std::string, std::less<>>;
 
 /// Returns `value` with every "var(--name)" and "var(--name, fallback)" replaced. Returns nullopt
-/// if one of them is undefined and has no fallback, or if a limit is exceeded: more than 8 levels
-/// of nesting, a result longer than 4096 bytes, more than 64 KiB of values read (each replacement
-/// adds 16 bytes), or more bytes read than `bytes_left`. The number of bytes read is subtracted
-/// from `bytes_left`.
+/// if a variable is undefined and has no fallback, or if a limit is exceeded: more than 8 levels of
+/// nesting, a result longer than 4096 bytes, more than 64 KiB of values read (each replacement adds
+/// 16 bytes), or more bytes read than `bytes_left`. The number of bytes read is subtracted from
+/// `bytes_left`.
 std::optional<std::string> svg_with_variables(std::string_view value, const SvgVariables& variables,
                                               std::size_t& bytes_left);
 

@@ -20,26 +20,27 @@ struct SvgOptions {
   std::optional<Rect> area{};
   double margin_mm = 5.0;
   /// Largest distance between the written outline and the exact one. With the default, this
-  /// distance stays within 0.01 mm even with the rounding of coordinates (R53). The stroke in our
-  /// own attributes is written exactly.
+  /// distance stays within 0.01 mm even with the rounding of coordinates (R53). In addition,
+  /// Feltline's own attributes contain the exact stroke.
   double tolerance_mm = 0.005;
   /// Colour behind the ink; not drawn if alpha is 0. If not set, the colour of the page is drawn,
-  /// or no colour if there is no page.
+  /// or no colour if the page is not written.
   std::optional<Rgba> paper{};
-  /// If set, each stroke has a mask with the grain of the surface, which all viewers support. Lines
-  /// and outlines do not change, and import_svg reads the same drawing.
+  /// If set, each stroke has a mask that shows the grain of the surface. All viewers support such
+  /// masks. Lines and outlines do not change, and import_svg reads the same drawing.
   std::optional<GrainPrint> grain{};
 };
 
-/// Returns a whole drawing in parts. Its layers become layers of Inkscape, including hidden and
-/// locked ones. import_svg reads back an equal drawing. Fails if the page cannot be written.
+/// Returns a whole drawing as the parts of an SVG file. The layers become layers of Inkscape,
+/// including hidden and locked ones. import_svg reads back an equal drawing. Fails if the page
+/// cannot be written.
 Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options);
 
 /// Returns the same file as one text.
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
-/// Returns the ink alone: without layers, and without a page that import_svg() would read. This is
-/// the form in which a stream of strokes is written, too (svg_elements.h).
+/// Returns the ink alone: without layers, and without a page that import_svg() would read. A stream
+/// of strokes is written in the same form (svg_elements.h).
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options);
 
 }  // namespace felt

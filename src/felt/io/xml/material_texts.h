@@ -12,7 +12,7 @@ namespace felt {
 bool is_material_text(std::string_view text);
 
 /// Adds a text to `texts` unless `texts` contains it already. Returns false if is_material_text()
-/// is false for it, or if `texts` already has limits::kMaxMaterialTexts elements.
+/// is false for the text, or if a new text would exceed limits::kMaxMaterialTexts.
 bool add_material_text(std::vector<std::string>& texts, std::string_view text);
 
 }  // namespace felt

@@ -21,9 +21,9 @@ struct XmlLimits {
 };
 
 /// An untrusted XML document, read within limits. The size, the depth and the number of elements
-/// are bounded, and an internal DTD is an error, so there are no entities except the five of XML.
-/// All this is checked before the tree is built. Accepts UTF-8, UTF-16, and ISO-8859-1 if the
-/// declaration names it. Private to this layer, because it exposes the XML library.
+/// are bounded, and an internal DTD is an error, so there are no entities except the five that XML
+/// predefines. All this is checked before the tree is built. Accepts UTF-8, UTF-16, and ISO-8859-1
+/// if the declaration names it. Private to this layer, because it exposes the XML library.
 class XmlInput {
  public:
   /// Parses a document. Fails if the document is not well-formed or exceeds a limit; the message
@@ -48,8 +48,8 @@ class XmlInput {
 /// Returns the name of an element or attribute without its prefix.
 std::string_view xml_local_name(std::string_view name) noexcept;
 
-/// Returns the prefix that `root` declares for a namespace, with its colon ("felt:"), or "" if it
-/// declares no prefix for it.
+/// Returns the prefix that `root` declares for a namespace, with its colon ("felt:"), or "" if
+/// `root` declares none.
 std::string xml_prefix_of(const pugi::xml_node& root, std::string_view space);
 
 /// Returns all text directly inside an element, without comments.

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// Length in mm of a point of Xournal++ and PostScript; an inch has 72 points.
+/// Length of a point in mm. Xournal++ and PostScript measure in points of 1/72 inch.
 inline constexpr double kMmPerPoint = 25.4 / 72.0;
 
 /// Gap between pages, which are placed below each other.
@@ -16,7 +16,7 @@ inline constexpr double kPageGapMm = 5.0;
 /// Reads a document of Xournal++ or Xournal: gzip'ed XML, plain XML, or the zip container. Pages
 /// are placed below each other in one drawing, and each layer of a page becomes a layer of the
 /// drawing. docs/formats/xopp.md describes how content is converted. `bytes` is the whole file.
-/// Fails if it is not such a document or exceeds a limit.
+/// Fails if the file is not such a document or exceeds a limit.
 Result<Imported> import_xopp(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -17,10 +17,10 @@ inline constexpr double kXoppWidthStepMm = 0.1;
 /// Margin around the ink of a drawing without a page.
 inline constexpr double kXoppMarginMm = 5.0;
 
-/// Returns a drawing as a document of Xournal++ with one page: layers, and strokes as polylines
-/// with a width for each straight piece. docs/formats/xopp.md lists what the format cannot hold.
-/// `paper` replaces the colour of the page. Equal drawings give equal bytes. Fails if XML cannot
-/// hold the name of a layer, or if a coordinate is beyond 1e9 mm.
+/// Returns a drawing as a document of Xournal++ with one page. Layers are kept. Strokes become
+/// polylines with a width for each straight piece. docs/formats/xopp.md lists what the format
+/// cannot hold. `paper` replaces the colour of the page. Equal drawings give equal bytes. Fails if
+/// XML cannot hold the name of a layer, or if a coordinate is beyond 1e9 mm.
 Result<std::unique_ptr<DrawingParts>> xopp_parts(const Drawing& drawing,
                                                  const std::optional<Rgba>& paper = {});
 

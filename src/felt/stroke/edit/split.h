@@ -13,9 +13,9 @@ namespace felt {
 
 /// Returns the part of a stroke with u in [u0, u1], clamped to the stroke. On a closed stroke, u0
 /// >= u1 selects the part from u0 through the seam to u1. If u0 = u1, this is the whole stroke,
-/// opened at u0. Fails with kInvalidArgument if u0 >= u1 on an open stroke or either is NaN; with
-/// kInvalidData if a divided segment would be shorter than kMinSegmentMm (I5), because slivers are
-/// not allowed (R40).
+/// opened at u0. Fails with kInvalidArgument if u0 >= u1 on an open stroke, or if u0 or u1 is NaN;
+/// with kInvalidData if a divided segment would be shorter than kMinSegmentMm (I5), because slivers
+/// are not allowed (R40).
 Result<Stroke> sub_stroke(const Stroke& stroke, double u0, double u1);
 
 /// Returns the parts before and after u of an open stroke. They share the cut point bit for bit,

@@ -12,11 +12,11 @@ namespace felt {
 /// results satisfy the invariants I1-I7, and the rest of the stroke stays the same bit for bit. The
 /// widths are kept; where u is stretched, a breakpoint is added.
 
-/// Returns the stroke with a smooth joint at each of `us`. If an element of `us` is nearer than
-/// kMinSegmentMm to an existing joint or to a joint just added, that joint is used instead, so that
-/// no slivers are made. At a cusp the joint is a corner. If `joints` is not null, stores the number
-/// of the joint for each of `us`. Fails with kInvalidArgument if `us` are not ascending or not in
-/// [0, n].
+/// Returns the stroke with a smooth joint at each parameter u in `us`. If an element of `us` is
+/// nearer than kMinSegmentMm to an existing joint or to a joint just added, that joint is used
+/// instead, so that no slivers are made. At a cusp the joint is a corner. If `joints` is not null,
+/// stores the number of the joint for each of `us`. Fails with kInvalidArgument if `us` are not
+/// ascending or not in [0, n].
 Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
                           std::vector<int>* joints = nullptr);
 
@@ -25,8 +25,8 @@ Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
 /// A run of segments without a corner inside becomes one cubic, if one cubic can replace it. The
 /// tangents at the outer joints of a run are kept, so that G1 and the rest of the stroke do not
 /// change. Every point of the old curve is within `tolerance_mm` of the new one, and vice versa.
-/// The joints numbered in `keep` remain joints at the same position. The curve still passes the
-/// position of joint `through` within 1e-10 mm, even if it is no longer a joint. Fails with
+/// The joints numbered in `keep` remain joints at the same position. The curve still passes within
+/// 1e-10 mm of the position of joint `through`, even if the joint is removed. Fails with
 /// kInvalidArgument if `first` or `last` is not on the stroke or the tolerance is negative.
 Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, double tolerance_mm,
                                    std::span<const int> keep = {}, int through = -1);

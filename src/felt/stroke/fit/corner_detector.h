@@ -10,10 +10,10 @@ namespace felt {
 ///
 /// A sample is a corner if the ink's direction changes by more than kCornerDeg between two straight
 /// arms that meet at the sample. One arm reaches back and one forward, each to the first point of
-/// the ink that is kCornerArm tolerances away, but over at least two samples. So the scale is
-/// larger than both the tolerance and the sampling. If the pen slows down or rests in the corner,
-/// most of the path length there is noise of the sensor; the arms are long enough to reach beyond
-/// this noise. Three conditions keep noise and tight curves out:
+/// the ink that is kCornerArm tolerances away, but over at least two samples. So the arms are
+/// longer than both the tolerance and the distance between samples. If the pen slows down or rests
+/// in the corner, most of the path length there is noise of the sensor; the arms are long enough to
+/// reach beyond this noise. Three conditions keep noise and tight curves out:
 ///   - the part of the turn that curved or noisy arms can cause is subtracted first: 2 da / a + 2
 ///     db / b, where da and db are the largest distances of the arms' samples from the arms'
 ///     chords, and a and b are the lengths of these chords. This removes half the turn of a circle,

@@ -18,8 +18,8 @@ namespace felt {
 
 /// Appends one stroke parameter on `segment` for each sample that `place` represents. The
 /// parameters increase slightly from sample to sample, so that the width can change while the pen
-/// rests (R15). They do not exceed `next_u`, the next parameter, and the curve moves by less than
-/// the reserve in the tolerance (KeptSamples::kReserve) from the first to the last.
+/// rests (R15). They do not exceed `next_u`, the next parameter. From the first of them to the
+/// last, the curve moves by less than the reserve in the tolerance (KeptSamples::kReserve).
 void append_sample_places(const SamplePlace& place, double next_u, const Cubic& segment,
                           double tolerance_mm, std::vector<double>& sample_u);
 

@@ -74,13 +74,13 @@ struct ToneMapOptions {
 };
 
 /// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (tilt_width - 1) l), by
-/// docs/design/strokes.md#width, with the tilt l of geometry/tilt.h. The defaults are for the
-/// haptic plane, on which the paper draws broader lines by pressing harder. By default, tilt has no
-/// effect.
+/// docs/design/strokes.md#width, with the tilt l in 0..1 (geometry/tilt.h). The defaults are for
+/// the haptic plane, where lines become broader when the user presses harder, as in the paper. By
+/// default, tilt has no effect.
 struct WidthMapOptions {
   double min_mm = 0.3;             ///< width at p = 0; not below kMinWidthMm
   double max_mm = 6.0;             ///< width at p = 1; not below min_mm
-  double gamma = 1.0;              ///< > 0; above 1 keeps a light hand thin
+  double gamma = 1.0;              ///< > 0; above 1 keeps light strokes thin
   double absent_pressure = 0.5;    ///< p to use if the source reports none (a mouse)
   double time_constant_ms = 20.0;  ///< of the low-pass filters of p and l; 0: no filters
   double interval_ms = 7.5;        ///< assumed time between samples without times
@@ -91,8 +91,8 @@ struct WidthMapOptions {
   friend bool operator==(const WidthMapOptions&, const WidthMapOptions&) = default;
 };
 
-/// Widths of an ordinary pen: the default for tablet and mouse ink. A tablet reports about 0.3..0.6
-/// in writing, which would be 2..4 mm with the widths of the haptic plane.
+/// Widths of an ordinary pen: the default for tablet and mouse ink. In writing, a tablet reports
+/// pressures of about 0.3..0.6, which would give 2..4 mm with the widths of the haptic plane.
 inline constexpr WidthMapOptions kPenWidths{.min_mm = 0.3, .max_mm = 2.0};
 
 /// Tolerances of the fit of a width profile.
@@ -112,14 +112,16 @@ struct WidthFitOptions {
 /// The scheme by which the curve of a stroke is fitted.
 enum class FitScheme {
   kFeltline,   ///< Feltline's own: all samples within the tolerance, G1 joints, sharp corners
-  kPaper2002,  ///< the scheme of the paper, eq. 2 with s shared samples (R6), for study
+  kPaper2002,  ///< the scheme of the paper (eq. 2, R6), for study: neighbouring segments share
+               ///< samples
 };
 
 /// Options of the whole path from samples to a stroke.
 struct InkFitOptions {
   FitScheme scheme = FitScheme::kFeltline;
   CurveFitOptions curve;
-  int shared_samples = 4;         ///< s of [Paper eq. 2]; used by kPaper2002 only
+  /// s of [Paper eq. 2]: neighbouring segments share 2s + 1 samples. Used by kPaper2002 only.
+  int shared_samples = 4;
   bool filter_artefacts = false;  ///< pen-down / pen-up filter before the fit (PenFilter)
   PenFilterOptions filter;
   WidthMapOptions width_map = kPenWidths;

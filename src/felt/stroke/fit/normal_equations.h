@@ -29,8 +29,8 @@ bool solve_free(const NormalSums& sums, const Priors& priors, Point origin, Cubi
 /// Solves for B2, B3, B4 with B1 = origin. The sums are those of accumulate_fixed_start.
 bool solve_point(const NormalSums& sums, const Priors& priors, Point origin, Cubic& curve) noexcept;
 
-/// Solves for a, B3, B4 with B1 = origin and B2 = B1 + a tangent; a stays within the handle limits
-/// of SegmentFit. The sums are those of accumulate_fixed_start.
+/// Solves for the factor a, B3 and B4, with B1 = origin and B2 = B1 + a * tangent. The factor a
+/// stays within the handle limits of SegmentFit. The sums are those of accumulate_fixed_start.
 bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, Vec tangent,
                    Cubic& curve) noexcept;
 

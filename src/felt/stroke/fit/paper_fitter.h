@@ -41,7 +41,7 @@ namespace felt {
 /// study, not for drawing with a device.
 class PaperFitter {
  public:
-  /// Maximum number of samples that one segment may draw.
+  /// Maximum number of steps from sample to sample in one segment.
   static constexpr std::size_t kMaxRun = 400;
 
   /// `shared_samples` is s of [Paper eq. 2]. Requires shared_samples >= 0.

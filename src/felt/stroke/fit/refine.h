@@ -14,10 +14,11 @@ namespace felt {
 /// Fits a whole stroke again at pen-up, with fewer segments within the same tolerance.
 ///
 /// While drawing, CurveFitter must place each joint before later samples arrive. With the whole
-/// stroke available, a beam search tries several joints. It extends each of the kBeam best partial
-/// curves with m segments by its longest run, cut at each of kReaches. Of these candidates with m +
-/// 1 segments it keeps those that cover most ink. The first candidate that covers all ink is the
-/// result. Fits, corners and guarantees are those of CurveFitter.
+/// stroke available, a beam search tries several joints. Each round starts from the best partial
+/// curves of m segments, at most kBeam. For each of them, it finds the longest run that can follow,
+/// and cuts this run at the fractions kReaches, or only at its end if a corner is there. Of these
+/// candidates with m + 1 segments, it keeps those that cover most ink. The first candidate that
+/// covers all ink is the result. Fits, corners and guarantees are those of CurveFitter.
 ///
 /// The time is linear in the number of samples, about kBeam times the time of the online fit. Any
 /// thread may use a Refiner, but only one at a time. Buffers are kept between strokes.
@@ -25,7 +26,7 @@ class Refiner {
  public:
   static constexpr std::size_t kBeam = 8;
   static constexpr double kReaches[] = {0.88, 0.8, 0.7};
-  /// Maximum number of candidates kept that cover the same samples.
+  /// Of the candidates that cover the same samples, at most this many are kept.
   static constexpr std::size_t kPerJoint = 2;
 
   explicit Refiner(const CurveFitOptions& options);
@@ -38,8 +39,8 @@ class Refiner {
   /// moves by at most the tolerance when the result replaces it. Requires that CurveFitter made
   /// `online` from the same samples. Call after the last push().
   void follow(const FittedCurve& online);
-  /// Returns the curve with the fewest segments found. Returns an empty curve if nothing can be
-  /// improved (a dot, no sample) or no curve found stays close enough to `online`.
+  /// Returns the curve with the fewest segments found. Returns an empty curve if the stroke is a
+  /// dot or has no samples, or if no curve that stays close enough to `online` is found.
   FittedCurve end();
 
  private:
@@ -49,7 +50,7 @@ class Refiner {
     Cubic segment{};
     JointKind joint = JointKind::kCorner;  // kind of the joint at its start
     std::size_t first = 0, count = 0;      // samples that it covers
-    std::size_t places = 0;                // index in places_ of their parameters
+    std::size_t places = 0;                // index of their parameters in places_
   };
   /// A partial curve: its last segment, and how the next one starts.
   struct Partial {

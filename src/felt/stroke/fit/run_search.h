@@ -19,8 +19,8 @@ namespace felt {
 ///   2. Gallop: runs are fitted exactly, each a quarter longer than the last accepted one. If the
 ///      window was thinned, all of it is tried immediately.
 ///   3. Bisect: after the first run that fails, the gap between the shortest failed and the longest
-///      accepted run is halved until it is within a sixteenth of the run. Greater precision is not
-///      needed, because the last samples of a run go to the next segment anyway.
+///      accepted run is halved until it is at most a sixteenth of the accepted run. Greater
+///      precision is not needed, because the last samples of a run go to the next segment anyway.
 ///
 /// Use: begin(); step() until it returns kDone; then count(), curve(), parameters().
 class RunSearch {
@@ -31,10 +31,12 @@ class RunSearch {
     kDone,         ///< the run is found
   };
 
-  /// Accepts only runs within the tolerance of `guide` (SegmentFit::set_guide).
+  /// Sets a guide: the search then accepts only runs whose curve is within the tolerance of `guide`
+  /// (SegmentFit::set_guide).
   void set_guide(const GuideCurve* guide) noexcept { fit_.set_guide(guide); }
 
-  /// Returns false if the run is a bridge (no fit was accepted) that leaves the guide.
+  /// Returns false if the run is a bridge that is not within the tolerance of the guide. Fitted
+  /// runs always are.
   [[nodiscard]] bool is_close_to_guide() const noexcept { return is_close_to_guide_; }
 
   /// Starts a search at sample `first` of the window. If the start is free, that sample is the
@@ -55,20 +57,21 @@ class RunSearch {
   [[nodiscard]] const Cubic& curve() const noexcept { return curve_; }
   [[nodiscard]] std::span<const double> parameters() const noexcept { return {t_.data(), good_}; }
 
-  /// Replaces the curve of the run found by one that begins exactly on the first sample (if
-  /// `start`) and ends exactly on the last sample (if `end`). If such a curve is not within the
-  /// tolerance, tries only the start, then only the end. Used at the ends of a stroke.
+  /// Replaces the curve of the best run with a curve that begins exactly on the first sample (if
+  /// `start` is true and the start is free) and ends exactly on the last sample (if `end` is true).
+  /// If no such curve is accepted, pins only the start, or else only the end, or else changes
+  /// nothing. Used at the ends of a stroke.
   void pin(const SampleWindow& window, bool start, bool end) noexcept;
 
-  /// If the run found is shorter than a segment may be (I5), replaces it by a bridge
+  /// If the best run is shorter than a segment may be (I5), replaces it with a bridge
   /// (SegmentFit::bridge) to the first sample that is far enough from the start, or to the last
   /// available one. All samples between are within kMinSegmentMm of the start, so the tolerance
   /// holds. Call it after kDone. May change count().
   void ensure_length(const SampleWindow& window) noexcept;
 
-  /// Removes samples from a window that the run found fills, and resumes the search. The samples
-  /// farthest to either side of the curve stay, because a longer run would miss them first.
-  /// Requires kDone, first() == 0 and count() == SegmentFit::kMaxRun == window.size().
+  /// Removes samples from the window and resumes the search. Used if the best run fills the whole
+  /// window. The samples farthest to either side of the curve stay, because a longer run would miss
+  /// them first. Requires kDone, first() == 0 and count() == SegmentFit::kMaxRun == window.size().
   void thin(SampleWindow& window) noexcept;
 
   /// Returns the work since construction, in samples x rounds of exact fits.

@@ -36,17 +36,19 @@ struct RunStart {
 ///
 /// The fit minimises
 ///   sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2,
-/// where w_i is the weight of a sample (SampleWindow) and n is the sum of all weights. The norm M
-/// counts the distance to the curve's tangent line at the foot point and a little of the distance
-/// along that line (segment_fit_kernels.h). The two small terms determine the curve as far as the
-/// samples do not. The jerk f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and small on arcs,
-/// so it keeps curls out without flattening round shapes. Each round solves for the control points
-/// and moves every t_i one Newton step to its foot point; 2 to 4 rounds achieve as much as 10
-/// rounds of ordinary least squares.
+/// where w_i is the weight of a sample (SampleWindow), n is the sum of all weights, and B_chord are
+/// the control points of the straight line from the start to the last sample. The norm M counts the
+/// distance to the curve's tangent line at the foot point and a little of the distance along that
+/// line (segment_fit_kernels.h). The last two terms are small; they determine the curve only as far
+/// as the samples leave it open. The jerk f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and
+/// small on arcs, so it keeps curls out without flattening round shapes. Each round solves for the
+/// control points and moves every t_i one Newton step to its foot point; 2 to 4 rounds achieve as
+/// much as 10 rounds of ordinary least squares.
 ///
 /// A curve is accepted if it passes within (tolerance - slack) of every sample *in the order of the
-/// samples*: t_i never decreases. Between neighbours it stays within tolerance + kGapBulge x gap of
-/// the straight line that joins them, so that no loop or spike can hide between two samples.
+/// samples*: t_i never decreases. (KeptSamples defines the slack.) In addition, between two
+/// neighbouring samples the curve must stay near the straight line that joins them, within
+/// tolerance + kGapBulge times their distance, so that no loop or spike can hide there.
 ///
 /// Use one fitter per thread; any thread may use one. Does not allocate after construction, and the
 /// work is bounded.
@@ -75,21 +77,21 @@ class SegmentFit {
 
   /// Fits samples [first, first + count) of `window`. Returns true if the curve is accepted;
   /// `curve()` and `parameters()` then return the curve and its parameters. Requires 1 <= count <=
-  /// kMaxRun and, if the start is free, count >= 2. `known` are the parameters of the first samples
-  /// on a shorter curve from the same start, which are a better first guess than path lengths if
-  /// there is noise.
+  /// kMaxRun and, if the start is free, count >= 2. `known` are the parameters that the first
+  /// samples had on a shorter curve from the same start. If there is noise, they are a better first
+  /// guess than path lengths.
   bool fit(const SampleWindow& window, const RunStart& start, std::size_t first, std::size_t count,
            End end = End::kFree, std::span<const double> known = {}) noexcept;
 
-  /// Sets a curve that needs no fit: from `start`, with its tangent, to the last of the samples.
-  /// Requires that all but the last lie within kMinSegmentMm of the start. The result is within the
-  /// tolerance if the tolerance is at least kMinSegmentMm.
+  /// Sets a curve without a fit: from `start`, along its tangent if that is fixed, to the last of
+  /// the samples. Requires that all samples but the last lie within kMinSegmentMm of the start. The
+  /// result is within the tolerance if the tolerance is at least kMinSegmentMm.
   void bridge(const SampleWindow& window, const RunStart& start, std::size_t first,
               std::size_t count) noexcept;
 
   /// Sets a guide: fit() then accepts only curves within the tolerance of the guide. If `guide` is
-  /// null, removes the guide. Requires that the guide was made of the kept samples that the windows
-  /// given to fit() hold.
+  /// null, removes the guide. Requires that the guide was made from the same kept samples as the
+  /// windows that are passed to fit().
   void set_guide(const GuideCurve* guide) noexcept { guide_ = guide; }
   /// Returns true if the last curve fitted or bridged is within the tolerance of the guide.
   [[nodiscard]] bool follows_guide(const SampleWindow& window) const noexcept;

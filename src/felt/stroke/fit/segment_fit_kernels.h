@@ -26,15 +26,17 @@ struct RunView {
 };
 
 /// Moves every parameter one Newton step towards the foot point of its sample, clamped to [0, 1],
-/// and sets `ratio` to the squared distance at the new parameter divided by its limit.
+/// and sets `ratio` to the squared distance at the new parameter times the `inverse_limit` of the
+/// sample.
 ///   t <- t - (e.f') / (f'.f' + e.f''), e = f(t) - P [Plass & Stone 1983; Schneider 1990]
 /// If this denominator is not safely positive, the Gauss-Newton denominator f'.f' is used. Requires
 /// that t and ratio have space for `count` + 3 values.
 void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
 
-/// Sums over samples for the normal equations of the control points. M is the metric of a sample
-/// (see below), and q is its position relative to RunView::origin. Index pairs (j, k) of the basis
-/// functions are stored as in a lower triangle: (0,0) (1,0) (1,1) (2,0) ...
+/// Sums over samples for the normal equations of the control points. b_j are the basis functions, M
+/// is the metric of a sample (see below), and q is the position of the sample relative to
+/// RunView::origin. The index pairs (j, k) are stored as in a lower triangle: (0,0) (1,0) (1,1)
+/// (2,0) ...
 struct NormalSums {
   double xx[10];  ///< sum b_j b_k m11
   double xy[10];  ///< sum b_j b_k m12
@@ -43,8 +45,9 @@ struct NormalSums {
   double ry[4];   ///< sum b_j (M q).y
 };
 
-/// Compute the sums over the Bernstein functions of the free control points: B1..B4 if the start is
-/// free; B2..B4 if it is fixed (B1 must then be at RunView::origin). The metric of each sample is
+/// Compute the sums. The basis functions are the Bernstein functions of the free control points:
+/// B1..B4 if the start is free; B2..B4 if it is fixed (B1 must then be at RunView::origin). The
+/// metric of each sample is
 ///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
 /// that is, the squared distance along the normal plus w times the squared distance along the
 /// tangent (tangent distance minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting

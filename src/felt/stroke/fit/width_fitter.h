@@ -16,7 +16,7 @@ inline constexpr double kSameWidthPlace = 1e-9;
 /// knots, within the tolerance of every sample, with knots that need not be Bezier joints (R16).
 ///
 /// Use, for each stroke: `begin()`; `push()` for each sample, in order; `finish()`; `knots()`. The
-/// object is reused and keeps its buffer: no allocation after warm-up.
+/// object can be reused. It keeps its buffer, so it does not allocate after warm-up.
 ///
 /// Each segment starts at the end (u1, W1) of the last one [docs/design/errata.md#e10] and has one
 /// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in
@@ -26,8 +26,8 @@ inline constexpr double kSameWidthPlace = 1e-9;
 /// linear approximation of numerical streams with precision guarantees", VLDB 2009, section 3. The
 /// slope is the least-squares slope
 ///   a = sum (u - u1)(w - W1) / sum (u - u1)^2
-/// clamped to the intersection (docs/design/errata.md#e11). If the intersection is empty, the
-/// segment ends at the sample before.
+/// clamped to the intersection (docs/design/errata.md#e11). If the intersection becomes empty, the
+/// segment ends at the previous sample.
 ///
 /// Samples that share a position (the pen stands still while the pressure changes) count as one
 /// condition. If their widths spread by more than twice the tolerance, no function can meet them

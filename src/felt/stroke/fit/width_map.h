@@ -15,8 +15,8 @@ double width_of_pressure(const WidthMapOptions& options, double p) noexcept;
 /// result is exactly width_of_pressure().
 double width_of(const WidthMapOptions& options, double p, double l) noexcept;
 
-/// Returns the tone, 0..1, for the pressure p and the tilt l; the default tone of the width if the
-/// medium has no own tone. The tone is monotonic in p and in l.
+/// Returns the tone, 0..1, for the pressure p and the tilt l, or the default tone of the width if
+/// the options define no tone. The tone is monotonic in p and in l.
 double tone_of(const WidthMapOptions& options, double p, double l) noexcept;
 
 /// Width and tone of the ink under the pen.

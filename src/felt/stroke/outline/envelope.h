@@ -6,9 +6,10 @@
 
 namespace felt {
 
-/// The direction of the edge of the ink at a point of the centre line that runs along `tangent`
-/// while its radius grows by `slope` per length. The edge of a row of dabs touches each dab at the
-/// normal n with
+/// The direction of the edge of the ink at a point of the centre line. There the centre line runs
+/// along `tangent`, and the radius of the ink grows by `slope` per unit of length. The edge of a
+/// row of dabs touches each dab at the point in the direction n from its centre, where the unit
+/// normal n satisfies
 ///   n . tangent = -slope.
 /// So the normal tilts backwards if the stroke widens. If the slope is 1 or more, later dabs cover
 /// earlier ones completely; then there is no edge, and n is parallel to the tangent.
@@ -51,8 +52,8 @@ struct Stretch {
   double length_mm = 0.0;
 };
 
-/// Returns true if, on the inside of the bend at a dab of this radius, the left half strips of both
-/// stretches cover each other's corner.
+/// Returns true if the left half strips of both stretches cover each other's corner on the inside
+/// of the bend, at a dab of this radius between them.
 bool has_room(const Stretch& from, const Stretch& to, double radius_mm) noexcept;
 
 /// Returns the turn between two stretches on a dab of this radius.

@@ -33,7 +33,8 @@ constexpr InkPiece reversed(const InkPiece& piece) noexcept {
 struct SideStretch {
   Dab from{}, to{};
   EnvelopeFrame begin{}, end{};
-  /// Lengths of the first and the last chord of the centre line, next to `from` and to `to`.
+  /// Length of the first chord of the centre line, which begins at `from`, and of the last chord,
+  /// which ends at `to`.
   double begin_length_mm = 0.0, end_length_mm = 0.0;
   Point start{}, finish{};     ///< ends of the edge
   bool curved = false;         ///< false for a straight line from `start` to `finish`

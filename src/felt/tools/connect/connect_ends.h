@@ -21,13 +21,13 @@ struct ConnectEndsOptions {
 
 /// Returns the edit that connects the ends `moved` and `to` (paper, "Connect curves";
 /// docs/design/editing.md#joining; R43, R45):
-///   - if they are the two ends of one stroke, it is closed: "Close";
+///   - if they are the two ends of one stroke, the stroke is closed: "Close";
 ///   - if they belong to two strokes of one layer with the same medium and colour, the strokes are
 ///     joined: "Connect". The result keeps id, position in the layer and direction of the stroke of
 ///     `to`. Both strokes keep their widths, so the width may change abruptly at the joint;
-///   - otherwise the strokes stay separate and share the point: "Connect". They are not joined
-///     because ink must not change its look or layer. A stroke of a locked or hidden layer does not
-///     change.
+///   - otherwise the strokes stay separate and share the point: "Connect". They are not joined if
+///     that would change the look or the layer of ink, or if `keep_separate` is set. A stroke of a
+///     locked or hidden layer does not change.
 /// Joints are smooth if the ink turns by less than 30 degrees, else corners. If the gap is too wide
 /// to close by bending, the moved end arrives in the direction of the target (TipLead).
 ///

@@ -19,8 +19,9 @@ namespace felt {
 ///     pen is lifted elsewhere, the end moves back, or stays if the option `extend` is on.
 ///   - tap: connects the tapped end with another end within reach; both ends move halfway.
 ///
-/// The other end of the same stroke is a target immediately, because the user grabs an end to close
-/// the stroke. With the pencil, a new line closes only if it has gone around an area (R44).
+/// From the start of the drag, the other end of the same stroke is a target too, so that the user
+/// can close the stroke. The pencil is stricter: it closes a new line only if the line has gone
+/// around an area (R44).
 class ConnectTool final : public GestureTool {
  public:
   /// A gesture is a tap if the pen moves less than this distance ...

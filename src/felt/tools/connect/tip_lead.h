@@ -35,10 +35,9 @@ class TipLead {
   /// a segment would become too short (I5).
   [[nodiscard]] Result<Stroke> at(Point target) const;
 
-  /// Returns the same for an end that must continue in the direction `arrival` (a unit vector) at
-  /// the target. If the gap is more than small_gap_mm, the end arrives in this direction. The
-  /// result is the bent stroke, or the unchanged stroke extended by one cubic, whichever has less
-  /// bending energy.
+  /// Like at(target), but if the gap is more than small_gap_mm, the end arrives at the target in
+  /// the direction `arrival` (a unit vector). The result is then the bent stroke, or the unchanged
+  /// stroke extended by one cubic, whichever has less bending energy.
   [[nodiscard]] Result<Stroke> at(Point target, Vec arrival) const;
 
   /// Returns an eighth of the length of the stroke, at most 6 mm.

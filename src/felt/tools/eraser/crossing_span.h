@@ -10,24 +10,24 @@
 
 namespace felt {
 
-/// The points at which editable strokes, including the stroke itself, cross, touch or overlap a
-/// stroke. Erasing up to the next crossing stops at these points. A stroke that ends within kTeeMm
-/// of this one counts as crossing it, because people rarely hit a line exactly.
+/// The points at which a stroke crosses, touches or overlaps editable strokes, including itself.
+/// Erasing up to the next crossing stops at these points. If another stroke ends within kTeeMm of
+/// this stroke, that counts as a crossing, because people rarely hit a line exactly.
 ///
-/// They are computed segment by segment on request, with a budget, so that a pen sample does not
-/// wait for a stroke with a thousand crossings. Results are cached and stay as computed at the
-/// first request, even if other strokes change.
+/// The crossings are computed segment by segment on request, with a budget, so that a pen sample
+/// does not wait for a stroke with a thousand crossings. Results are cached and stay as computed at
+/// the first request, even if other strokes change.
 class StrokeCrossings {
  public:
   static constexpr double kTeeMm = 0.5;
   /// Maximum number of pairs of pieces that are compared for one pair of segments (intersect.h).
-  /// Without it, two almost identical curves would use up any budget.
+  /// Without this limit, two almost identical curves would use up any budget.
   static constexpr int kMaxPairs = 1024;
 
   StrokeCrossings(StrokeId id, StrokePtr stroke) : id_(id), stroke_(std::move(stroke)) {}
 
-  /// Returns the crossings u on a segment, ascending. Returns null if the budget is exhausted; call
-  /// it again later. The budget is reduced by the work done, about one unit per 0.2 us.
+  /// Returns the crossings u on a segment, ascending. Returns null if the budget is exhausted; the
+  /// caller can try again later. The budget is reduced by the work done, about one unit per 0.2 us.
   const std::vector<double>* on_segment(int segment, const Scene& scene, int& budget);
   [[nodiscard]] const Stroke& stroke() const noexcept { return *stroke_; }
   [[nodiscard]] StrokeId id() const noexcept { return id_; }

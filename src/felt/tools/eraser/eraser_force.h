@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// Returns the force model of the eraser: the surface with rubber on it, which has 2.4 times the
-/// friction of a pencil by the same friction law (R41) and under which a pen at rest does not creep
-/// (R42). The model is the same in every mode, while hovering and in contact.
+/// Returns the force model of the eraser: the surface under the medium "eraser". It has 2.4 times
+/// the friction of a pencil but the same friction law (R41), so a pen at rest does not creep (R42).
+/// The model is the same in every mode, while hovering and in contact.
 inline ForceModel make_eraser_force(const EraserSettings& settings, const Scene& scene) {
   const Medium material =
       scaled_medium(medium_of(scene, "eraser"), settings.strength, settings.strength);

@@ -23,13 +23,13 @@ namespace felt {
 ///
 /// kTouched and kStroke act on all ink that the eraser covers. kCrossing acts on one line at a
 /// time, because otherwise a tail could not be erased without the line to which it is attached. At
-/// the touch this is the line nearest to the pen within the radius; after that, each line that the
-/// path of the pen crosses.
+/// the touch, this is the line nearest to the pen, if the eraser covers a part of it (aimed_at());
+/// after that, each line that the path of the pen crosses.
 ///
 /// For each sample, the segments near the path of the pen are processed, a few strokes are cut, and
 /// a limited number of crossings is searched. The next samples, or finish(), do the remaining work.
-/// A preview contains everything erased so far, so previews are made only as often as the eye can
-/// distinguish them, and less often if they are large.
+/// A preview contains everything erased so far, so it takes time. Therefore previews are made only
+/// as often as the eye can distinguish them, and less often if they are large.
 class EraserGesture {
  public:
   /// Maximum distance at which the path of the pen counts as crossing a line. It is less than the
@@ -49,7 +49,7 @@ class EraserGesture {
   /// Maximum number of lines that one sample checks for the end of their pause.
   static constexpr int kMaxWaiting = 256;
   /// Time between two previews: kShowNs (120 Hz), or kShowNsPerStroke for each stroke if that is
-  /// longer, because a preview copies the strokes; at most kShowNsAtMost.
+  /// longer, because a preview copies the strokes; at most kMaxShowNs.
   static constexpr std::int64_t kShowNs = 8'000'000;
   static constexpr std::int64_t kShowNsPerStroke = 10'000;
   static constexpr std::int64_t kMaxShowNs = 40'000'000;
@@ -119,7 +119,7 @@ class EraserGesture {
   StrokeDivisions divisions_;
   std::deque<StrokeId> to_cut_;
   std::size_t cut_places_ = 0;
-  bool changed_ = false;       // true if erased more since the last preview
+  bool changed_ = false;       // true if more was erased since the last preview
   std::int64_t shown_ns_ = 0;  // time of the last preview
   std::int64_t time_ns_ = 0;   // time of the last sample
   StrokePtr looked_at_;        // the last stroke that the sweep met, and
@@ -127,8 +127,9 @@ class EraserGesture {
   ParameterSet covered_;       // buffer, reused for each segment
 };
 
-/// Returns the line of which a touch in the mode kCrossing would erase a part, and its point
-/// nearest to the pen. It is the line nearest to the pen within the radius.
+/// Returns the line that a touch in the mode kCrossing would erase a part of, with the point of
+/// this line that is nearest to the pen. It is the line nearest to the pen. Returns nullopt if the
+/// eraser does not reach the ink of that line, or its centre line if include_width is off.
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene);
 
 }  // namespace felt

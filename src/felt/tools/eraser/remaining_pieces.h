@@ -16,8 +16,8 @@ namespace felt {
 /// seam is not a cut.
 ///
 /// Pieces that are too small are dropped (Crumbs). A cut less than 0.05 mm (I5) from a joint moves
-/// to the joint, so that no segment of the piece is too short; so slightly more is erased. Holes of
-/// less than a micrometre are ignored.
+/// to the joint, so that no segment of the piece is too short. In that case slightly more is
+/// erased. Holes of less than a micrometre are ignored.
 class RemainingPieces {
  public:
   static constexpr double kMinPieceMm = 0.25;

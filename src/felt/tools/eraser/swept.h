@@ -31,13 +31,15 @@ struct Capsule {
 /// Adds {u : dist(f(u), axis) < radius} of one segment of a stroke to `swept`
 /// (docs/design/editing.md#eraser, R39). Returns true if `swept` grew.
 ///
-/// A capsule is the union of two discs and a rectangle. With the radius r linear between width
-/// breakpoints, a point is inside one of these if polynomials in Bernstein form are below zero:
+/// A capsule is the union of two discs and a rectangle. Because the radius r is linear between
+/// width breakpoints, a point is inside one of them if these polynomials in Bernstein form are
+/// below zero, with p the centre of the disc or the start of the axis, d and n the unit direction
+/// and normal of the axis, and L its length:
 ///   disc        |f - p|^2 - r^2                                      degree 6
 ///   rectangle   n.(f - p) - r, -n.(f - p) - r, -d.(f - p), d.(f - p) - L,    all four, degree 3
-/// So below_zero() does not miss a grazing touch. The ends of the intervals are exact up to
-/// rounding: 1e-12 of t, or about the square root of the rounding error if the capsule only grazes
-/// the ink.
+/// below_zero() finds these parts without missing a grazing touch. The ends of the intervals are
+/// exact up to rounding: 1e-12 of t, or about the square root of the rounding error if the capsule
+/// only grazes the ink.
 bool add_swept(const Stroke& stroke, int segment, const Capsule& capsule, ParameterSet& swept);
 
 }  // namespace felt

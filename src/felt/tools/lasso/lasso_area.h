@@ -43,9 +43,9 @@ class LassoArea {
   std::vector<std::uint32_t> edges_;   // indices of first points, by strip
 };
 
-/// Returns the area that the line from the start of a path to its moving end sweeps. Every part
-/// counts as positive: a straight path has 0, but a figure eight has more than 0, although its
-/// signed area is 0.
+/// Returns the area swept by the straight line from the start of a path to a point that moves along
+/// the path. Every part counts as positive: a straight path has 0, but a figure eight has more than
+/// 0, although its signed area is 0.
 double swept_area_mm2(std::span<const Point> path) noexcept;
 
 }  // namespace felt

@@ -23,7 +23,7 @@ enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take);
 
 /// Returns the selection that the lasso makes among the editable strokes, after close_marks (R32).
-/// kPoints selects handles inside even if all of the ink is outside.
+/// With kPoints, handles inside the area are selected even if all of the ink is outside.
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index);
 

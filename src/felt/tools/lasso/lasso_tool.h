@@ -11,9 +11,9 @@
 
 namespace felt {
 
-/// Selects control points with a line drawn around them or a rectangle, or whole strokes with a
-/// click (paper, "Transformations": the lasso selects control points, not pixels; lasso.md; R31,
-/// R32). A gesture results in a selection, not in an edit or undo step.
+/// Selects control points or whole strokes by a line or a rectangle drawn around them, or one whole
+/// stroke by a click (paper, "Transformations": the lasso selects control points, not pixels;
+/// lasso.md; R31, R32). A gesture results in a selection, not in an edit or undo step.
 class LassoTool final : public GestureTool {
  public:
   /// A touch is a click if its path stays within a square of this size and encloses less than

@@ -13,14 +13,14 @@ namespace felt {
 /// constant time, and the memory does not grow. Not thread-safe.
 class PenTrack {
  public:
-  /// Distance between stored points. It prevents a pen that trembles in one place from adding to
-  /// the path.
+  /// Minimum distance between stored points, so that a pen that trembles in one place does not add
+  /// to the path.
   static constexpr double kNodeMm = 0.2;
   /// Distance over which a direction is measured. Over this distance, a tremor of 0.1 mm or four
   /// times the noise of a tablet changes the direction by less than 15 degrees.
   static constexpr double kChordMm = 0.8;
-  /// The first direction is measured between these distances from the start. The ink before them is
-  /// often only a hook that the pen makes when it lands.
+  /// The first direction is measured between these distances from the start. Nearer to the start,
+  /// the ink is often only a hook that the pen makes when it lands.
   static constexpr double kFirstFromMm = 0.3, kFirstToMm = 1.8;
 
   /// Starts a path at this position.

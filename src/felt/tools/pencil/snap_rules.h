@@ -22,7 +22,7 @@ inline constexpr double kSharpDeg = 115.0;
 inline constexpr double kSharpRadiusMm = 0.5;
 /// Shorter strokes are dots. Their ends have no direction.
 inline constexpr double kDotMm = 1.5;
-/// If another end is within this distance, the end belongs to a hatching.
+/// An end belongs to a hatching if another end is within this distance of it.
 inline constexpr double kCrowdMm = 3.2;
 /// Ends within this distance count as one point.
 inline constexpr double kSameMm = 0.3;
@@ -39,8 +39,8 @@ Vec inward_direction(const Stroke& stroke, StrokeTip tip) noexcept;
 /// back along the stroke instead of continuing it.
 bool turns_back(const Stroke& stroke, StrokeTip tip, Vec heading, double gap_mm) noexcept;
 
-/// Returns true if an end of a third stroke lies next to this one, as in a hatching.
-/// `friend_stroke` and strokes that share an end with this one are ignored.
+/// Returns true if an end of another stroke lies next to this end, as in a hatching.
+/// `friend_stroke` and strokes that share an end with the stroke of `tip` are ignored.
 bool is_crowded(const Scene& scene, const TipHit& tip, StrokeId friend_stroke);
 
 /// The first point at which a ray meets an editable stroke.
@@ -65,8 +65,8 @@ inline constexpr double kCornerMm = 2.0;
 /// any.
 bool append_crossed(const Scene& scene, Point a, Point b, std::vector<Crossed>& crossed);
 
-/// Returns true if the stroke was crossed anywhere but near its end at `tip`: a line drawn over
-/// another darkens it and does not continue it.
+/// Returns true if the stroke was crossed anywhere but near its end at `tip`. A line that is drawn
+/// over another line is meant to darken that line, not to continue it.
 bool is_drawn_over(const std::vector<Crossed>& crossed, StrokeId stroke, Point tip) noexcept;
 
 }  // namespace snap_rules

@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// The mechanism between the pen and the nib, the point that draws.
+/// The mechanism between the pen and the nib. The nib is the point that draws.
 enum class StabiliserKind {
   kOff,      ///< the nib is the pen
   kInertia,  ///< the nib is a mass on a spring (Keefe 2007; Snibbe 1998: sprung mass)
@@ -23,9 +23,10 @@ struct StabiliserOptions {
   friend bool operator==(const StabiliserOptions&, const StabiliserOptions&) noexcept = default;
 };
 
-/// Returns the options of kInertia. With K and B the stiffness and damping of the coupling and m
-/// the mass, the drag c makes the mass critically damped, B + c = 2 sqrt(K m), because a nib that
-/// overshoots would draw loops. At the speed v the nib trails by c v/K: 2 mm at 100 mm/s for 50 g.
+/// Returns the options of kInertia. Let K and B be the stiffness and damping of the coupling, and m
+/// the mass. The drag c is chosen so that the mass is at least critically damped, B + c >= 2 sqrt(K
+/// m), because a nib that overshoots would draw loops. At the speed v the nib trails by c v/K: 2 mm
+/// at 100 mm/s for 50 g.
 InertiaOptions inertia_of(const StabiliserOptions& options) noexcept;
 /// Returns the options of kTowed.
 TowOptions tow_of(const StabiliserOptions& options) noexcept;

@@ -22,7 +22,7 @@ inline constexpr double kPinGrabMm = 2.0;
 struct BrushSide {
   double held_mm = 0.0;    ///< from the grab to the point where the influence begins to fall off
   double way_mm = 0.0;     ///< from there to the end of the change; 0 at an end of the stroke
-  double radius_mm = 0.0;  ///< distance where the influence is 0; more than way_mm at a free end
+  double radius_mm = 0.0;  ///< from there to influence 0; more than way_mm at a free end
 };
 
 /// The part of a stroke that a pull moves, by arc length. It does not depend on the displacement

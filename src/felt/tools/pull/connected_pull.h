@@ -35,7 +35,7 @@ class ConnectedPull {
   /// that the gesture itself pulls or pushes do not count.
   static constexpr std::size_t kMaxFollowers = 256;
 
-  /// Number of preparations so far, for tests.
+  /// Numbers of preparations since construction, for tests.
   struct Work {
     int maps = 0;     ///< arc length maps
     int brushes = 0;  ///< brush pulls of one stroke at one point

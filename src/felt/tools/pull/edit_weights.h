@@ -19,8 +19,8 @@ struct EditWeights {
 };
 
 enum class WeightKind {
-  /// The weights that have the smallest sum of squares of alpha, c2, c3, beta among those with
-  /// which the curve reaches the pen (soft_weights).
+  /// Of all weights with which the curve reaches the pen, those with the smallest sum of the
+  /// squares of alpha, c2, c3, beta (soft_weights).
   kSoft,
   /// The paper's three cases, blended within tau = .25 of the joints (docs/design/errata.md#e4,
   /// #e5).

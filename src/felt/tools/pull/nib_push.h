@@ -14,10 +14,10 @@ namespace felt {
 
 /// One stroke that a round nib pushes aside (R27; docs/design/editing.md#push). The nib moves in
 /// steps of at most half its radius r. Let f be the point of the stroke nearest to the pen p. After
-/// each step, f is moved to p - r n, n = (p - f)/|p - f|, until its distance is at least r. So the
-/// stroke is pushed from outside and never dragged along. Because a step is at most half a radius,
-/// the pen never comes nearer to the stroke than half a radius, so the nib cannot pass through the
-/// stroke.
+/// each step, f is moved to p - r n, n = (p - f)/|p - f|. This is repeated with the new nearest
+/// point until its distance is at least r. So the stroke is pushed from outside and never dragged
+/// along. Because a step is at most half a radius, the pen never comes nearer to the stroke than
+/// half a radius, so the nib cannot pass through the stroke.
 ///
 /// The neighbourhood of f moves with it: a point moves by w(s) times the displacement of f, with
 /// w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, and s the arc length in the stroke at the touch. The
@@ -35,13 +35,13 @@ class NibPush {
   /// steps are longer, and ink that they jump over is found separately.
   static constexpr int kMaxSteps = 64;
   /// Usual and maximum number of corrections after each step (docs/design/editing.md#push: up to
-  /// 6). More than the usual number are needed if ink lies all around the nib. These additional
-  /// corrections move the ink some micrometres farther than the radius.
+  /// 6). More than kExactCorrections are needed only if ink lies all around the nib. These
+  /// additional corrections move the ink some micrometres farther than the radius.
   static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
   /// Maximum number of segments into which a stroke is divided.
   static constexpr int kMaxSegments = 1000;
-  /// Distances within this of the radius count as equal to it, mm.
+  /// A distance that differs from the radius by at most this counts as equal to it, mm.
   static constexpr double kContactMm = 1e-7;
 
   NibPush(StrokePtr snapshot, double radius_mm);

@@ -14,7 +14,7 @@ namespace felt {
 /// a line is held, the counter-force. The counter-force pulls back to the point where the pen
 /// grabbed the line. In the modes push and sweep, which depend on the path of the pen, it is the
 /// force between the pen and the line as it is now. The fade_id stays the same during a gesture, so
-/// that nothing is cross-faded.
+/// that nothing is cross-faded; only a leap of a swept curve (PullFeel::leaps) changes it.
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
   const Medium material =

@@ -33,7 +33,7 @@ class PullTool final : public GestureTool {
   /// The line that a touch would grab.
   struct Target {
     StrokePtr stroke;
-    ArcMap map;  // of the stroke; a Target does not move
+    ArcMap map;  // of *stroke
     double u = 0.0;
     Point point;
     bool is_free = false;

@@ -21,9 +21,9 @@ struct StrandPlace {
 /// the whole stroke at each step. The modes grab, push and sweep use it. A value type.
 ///
 /// Smooth joints stay smooth: `bend` turns the neighbours' handles
-/// (docs/design/editing.md#smooth-joints). Before anything next to a zero-length handle at a smooth
-/// joint moves, the handle gets the length kStandingMm, because otherwise its direction would
-/// depend on a control point elsewhere (R28).
+/// (docs/design/editing.md#smooth-joints). A zero-length handle at a smooth joint gets the length
+/// kStandingMm before anything next to it moves. Otherwise its direction would depend on a control
+/// point elsewhere (R28).
 class Strand {
  public:
   static constexpr double kStandingMm = 1e-3;
@@ -61,7 +61,8 @@ class Strand {
   /// curve has a cusp at t.
   bool divide(int i, double t);
   /// Divides segment i into as few pieces of equal arc length as possible, each at most
-  /// `longest_mm` long, but into at most `most` pieces. Returns the number of pieces.
+  /// `longest_mm` long. If that would take more than `largest` pieces, divides it into `largest`
+  /// longer pieces. Returns the number of pieces.
   int divide_evenly(int i, double longest_mm, int largest);
   /// Gives a length (kStandingMm) to zero-length handles at the smooth joints of segment i and its
   /// neighbours.

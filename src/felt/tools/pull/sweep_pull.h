@@ -14,11 +14,12 @@ namespace felt {
 /// step starts from the result of the last one, so moving back does not undo the change. Because
 /// the fraction is 1 - exp(-dt/tau), the result hardly depends on the step length.
 ///
-/// The search for the nearest point covers only the segment of the previous one and its two
-/// neighbours, so that the point moves along the stroke and does not leap to another part of the
-/// stroke that is near the pen. Pieces near the pen are kept short (kPieceMm) as long as the stroke
-/// has fewer than kMaxSegments. Handles are kept below kLongestHandle times the length of their
-/// segments (R24). Ends and corners stay unless they are themselves nearest to the pen.
+/// The search for the nearest point covers only the segment of the previous nearest point and the
+/// neighbours of that segment, so that the point moves along the stroke and does not leap to
+/// another part of the stroke that is near the pen. Pieces near the pen are kept short (kPieceMm)
+/// as long as the stroke has fewer than kMaxSegments. Handles are kept below kLongestHandle times
+/// the length of their segments (R24). Ends and corners stay unless they are themselves nearest to
+/// the pen.
 class SweepPull {
  public:
   static constexpr double kPieceMm = 8.0;

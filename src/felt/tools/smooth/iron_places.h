@@ -17,8 +17,9 @@ namespace felt {
 class IronPlaces {
  public:
   static constexpr double kSpacingMm = 0.25;
-  /// A corner is kept if the ink turns by more than kCornerDeg, measured over kCornerArmMm and over
-  /// kLongArmMm of ink to each side. Corners made by tremor do not pass this test.
+  /// A corner is kept if the ink turns by more than kCornerDeg in two measurements: over
+  /// kCornerArmMm and over kLongArmMm of ink to each side. Corners made by tremor do not pass this
+  /// test.
   static constexpr double kCornerDeg = 30.0;
   static constexpr double kCornerArmMm = 3.0;
   static constexpr double kLongArmMm = 4.5;

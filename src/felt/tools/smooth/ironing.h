@@ -24,9 +24,9 @@ struct IronOptions {
 ///
 /// A dose d removes waves shorter than wave_mm sqrt(1 - exp(-d)) (JerkFilter): first the fine
 /// jitter, then longer and longer waves. A bend of mean curvature c is itself a wave of length 2
-/// pi/c, so waves longer than kBendShare of that are never removed. Therefore the radius of a
-/// circle changes by at most 0.02 % per gesture. Kept corners and ends do not move. Places without
-/// a dose do not move.
+/// pi/c, so waves longer than kBendShare times this length are never removed. Therefore the radius
+/// of a circle changes by at most 0.02 % per gesture. Kept corners and ends do not move. Places
+/// without a dose do not move.
 class Ironing {
  public:
   static constexpr double kBendShare = 0.24;
@@ -41,15 +41,16 @@ class Ironing {
   Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options);
 
   /// Irons at an arc length of the stroke: each place nearer than `reach_mm` along the stroke gets
-  /// `dose` times S(distance/reach_mm) times its inflation. Takes time linear in the reach.
+  /// the dose `dose` * bump(distance / reach_mm) * inflation, with bump() of brush_bump.h and the
+  /// inflation of the place. Takes time linear in the reach.
   void add(double length_mm, double reach_mm, double dose);
   /// Returns the roughness of the ink around an arc length, mm: the rms distance within `reach_mm`
   /// between the ink as ironed so far and fully ironed ink, minus kSmoothMm, at least 0. Takes time
   /// linear in reach_mm + wave_mm.
   [[nodiscard]] double roughness_mm(double length_mm, double reach_mm);
-  /// Filters the places that got a dose since the last call, with a margin of kMarginWaves to both
-  /// sides, beyond which the effect is invisible. Takes time linear in those places, plus a fast
-  /// loop over all places.
+  /// Filters the places that got a dose since the last call, with a margin of kMarginWaves times
+  /// wave_mm on both sides. Beyond the margin the effect is invisible. Takes time linear in those
+  /// places, plus a fast loop over all places.
   void catch_up();
   /// Returns the stroke as of the last catch_up() for display, or nullopt if nothing has moved. It
   /// has many segments and is exact within 0.01 mm; only changed parts are refitted.

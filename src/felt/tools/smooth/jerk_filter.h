@@ -14,17 +14,18 @@ struct FilterPlace {
   bool is_fixed = false;  ///< does not move, and the row may have a corner here
 };
 
-/// A low-pass filter along a row of evenly spaced points that preserves round shapes. It minimises
+/// A low-pass filter along a row of evenly spaced points. It preserves round shapes. The filtered
+/// points Q_k minimise, for the points P_k of the row,
 ///
 ///   sum |Q_k - P_k|^2 + sum w_j |Q_j - 3 Q_{j+1} + 3 Q_{j+2} - Q_{j+3}|^2
 ///
 /// The third difference is zero on parabolas. A wave of length L is scaled by 1/(1 + w (2 pi
-/// h/L)^6), h being the spacing: nearly flat below the cutoff (a Butterworth filter of the sixth
-/// order). A moving average, or a filter with the second difference, would shrink every circle. w_j
-/// is the smallest weight of its four points, so that a point with weight 0 does not move and does
-/// not affect other points; no third difference reaches across a fixed point. Fixed points and both
-/// ends stay bit for bit. Writes to `out`, which must have the size of `row`. Takes linear time
-/// (one banded Cholesky factorisation).
+/// h/L)^6), where h is the spacing. So waves longer than the cutoff hardly change (a Butterworth
+/// filter of the sixth order). A moving average, or a filter with the second difference, would
+/// shrink every circle. w_j is the smallest weight of its four points, so that a point with weight
+/// 0 does not move and does not affect other points; no third difference reaches across a fixed
+/// point. Fixed points and both ends stay bit for bit. Writes to `out`, which must have the size of
+/// `row`. Takes linear time (one banded Cholesky factorisation).
 class JerkFilter {
  public:
   void apply(std::span<const FilterPlace> row, std::span<Point> out);

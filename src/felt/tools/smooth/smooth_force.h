@@ -16,9 +16,10 @@ namespace felt {
 ///
 /// with mu0 the friction coefficient of the surface and rho the roughness, mm.
 ///
-/// The force is friction and not a texture because friction only dissipates energy, is silent at
-/// rest, and uses the spring that the friction of the surface already has. RoughFeel must come
-/// between Texture and Friction in the chain. Fn is the force of the plane in this tick.
+/// The roughness is rendered as friction instead of as a texture, because friction only dissipates
+/// energy, is silent at rest, and uses the spring that the friction of the surface already has.
+/// RoughFeel must come between Texture and Friction in the chain. Fn is the force of the plane in
+/// this tick.
 class RoughFeel {
  public:
   static constexpr double kMaxN = 0.4;  ///< maximum additional friction, N

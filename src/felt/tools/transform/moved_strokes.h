@@ -17,11 +17,11 @@ namespace felt {
 /// The selected strokes as they were at the touch, prepared for mapping (R33): strokes, marks and
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
-/// The preview of a selection of up to kMaxPreviewPoints is made in portions of kPointsPerStep, one
-/// per sample, so that the time per sample does not depend on the size of the selection: 40 strokes
-/// of ten segments are updated with every sample, 1,000 strokes 40 times a second. Larger
-/// selections have no preview: the frame and 2,000 marked segments follow the pen, and the lines
-/// move when the pen is lifted.
+/// The preview of a selection of up to kMaxPreviewPoints control points is made in portions of
+/// kPointsPerStep points, one portion per sample, so that the time per sample does not depend on
+/// the size of the selection. At 1 kHz, 40 strokes of ten segments are updated with every sample,
+/// 1,000 such strokes 40 times a second. Larger selections have no preview: the frame and 2,000
+/// marked segments follow the pen, and the lines move when the pen is lifted.
 class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
@@ -31,9 +31,9 @@ class MovedStrokes {
   static constexpr std::size_t kMaxConnected = 5'000;
 
   MovedStrokes() = default;
-  /// Prepares the strokes, except those on hidden or locked layers. If `duplicates` is true, copies
-  /// are mapped instead, which are added on top of the layers. If a stroke is selected only in
-  /// part, each run of selected segments is copied as a separate line.
+  /// Prepares the strokes, except those on hidden or locked layers. If `duplicates` is true, the
+  /// strokes stay, and copies are mapped instead; they are added on top of the layers. If a stroke
+  /// is selected only in part, each run of selected segments is copied as a separate line.
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
   /// point: an end moves with the point, and a line on which an end lies gets a joint at that
@@ -74,7 +74,7 @@ class MovedStrokes {
   };
 
   /// Keeps the strokes of the last two previews alive, so that they are released one by one as the
-  /// next preview is made: to release a thousand together would take half a millisecond.
+  /// next preview is made. Releasing a thousand strokes together would take half a millisecond.
   struct Shown {
     StrokePtr last, before;
   };

@@ -20,9 +20,9 @@ enum class TransformKind : std::uint8_t {
 /// its current position (docs/design/editing.md#transform). Turns and factors are computed as in
 /// haptics/bricks/tether.h, so that the force agrees with the picture.
 ///
-/// Factors stay within 0.05..20. Scaling depends only on the distance from the centre, not on the
-/// side. If the pen crosses the centre along a stretched axis, the factor of that axis stays at its
-/// minimum, so nothing is mirrored.
+/// Factors stay within 0.05..20. Scaling depends only on the distance of the pen from the centre,
+/// not on the side of the centre on which the pen is. If the pen crosses the centre along a
+/// stretched axis, the factor of that axis stays at its minimum, so nothing is mirrored.
 class TransformDrag {
  public:
   static constexpr double kMinScale = 0.05;

@@ -14,7 +14,7 @@ namespace felt {
 /// The frame around the selection, and its handles that a touch can grab.
 ///
 ///            o          turns
-///      x-----x-----x    corners scale, just outside of one turns; edges stretch one axis
+///      x-----x-----x    corners scale; a touch just outside a corner turns; edges stretch one axis
 ///      x     +     x    inside moves; + is the centre of turning and scaling, which can be dragged
 ///      x-----x-----x
 ///
@@ -23,7 +23,9 @@ class TransformFrame {
  public:
   static constexpr double kMarginMm = 3.0;  ///< distance of the frame from the control points
   static constexpr double kGripMm = 3.0;    ///< radius of a handle
-  static constexpr double kTurnMm = 9.0;  ///< from a corner, outside; distance of the handle above
+  /// Outside the frame, a touch within this distance of a corner turns. The handle for turning is
+  /// this far above the frame.
+  static constexpr double kTurnMm = 9.0;
 
   TransformFrame() = default;
   /// Makes the frame of a box. The default centre is that of the box (docs/design/errata.md#e15).

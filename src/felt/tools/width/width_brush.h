@@ -12,11 +12,13 @@ namespace felt {
 /// touch and of the amounts added since then. Changes only breakpoints of the width, never the
 /// curve (docs/design/editing.md#width-brush; paper, "Change curve width"; R46).
 ///
-/// An amount dW at u adds dW S(s/reach) / S_u to the profile, s being the arc length from u, linear
-/// between places 0.5 mm apart; this replaces the paper's splitting of width segments. S_u is the
-/// interpolated value of S at u itself, so that W(u) changes by exactly dW; the paper's division by
-/// (1-tw)^2 + tw^2 has the same effect. Beyond the reach nothing changes. Widths stay between
-/// kMinWidthMm and max_width_mm, but ink that was already broader may keep its width.
+/// An amount dW at u adds dW S(s/reach) / S_u to the profile. Here s is the arc length from u, and
+/// S is bump() of brush_bump.h. S is evaluated at places about 0.5 mm apart (less if the reach is
+/// short) and is linear between them; this replaces the paper's splitting of width segments. S_u is
+/// the interpolated value of S at u itself, so that W(u) changes by exactly dW; the paper's
+/// division by (1-tw)^2 + tw^2 has the same effect. Beyond the reach nothing changes. Widths stay
+/// between kMinWidthMm and max_width_mm; ink that was already broader than max_width_mm does not
+/// get broader, but may keep its width.
 class WidthBrush {
  public:
   static constexpr double kSpacingMm = 0.5;

@@ -14,7 +14,8 @@
 
 namespace felt {
 
-/// How near the width under the pen is to a limit of the brush: 0 means far, 1 at the limit.
+/// How near the width under the pen is to each limit of the brush: 0 means far away, 1 means at the
+/// limit.
 struct WidthStops {
   double harder = 0.0;   ///< the limit reached by pressing harder
   double lighter = 0.0;  ///< the limit reached by pressing less
@@ -30,8 +31,8 @@ struct WidthStops {
 /// width, the user needs more force to press down to the depth d0, beyond which the width grows
 /// again: a detent. The force is zero at the surface, never pulls inwards, and is continuous. The
 /// force of both springs depends only on the depth, so they are passive. WidthStop must come after
-/// the plane in the chain, because it reads the plane's speed. K is the part of the device's
-/// stiffness that the plane does not use (see width_stop_stiffness).
+/// the plane in the chain, because it reads the normal speed that the plane computes. K is the part
+/// of the device's stiffness that the plane does not use (see width_stop_stiffness).
 class WidthStop {
  public:
   WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept

@@ -13,7 +13,7 @@ namespace felt {
 ///
 /// Between the first and the last point that the pen reached, each place has the width that was
 /// drawn there last; the width is linear between places, which are 0.25 mm apart. Over 2 mm at both
-/// ends of that part the width blends into the old width by S(x), except at an end of the stroke.
+/// ends of that part the width blends smoothly into the old width, except at an end of the stroke.
 /// Within 1 mm of the pen the width is the mean over 2 mm, because there newer widths meet older
 /// ones of the same gesture. Elsewhere the profile stays bit for bit.
 class WidthRetrace {

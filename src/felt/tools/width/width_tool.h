@@ -23,7 +23,7 @@ namespace felt {
 /// line is selected, it acts on all selected lines.
 class WidthTool final : public GestureTool {
  public:
-  /// Distance by which the user drags up to double the width.
+  /// Length of an upward drag that doubles the width.
   static constexpr double kDoublingMm = 20.0;
   /// Maximum time step, s. Longer ones are clamped, so that a clock that jumps does not change ink.
   static constexpr double kLongestStepS = 0.050;
