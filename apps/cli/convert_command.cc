@@ -5,7 +5,7 @@
 #include "drawing_output.h"
 #include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
-#include "given_files.h"
+#include "overwrite_check.h"
 #include "input.h"
 #include "sketch_input.h"
 

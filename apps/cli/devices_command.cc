@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "driver_look.h"
+#include "driver_processes.h"
 #include "felt/devices/drivers.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/io/ndjson/json_text.h"
@@ -25,10 +25,10 @@ std::string number_or_dash(double value) {
 }
 
 /// Returns the real devices: first those with force, then those that only play cues.
-std::vector<DeviceDescriptor> real_devices(const std::vector<DriverLook>& looks) {
+std::vector<DeviceDescriptor> real_devices(const std::vector<DriverReport>& looks) {
   std::vector<DeviceDescriptor> devices;
   for (const DeviceKind kind : {DeviceKind::kForce, DeviceKind::kCue}) {
-    for (const DriverLook& look : looks) {
+    for (const DriverReport& look : looks) {
       for (const DeviceDescriptor& device : look.devices) {
         if (device.kind == kind) devices.push_back(device);
       }
@@ -59,7 +59,7 @@ std::string count_words(const std::vector<DeviceDescriptor>& devices) {
 }
 
 /// Prints the connected devices, and the drivers that failed in the vendor's software.
-void print_real(const std::vector<DriverLook>& looks, const TextStyle& style) {
+void print_real(const std::vector<DriverReport>& looks, const TextStyle& style) {
   using Align = TextTable::Align;
   const std::vector<DeviceDescriptor> devices = real_devices(looks);
   print("{}\n\n", wrapped(devices.empty() ? kNothing : count_words(devices), style.width, 0));
@@ -80,7 +80,7 @@ void print_real(const std::vector<DriverLook>& looks, const TextStyle& style) {
     }
     print("{}\n", table.text(style));
   }
-  for (const DriverLook& look : looks) {
+  for (const DriverReport& look : looks) {
     for (const Finding& finding : look.findings) {
       print("{}: {}\n\n", look.name,
             wrapped(finding.what + " 'feltline doctor " + look.name + "' says more.", style.width,
@@ -180,7 +180,7 @@ std::string real_json(const DeviceDescriptor& device) {
   return object.text();
 }
 
-std::string trouble_json(const DriverLook& look, const Finding& finding) {
+std::string trouble_json(const DriverReport& look, const Finding& finding) {
   JsonObject object;
   object.add_text("driver", look.name);
   object.add_text("what", finding.what);
@@ -188,10 +188,10 @@ std::string trouble_json(const DriverLook& look, const Finding& finding) {
   return object.text();
 }
 
-void print_json(const std::vector<DriverLook>& looks) {
+void print_json(const std::vector<DriverReport>& looks) {
   std::vector<std::string> devices, hands, troubles;
   for (const DeviceDescriptor& device : real_devices(looks)) devices.push_back(real_json(device));
-  for (const DriverLook& look : looks) {
+  for (const DriverReport& look : looks) {
     for (const Finding& finding : look.findings) troubles.push_back(trouble_json(look, finding));
   }
   for (const StylusPreset& preset : stylus_presets()) devices.push_back(device_json(preset));
@@ -201,8 +201,8 @@ void print_json(const std::vector<DriverLook>& looks) {
 }
 
 void run_devices(bool json) {
-  const std::vector<DriverLook> looks =
-      look_at_drivers(make_drivers(), this_system(), LookFor::kDevices);
+  const std::vector<DriverReport> looks =
+      query_drivers(make_drivers(), this_system(), DriverQuery::kDevices);
   if (json) return print_json(looks);
   const TextStyle style = TextStyle::of_stdout();
   print_real(looks, style);

@@ -91,7 +91,7 @@ bool has(const std::vector<Finding>& findings, FindingLevel level) {
                      [level](const Finding& finding) { return finding.level == level; });
 }
 
-bool is_absent(const DriverLook& look) {
+bool is_absent(const DriverReport& look) {
   return look.devices.empty() &&
          std::all_of(look.findings.begin(), look.findings.end(),
                      [](const Finding& finding) { return finding.level == FindingLevel::kAbsent; });
@@ -138,15 +138,15 @@ std::string joined(const std::vector<std::string>& words) {
 std::string absent_text(const DoctorReport& report, const TextStyle& style) {
   if (report.is_named) return {};
   std::size_t longest = 0;
-  const DriverLook* first = nullptr;
-  for (const DriverLook& look : report.drivers) {
+  const DriverReport* first = nullptr;
+  for (const DriverReport& look : report.drivers) {
     if (!is_absent(look)) continue;
     longest = std::max(longest, look.name.size());
     if (first == nullptr) first = &look;
   }
   if (first == nullptr) return {};
   std::string text = heading("Not on this computer", style) + "\n";
-  for (const DriverLook& look : report.drivers) {
+  for (const DriverReport& look : report.drivers) {
     if (is_absent(look)) text += fmt::format("  {:<{}}  {}\n", look.name, longest, look.label);
   }
   text += sentence(
@@ -188,13 +188,13 @@ std::size_t count_problems(const DoctorReport& report) {
         [](const Finding& finding) { return finding.level == FindingLevel::kProblem; }));
   };
   std::size_t problems = count(report.machine);
-  for (const DriverLook& look : report.drivers) problems += count(look.findings);
+  for (const DriverReport& look : report.drivers) problems += count(look.findings);
   return problems;
 }
 
 std::string doctor_summary(const DoctorReport& report) {
   std::vector<std::string> ready, unknown;
-  for (const DriverLook& look : report.drivers) {
+  for (const DriverReport& look : report.drivers) {
     if (has(look.findings, FindingLevel::kProblem)) continue;
     for (const DeviceDescriptor& device : look.devices) {
       (device.is_connected ? ready : unknown).push_back(device.label);
@@ -222,7 +222,7 @@ std::string doctor_summary(const DoctorReport& report) {
 std::string doctor_text(const DoctorReport& report, const TextStyle& style) {
   std::string text = sentence(doctor_summary(report), 0, style) + "\n";
   const auto families = [&](bool with_problems) {
-    for (const DriverLook& look : report.drivers) {
+    for (const DriverReport& look : report.drivers) {
       if (!report.is_named && is_absent(look)) continue;
       if (has(look.findings, FindingLevel::kProblem) != with_problems) continue;
       text += section(look.label + " - " + look.name, look.findings, look.devices, style);
@@ -242,7 +242,7 @@ std::string doctor_text(const DoctorReport& report, const TextStyle& style) {
 
 std::string doctor_json(const DoctorReport& report) {
   std::vector<std::string> drivers;
-  for (const DriverLook& look : report.drivers) {
+  for (const DriverReport& look : report.drivers) {
     JsonObject object;
     object.add_text("name", look.name);
     object.add_text("label", look.label);

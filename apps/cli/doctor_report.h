@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "driver_look.h"
+#include "driver_processes.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -11,7 +11,7 @@ namespace felt::cli {
 /// The results of `feltline doctor`.
 struct DoctorReport {
   std::vector<Finding> machine;  ///< about the computer itself; empty if drivers were named
-  std::vector<DriverLook> drivers;
+  std::vector<DriverReport> drivers;
   bool is_named = false;  ///< the user named these drivers, so the report shows all of them
 };
 

@@ -11,7 +11,7 @@
 #include "felt/tools/medium_line.h"
 #include "fit_source.h"
 #include "fit_worker.h"
-#include "given_files.h"
+#include "overwrite_check.h"
 #include "ordered_pipeline.h"
 #include "print.h"
 

@@ -16,7 +16,7 @@
 #include "felt/session/recorder.h"
 #include "felt/tools/tool.h"
 #include "forces_file.h"
-#include "given_files.h"
+#include "overwrite_check.h"
 #include "interrupt.h"
 #include "known_materials.h"
 #include "print.h"

@@ -19,7 +19,7 @@
 #include "felt/stroke/color_text.h"
 #include "force_plot.h"
 #include "forces_file.h"
-#include "given_files.h"
+#include "overwrite_check.h"
 #include "input.h"
 #include "known_materials.h"
 #include "overlay_picture.h"

@@ -54,7 +54,7 @@ std::vector<SystemFix> fixes_of(const DoctorReport& report) {
       if (finding.fix) add_fix(fixes, *finding.fix);
     }
   };
-  for (const DriverLook& look : report.drivers) gather(look.findings);
+  for (const DriverReport& look : report.drivers) gather(look.findings);
   gather(report.machine);
   return fixes;
 }

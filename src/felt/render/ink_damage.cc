@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/render/segment_runs.h"
+#include "felt/render/segments_in_area.h"
 
 namespace felt {
 namespace {

@@ -19,7 +19,7 @@
 
 #include "felt/render/ink_look.h"
 #include "felt/render/pressure_map.h"
-#include "felt/render/segment_runs.h"
+#include "felt/render/segments_in_area.h"
 #include "felt/render/wide_vectors.h"
 
 namespace felt {
@@ -147,7 +147,7 @@ struct Rasterizer::State {
   Cells cells{kRasterCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
-  SegmentRuns runs;
+  SegmentsInArea runs;
   std::vector<Dab> dabs, more_dabs;
   Outline joined;
   PressureMap pressure;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "felt/devices/simulated/moving_aim.h"
+#include "felt/devices/simulated/gliding_aim.h"
 
 namespace felt {
 

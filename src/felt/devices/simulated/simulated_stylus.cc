@@ -6,7 +6,7 @@
 
 #include "felt/devices/simulated/aim_track.h"
 #include "felt/devices/simulated/held_body.h"
-#include "felt/devices/simulated/moving_aim.h"
+#include "felt/devices/simulated/gliding_aim.h"
 #include "felt/geometry/tilt.h"
 #include "felt/rt/spsc_ring.h"
 
@@ -19,8 +19,8 @@ constexpr double kStartHeightMm = 20.0;
 constexpr double kAimBeyondMm = 100.0;
 
 // Returns the aim for a device. If the device has a body, the aim's speed is limited like a hand's.
-MovingAim aim_for(const Capabilities& device) noexcept {
-  return MovingAim(device.has_force() ? MovingAim::kHandSpeedMmPerS : 0.0);
+GlidingAim aim_for(const Capabilities& device) noexcept {
+  return GlidingAim(device.has_force() ? GlidingAim::kHandSpeedMmPerS : 0.0);
 }
 
 Vec3 clamped(const Vec3& p, const Vec3& low, const Vec3& high) noexcept {
@@ -49,7 +49,7 @@ struct SimulatedStylus::Parts {
 
   HeldBody body;
   SpscRing<StampedAim, kWaitingAims> queue;
-  MovingAim aim;
+  GlidingAim aim;
   AimTrack track;
 };
 

@@ -11,7 +11,7 @@
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/aim_track.h"
 #include "felt/devices/simulated/held_body.h"
-#include "felt/devices/simulated/moving_aim.h"
+#include "felt/devices/simulated/gliding_aim.h"
 #include "felt/devices/simulated/random.h"
 
 namespace felt::simulated_stylus_test {

@@ -195,7 +195,7 @@ void EraserGesture::cut_next(std::int64_t time_ns, const Scene& scene) {
   line.cut_ns = time_ns;
   if (line.ink) {
     line.cut_places = line.ink->place_count();
-    InkClearance::Result left = line.ink->result();
+    InkNarrowing::Result left = line.ink->result();
     line.remains.cut(left.holes, std::move(left.widths));
   } else {
     line.cut_places = line.erased.intervals().size();

@@ -11,7 +11,7 @@
 #include "felt/document/stroke_index.h"
 #include "felt/tools/eraser/crossing_span.h"
 #include "felt/tools/eraser/eraser_options.h"
-#include "felt/tools/eraser/ink_clearance.h"
+#include "felt/tools/eraser/ink_narrowing.h"
 #include "felt/tools/eraser/remaining_pieces.h"
 #include "felt/tools/eraser/swept.h"
 #include "felt/tools/scene.h"
@@ -85,7 +85,7 @@ class EraserGesture {
     StrokePtr stroke;
     ParameterSet erased;
     RemainingPieces remains;
-    std::optional<InkClearance> ink;
+    std::optional<InkNarrowing> ink;
     std::optional<StrokeCrossings> crossings;
     bool waits = false;                  // is in to_cut_
     std::optional<std::int64_t> cut_ns;  // time of the last cut

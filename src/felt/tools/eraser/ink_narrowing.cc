@@ -1,4 +1,4 @@
-#include "felt/tools/eraser/ink_clearance.h"
+#include "felt/tools/eraser/ink_narrowing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +25,9 @@ void append_profile(const std::vector<Place>& places, std::size_t first, std::si
       if (places[k].u == n) return false;  // the seam
       const double share = (places[k].u - places[a].u) / span;
       const double width = 2.0 * std::lerp(places[a].clear_mm, places[b].clear_mm, share);
-      if (std::fabs(width - 2.0 * places[k].clear_mm) > InkClearance::kWidthErrorMm) return false;
+      if (std::fabs(width - 2.0 * places[k].clear_mm) > InkNarrowing::kWidthErrorMm) return false;
       const double tone = std::lerp(places[a].tone, places[b].tone, share);
-      if (std::fabs(tone - places[k].tone) > InkClearance::kToneError) return false;
+      if (std::fabs(tone - places[k].tone) > InkNarrowing::kToneError) return false;
     }
     return true;
   };
@@ -75,10 +75,10 @@ std::vector<WidthKnot> with_narrowed(const Stroke& stroke, const ParameterSet& r
 
 }  // namespace
 
-InkClearance::InkClearance(std::shared_ptr<const Stroke> stroke, double radius_mm)
+InkNarrowing::InkNarrowing(std::shared_ptr<const Stroke> stroke, double radius_mm)
     : stroke_(std::move(stroke)), step_mm_(std::clamp(0.1 * radius_mm, 0.02, 0.25)) {}
 
-int InkClearance::steps_of(int segment) const noexcept {
+int InkNarrowing::steps_of(int segment) const noexcept {
   const Cubic c = stroke_->segment(segment);
   // |f'(t)| is at most three times the longest leg of the control polygon.
   const double leg =
@@ -87,7 +87,7 @@ int InkClearance::steps_of(int segment) const noexcept {
   return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(kMaxMarches)));
 }
 
-bool InkClearance::add(int segment, const ParameterSet& covered, const Capsule& capsule) {
+bool InkNarrowing::add(int segment, const ParameterSet& covered, const Capsule& capsule) {
   bool changed = false;
   const Cubic curve = stroke_->segment(segment);
   const int steps = steps_of(segment);
@@ -110,7 +110,7 @@ bool InkClearance::add(int segment, const ParameterSet& covered, const Capsule& 
   return changed;
 }
 
-InkClearance::Place InkClearance::place_at(double u, double clear_mm) const noexcept {
+InkNarrowing::Place InkNarrowing::place_at(double u, double clear_mm) const noexcept {
   const double n = stroke_->segment_count();
   const double within = u > n ? u - n : u;
   const WidthKnot ink = knot_at(stroke_->widths(), within);
@@ -118,7 +118,7 @@ InkClearance::Place InkClearance::place_at(double u, double clear_mm) const noex
   return {u, stroke_->position(within), half, std::min(half, clear_mm), ink.tone};
 }
 
-void InkClearance::append_samples(double from, double to, double add_u,
+void InkNarrowing::append_samples(double from, double to, double add_u,
                                   std::vector<Place>& places) const {
   const auto begin = clear_.lower_bound({static_cast<int>(std::floor(from)), 0});
   int segment = -1, steps = 1;
@@ -138,7 +138,7 @@ void InkClearance::append_samples(double from, double to, double add_u,
   }
 }
 
-InkClearance::Part InkClearance::part_between(double from, double to) const {
+InkNarrowing::Part InkNarrowing::part_between(double from, double to) const {
   const double n = stroke_->segment_count();
   const bool closed = stroke_->closed();
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -156,7 +156,7 @@ InkClearance::Part InkClearance::part_between(double from, double to) const {
   return part;
 }
 
-std::vector<InkClearance::Part> InkClearance::parts() const {
+std::vector<InkNarrowing::Part> InkNarrowing::parts() const {
   const double n = stroke_->segment_count();
   std::vector<ParameterSet::Interval> spans = touched_.intervals();
   if (stroke_->closed() && !spans.empty() && spans.front().from <= 0.0 && spans.back().to >= n) {
@@ -182,12 +182,12 @@ std::vector<InkClearance::Part> InkClearance::parts() const {
   return result;
 }
 
-bool InkClearance::stays(const Place& place) noexcept {
+bool InkNarrowing::stays(const Place& place) noexcept {
   const double smallest = std::clamp(place.half_mm, 0.5 * kMinWidthMm, 0.5 * kThinnestMm);
   return place.clear_mm >= smallest - 1e-12;
 }
 
-InkClearance::Run InkClearance::trimmed(const Part& part, Run run) {
+InkNarrowing::Run InkNarrowing::trimmed(const Part& part, Run run) {
   const auto& places = part.places;
   const auto [first, last] = run;
   const auto covers = [&](std::size_t j, std::size_t k, double slack) {
@@ -220,7 +220,7 @@ InkClearance::Run InkClearance::trimmed(const Part& part, Run run) {
   return is_island && run.first == run.second ? Run{first, last} : run;
 }
 
-void InkClearance::add_hole(double from, double to, ParameterSet& holes) const {
+void InkNarrowing::add_hole(double from, double to, ParameterSet& holes) const {
   const double n = stroke_->segment_count();
   if (from >= n) {
     holes.add({from - n, to - n});
@@ -232,7 +232,7 @@ void InkClearance::add_hole(double from, double to, ParameterSet& holes) const {
 
 /// Goes through the samples in order. Each run of remaining samples is trimmed at its cut ends and
 /// gets a width profile. Everything between the runs becomes a hole.
-std::vector<WidthKnot> InkClearance::cut(const Part& part, ParameterSet& holes) const {
+std::vector<WidthKnot> InkNarrowing::cut(const Part& part, ParameterSet& holes) const {
   const auto& places = part.places;
   const double n = stroke_->segment_count();
   std::vector<WidthKnot> knots;
@@ -263,7 +263,7 @@ std::vector<WidthKnot> InkClearance::cut(const Part& part, ParameterSet& holes) 
   return knots;
 }
 
-InkClearance::Result InkClearance::result() const {
+InkNarrowing::Result InkNarrowing::result() const {
   Result result;
   std::vector<WidthKnot> narrowed;
   ParameterSet replaced;

@@ -28,7 +28,7 @@ namespace felt {
 /// The clearance is sampled along the touched parts of the curve. Each sample is the minimum over
 /// all capsules, so the result depends neither on the order of the capsules nor on how many of them
 /// a path is divided into.
-class InkClearance {
+class InkNarrowing {
  public:
   static constexpr double kThinnestMm = 0.1;
   static constexpr double kLostTipMm = 0.1;
@@ -38,7 +38,7 @@ class InkClearance {
   static constexpr double kToneError = 0.05;
 
   /// All capsules passed to add() must have this radius.
-  InkClearance(std::shared_ptr<const Stroke> stroke, double radius_mm);
+  InkNarrowing(std::shared_ptr<const Stroke> stroke, double radius_mm);
 
   /// Adds a capsule that covers these parts of the ink of a segment (add_swept with
   /// adds_half_width). Returns true if this changes the result.

@@ -1,4 +1,4 @@
-#include "felt/devices/simulated/moving_aim.h"
+#include "felt/devices/simulated/gliding_aim.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept {
 // The movement starts at the current position of the aim. It takes the time that has passed since
 // the previous aim, at least `min_ns` and at most 10 ms, or longer if the top speed requires
 // that.
-void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t min_ns) noexcept {
+void GlidingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t min_ns) noexcept {
   if (!is_set_) {
     is_set_ = true;
     to_ = shown_ = aim;
@@ -36,14 +36,14 @@ void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t min_ns) no
   end_ns_ = now_ns + takes_ns;
 }
 
-Vec3 MovingAim::at(std::int64_t time_ns) const noexcept {
+Vec3 GlidingAim::at(std::int64_t time_ns) const noexcept {
   if (time_ns >= end_ns_) return to_.target_mm;
   if (time_ns <= start_ns_) return from_mm_;
   return lerp(from_mm_, to_.target_mm,
               static_cast<double>(time_ns - start_ns_) / static_cast<double>(end_ns_ - start_ns_));
 }
 
-const Aim& MovingAim::shown(std::int64_t time_ns) noexcept {
+const Aim& GlidingAim::shown(std::int64_t time_ns) noexcept {
   if (owes_one_) {
     owes_one_ = false;
   } else if (time_ns >= end_ns_) {

@@ -10,26 +10,26 @@
 namespace felt::cli {
 
 /// The devices and findings of a driver.
-struct DriverLook {
+struct DriverReport {
   std::string name, label;  ///< of the driver
   std::vector<DeviceDescriptor> devices;
   std::vector<Finding> findings;  ///< empty unless requested
 };
 
-enum class LookFor {
+enum class DriverQuery {
   kDevices,   ///< calls Driver::find
   kFindings,  ///< calls Driver::find and Driver::diagnose
 };
 
 /// Time limit for a driver. A driver that follows the rules in Driver needs less.
-inline constexpr std::chrono::milliseconds kLookTime{15'000};
+inline constexpr std::chrono::milliseconds kDriverTime{15'000};
 
 /// Asks every driver for its devices. Each driver runs in its own process, because a vendor's
 /// library may crash, hang, end the program or overwrite our output. If one of these happens, the
 /// driver's result contains a finding that describes the failure and quotes the last text that the
 /// process wrote to stderr. Requires that no other thread runs.
-std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
-                                        const SystemView& system, LookFor what,
-                                        std::chrono::milliseconds largest = kLookTime);
+std::vector<DriverReport> query_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
+                                        const SystemView& system, DriverQuery what,
+                                        std::chrono::milliseconds largest = kDriverTime);
 
 }  // namespace felt::cli

@@ -1,4 +1,4 @@
-#include "felt/tools/pencil/stabiliser_options.h"
+#include "felt/tools/pencil/line_stabiliser.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "driver_look.h"
+#include "driver_processes.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -72,13 +72,13 @@ Finding take_finding(Unpacker& bytes) {
   return finding;
 }
 
-std::string look(Driver& driver, const SystemView& system, LookFor what) {
+std::string look(Driver& driver, const SystemView& system, DriverQuery what) {
   Packer packer;
   const std::vector<DeviceDescriptor> devices = driver.find();
   packer.put(static_cast<std::uint64_t>(devices.size()));
   for (const DeviceDescriptor& device : devices) put(packer, device);
   const std::vector<Finding> findings =
-      what == LookFor::kFindings ? driver.diagnose(system) : std::vector<Finding>();
+      what == DriverQuery::kFindings ? driver.diagnose(system) : std::vector<Finding>();
   packer.put(static_cast<std::uint64_t>(findings.size()));
   for (const Finding& finding : findings) put(packer, finding);
   return packer.bytes();
@@ -124,7 +124,7 @@ struct Looker {
   bool has_ended = false;
 };
 
-[[noreturn]] void be_child(Driver& driver, const SystemView& system, LookFor what,
+[[noreturn]] void be_child(Driver& driver, const SystemView& system, DriverQuery what,
                            const Looker& looker) {
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
@@ -155,9 +155,9 @@ Finding trouble(const std::string& what, const Looker& looker) {
                     "its version. Install it again, or report this message to us."}};
 }
 
-DriverLook result_of(const Driver& driver, const Looker& looker,
+DriverReport result_of(const Driver& driver, const Looker& looker,
                      std::chrono::milliseconds largest) {
-  DriverLook look{std::string(driver.name()), std::string(driver.label()), {}, {}};
+  DriverReport look{std::string(driver.name()), std::string(driver.label()), {}, {}};
   if (!looker.has_ended) {
     look.findings = {trouble("The software for these devices does not answer (for " +
                                  std::to_string(largest.count() / 1000) + " s).",
@@ -199,8 +199,8 @@ void wait_for(std::vector<Looker>& lookers, Clock::time_point until) {
 
 }  // namespace
 
-std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
-                                        const SystemView& system, LookFor what,
+std::vector<DriverReport> query_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
+                                        const SystemView& system, DriverQuery what,
                                         std::chrono::milliseconds largest) {
   std::vector<Looker> lookers(drivers.size());
   for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -208,7 +208,7 @@ std::vector<DriverLook> look_at_drivers(const std::vector<std::unique_ptr<Driver
     if (lookers[i].pid == 0) be_child(*drivers[i], system, what, lookers[i]);
   }
   wait_for(lookers, Clock::now() + largest);
-  std::vector<DriverLook> looks;
+  std::vector<DriverReport> looks;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     looks.push_back(result_of(*drivers[i], lookers[i], largest));
   }

@@ -1,4 +1,4 @@
-#include "driver_look.h"
+#include "driver_processes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "felt/driver/testing/fake_system.h"
 #include "packed.h"
 
-namespace felt::cli::driver_look_test {
+namespace felt::cli::driver_processes_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,7 +48,7 @@ TEST(DriverLookTest, WhatADriverSaysComesBackAsItIs) {
                     {"a", "b\nc"},
                     SystemFix{"/etc/x", "y", "z"}},
                    {FindingLevel::kOk, "fine"}};
-  const std::vector<DriverLook> looks = look_at_drivers(drivers, FakeSystem(), LookFor::kFindings);
+  const std::vector<DriverReport> looks = query_drivers(drivers, FakeSystem(), DriverQuery::kFindings);
   ASSERT_THAT(looks, SizeIs(1));
   EXPECT_EQ(looks[0].name, "good");
   EXPECT_EQ(looks[0].label, "Maker of good");
@@ -74,7 +74,7 @@ TEST(DriverLookTest, WhatADriverSaysComesBackAsItIs) {
 TEST(DriverLookTest, OnlyDevicesWhereNothingElseIsAsked) {
   Drivers drivers;
   add(drivers, "good").findings = {{FindingLevel::kOk, "fine"}};
-  EXPECT_THAT(look_at_drivers(drivers, FakeSystem(), LookFor::kDevices)[0].findings, IsEmpty());
+  EXPECT_THAT(query_drivers(drivers, FakeSystem(), DriverQuery::kDevices)[0].findings, IsEmpty());
 }
 
 TEST(DriverLookTest, LibrariesAtTheirWorstSpoilNothingElse) {
@@ -83,7 +83,7 @@ TEST(DriverLookTest, LibrariesAtTheirWorstSpoilNothingElse) {
     add(drivers, "bad", manner).devices = {some_device()};
   }
   add(drivers, "good").devices = {some_device()};
-  const std::vector<DriverLook> looks = look_at_drivers(drivers, FakeSystem(), LookFor::kDevices);
+  const std::vector<DriverReport> looks = query_drivers(drivers, FakeSystem(), DriverQuery::kDevices);
   ASSERT_THAT(looks, SizeIs(5));
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_THAT(looks[i].devices, IsEmpty()) << i;
@@ -104,8 +104,8 @@ TEST(DriverLookTest, LibrariesAtTheirWorstSpoilNothingElse) {
 TEST(DriverLookTest, ALibraryThatHangsIsLeftAlone) {
   Drivers drivers;
   add(drivers, "bad", Manner::kHangs);
-  const std::vector<DriverLook> looks =
-      look_at_drivers(drivers, FakeSystem(), LookFor::kDevices, std::chrono::milliseconds(200));
+  const std::vector<DriverReport> looks =
+      query_drivers(drivers, FakeSystem(), DriverQuery::kDevices, std::chrono::milliseconds(200));
   ASSERT_THAT(looks[0].findings, SizeIs(1));
   EXPECT_THAT(looks[0].findings[0].what, HasSubstr("does not answer"));
 }
@@ -131,4 +131,4 @@ TEST(PackedTest, WhatIsCutReadsAsEmptyAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace felt::cli::driver_look_test
+}  // namespace felt::cli::driver_processes_test

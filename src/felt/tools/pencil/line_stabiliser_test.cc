@@ -1,4 +1,4 @@
-#include "felt/tools/pencil/stabiliser_options.h"
+#include "felt/tools/pencil/line_stabiliser.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace felt::stabiliser_options_test {
+namespace felt::line_stabiliser_test {
 namespace {
 
 constexpr StabiliserOptions kInertia{.kind = StabiliserKind::kInertia};
@@ -140,4 +140,4 @@ TEST(Stabiliser, StaysFiniteWhateverTheClockSays) {
 }
 
 }  // namespace
-}  // namespace felt::stabiliser_options_test
+}  // namespace felt::line_stabiliser_test

@@ -19,7 +19,7 @@ struct SegmentRun {
 
 /// Finds the segments of a stroke that may ink an area, so that the others need not be traced.
 /// Reuses its buffer.
-class SegmentRuns {
+class SegmentsInArea {
  public:
   void find(const Stroke& stroke, const Rect& area);
   /// Returns the runs in the order of the stroke.

@@ -23,13 +23,13 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept;
 /// put down starts to draw at the new position and not at the earlier one. If the next aim comes
 /// before the arrival, they change at that moment, so that no change is lost. A caller that calls
 /// shown() after each set() receives the values of every aim.
-class MovingAim {
+class GlidingAim {
  public:
   static constexpr std::int64_t kLongestNs = 10'000'000;
   static constexpr double kHandSpeedMmPerS = 500.0;
 
   /// The speed of the aim is at most `top_speed_mm_per_s`; 0 means unlimited.
-  explicit MovingAim(double top_speed_mm_per_s = kHandSpeedMmPerS) noexcept
+  explicit GlidingAim(double top_speed_mm_per_s = kHandSpeedMmPerS) noexcept
       : top_speed_mm_per_s_(top_speed_mm_per_s) {}
 
   /// Sets a new aim from now on. `min_ns` is the time until the next read; the aim takes at least

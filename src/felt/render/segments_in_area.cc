@@ -1,4 +1,4 @@
-#include "felt/render/segment_runs.h"
+#include "felt/render/segments_in_area.h"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ Rect segment_area(const Stroke& stroke, int i) noexcept {
   return area.inflated(0.5 * widest);
 }
 
-void SegmentRuns::find(const Stroke& stroke, const Rect& area) {
+void SegmentsInArea::find(const Stroke& stroke, const Rect& area) {
   runs_.clear();
   for (int i = 0; i < stroke.segment_count(); ++i) {
     if (!area.intersects(segment_area(stroke, i))) continue;

@@ -1,4 +1,4 @@
-#include "given_files.h"
+#include "overwrite_check.h"
 
 #include <fmt/core.h>
 #include <sys/stat.h>
