@@ -102,7 +102,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
 }
 
 void convert(const ConvertArguments& args, Format format, Console& console) {
-  check_given_files({args.input}, {{"-o", args.output}}, console);
+  check_no_overwrite({args.input}, {{"-o", args.output}}, console);
   const Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error());
   const Result<Input> input = Input::open(args.input);

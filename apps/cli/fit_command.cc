@@ -147,7 +147,7 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   if (args.output == "-" && !args.stats.empty()) {
     throw UsageError("-o - and --stats cannot both use stdout");
   }
-  check_given_files(args.inputs, {{"-o", args.output}}, console);
+  check_no_overwrite(args.inputs, {{"-o", args.output}}, console);
   FitPlan plan;
   plan.settings.ink = ink_of(args);
   plan.settings.ink.scheme =

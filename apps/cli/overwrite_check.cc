@@ -26,7 +26,7 @@ void note_hard_links(const std::string& path, Console& console) {
 
 }  // namespace
 
-void check_given_files(const std::vector<std::string>& inputs,
+void check_no_overwrite(const std::vector<std::string>& inputs,
                        const std::vector<GivenOutput>& outputs, Console& console) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto& [option, path] = outputs[i];

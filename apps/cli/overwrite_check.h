@@ -17,7 +17,7 @@ struct GivenOutput {
 /// another name, because writing the output would overwrite that file. "-" is stdin or stdout.
 /// Prints a notice if an output file has further hard links, because those links will still refer
 /// to the old file. Call it before opening any file.
-void check_given_files(const std::vector<std::string>& inputs,
+void check_no_overwrite(const std::vector<std::string>& inputs,
                        const std::vector<GivenOutput>& outputs, Console& console);
 
 }  // namespace felt::cli

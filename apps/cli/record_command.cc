@@ -201,7 +201,7 @@ RecordOptions record_options(const RecordArguments& args, const Rect& page, Cons
 }
 
 void run_record(const RecordArguments& args, Console& console) {
-  check_given_files({}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}},
+  check_no_overwrite({}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}},
                     console);
   const Result<std::optional<Rect>> page = parse_page(args.page);
   if (!page || !*page) throw UsageError("--page: '" + args.page + "' is not a page size");

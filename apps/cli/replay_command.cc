@@ -143,7 +143,7 @@ void check_recording(const ReplayCommandArguments& args) {
 void check_files(const ReplayCommandArguments& args, Console& console) {
   std::vector<std::string> inputs = args.scripts;
   if (!args.on.empty()) inputs.push_back(args.on);
-  check_given_files(inputs,
+  check_no_overwrite(inputs,
                     {{"-o", args.output},
                      {"--forces", args.forces},
                      {"--plot", args.plot},

@@ -181,7 +181,7 @@ TEST(MaterialLibrary, SavesOverTheFileOfThatIdAndDeletesIt) {
   EXPECT_EQ(own.text_of("other-name.toml"), "");
   EXPECT_EQ(material_path(own.path(), surface), "");
   EXPECT_THAT(delete_material(own.path(), surface).error().message,
-              HasSubstr("no surface \"mine\""));
+              HasSubstr("no custom surface \"mine\""));
   EXPECT_FALSE(delete_material(own.path(), *find_surface("paper")));
   EXPECT_FALSE(delete_material("", surface));
 }
@@ -202,7 +202,7 @@ TEST(MaterialLibrary, AFileOfTheOtherKindIsNeitherReplacedNorDeleted) {
 TEST(MaterialLibrary, SavesNothingThatItWouldNotRead) {
   const Folder own("refuse");
   SurfaceMaterial surface = *find_surface("felt");
-  EXPECT_THAT(save_material(own.path(), surface).error().message, HasSubstr("like my-felt"));
+  EXPECT_THAT(save_material(own.path(), surface).error().message, HasSubstr("for example my-felt"));
   surface.id = "../felt";
   EXPECT_FALSE(save_material(own.path(), surface));
   surface.id = "mine";

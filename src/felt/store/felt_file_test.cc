@@ -146,7 +146,7 @@ TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
   Drawing drawing = random_drawing(2);
   drawing.page.width_mm = 0.0;
   EXPECT_THAT(write_felt(path("a.felt"), drawing).error().message,
-              StartsWith(path("a.felt") + ": the page"));
+              StartsWith(path("a.felt") + ": the sides of the page"));
   drawing = random_drawing(2);
   drawing.view = Viewport{{0.0, std::nan("")}};
   EXPECT_FALSE(felt_bytes(drawing));

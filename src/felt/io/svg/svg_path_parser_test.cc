@@ -63,7 +63,7 @@ TEST(SvgPathData, ErrorsEndIt) {
     const char* problem;
   };
   for (const Case& c :
-       {Case{"L1 1", 0, "no M"}, Case{"M1 1 L2 2 L3 x", 1, "character 14"},
+       {Case{"L1 1", 0, "is not M"}, Case{"M1 1 L2 2 L3 x", 1, "character 14"},
         Case{"M1 1 L2 2 3", 1, "a number is missing"}, Case{"M1 1h5 R3 3", 1, "no command"},
         Case{"M1 1A5 5 0 2 0 9 9", 0, "a number is missing"}, Case{"M1 1L1e10 1", 0, "beyond 1e9"},
         Case{"M1 1L1e400 1", 0, "number"}, Case{"M1 1 L inf nan", 0, "number"}}) {
