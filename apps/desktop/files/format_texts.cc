@@ -20,9 +20,10 @@ constexpr const char* kWords[] = {
                       "The picture, for browsers, Inkscape and all that show SVG; Feltline reads "
                       "lines, layers and page back exactly."),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "InkML ink"),
-    QT_TRANSLATE_NOOP("felt::desktop::Formats",
-                      "Lines and their pressure for programs that know ink; Feltline reads lines, "
-                      "layers and page back exactly."),
+    QT_TRANSLATE_NOOP(
+        "felt::desktop::Formats",
+        "Lines with their widths, for programs that read InkML; Feltline reads lines, "
+        "layers and page back exactly."),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Xournal++ notes"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats",
                       "Lines with their widths, in layers, for notes in Xournal++; curves become "

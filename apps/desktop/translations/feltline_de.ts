@@ -2608,8 +2608,8 @@ Ihre Zeichnung ist noch geöffnet: Speichern Sie sie an einem anderen Ort.</tran
         <translation>InkML-Tinte</translation>
     </message>
     <message>
-        <source>Lines and their pressure for programs that know ink; Feltline reads lines, layers and page back exactly.</source>
-        <translation>Linien und ihr Druck für Programme, die Tinte kennen; Feltline liest Linien, Ebenen und Seite genau wieder ein.</translation>
+        <source>Lines with their widths, for programs that read InkML; Feltline reads lines, layers and page back exactly.</source>
+        <translation>Linien mit ihrer Breite für Programme, die InkML lesen; Feltline liest Linien, Ebenen und Seite genau wieder ein.</translation>
     </message>
     <message>
         <source>Xournal++ notes</source>
@@ -5195,8 +5195,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Körnung in der Hand</translation>
     </message>
     <message>
-        <source>Half the width of the edges in the grain.</source>
-        <translation>Halbe Breite der Kanten in der Körnung.</translation>
+        <source>Ink fades in from this far below the depth to this far above it.</source>
+        <translation>Die Farbe setzt so weit unterhalb der Tiefe ein und deckt so weit oberhalb ganz.</translation>
     </message>
     <message>
         <source>Hardness</source>
@@ -5303,12 +5303,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Startwert der Körnung</translation>
     </message>
     <message>
-        <source>Share of the medium&apos;s own grain: dust and crumbs.</source>
-        <translation>Anteil der eigenen Körnung des Mediums: Staub und Krümel.</translation>
+        <source>How much grain the medium adds by itself: dust and crumbs.</source>
+        <translation>Wie viel Körnung das Zeichenmittel selbst mitbringt: Staub und Krümel.</translation>
     </message>
     <message>
-        <source>Share of the relief that firm pressure flattens, felt and seen.</source>
-        <translation>Anteil des Reliefs, den kräftiger Druck einebnet, gefühlt und gesehen.</translation>
+        <source>Share of the relief that firm pressure flattens, for the hand and for the eye.</source>
+        <translation>Anteil des Reliefs, den kräftiger Druck einebnet, fühlbar und sichtbar.</translation>
     </message>
     <message>
         <source>Size of the crumbs</source>
@@ -5551,8 +5551,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Ziehen Sie ein Ende auf ein anderes: Sie rasten ein und werden eine Linie.</translation>
     </message>
     <message>
-        <source>Colour of the surface. A page with another colour keeps it.</source>
-        <translation>Farbe des Untergrunds. Eine Seite mit einer anderen Farbe behält ihre eigene.</translation>
+        <source>Colour of the surface. A page whose colour you changed keeps that colour.</source>
+        <translation>Farbe des Untergrunds. Eine Seite, deren Farbe Sie geändert haben, behält sie.</translation>
     </message>
     <message>
         <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>

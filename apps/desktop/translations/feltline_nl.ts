@@ -2608,8 +2608,8 @@ Je tekening is nog open: sla haar op een andere plaats op.</translation>
         <translation>InkML-inkt</translation>
     </message>
     <message>
-        <source>Lines and their pressure for programs that know ink; Feltline reads lines, layers and page back exactly.</source>
-        <translation>Lijnen en hun druk voor programma’s die inkt kennen; Feltline leest lijnen, lagen en pagina exact terug.</translation>
+        <source>Lines with their widths, for programs that read InkML; Feltline reads lines, layers and page back exactly.</source>
+        <translation>Lijnen met hun breedte voor programma’s die InkML lezen; Feltline leest lijnen, lagen en pagina exact terug.</translation>
     </message>
     <message>
         <source>Xournal++ notes</source>
@@ -5195,8 +5195,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Korrel in de hand</translation>
     </message>
     <message>
-        <source>Half the width of the edges in the grain.</source>
-        <translation>Halve breedte van de randen in de korrel.</translation>
+        <source>Ink fades in from this far below the depth to this far above it.</source>
+        <translation>De inkt begint zo ver onder de diepte en dekt zo ver erboven volledig.</translation>
     </message>
     <message>
         <source>Hardness</source>
@@ -5303,11 +5303,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Startwaarde van de korrel</translation>
     </message>
     <message>
-        <source>Share of the medium&apos;s own grain: dust and crumbs.</source>
-        <translation>Aandeel van de eigen korrel van het medium: stof en kruimels.</translation>
+        <source>How much grain the medium adds by itself: dust and crumbs.</source>
+        <translation>Hoeveel korrel het tekenmiddel zelf toevoegt: stof en kruimels.</translation>
     </message>
     <message>
-        <source>Share of the relief that firm pressure flattens, felt and seen.</source>
+        <source>Share of the relief that firm pressure flattens, for the hand and for the eye.</source>
         <translation>Aandeel van het reliëf dat stevige druk afvlakt, voelbaar en zichtbaar.</translation>
     </message>
     <message>
@@ -5551,8 +5551,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Sleep een eind op een ander: ze klikken vast en worden één lijn.</translation>
     </message>
     <message>
-        <source>Colour of the surface. A page with another colour keeps it.</source>
-        <translation>Kleur van de ondergrond. Een pagina met een andere kleur behoudt die.</translation>
+        <source>Colour of the surface. A page whose colour you changed keeps that colour.</source>
+        <translation>Kleur van de ondergrond. Een pagina waarvan u de kleur hebt gewijzigd, behoudt die.</translation>
     </message>
     <message>
         <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>

@@ -64,9 +64,9 @@ constexpr std::array kTable = {
                  .layers = true,
                  .page = true,
                  .lossless = true,
-                 .widths = "exact; pressure for others",
+                 .widths = "exact",
                  .taken = "ink of any device and of Office: X, Y, F, T, OTx, OTy, W",
-                 .kept = "Lines and their pressure for programs that know ink; Feltline reads "
+                 .kept = "Lines with their widths, for programs that read InkML; Feltline reads "
                          "lines, layers and page back exactly."},
     FormatTraits{.format = FileFormat::kXopp,
                  .name = "xopp",

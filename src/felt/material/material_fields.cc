@@ -58,7 +58,7 @@ using Surface = SurfaceMaterial;
 constexpr std::array<SurfaceField, 10> kSurfaceFields = {{
     row<Surface, &Surface::color_rgb>(
         "color", "Colour", "", Kind::kColor, 0, 0,
-        "Colour of the surface. A page with another colour keeps it."),
+        "Colour of the surface. A page whose colour you changed keeps that colour."),
     surface<&Surface::stiffness_n_per_m>(
         "feel.stiffness_n_per_m", "Hardness", "N/m", 50, 2000,
         "How hard the surface pushes back, if the device allows it."),
@@ -96,8 +96,9 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
                                        10, "Damping while the tip sticks."),
     medium<&Medium::grain>("feel.grain", "Grain in the hand", "", 0, 2,
                            "How much of the surface's relief the hand feels through it."),
-    medium<&Medium::wear>("feel.wear", "Wear of the grain", "", 0, 1,
-                          "Share of the relief that firm pressure flattens, felt and seen."),
+    medium<&Medium::wear>(
+        "feel.wear", "Wear of the grain", "", 0, 1,
+        "Share of the relief that firm pressure flattens, for the hand and for the eye."),
     medium<&Medium::line, &MediumLine::min_mm>("line.min_mm", "Thinnest line", "mm", 0.05, 20,
                                                "Width of a line without pressure."),
     medium<&Medium::line, &MediumLine::max_mm>("line.max_mm", "Broadest line", "mm", 0.05, 50,
@@ -133,10 +134,12 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
     medium<&Medium::look, &MediumLook::cut_heavy>(
         "look.cut_heavy", "Depth, heavy", "RMS", -6, 6,
         "Parts of the relief below this height stay bare at tone 1."),
-    medium<&Medium::look, &MediumLook::soft>("look.soft", "Softness of the grain", "RMS", 0.05, 6,
-                                             "Half the width of the edges in the grain."),
-    medium<&Medium::look, &MediumLook::crumb>("look.crumb", "Crumbs", "", 0, 1,
-                                              "Share of the medium's own grain: dust and crumbs."),
+    medium<&Medium::look, &MediumLook::soft>(
+        "look.soft", "Softness of the grain", "RMS", 0.05, 6,
+        "Ink fades in from this far below the depth to this far above it."),
+    medium<&Medium::look, &MediumLook::crumb>(
+        "look.crumb", "Crumbs", "", 0, 1,
+        "How much grain the medium adds by itself: dust and crumbs."),
     medium<&Medium::look, &MediumLook::crumb_mm>("look.crumb_mm", "Size of the crumbs", "mm", 0.05,
                                                  5, "Wavelength of the crumbs."),
     medium<&Medium::look, &MediumLook::edge>(
