@@ -479,7 +479,7 @@ TEST(DevicePage, RowsSayHowRealDevicesAre) {
   ASSERT_TRUE(page.choose(kArm));
   page.use();
   EXPECT_EQ(fixture.device(), "simulated:touch");
-  EXPECT_NE(fixture.notice->message().details.toStdString().find("hand: is neither"),
+  EXPECT_NE(fixture.notice->message().details.toStdString().find("hand: must be"),
             std::string::npos);
 }
 

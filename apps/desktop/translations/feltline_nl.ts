@@ -5552,7 +5552,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Colour of the surface. A page whose colour you changed keeps that colour.</source>
-        <translation>Kleur van de ondergrond. Een pagina waarvan u de kleur hebt gewijzigd, behoudt die.</translation>
+        <translation>Kleur van de ondergrond. Een pagina waarvan je de kleur hebt gewijzigd, behoudt die.</translation>
     </message>
     <message>
         <source>How much of the surface&apos;s relief shows in the ink; 0 for wet ink.</source>
