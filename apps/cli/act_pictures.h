@@ -14,7 +14,7 @@ namespace felt::cli {
 /// show the changed part of the page: before, in progress with the tool's overlay, and after.
 ///
 /// "Before" shows the moment at which the pen first touches the surface with the act's tool; "in
-/// progress" shows the last moment of the gesture that begins there.
+/// progress" shows the last moment of the gesture that begins with this touch.
 class ActPictures {
  public:
   /// `act` is a name like "2-pull", for an act with the tool "pull".
@@ -31,7 +31,7 @@ class ActPictures {
   std::string tool_;
   std::optional<SessionView> before_;
   std::optional<SessionView> in_progress_;
-  bool is_over_ = false;  // the first gesture is over
+  bool is_over_ = false;  // the gesture that the picture shows is over
 };
 
 }  // namespace felt::cli

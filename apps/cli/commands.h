@@ -26,8 +26,8 @@ void add_doctor_command(CLI::App& app, Console& console);
 void add_device_test_command(CLI::App& app, Console& console);
 void add_record_command(CLI::App& app, Console& console);
 
-/// Thrown if the command line is invalid: the message is shown and the exit code is 2. If a file
-/// named on the command line is damaged, the exit code is 1 instead.
+/// Thrown if the command line is invalid: the message is shown and the exit code is 2. A damaged
+/// input file is a different error; its exit code is 1.
 class UsageError : public CLI::Error {
  public:
   explicit UsageError(const std::string& message) : CLI::Error("UsageError", message, 2) {}

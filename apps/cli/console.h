@@ -9,8 +9,8 @@ namespace felt::cli {
 
 /// Shows errors and notices on the terminal, and a progress line during long work. Everything is
 /// written to stderr, because stdout carries data. Each message is one line, with control
-/// characters escaped. A message that cannot be written is dropped (print.h). Used on the main
-/// thread only.
+/// characters escaped. A message that cannot be written is dropped (print.h). Use it only on the
+/// main thread.
 class Console {
  public:
   /// The progress line is shown if stderr is a terminal that can erase a line.

@@ -10,16 +10,17 @@
 namespace felt {
 
 /// Writes one act of the demonstration as a script: the movements of the hand, with the pauses that
-/// a hand needs to feel something. Paths are smooth and unhurried; times are computed.
+/// a hand needs to feel something. The hand moves slowly along smooth curves; the times of its
+/// events are computed from the lengths of the curves.
 class DemoAct {
  public:
-  /// Default depth of a press. It gives 0.3 N in a typical hand on paper.
+  /// Default depth of a press. A typical hand then presses on paper with 0.3 N.
   static constexpr double kLightMm = 2.0;
 
   void tool(const char* id);
   void set(const char* id, const OptionValue& value);
   /// Adds the pencil strokes that `hand` draws, as recorded samples. For each stroke, increases
-  /// `count` by one and uses it in the name of the stroke ("demo-7").
+  /// `count` by one and names the stroke after the new number ("demo-7").
   void draw(WritingHand& hand, const std::vector<Gesture>& gestures, int& count);
 
   /// Adds a movement through the air and a moment of rest above the point.

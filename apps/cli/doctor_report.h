@@ -21,10 +21,12 @@ std::size_t count_problems(const DoctorReport& report);
 /// Returns the state of the system in one or two sentences.
 std::string doctor_summary(const DoctorReport& report);
 
-/// Returns the whole report: the summary, then the drivers with problems, then the other drivers,
-/// and last the drivers without a device on this computer. Steps are numbered, commands have lines
-/// of their own, and messages of libraries and the system are quoted unchanged. `style.width` 0
-/// means 80 columns, because this is a text for people.
+/// Returns the whole report: the summary, the drivers with problems, the drivers without problems,
+/// and last the drivers that have no device on this computer. The findings about the computer
+/// itself come after the drivers with problems if they contain a problem, otherwise after the other
+/// drivers. Steps are numbered, each command is on a separate line, and messages of libraries and
+/// the system are quoted unchanged. `style.width` 0 means 80 columns, because this is a text for
+/// people.
 std::string doctor_text(const DoctorReport& report, const TextStyle& style);
 
 /// Returns the whole report as one line of JSON.

@@ -36,10 +36,10 @@ Format stroke_format(const std::string& path, Format format);
 /// Writes a drawing to a file, either as a whole with write(), or stroke by stroke with append()
 /// and then finish(). The file gets its name when write() or finish() succeeds, not before.
 ///
-/// If the format supports them, a whole drawing is written with its layers, including hidden ones,
-/// its surface, its page (unless the picture options specify another), and the texts of its
-/// materials. Single strokes have neither layers nor a page. For .ndjson, .svg and .png, the memory
-/// that is needed does not depend on the number of strokes; for the other formats, all strokes are
+/// A whole drawing is written with its layers (hidden ones too), its surface, its page and the
+/// texts of its materials, as far as the format supports these. The picture options may specify
+/// another page. Single strokes have neither layers nor a page. For .ndjson, .svg and .png outputs,
+/// the memory use does not depend on the number of strokes; for the other formats, all strokes are
 /// first collected in a drawing with one layer.
 class DrawingOutput {
  public:

@@ -21,13 +21,13 @@ enum class DriverQuery {
   kFindings,  ///< calls Driver::find and Driver::diagnose
 };
 
-/// Time limit for a driver. A driver that follows the rules in Driver needs less.
+/// Time limit for a driver. A driver that follows the rules of the class Driver needs less time.
 inline constexpr std::chrono::milliseconds kDriverTime{15'000};
 
 /// Asks every driver for its devices. Each driver runs in its own process, because a vendor's
-/// library may crash, hang, end the program or overwrite our output. If one of these happens, the
-/// driver's result contains a finding that describes the failure and quotes the last text that the
-/// process wrote to stderr. Requires that no other thread runs.
+/// library may crash, hang, end the program or overwrite our output. If a driver's process fails in
+/// one of these ways, the driver's report contains a finding that describes the failure and quotes
+/// the last text that the process wrote to stderr. Requires that no other thread runs.
 std::vector<DriverReport> query_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, DriverQuery what,
                                         std::chrono::milliseconds largest = kDriverTime);

@@ -28,9 +28,9 @@ struct FileSummary {
 
   // The following members are set for raw pen strokes.
   std::int64_t samples = 0;
-  std::int64_t longest = 0;                       ///< samples of the longest stroke
-  std::int64_t with_pressure = 0, with_time = 0;  ///< strokes in which at least one sample has a
-                                                  ///< pressure, or a time
+  std::int64_t longest = 0;  ///< number of samples of the longest stroke
+  /// Number of strokes in which at least one sample has a pressure, or a time.
+  std::int64_t with_pressure = 0, with_time = 0;
 
   void add(const Stroke& stroke);
   void add(const RawStroke& stroke);

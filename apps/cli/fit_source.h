@@ -9,17 +9,17 @@
 
 namespace felt::cli {
 
-/// Reads all inputs of `fit`, one after the other. Lines are read in batches, which the workers
-/// then fit. An input in another format is read as a whole; its reader already fits the pen
-/// samples, with the given settings.
+/// Reads all inputs of `fit`, one after the other. If an input consists of lines with strokes, the
+/// lines are read in batches, and the workers fit the strokes. An input in another format is read
+/// as a whole, and the reader of the format fits the pen samples with the given settings.
 class FitSource {
  public:
   FitSource(const std::vector<std::string>& paths, const FitSettings& settings)
       : paths_(paths), settings_(settings) {}
 
-  /// Replaces the content of `item` by the next item. Returns false after the last input. If an
-  /// input cannot be opened or read completely, is empty, or contains curves that are already
-  /// fitted, the item has a failure and no lines.
+  /// Replaces the content of `item` by the next item. Returns false after the last input. The item
+  /// has a failure and no lines if an input cannot be opened or read completely, if it is empty, or
+  /// if it contains curves that are already fitted.
   bool next(FitItem& item);
 
   /// These functions return the progress for the progress line. The total is the size of all inputs

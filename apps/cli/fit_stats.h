@@ -27,7 +27,7 @@ struct FitStats {
   void add(const FitStats& other) noexcept;
 };
 
-/// Returns the counts as one line of JSON, as defined for the command line.
+/// Returns the counts as one line of JSON, which `fit --stats` prints.
 std::string stats_json(const FitStats& stats);
 
 /// Returns `sum` / `count`, or 0 if `count` is 0.

@@ -21,7 +21,7 @@ struct FitSettings {
   bool refine = true;
   bool measure = false;          ///< fill all members of FitStats; fitting then takes about five
                                  ///< times as long
-  std::optional<Format> format;  ///< of the output; nullopt: results are not encoded
+  std::optional<Format> format;  ///< format of the output; if nullopt, results are not encoded
 };
 
 /// The work for one call of a worker: some lines of one input, or a whole input of another format.
@@ -30,8 +30,9 @@ struct FitItem {
   LineBatch lines;
   std::optional<Imported> drawing;
   std::size_t drawing_bytes = 0;  ///< size of the input that `drawing` comes from
-  std::int64_t first_record = 1;  ///< number of its first record, counted from 1 over all inputs
-  std::optional<Error> failure;   ///< set if the input failed; the item then has no lines
+  /// Number of the first record in this item. Records are numbered from 1 over all inputs.
+  std::int64_t first_record = 1;
+  std::optional<Error> failure;  ///< set if the input failed; the item then has no lines
 
   [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes() + drawing_bytes; }
 };
@@ -52,7 +53,7 @@ struct FitOutput {
 };
 
 /// Parses raw strokes, fits them and encodes the result. Each thread needs its own FitWorker. The
-/// output depends only on the lines.
+/// encoded strokes depend only on the settings and the item, not on earlier items.
 class FitWorker {
  public:
   explicit FitWorker(const FitSettings& settings);

@@ -19,7 +19,7 @@ class ForcePlot {
   ForcePlot(double period_s, const SafetyLimits& limits);
 
   /// Adds one tick. `width_mm` is the width of the line that the pen draws in this tick, or nullopt
-  /// if the pen draws none.
+  /// if the pen draws no line.
   void add(const TickReport& tick, std::optional<double> width_mm);
 
   /// Sets the texts above the plot.

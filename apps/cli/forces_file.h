@@ -12,7 +12,7 @@ namespace felt::cli {
 /// Writes the file of `--forces`. The file gets its name when finish() succeeds, not before.
 class ForcesFile {
  public:
-  /// Creates the file. Fails if it cannot be written. Messages begin with its name.
+  /// Creates the file. Fails if it cannot be written. The message begins with the name of the file.
   static Result<ForcesFile> create(const std::string& path) {
     Result<Output> output = Output::create(path);
     if (!output) return tl::unexpected(output.error());

@@ -28,11 +28,11 @@ class Input {
   /// Returns the size in bytes if it is known in advance, else 0.
   [[nodiscard]] std::int64_t size_bytes() const noexcept { return size_bytes_; }
   [[nodiscard]] FileFormat format() const noexcept { return format_; }
-  /// Returns true if the input consists of lines with strokes, which can be read one by one. Other
-  /// inputs are read as a whole.
+  /// Returns true if the input is a text whose lines contain strokes. Such lines can be read one by
+  /// one; other inputs are read as a whole.
   [[nodiscard]] bool is_lines() const noexcept { return is_lines_; }
-  /// Returns true if the input consists of lines with Quick, Draw! drawings. `fit` also reads these
-  /// one by one.
+  /// Returns true if each line of the input contains a Quick, Draw! drawing. `fit` also reads such
+  /// lines one by one.
   [[nodiscard]] bool is_quickdraw() const noexcept { return is_quickdraw_; }
   /// Returns a function that reads all bytes. The Input object must not be moved while the function
   /// is used.

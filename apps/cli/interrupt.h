@@ -13,9 +13,9 @@ enum class OnSuspend : std::uint8_t {
 
 /// While an Interrupt exists, Ctrl-C (and Ctrl-backslash, SIGTERM, a closed terminal) does not end
 /// the program but requests its end, so that the program can switch forces off and keep results. A
-/// second Ctrl-C, at least 0.3 s later, ends the program as usual. If the program runs in the
-/// background of a terminal, reading from or writing to the terminal fails instead of suspending
-/// the program.
+/// second Ctrl-C at least 0.3 s after the first ends the program as usual. If the program runs in
+/// the background of a terminal, reading from or writing to the terminal fails instead of
+/// suspending the program.
 class Interrupt {
  public:
   explicit Interrupt(OnSuspend on_suspend = OnSuspend::kEnd);

@@ -37,7 +37,7 @@ class OrderedPipeline {
       }
       return;
     }
-    std::vector<std::jthread> threads;  // joined after Stop, on every return path
+    std::vector<std::jthread> threads;  // joined after ~Stop() has run, on every return path
     threads.reserve(static_cast<std::size_t>(jobs_));
     const Stop stop{*this};
     for (int i = 0; i < jobs_; ++i) {
@@ -63,7 +63,7 @@ class OrderedPipeline {
       pipeline.work_waits_.notify_all();
     }
   };
-  /// Limit for the total size of the items that are not yet handled. The next item is filled only
+  /// Limit for the total size of the items that are not yet handled. Another item is filled only
   /// while the total is below this limit, so the total exceeds the limit by at most one item.
   static constexpr std::size_t kMaxBytesInFlight = std::size_t{64} << 20;
 

@@ -29,9 +29,9 @@ Rect bounds_of(const SessionView& view);
 Rgba role_color(Overlay::Role role) noexcept;
 
 /// Draws a view: marked spans as broad bands below the ink; rings, tethers, vectors (with an arrow
-/// head), outlines, dots and labels above it; the pen on top. The width of overlay lines is
-/// measured in units of `scale` / 150 inch and does not depend on how much of the page is shown.
-/// Labels are ASCII; a degree sign becomes "deg". Fails like render_page().
+/// head), outlines, dots and labels above it; the pen on top. The width of overlay lines is a
+/// multiple of `scale` / 150 inch and does not depend on how much of the page is shown. Labels are
+/// ASCII; a degree sign becomes "deg". Fails like render_page().
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale = 1.0);
 
 }  // namespace felt::cli

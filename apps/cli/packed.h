@@ -29,8 +29,8 @@ class Packer {
 };
 
 /// Decodes the bytes of a Packer. If values are missing, for example because the child process
-/// ended while it wrote, they are decoded as empty or zero, and is_good() returns false from then
-/// on.
+/// ended before it had written all of them, the missing values are decoded as empty or zero, and
+/// is_good() returns false from then on.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}

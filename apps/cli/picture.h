@@ -23,20 +23,20 @@ class Console;
 
 /// Options for pictures of a sketch (.png, .svg).
 struct PictureOptions {
-  double dpi = 300.0;  ///< of a .png
-  /// The shown area. If nullopt, it is the drawing's page; if the drawing has no page, it is all
-  /// ink and a margin.
+  double dpi = 300.0;  ///< resolution of a .png
+  /// The shown area. If nullopt, the drawing's page is shown; if the drawing has no page, all ink
+  /// and a margin are shown.
   std::optional<Rect> area;
   bool fit = false;           ///< --page fit: shows all ink and a margin, even if a page exists
   std::optional<Rgba> paper;  ///< nullopt: white in a .png, transparent in an .svg
   std::shared_ptr<const HeightField>
       custom_relief{};                  ///< a user-defined picture, used as the relief
-  const HeightField* relief = nullptr;  ///< of --surface; null if smooth
+  const HeightField* relief = nullptr;  ///< relief of the surface; null if the surface is smooth
   Grain grain;                          ///< the relief shown in the ink; default: solid ink
   bool has_surface = false;             ///< --surface was given and sets the relief
   bool wants_grain = false;  ///< --grain was given: grain is also shown in .svg and .pdf, and for
                              ///< the drawing's own surface
-  double grain_dpi = 200.0;  ///< in an .svg or .pdf
+  double grain_dpi = 200.0;  ///< resolution of the grain in an .svg or .pdf
   /// The known materials; includes user-defined ones if grain is shown.
   Materials materials = Materials::built_in();
 };

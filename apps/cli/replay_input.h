@@ -21,11 +21,11 @@ Result<Drawing> read_start(const std::string& path);
 Result<void> read_script_file(const std::string& path, ScriptRun& run);
 
 /// Applies a recording to a session: a script (a file, or "-" for stdin), or the newest recording
-/// in a .felt drawing. Relative paths of imports start at the folder of that file. If an event
-/// fails, the events before it have been applied.
+/// in a .felt drawing. Relative paths of imports are relative to the folder of the script or
+/// drawing. If an event fails, the events before it have been applied.
 ///
-/// Returns the content of the drawing that the events do not contain: its page, its palette and its
-/// view. Returns an empty drawing for a script.
+/// For a drawing, returns the content that the events do not include: its page, its palette and its
+/// view. For a script, returns an empty drawing.
 Result<Drawing> apply_recording_file(const std::string& path, Session& session);
 
 }  // namespace felt::cli

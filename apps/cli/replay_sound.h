@@ -47,8 +47,8 @@ class WavFile {
   std::uint64_t count_ = 0;
 };
 
-/// Writes the file of `replay --sound`: the sound of a session's pen in virtual time, from its
-/// first sample to its last.
+/// Writes the file of `replay --sound`: the sound of a session's pen in virtual time, from the
+/// pen's first sample to its last sample.
 class ReplaySound {
  public:
   /// Fails if the file cannot be written. Messages begin with its name.

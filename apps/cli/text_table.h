@@ -19,8 +19,8 @@ struct TextStyle {
 /// Returns a heading in this style.
 std::string heading(const std::string& text, const TextStyle& style);
 
-/// Wraps text at spaces into lines of at most `width` columns; 0 gives one line. All lines except
-/// the first are indented.
+/// Wraps text at spaces into lines of at most `width` columns; if `width` is 0, there is only one
+/// line. All lines except the first are indented by `indent` columns.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
 /// A table of text with aligned columns, each as wide as needed. Numbers are right-aligned.

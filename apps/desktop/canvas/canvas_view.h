@@ -26,7 +26,7 @@ class CanvasView {
   /// page is mirrored first and then turned.
   [[nodiscard]] double angle_deg() const noexcept { return angle_deg_; }
   [[nodiscard]] bool is_mirrored() const noexcept { return mirrored_; }
-  /// Returns the bounding box of the visible part of the plane, in mm.
+  /// Returns the bounding box of the visible area in page coordinates, in mm.
   [[nodiscard]] Rect visible_mm() const;
 
   void set_size(QSizeF px) { size_ = px; }
@@ -42,7 +42,8 @@ class CanvasView {
   void mirror();
   /// Fits the rectangle into the widget with a margin; keeps the rotation.
   void fit(const Rect& mm, double margin_px = 24.0);
-  /// Sets the scale. If it equals the screen's pixels per mm, the page is shown in life size.
+  /// Sets the scale. If the scale equals the screen's pixels per mm, the page is shown in life
+  /// size.
   void set_scale(double px_per_mm);
   void center_on(Point mm) { center_ = mm; }
 

@@ -37,10 +37,10 @@ struct DeviceView {
   friend bool operator==(const DeviceView&, const DeviceView&) = default;
 };
 
-/// Curves of changing width as rows of round dabs of ink, in device pixels. Wet ink and bands are
-/// drawn from them. If only a part of the picture is traced, it looks exactly as if the whole
-/// picture had been traced, so it is enough to paint the changed part again. The rows of a part are
-/// filled in one pass, so that transparent ink does not overlap itself.
+/// Stores curves of changing width as rows of round dabs of ink, in device pixels. Wet ink and
+/// bands are drawn from these rows. If only a part of the picture is traced, it looks exactly as if
+/// the whole picture had been traced, so it is enough to paint the changed part again. All rows in
+/// the painted part are filled in one pass, so that transparent ink does not overlap itself.
 class DabRows {
  public:
   /// Sets the view. Curves are rasterised as finely as dry ink.
@@ -67,8 +67,8 @@ class DabRows {
 
  private:
   struct Piece {
-    std::size_t first = 0;  ///< index of the first dab, which is the last dab of the previous piece
-                            ///< unless begins_row
+    std::size_t first = 0;  ///< index of the first dab; unless begins_row is true, this is the last
+                            ///< dab of the previous piece
     Rect box;               ///< bounds including the width, device pixels
     bool begins_row = false;
   };

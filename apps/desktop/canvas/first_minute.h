@@ -11,7 +11,8 @@ namespace felt::desktop {
 /// correct and how to undo, and a line that says whether the pen senses pressure.
 class FirstMinute {
  public:
-  /// Sets the texts. `pull_key` is as in ToolInfo; `status` is the translated text about pressure.
+  /// Sets the texts. `pull_key` is the shortcut of the pull tool, as in ToolInfo; `status` is the
+  /// translated text about pressure.
   void set_text(char pull_key, const QString& status);
   /// Returns the rectangle of the hints in a widget of this size.
   [[nodiscard]] QRect area(QSize widget, const QFont& font) const;

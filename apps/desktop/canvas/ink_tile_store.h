@@ -11,8 +11,8 @@
 
 namespace felt::desktop {
 
-/// The worker's state: the scene, the planes with their tiles, and the choice of the next piece of
-/// work. Not thread-safe.
+/// The state of an InkWorker: the scene, the planes with their tiles, and the choice of the next
+/// piece of work. Not thread-safe.
 class InkTileStore {
  public:
   /// The urgency of the next piece of work.
@@ -26,7 +26,7 @@ class InkTileStore {
   void apply(const Edit& edit);
   void show(const std::optional<Edit>& preview);
   /// Sets the view. `over` is a plane of the same view that shows only the layers above a given
-  /// layer; its tiles are made after the others.
+  /// layer; its tiles are made after those of `plane`.
   void look(const PlaneSpec& plane, const PlaneRect& seen,
             const std::optional<PlaneSpec>& over = {});
   void forget(std::uint64_t plane);

@@ -67,7 +67,8 @@ struct TilePicture {
 using TilePtr = std::shared_ptr<const TilePicture>;
 
 /// A plane is a picture of the whole drawing at one scale, angle and style. It is divided into
-/// tiles. Its pixel (0, 0) is at a fixed point of the page, so panning does not change the pixels.
+/// tiles. Pixel (0, 0) of a plane is at a fixed point of the page, so panning does not change the
+/// pixels.
 struct PlaneSpec {
   std::uint64_t id = 0;
   View view;
@@ -83,8 +84,9 @@ struct TileNews {
   TilePlace place;
   bool is_there = true;
   TilePtr picture;
-  PixelRect changed;        ///< changed part of the tile
-  std::uint64_t order = 0;  ///< the tile contains the effect of every order up to this number
+  PixelRect changed;  ///< changed part of the tile
+  /// The tile contains the effect of every order (InkWorker) up to the order with this number.
+  std::uint64_t order = 0;
 };
 
 }  // namespace felt::desktop

@@ -55,8 +55,8 @@ class InkWorker {
   [[nodiscard]] Stage stage() const;
   /// Returns the number of the last order that the visible tiles show.
   [[nodiscard]] std::uint64_t repaired_order() const noexcept { return repaired_.load(); }
-  /// Waits until the worker reaches `stage`, at most `at_most`. Returns false if it did not reach
-  /// it.
+  /// Waits for at most `at_most` until the worker reaches `stage`. Returns false if it was not
+  /// reached in that time.
   bool wait(Stage stage, std::chrono::microseconds at_most);
   /// Waits until the worker reaches `stage`, without a time limit.
   void wait(Stage stage);

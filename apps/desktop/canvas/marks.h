@@ -57,14 +57,15 @@ void list_overlay(const Overlay& overlay, const CanvasView& view, const QFont& f
 /// Adds the marks for the nib, the hand and the force.
 void list_pen(const PenMark& pen, Marks& marks);
 /// Skips the marks at the start and at the end that are equal in both lists, and adds the areas of
-/// all other marks to `region`. If a list has many such marks, adds only one rectangle around them.
+/// all other marks to `region`. If a list has many such marks, adds one rectangle around all of
+/// them instead.
 void add_difference(const Marks& before, const Marks& after, QRegion& region);
 
 /// Returns the opaque mixture of two colours: `a` if share_of_b is 0, `b` if it is 1.
 QColor mixed(QColor a, QColor b, double share_of_b);
 
-/// The colours of marks on paper. People with any kind of colour vision can distinguish the
-/// colours, which are lighter on dark paper. A halo separates every mark from the ink below.
+/// The colours of marks on paper. People with any kind of colour vision can distinguish these
+/// colours. Lighter colours are used on dark paper. A halo separates every mark from the ink below.
 class MarkLook {
  public:
   explicit MarkLook(QColor paper);

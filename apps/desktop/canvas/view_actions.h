@@ -5,8 +5,8 @@
 
 namespace felt::desktop {
 
-/// Adds view.*, the commands that change the view. They are not steps of undo. `canvas` must
-/// outlive the actions.
+/// Adds the commands that change the view (view.*). Changes of the view cannot be undone. `canvas`
+/// must outlive the actions.
 void add_view_actions(Actions& actions, Canvas& canvas);
 
 }  // namespace felt::desktop

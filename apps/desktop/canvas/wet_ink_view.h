@@ -81,8 +81,7 @@ class WetInkView {
     std::size_t stable = 0;    ///< Overlay::ink_stable
     Rgba color;
     std::string medium;
-    std::size_t firm = 0;              ///< number of segments at the start that the last change
-                                       ///< left as they were
+    std::size_t firm = 0;  ///< number of segments at the start that the last update did not change
     std::size_t settled = 0;           ///< number of segments in the mask
     std::vector<std::uint8_t> mask{};  ///< one byte per device pixel
   };

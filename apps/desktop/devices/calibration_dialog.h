@@ -52,10 +52,10 @@ class CalibrationDialog : public QDialog {
   [[nodiscard]] QPointF in_picture(const Vec3& device_mm) const;
 
   std::unique_ptr<PenDevice> device_;
-  std::unique_ptr<Servo> servo_;  // null unless the vendor's loop runs the device
+  std::unique_ptr<Servo> servo_;  // null unless the device works only in the vendor's own loop
   std::unique_ptr<RealtimeThread> loop_;
   PlaneCalibration old_;
-  PlaneCalibration usual_;  // the default plane, for the picture until the new one is known
+  PlaneCalibration usual_;  // the default plane; the picture shows it until the new plane is known
   DrawingArea reach_;
   Point middle_;
   std::vector<Vec3> corners_;  // in the frame of the device

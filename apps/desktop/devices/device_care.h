@@ -19,18 +19,19 @@ namespace felt::desktop {
 /// device later.
 ///
 /// A device that can no longer be read is closed: the gesture is ended and committed, mouse and
-/// tablet replace the device, and the program waits until the device is plugged in again. When the
-/// user is not drawing, the device is then used again automatically. If it needs homing, or can be
-/// found only by opening it, the user must press a button instead. After a reconnection, forces are
-/// off until the user switches them on, and rise from zero. A device that can be read but refuses
-/// forces stays in use.
+/// tablet replace the device, and the program waits until the device is plugged in again. After
+/// that, the device is used again automatically as soon as the user is not drawing. If the device
+/// needs homing, or can be found only by opening it, the user must press a button instead. After a
+/// reconnection, forces are off until the user switches them on, and rise from zero. A device that
+/// can be read but refuses forces stays in use.
 class DeviceCare : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kCalmMs = 200;      ///< interval at which the program checks whether the pen
-                                           ///< is lifted
-  static constexpr int kPatienceMs = 500;  ///< waiting time for a fault that may clear itself
+  static constexpr int kCalmMs = 200;  ///< interval at which the program checks whether the pen
+                                       ///< is lifted
+  static constexpr int kPatienceMs =
+      500;  ///< delay before a fault that may clear itself is handled
 
   /// Manages the device of this studio; `notice` shows the messages.
   DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window);

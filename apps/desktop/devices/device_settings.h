@@ -13,11 +13,12 @@
 
 namespace felt::desktop {
 
-/// The user's settings of the device in use, stored in its profile: a name, the hand that holds it,
-/// the limits of force and stiffness, and the position and scale of its drawing plane. Changes take
-/// effect immediately, and the force starts again from zero. Each hand has its own drawing plane,
-/// because the device stands to the left or to the right of the user. Hand and plane are shown only
-/// if the device needs a calibrated plane (PenDeviceInfo::has_own_frame).
+/// The user's settings of the device in use, stored in its profile: a name, the hand with which the
+/// user holds the pen, the limits of force and stiffness, and the position and scale of the
+/// device's drawing plane. Changes take effect immediately, and the force starts again from zero.
+/// Each hand has its own drawing plane, because the device stands to the left or to the right of
+/// the user. Hand and plane are shown only if the device needs a calibrated plane
+/// (PenDeviceInfo::has_own_frame).
 class DeviceSettings : public QWidget {
   Q_OBJECT
 

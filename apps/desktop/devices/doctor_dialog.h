@@ -9,8 +9,8 @@
 
 namespace felt::desktop {
 
-/// Shows which haptic devices this computer finds, what is missing, and how to fix it step by
-/// step. These are the findings of `feltline doctor`; the user can copy them for a support
+/// Shows which haptic devices this computer finds, what is missing, and how to fix it step by step.
+/// The dialog shows the same findings as `feltline doctor`; the user can copy them for a support
 /// request.
 class DoctorDialog : public QDialog {
   Q_OBJECT

@@ -10,9 +10,9 @@
 
 namespace felt::desktop {
 
-/// Asks the user to home a device: to put its stylus into the inkwell, to put its arm into the
-/// rest pose, or to allow the arm to move by itself. Nothing moves before the user has confirmed.
-/// If the arm moves by itself, Enter means "Not now". The window stays responsive.
+/// Asks the user to home a device: to put its stylus into the inkwell, to put its arm into the rest
+/// pose, or to allow the arm to move by itself. Nothing moves before the user has confirmed. If the
+/// arm will move by itself, Enter means "Not now". The window stays responsive.
 class HomingDialog : public QDialog {
   Q_OBJECT
 
@@ -25,7 +25,8 @@ class HomingDialog : public QDialog {
   /// homing.
   static bool bring_home(PenDevice& device, QWidget* parent);
 
-  /// Starts homing. The button calls it when the user has agreed or holds the device as requested.
+  /// Starts homing. The button calls it; the user presses the button to agree, or when the device
+  /// is held as requested.
   void begin();
   [[nodiscard]] bool is_under_way() const noexcept { return is_under_way_; }
 

@@ -24,7 +24,7 @@ class Actions : public QObject {
   explicit Actions(QWidget* window);
 
   /// Adds a command to the window; its keys work in every widget of the window. `text` is
-  /// translated and contains its mnemonic; `tip` is one sentence.
+  /// translated and contains the mnemonic; `tip` is one sentence.
   QAction* add(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                const QString& tip, std::function<void()> run);
   /// Adds a command that is switched on or off.
@@ -34,12 +34,12 @@ class Actions : public QObject {
   [[nodiscard]] QAction* find(const QString& name) const;
   /// Returns all commands, in the order in which they were added.
   [[nodiscard]] const QList<QAction*>& all() const noexcept { return actions_; }
-  /// Returns the keys that the command was added with.
+  /// Returns the default keys of a command, which were passed when it was added.
   [[nodiscard]] QList<QKeySequence> default_keys(const QString& name) const;
   /// Sets the user's keys for a command and stores them, so that they apply in every window. An
   /// empty list means no keys.
   void set_keys(const QString& name, const QList<QKeySequence>& keys);
-  /// Restores the keys that the command was added with.
+  /// Restores the default keys of a command.
   void reset_keys(const QString& name);
   /// Returns the command that this key triggers now, or null if there is none. Ignores the command
   /// `but`.

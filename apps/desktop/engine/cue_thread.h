@@ -12,9 +12,9 @@
 
 namespace felt::desktop {
 
-/// Plays on a cue device on its own thread. A transfer to a sleeping mouse or to a pen on a slow
-/// bus may take long, and a window must not wait for it. At most kMaxWaiting cues wait; if there
-/// are more, the oldest are dropped.
+/// Plays cues on a cue device, in a separate thread. A transfer to a sleeping mouse or to a pen on
+/// a slow bus may take long, and a window must not wait for it. At most kMaxWaiting cues wait; if
+/// there are more, the oldest are dropped.
 ///
 /// Call all functions on one thread. If the device is disconnected, `on_fault` is called once, on
 /// the playing thread, and nothing is played afterwards. Other faults are ignored.

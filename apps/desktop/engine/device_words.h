@@ -13,8 +13,8 @@ struct DeviceWords {
   QString details;  ///< the vendor's own message and number; may be empty
 };
 
-/// Describes a fault. `device` is the name of the device. `draws` is true if its pen can still be
-/// read, so that the user can continue to draw with it.
+/// Describes a fault. `device` is the name of the device. `draws` is true if the device's pen can
+/// still be read, so that the user can continue to draw with that pen.
 DeviceWords words_for(DeviceFault fault, const QString& device, const DeviceStatus& status,
                       bool draws);
 

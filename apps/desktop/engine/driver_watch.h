@@ -25,13 +25,13 @@ struct DriverFindings {
 /// (PenDriver).
 ///
 /// It searches for devices only while a `Watching` object exists: while a list of devices is shown,
-/// or while the program waits for a lost device. A search then starts once a second, on its own
-/// thread, so that a slow library does not block a window. Each driver is used by only one call at
-/// a time; opening a device therefore waits for a running call of its driver, but at most
+/// or while the program waits for a lost device. Meanwhile, a search starts once a second, on a
+/// separate thread, so that a slow library does not block a window. Each driver is used by only one
+/// call at a time; opening a device therefore waits for a running call of its driver, but at most
 /// kPatienceMs. If the library of a driver has not answered for `stuck_ms`, that driver is no
-/// longer used, and the search continues without it. A device whose library hangs while the device
-/// is closed is treated as disconnected, too (OpenDevice). Each process has one DriverWatch, which
-/// is made before the first window. Use it in the main thread.
+/// longer used, and the search continues without it. If a library hangs while the program closes a
+/// device, that device is treated as disconnected, too (OpenDevice). Each process has one
+/// DriverWatch, which is made before the first window. Use it in the main thread.
 class DriverWatch : public QObject {
   Q_OBJECT
 

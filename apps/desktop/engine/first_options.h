@@ -12,8 +12,9 @@ namespace felt::desktop {
 /// pressure this medium draws smooth, exact lines.
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
-/// Returns the option's specification with this program's default value. It differs from the
-/// library's default only for the medium and the widths of a tool that draws.
+/// Returns the option's specification with this program's default value. This value differs from
+/// the library's default only for the medium, the widths and the pressure curve (gamma) of a tool
+/// that draws.
 [[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
   const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;

@@ -25,11 +25,11 @@ namespace felt::desktop {
 ///
 /// If the loop is live, a real-time thread ticks the servo, and a timer emits `due` shortly after a
 /// tick, when samples can be read. The timer is needed because the real-time thread wakes no other
-/// thread. It fires after every tick while the user holds a device, the pen touches, or the pointer
-/// moved in the last 0.1 s. Otherwise it fires after every fourth tick, and when the pointer has
-/// not moved for 0.5 s, after every 16th tick. If mouse or tablet move a device without forces,
-/// thread and timer pause some seconds after the last event, until wake(). Use this class only in
-/// Qt's main thread.
+/// thread. The timer fires after every tick while the user holds a device, the pen touches, or the
+/// pointer moved in the last 0.1 s. At other times it fires after every fourth tick, or after every
+/// 16th tick if the pointer has not moved for 0.5 s. If mouse or tablet move a device without
+/// forces, thread and timer pause some seconds after the last event, until wake(). Use this class
+/// only in Qt's main thread.
 class HapticLoop : public QObject {
   Q_OBJECT
 
@@ -69,10 +69,10 @@ class HapticLoop : public QObject {
   [[nodiscard]] DeviceStatus device_status();
   /// Emits device_status_changed if the status changed. Checks at most every 20 ms.
   void check_device();
-  /// Returns true if any loop of this process had to end before a call into the vendor's library
-  /// for this device had returned. Such a device is abandoned, together with all objects that the
-  /// call may still use, and the tablet is used instead; unresponsive_text() explains this to the
-  /// user.
+  /// Returns true if a call into the vendor's library for this device did not return, so that a
+  /// loop of this process had to end without waiting for it. Such a device is abandoned, together
+  /// with all objects that the call may still use, and the tablet is used instead;
+  /// unresponsive_text() explains this to the user.
   [[nodiscard]] static bool is_unresponsive(const QString& device_id);
   [[nodiscard]] static QString unresponsive_text(const QString& device_label);
 
@@ -188,7 +188,7 @@ class HapticLoop : public QObject {
   int late_looks_ = 0;              // number of consecutive checks for a tick that is late
   QString unresponsive_label_;      // label of an unresponsive device that was not yet reported to
                                     // the user
-  std::string start_error_;         // the reason if the loop does not run
+  std::string start_error_;         // the reason why the loop did not start; empty if it did
   // The values that the signals reported last.
   SafetyState reported_safety_ = SafetyState::kOff;
   std::uint64_t reported_faults_ = 0;

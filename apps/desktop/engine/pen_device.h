@@ -50,12 +50,12 @@ class PenDevice {
   [[nodiscard]] OpenDevice& device() noexcept { return *device_; }
   /// Returns the hand that mouse, tablet and keys move; null if the user holds the device.
   [[nodiscard]] HandInput* hand() noexcept { return stylus_.get(); }
-  /// Returns how that hand presses on the device.
+  /// Returns how the simulated hand presses on the device.
   [[nodiscard]] const HandScriptOptions& hand_options() const noexcept { return options_; }
   /// Changes name, plane and limits of a device that the user holds. Requires that no loop runs.
   /// Does nothing for a simulated device.
   void set_profile(const DeviceProfile& profile);
-  /// Returns true if a driver's device of this id is in use in any window.
+  /// Returns true if any window uses a device with this id that a driver opened.
   [[nodiscard]] static bool is_open(const QString& id);
 
  private:
@@ -90,7 +90,7 @@ std::vector<PenDeviceInfo> pen_devices();
 /// of `page`. Fails if no device has that id, if the device does not answer, or if its stored
 /// profile is invalid; the error says what to do.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect& page);
-/// Does the same with the page of a new drawing.
+/// Does the same, with the page of a new drawing as `page`.
 Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id);
 
 /// Returns the device that the user has chosen if it is connected; otherwise "tablet", which is

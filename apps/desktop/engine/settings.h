@@ -22,8 +22,8 @@ class Settings : public QObject {
   [[nodiscard]] double number(const QString& key, double fallback) const;
   [[nodiscard]] bool flag(const QString& key, bool fallback) const;
   [[nodiscard]] QString text(const QString& key, const QString& fallback = {}) const;
-  /// Sets a value. It is stored soon afterwards. Emits `changed` immediately, but only if the
-  /// value differs.
+  /// Sets a value, which is written to the disk soon afterwards. Emits `changed` immediately if the
+  /// value differs from the previous value.
   void set(const QString& key, const QVariant& value);
   /// Removes the user's value, so that the default applies. Emits `changed` if a value was set.
   void reset(const QString& key);

@@ -27,9 +27,9 @@ struct PenState {
   Force sent;             ///< force that was sent to the device
 };
 
-/// The drawing session of a window: the drawing with its session, page and materials. Every change
-/// of a drawing is made here. Widgets read session() and repaint when a signal reports a change.
-/// Pen samples reach the session through loop(), the haptic loop.
+/// The drawing of a window, with its session, page and materials. Every change of a drawing is made
+/// here. Widgets read session() and repaint when a signal reports a change. Pen samples reach the
+/// session through loop(), the haptic loop.
 ///
 ///   Studio studio({});
 ///   studio.point({studio.now_ns(), {30, 40}, true, 0.5});   // mouse and tablet: where the hand is
@@ -57,25 +57,25 @@ class Studio : public QObject {
   /// Sets the page. This is not a step of undo, but it is an unsaved change. The session uses the
   /// page's surface; if the page names no surface or an unknown surface, the session keeps its
   /// surface. When the user chooses a surface ("surface.material"), that surface becomes the
-  /// page's. If the paper is white or has the usual colour of the previous surface, it then gets
+  /// page's. If the paper is white or has the usual colour of the previous surface, the paper gets
   /// the usual colour of the new surface; a paper colour that the user chose stays. The paper's
   /// colour is also updated in this way if the usual colour of the page's surface changes
   /// (set_user_materials()).
   void set_page(const Page& page);
-  /// Replaces the drawing. History, selection and unsaved changes start again. The tool and its
-  /// options stay. The surface stays, too, unless the page names a known surface. `materials` are
-  /// the texts of the materials that come with the drawing. A text that cannot be read is skipped,
-  /// and `refused` says why. The drawing's materials are used even if a user-defined material of
-  /// the same name has other values; in this case `refused` names the material. `ink` becomes the
-  /// colour of new lines before `opened` is emitted. option_changed is not emitted for this colour,
-  /// because it comes with the drawing and the user did not choose it.
+  /// Replaces the drawing. History and selection become empty, and the drawing has no unsaved
+  /// changes. The tool and its options stay. The surface stays, too, unless the page names a known
+  /// surface. `materials` are the texts of the materials that come with the drawing. A text that
+  /// cannot be read is skipped, and `refused` says why. The drawing's materials are used even if a
+  /// user-defined material of the same name has other values; in this case `refused` names the
+  /// material. `ink` becomes the colour of new lines before `opened` is emitted. option_changed is
+  /// not emitted for this colour, because it comes with the drawing and the user did not choose it.
   void open(Document document, const Page& page, std::span<const std::string> materials = {},
             std::optional<Rgba> ink = {});
   /// Returns true if the drawing has unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
-  /// Returns a mark that identifies the present state. It is needed if a file is written while the
-  /// user continues to edit.
+  /// Returns a mark that identifies the present state. The mark is needed because the user may
+  /// continue to edit while a file is written.
   [[nodiscard]] ChangeMark change_mark() const noexcept;
   /// Must be called when a file with the state of `mark` was written. Changes since that state,
   /// including an undo, count as unsaved changes.

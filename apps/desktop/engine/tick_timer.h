@@ -8,7 +8,7 @@ class QSocketNotifier;
 
 namespace felt::desktop {
 
-/// A single-shot timer of the event loop, accurate to some ten microseconds. Qt's timers count
+/// A single-shot timer of the event loop, accurate to a few tens of microseconds. Qt's timers count
 /// whole milliseconds, and the system may delay them by another 50 us.
 ///
 ///   connect(&timer, &TickTimer::due, this, &HapticLoop::due);

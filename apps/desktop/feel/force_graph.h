@@ -29,7 +29,8 @@ TrackStyle track_style(std::size_t track, const QPalette& palette);
 void draw_mark(QPainter& painter, int mark, QPointF at, qreal radius);
 
 /// The plot of a ForceHistory. The owner must call update() when the history has changed. Axes and
-/// lines are cached as pictures: each frame shifts the lines and adds the new parts at their end.
+/// lines are cached as pictures: each frame shifts the picture of the lines and draws only the new
+/// parts at its end.
 class ForceGraph : public QWidget {
   Q_OBJECT
 
@@ -65,7 +66,7 @@ class ForceGraph : public QWidget {
   void bring_lines_up(QSizeF size);
   void draw_lines(std::int64_t from, std::int64_t to);
   void draw_track(QPainter& painter, std::size_t track, std::int64_t from, std::int64_t to) const;
-  /// Returns the pixel column at which a bin ends; columns are counted from time 0.
+  /// Returns the pixel column at which a bin of the history ends; columns are counted from time 0.
   [[nodiscard]] std::int64_t column_of(std::int64_t bin) const;
 
   const ForceHistory* history_;

@@ -8,10 +8,11 @@
 
 namespace felt::desktop {
 
-/// The forces of a haptic loop in the last seconds, for a plot. It stores the magnitude in N of
-/// each named force term, of the requested force and of the sent force. A ring buffer of short bins
-/// keeps the maximum of the ticks in each bin, so that a plot of any resolution shows every peak.
-/// Adding a tick takes well under a microsecond and allocates nothing. Not thread-safe.
+/// The forces of a haptic loop in the last seconds, for a plot. It has one track for the requested
+/// force, one for the sent force, and one for each named force term; a track stores the magnitude
+/// of its force in N. A ring buffer of short bins keeps the maximum of the ticks in each bin, so
+/// that a plot of any resolution shows every peak. Adding a tick takes well under a microsecond and
+/// allocates nothing. Not thread-safe.
 class ForceHistory {
  public:
   static constexpr std::int64_t kBinNs = 10'000'000;

@@ -9,8 +9,8 @@
 namespace felt::desktop {
 
 /// The state of the sound, for the user. The program has one sound output and therefore one
-/// SoundState. Searches for a sound device only after the sound was switched on. Use it in the
-/// main thread.
+/// SoundState. The program searches for a sound device only after the sound was switched on. Use it
+/// in the main thread.
 class SoundState : public QObject {
   Q_OBJECT
 

@@ -43,8 +43,8 @@ class RubbedSamples final : public QIODevice {
   Q_OBJECT
 
  public:
-  /// Delay of the sound behind the newest sample of the pen, in s. It is needed because the main
-  /// thread delivers samples in batches, usually every 8 ms and sometimes every 16 ms.
+  /// Delay from a sample of the pen to its sound, in s. The delay is needed because the main thread
+  /// delivers samples in batches, usually every 8 ms and sometimes every 16 ms.
   static constexpr double kBehindS = 0.020;
 
   /// The samples are floats if `is_float`, otherwise 16-bit integers. `feed` must outlive this

@@ -8,7 +8,7 @@
 
 namespace felt::desktop {
 
-/// The kind of a state, which determines its icon.
+/// The kind of a state of the safety chain. It determines the icon.
 enum class FeelLevel { kShown, kOff, kWaiting, kOn, kLimited, kStopped };
 
 /// The state of the safety chain in words.
@@ -20,8 +20,8 @@ struct SafetyWords {
 
 /// Describes the state of the safety chain. `has_motors` is true if the device can exert forces;
 /// `wanted` is true if the user has switched the forces on. `device` is the newest fault of the
-/// device. If it is set, the text names this fault, which is more precise than "the device does not
-/// answer".
+/// device. If there is such a fault, the text names it, which is more precise than "the device does
+/// not answer".
 SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
                       std::optional<DeviceFault> device = {});
 

@@ -10,8 +10,8 @@
 namespace felt::desktop {
 
 /// Adds the strokes of another drawing as one step of undo, together with their media. `materials`
-/// contains the texts of the media. If this drawing has a medium of the same name with other
-/// values, the drawing's medium stays as it is and `report` names it. `from` is the name of the
+/// contains the texts of the media. If the studio's drawing already has a medium with the same name
+/// but other values, that medium stays as it is, and `report` names it. `from` is the name of the
 /// strokes' source; a recording stores it. Returns false if the session refuses the strokes
 /// (Studio::import).
 bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr> strokes,

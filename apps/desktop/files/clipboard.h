@@ -30,9 +30,9 @@ std::unique_ptr<QMimeData> svg_mime(const Drawing& drawing);
 std::unique_ptr<QMimeData> png_mime(const Drawing& drawing);
 
 /// Reads a drawing from a clipboard: Feltline's own strokes if there are any, otherwise SVG, InkML
-/// or lines of JSON from any program, by their MIME types or as plain text. Returns an empty
-/// drawing if the clipboard contains none of these. The texts of materials are not checked and may
-/// be invalid. Fails if the data is damaged.
+/// or lines of JSON from any program. These are recognised by their MIME types or, in plain text,
+/// by their content. Returns an empty drawing if the clipboard contains none of these. The texts of
+/// materials are not checked and may be invalid. Fails if the data is damaged.
 Result<Imported> drawing_of(const QMimeData& data);
 
 /// Returns `ink`, the bounds of the ink, enlarged by 1 mm on each side.

@@ -22,7 +22,7 @@ QString with_suffix(const QString& path, FileFormat format);
 /// because reading it might block the window. Safe to call from any thread.
 Result<Imported> open_drawing(const QString& path, bool salvage = false);
 
-/// Reads a drawing without the report.
+/// Does the same as open_drawing(), but returns no report.
 Result<Drawing> read_drawing(const QString& path);
 
 /// Writes a drawing in the format of the path's extension, completely or not at all. When the

@@ -15,8 +15,8 @@ class QLabel;
 
 namespace felt::desktop {
 
-/// Asks how to export the drawing, and shows a small preview and the resulting size. The choices
-/// are stored in the settings.
+/// Asks how to export the drawing, and shows a small preview and the size of the result. The
+/// choices are stored in the settings.
 class ExportDialog : public QDialog {
   Q_OBJECT
 

@@ -80,8 +80,8 @@ class FileActions : public QObject {
 
   void set_looks(DrawingLooks looks) { looks_ = std::move(looks); }
 
-  /// Starts the autosave of the drawing. If the studio is live, this object calls the function
-  /// itself.
+  /// Starts the autosave of the drawing. If the studio is live, the FileActions object calls this
+  /// function itself.
   void start_autosave(const QStringList& roots);
   [[nodiscard]] StudioAutosave* autosave() const noexcept { return autosave_.get(); }
   /// If a crash left drawings behind, asks the user what to do with them.
@@ -107,7 +107,8 @@ class FileActions : public QObject {
   /// A file was opened or imported, or strokes were pasted. `report` lists the unsupported content
   /// and may be empty; `name` is the source as shown to the user.
   void taken(const QString& name, const felt::ImportReport& report);
-  /// Asks for another window that shows that file; "" for an empty drawing.
+  /// Asks for another window that shows the file `path`; if `path` is "", for a window with an
+  /// empty drawing.
   void wants_window(const QString& path);
 
  protected:
@@ -149,8 +150,8 @@ class FileActions : public QObject {
   DrawingLooks looks_;
   std::shared_ptr<const DrawingExtras> extras_;  // content of the opened file that Feltline does
                                                  // not use but writes back when it saves
-  QDateTime seen_on_disk_;                       // time of the file path_ when it was last read or
-                                                 // written here
+  QDateTime seen_on_disk_;  // modification time of the file path_ when this window last read or
+                            // wrote the file
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
   bool has_page_of_file_ = false;  // true if the page came with an opened file

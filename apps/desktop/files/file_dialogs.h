@@ -35,8 +35,8 @@ class FileDialogs {
   virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
   /// Asks what to do with a file that another program changed since it was read.
   virtual Overwrite ask_overwrite(QWidget* window, const QString& name);
-  /// Reports that a drawing is damaged and that `strokes` of its strokes can be recovered. Returns
-  /// true if the user wants to see them.
+  /// Reports that a drawing is damaged; `strokes` is the number of strokes that can be recovered.
+  /// Returns true if the user wants to see these strokes.
   virtual bool ask_salvage(QWidget* window, const QString& name, const QString& why, int strokes);
   /// Shows an error until the user closes it, without blocking the program. `details` is the
   /// library's own message.

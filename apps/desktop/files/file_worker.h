@@ -45,8 +45,8 @@ class FileWorker : public QObject {
   std::condition_variable wake_;
   std::deque<Work> waiting_;
   std::deque<Answer> answers_;
-  int in_progress_ = 0;  // number of pieces of work that wait, run, or returned a function that was
-                         // not called yet
+  int in_progress_ = 0;  // number of pieces of work that are waiting or running, or whose returned
+                         // function was not called yet
   bool stop_ = false;
   std::thread thread_;
 };

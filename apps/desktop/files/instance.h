@@ -26,7 +26,7 @@ class Instance : public QObject {
 
   /// Passes the files to the first process and returns true if that process has received them. The
   /// first process then opens the files, or only shows its window if the list is empty. Returns
-  /// false if no other process answers; then this process is the first from now on.
+  /// false if no other process answers; then this process becomes the first process.
   bool hand_over(const QStringList& files);
   [[nodiscard]] bool is_first() const { return server_.isListening(); }
 

@@ -9,9 +9,9 @@ class QVBoxLayout;
 
 namespace felt::desktop {
 
-/// Offers drawings that a crash left behind. Shows each drawing next to the user's saved file, with
-/// a picture, the time of the last change and the number of lines of both. The user can recover a
-/// drawing as a new drawing, open the saved file instead, or discard the drawing after a
+/// Offers drawings that a crash left behind. Shows each drawing next to the user's saved file. For
+/// both it shows a picture, the time of the last change and the number of lines. The user can
+/// recover a drawing as a new drawing, open the saved file instead, or discard the drawing after a
 /// confirmation. If the user closes the dialog, the next start asks again.
 class RecoveryDialog : public QDialog {
   Q_OBJECT

@@ -13,7 +13,7 @@ namespace felt::desktop {
 /// The user's saved file, to compare it with the recovered drawing.
 struct SavedDrawing {
   Drawing drawing;
-  QDateTime when;  ///< time of the file
+  QDateTime when;  ///< modification time of the file
 };
 
 /// A drawing that a crash left behind.

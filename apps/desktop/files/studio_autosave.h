@@ -21,8 +21,8 @@ namespace felt::desktop {
 QStringList recovery_roots();
 
 /// Autosaves the drawing of a Studio: passes its events and edits, and the samples of its haptic
-/// loop, to an Autosave. Changed figures of a material, and the text of a medium that comes with
-/// strokes, are autosaved within half a second. Only flush() and the destructor wait for a disk.
+/// loop, to an Autosave. Changed values of a material are autosaved within half a second, and so is
+/// the text of a medium that comes with strokes. Only flush() and the destructor wait for a disk.
 /// When a drawing is closed normally, its database is deleted. The databases of dead processes are
 /// offered at the next start (recovery_dialog.h).
 class StudioAutosave : public QObject {

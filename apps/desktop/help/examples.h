@@ -16,8 +16,8 @@ struct Example {
 /// Returns all examples in the order of the menu.
 std::vector<Example> examples();
 
-/// Draws an example; takes some ten milliseconds. Returns an empty document if no example has that
-/// id.
+/// Draws an example; takes a few tens of milliseconds. Returns an empty document if no example has
+/// that id.
 Document example_document(const QString& id);
 
 }  // namespace felt::desktop

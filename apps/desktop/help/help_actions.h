@@ -12,7 +12,7 @@
 namespace felt::desktop {
 
 /// Adds and handles "help.guide", "help.shortcuts", "help.tour", "help.example_cat" etc. and
-/// "help.about". `actions` and `window` must outlive it.
+/// "help.about". `actions` and `window` must outlive this object.
 class HelpActions : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,8 @@ class HelpActions : public QObject {
   HelpActions(Actions& actions, QWidget* window);
 
  Q_SIGNALS:
-  /// The user chose an example. Show it in a pristine window or in a new one.
+  /// Emitted when the user chose an example. The receiver shows the drawing in a pristine window or
+  /// in a new window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  private:

@@ -19,9 +19,9 @@ struct KeyGroup {
   QVector<KeyRow> rows;
 };
 
-/// Returns all actions that have keys, grouped as in the menus, and then the effects of the pen,
-/// the mouse and held keys. If `filter` is not empty, returns only the rows that contain this text
-/// in their name or keys.
+/// Returns all actions that have keys, grouped as in the menus, followed by groups with the effects
+/// of the pen, the mouse and held keys. If `filter` is not empty, returns only the rows that
+/// contain this text in their name or keys.
 QVector<KeyGroup> key_groups(const Actions& actions, const QString& filter = {});
 
 /// Returns the groups in columns as HTML for QTextDocument, to show on the screen and to print.

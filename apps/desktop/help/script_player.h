@@ -14,7 +14,8 @@ namespace felt::desktop {
 
 /// Plays an event script (docs/formats/events.md) on a studio that is not live. The script's hand
 /// poses move the studio's simulated hand; all other events are applied directly. The caller
-/// determines the speed by advance(). Used for the guided tour and the pictures in the documents.
+/// determines the speed by its calls of advance(). Used for the guided tour and the pictures in the
+/// documents.
 ///
 ///   Studio studio({.device = "simulated:touch", .live = false});
 ///   ScriptPlayer player(studio);

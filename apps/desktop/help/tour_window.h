@@ -14,8 +14,8 @@
 
 namespace felt::desktop {
 
-/// The guided tour of two minutes: the program draws by itself, tool by tool, with a sentence on
-/// each. The tour has its own studio, so that it does not change the user's drawing. Left and
+/// The guided tour of two minutes: the program draws by itself, tool by tool, with a sentence about
+/// each tool. The tour has its own studio, so that it does not change the user's drawing. Left and
 /// Right go to the previous and next act, Space pauses, Esc closes.
 class TourWindow : public QWidget {
   Q_OBJECT
@@ -30,12 +30,13 @@ class TourWindow : public QWidget {
   void go_to(int act);
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const noexcept { return is_paused_; }
-  /// Plays the next `ns` of the tour. Called by the timer, by tests and for pictures.
+  /// Plays the next `ns` nanoseconds of the tour. Called by the timer, by tests and for pictures.
   void play(std::int64_t ns);
   [[nodiscard]] Studio& studio() noexcept { return *studio_; }
 
  Q_SIGNALS:
-  /// The user chose "Try it yourself". Open a window with `drawing`, the drawing of the tour.
+  /// Emitted when the user chose "Try it yourself". The receiver shows `drawing`, the drawing of
+  /// the tour, in a normal window.
   void drawing_requested(const felt::Document& drawing);
 
  protected:

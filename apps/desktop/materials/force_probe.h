@@ -12,7 +12,7 @@
 
 namespace felt::desktop {
 
-/// The input of probe_figures(): a medium on a surface, felt through a device.
+/// The input of probe_figures(): a medium, a surface, and the device that renders their forces.
 struct ProbeRequest {
   SurfaceMaterial surface;
   Medium medium;

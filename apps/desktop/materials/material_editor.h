@@ -22,15 +22,15 @@
 namespace felt::desktop {
 
 /// The editor of user-defined surfaces and media. It has a list of all materials, and a slider and
-/// a number for every value of the selected material. Beside them it immediately shows the result
-/// of a change: strokes, a plot of the predicted force, whether the device in use can render the
-/// material, and the present force. The drawing's window stays usable and draws with the edited
-/// material.
+/// a number for every value of the selected material. Beside these controls, the editor immediately
+/// shows the result of a change: strokes, a plot of the predicted force, whether the device in use
+/// can render the material, and the present force. The drawing's window stays usable and draws with
+/// the edited material.
 class MaterialEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// Makes a separate window above `parent`. `studio` and `model` must outlive it.
+  /// Makes a separate window above `parent`. `studio` and `model` must outlive the editor.
   MaterialEditor(Studio& studio, MaterialEditorModel& model, QWidget* parent);
 
   [[nodiscard]] MaterialList& list() noexcept { return *list_; }

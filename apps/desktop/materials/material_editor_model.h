@@ -32,14 +32,14 @@ class MaterialEditorModel : public QObject {
 
  public:
   /// From now on, only this object may pass user-defined materials to the studio. The studio may
-  /// already have them. `studio` and `own` must outlive this object.
+  /// already have them. `studio` and `own` (the user-defined materials) must outlive this object.
   MaterialEditorModel(Studio& studio, UserMaterials& own, QObject* parent = nullptr);
 
   [[nodiscard]] const MaterialKey& key() const noexcept { return key_; }
   /// Returns the selected material with its present figures.
   [[nodiscard]] AnyMaterial now() const;
   /// Returns the original that revert() restores: the content of the material's file or, if it has
-  /// no file, the material that was copied.
+  /// no file, the material of which it is a copy.
   [[nodiscard]] AnyMaterial origin() const;
   [[nodiscard]] bool is_own() const { return own_of(key_) != nullptr; }
   /// Returns the user-defined material of this key. Returns null if none exists, or if the drawing
@@ -59,7 +59,8 @@ class MaterialEditorModel : public QObject {
   /// Sets a user-defined relief of a surface. To read the picture from a file, use
   /// read_height_png.
   Result<void> take_relief(const HeightPicture& picture);
-  /// Sets the friction of a medium on this surface. Nullopt restores the general rule.
+  /// Sets the friction of the selected medium on `surface`. Nullopt restores the default: the
+  /// product of the medium's and the surface's friction.
   void set_pair(const std::string& surface, std::optional<double> friction);
   /// Restores origin().
   void revert();
@@ -78,14 +79,14 @@ class MaterialEditorModel : public QObject {
   /// undo has no additional step.
   Result<void> remove();
   /// Adds the material in a file as an unsaved user-defined material. The material gets another id
-  /// if its own is in use.
+  /// if the id in the file is already in use.
   Result<void> import_file(const QString& path);
   Result<void> export_file(const QString& path) const;
 
   /// Returns the chosen slot of the selected material: 'A' or 'B'.
   [[nodiscard]] char slot() const { return compared_of(key_).chosen; }
-  /// Chooses the other slot; forces, picture and sound then use it. Does nothing if the material is
-  /// not user-defined.
+  /// Chooses the other slot, so that forces, picture and sound use the figures of that slot. Does
+  /// nothing if the material is not user-defined.
   void flip();
   /// Copies the figures of the chosen slot to the other slot, as a step of undo. Does nothing if
   /// the material is not user-defined.

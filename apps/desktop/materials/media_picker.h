@@ -17,8 +17,8 @@ namespace felt::desktop {
 /// take_usual_color() if the medium differs from the previous one. Returns false if no medium for
 /// drawing has that id, or if an event was refused; in the second case `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
-/// Calls take_medium() when the user has clicked a medium, and also applies the medium to the
-/// selected lines. Reports to the user if the colour of new ink changed.
+/// Handles a click on a medium: calls take_medium(), and also applies the medium to the selected
+/// lines. Reports to the user if the colour of new ink changed.
 bool choose_medium(Studio& studio, const std::string& id);
 
 /// Sets the colour of new ink to `now`, the usual colour of the current medium (0xRRGGBB). Does so
@@ -27,14 +27,14 @@ bool choose_medium(Studio& studio, const std::string& id);
 /// the session refused the new colour; then `refused` says why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
-/// Shows the media for drawing as pictures: a stroke of each, from light to hard, on the current
-/// surface, rendered with its grain. A click or the arrow keys choose a medium. The number of
-/// columns depends on the width and is at least two. The eraser is not shown.
+/// Shows the media for drawing as pictures: for each medium a stroke from light to strong pressure
+/// on the current surface, rendered with its grain. A click or the arrow keys choose a medium. The
+/// number of columns depends on the width and is at least two. The eraser is not shown.
 class MediaPicker : public QWidget {
   Q_OBJECT
 
  public:
-  /// `pictures` must outlive it.
+  /// `pictures` must outlive this object.
   MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget* parent = nullptr);
 
   /// Returns the ids of the buttons, in their order.

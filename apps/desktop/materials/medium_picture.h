@@ -22,8 +22,8 @@ struct MediumPicture {
   /// Pressure of each stroke, 0..1, from top to bottom. If empty, the picture has one stroke, with
   /// light pressure at its left end and strong pressure at its right end.
   std::vector<double> forces{};
-  /// Grain of the surface for the known media (grain_for()). If absent, draw_medium() makes it,
-  /// which takes longer than drawing the picture.
+  /// Grain of the surface for the known media (grain_for()). If absent, draw_medium() makes the
+  /// grain; this takes longer than drawing the picture.
   std::optional<Grain> grain{};
 };
 

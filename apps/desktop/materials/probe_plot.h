@@ -7,9 +7,10 @@
 namespace felt::desktop {
 
 /// A plot of the predicted force on the pen during a stroke of 40 mm with even pressure. It shows
-/// the force that opposes the motion, along the path of the stroke, and a band of 0.04 N on each
-/// side of its mean. The hand does not feel changes within the band. The parts of the plot outside
-/// of the band are filled: they are the grain that the hand feels.
+/// the force that opposes the motion as a function of the position along the stroke. A band extends
+/// from 0.04 N below the mean force to 0.04 N above it. The hand does not feel changes within the
+/// band. The parts of the plot outside of the band are filled: they are the grain that the hand
+/// feels.
 class ProbePlot : public QWidget {
   Q_OBJECT
 

@@ -70,7 +70,7 @@ class ColorField : public QWidget {
  public:
   explicit ColorField(QWidget* parent = nullptr);
 
-  /// Sets the colour; ignores its alpha.
+  /// Sets the colour; ignores the alpha of the colour.
   void show_color(const QColor& color);
   [[nodiscard]] QColor color() const;
 

@@ -9,7 +9,8 @@
 
 namespace felt::desktop {
 
-/// Lists the steps of the history, the newest last. A click on a step undoes or redoes up to it.
+/// Lists the steps of the history, the newest last. A click on a step undoes or redoes all steps up
+/// to the clicked step.
 class HistoryPanel : public QWidget {
   Q_OBJECT
 

@@ -13,8 +13,9 @@ namespace felt::desktop {
 /// Lists the layers, the topmost first. The user can show, lock, rename and reorder them and choose
 /// the current layer, which receives new ink. A click on a row makes its layer the current one; a
 /// click on the eye or the lock at the ends of the row shows, hides, locks or unlocks the layer; a
-/// double click or F2 renames the layer; dragging moves it. With the keyboard, the arrow keys move
-/// the highlight, Enter makes the highlighted layer current, and Space shows or hides it.
+/// double click or F2 renames the layer; dragging a row moves its layer. With the keyboard, the
+/// arrow keys move the highlight, Enter makes the highlighted layer current, and Space shows or
+/// hides it.
 class LayersPanel : public QWidget {
   Q_OBJECT
 

@@ -6,9 +6,9 @@
 
 namespace felt::desktop {
 
-/// Converts the number of an option to a slider position and to a text with the unit. If the range
-/// is wide, the slider has finer steps for small values. Shares from 0 to 1 are shown in percent. A
-/// value type.
+/// Converts the value of a numeric option to a slider position and to a text with the unit. If the
+/// range is wide, the slider has finer steps for small values. Shares from 0 to 1 are shown in
+/// percent. A value type.
 class OptionScale {
  public:
   static constexpr int kPlaces = 1000;  ///< slider positions are 0..kPlaces

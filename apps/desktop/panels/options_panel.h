@@ -15,14 +15,14 @@
 
 namespace felt::desktop {
 
-/// A function that makes a widget with which the user sets an option's value, as a child of
-/// `parent`.
+/// A function that makes a widget as a child of `parent`. With this widget, the user sets the value
+/// of an option.
 using OptionPicker = std::function<QWidget*(QWidget* parent)>;
 
 /// Shows the options of the current tool with a row for each OptionSpec of the tool. A row is
 /// hidden while its option has no effect. The force level comes last; rarely used options are
 /// folded under "More". When the user changes a value, the panel applies a SetOption event; it also
-/// follows changes by other code. If `pickers` has an entry for an option, with the key
+/// shows changes by other code. If `pickers` has an entry for an option, with the key
 /// "tool.option", the panel shows that widget below the option's name instead of a row.
 class OptionsPanel : public QWidget {
   Q_OBJECT

@@ -22,7 +22,7 @@ enum class ButtonRole : std::uint8_t {
 std::span<const ButtonRole> button_roles() noexcept;
 /// Returns the role's name in the settings, such as "eraser".
 QString name_of(ButtonRole role);
-/// Returns the role of that name, or kNone if no role has it.
+/// Returns the role with this name, or kNone if no role has this name.
 ButtonRole button_role(const QString& name);
 /// Returns the label for the user, such as "Erase while held".
 QString label_of(ButtonRole role);

@@ -9,15 +9,15 @@
 namespace felt::desktop {
 
 /// Lets the user draw with keys alone. The arrow keys move the pen, with steps that grow while the
-/// key is held; Shift makes fine steps. Return, Enter or Insert puts the pen down and lifts it
-/// again. These keys work only after an arrow key has moved the pen, or after Tab or F6 has moved
-/// the focus to the canvas, so that an Enter that was meant for a text field draws nothing. Escape
-/// cancels the gesture. The length of a step depends on the number of key repeats and not on time,
-/// so that the same keys draw the same line. The view scrolls with the pen. The arguments of the
-/// constructor must outlive this object.
+/// key is held; Shift makes fine steps. Return, Enter or Insert puts the pen down; a second press
+/// lifts the pen. These three keys work only after an arrow key has moved the pen, or after Tab or
+/// F6 has moved the focus to the canvas, so that an Enter that was meant for a text field draws
+/// nothing. Escape cancels the gesture. The length of a step depends on the number of key repeats
+/// and not on time, so that the same keys draw the same line. The view scrolls with the pen. The
+/// arguments of the constructor must outlive this object.
 ///
-/// If the user holds a device that cannot sense contact, its pen counts as touching while Return,
-/// Enter or Insert is held.
+/// If the user holds a device, the three keys always work. If this device cannot sense contact, its
+/// pen counts as touching while one of the three keys is held.
 class KeyboardPen : public QObject {
   Q_OBJECT
 
@@ -38,8 +38,8 @@ class KeyboardPen : public QObject {
   void release(const QKeyEvent& event);
   /// Treats all keys as released, because their release events will not arrive.
   void release_all();
-  /// Must be called when the mouse or a pen moves the hand. The keys then move the hand only after
-  /// an arrow key is pressed again.
+  /// Must be called when the mouse or a pen moves the hand. An arrow key that was pressed before
+  /// that no longer enables Return, Enter and Insert.
   void stop_leading() noexcept { is_leading_ = false; }
 
  Q_SIGNALS:

@@ -28,7 +28,7 @@ class MouseInput : public QObject {
   /// Handles press, double click, move and release.
   void take(const QMouseEvent& event);
   void take(const QWheelEvent& event);
-  /// Handles a touchpad gesture. Returns false if it is not one of the gestures above.
+  /// Handles a touchpad gesture. Returns false if it is not one of the gestures in the table above.
   bool take(const QNativeGestureEvent& event);
   /// Treats all buttons as released, because the window is no longer active.
   void release_all();

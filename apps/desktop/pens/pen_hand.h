@@ -33,7 +33,8 @@ class PenHand : public QObject {
              std::optional<double> pressure, std::optional<double> tilt_deg = {});
   bool point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
                 std::optional<double> pressure, std::optional<double> tilt_deg = {});
-  /// Lifts the pen at its present position, for any source. Does nothing if the pen is not down.
+  /// Lifts the pen at its present position, whichever source has put it down. Does nothing if the
+  /// pen is not down.
   void lift();
   /// Discards the gesture in progress and lifts the pen.
   void cancel();

@@ -14,11 +14,11 @@
 namespace felt::desktop {
 
 /// Handles mouse, tablet, touch and keys over a canvas. This event filter moves the hand (PenHand),
-/// or pans, zooms and turns the view. The canvas must outlive it.
+/// or pans, zooms and turns the view. The canvas must outlive this object.
 ///
-/// A drag while Space is held pans the view; with Ctrl it zooms the view, with Shift it turns the
-/// view. If the input ends without a release (the window loses the focus, a release event is lost,
-/// the pen leaves the range), the pen is lifted.
+/// A drag while Space is held pans the view; if Ctrl is also held, the drag zooms the view, and if
+/// Shift is also held, it turns the view. If the input ends without a release (the window loses the
+/// focus, a release event is lost, the pen leaves the range), the pen is lifted.
 class PenInput : public QObject {
   Q_OBJECT
 

@@ -28,7 +28,7 @@ inline constexpr auto kUpperButton = "pens/upper_button";
 inline constexpr auto kUpperButtonDefault = "pan";
 inline constexpr auto kRightButton = "pens/right_button";
 inline constexpr auto kRightButtonDefault = "eraser";
-/// Action of one finger: "pan", "draw" or "off" (no touch at all).
+/// Action of one finger: "pan", "draw" or "off" (touch is ignored).
 inline constexpr auto kTouch = "pens/touch";
 inline constexpr auto kTouchDefault = "pan";
 

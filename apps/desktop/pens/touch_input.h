@@ -11,9 +11,9 @@
 
 namespace felt::desktop {
 
-/// Handles fingers on the canvas: two fingers pan, zoom and turn the view together; one finger
-/// pans it or draws, depending on the settings. A touch while a pen is near is treated as a palm
-/// until all fingers are lifted. The arguments of the constructor must outlive it.
+/// Handles fingers on the canvas: two fingers pan, zoom and turn the view together; one finger pans
+/// the view or draws, depending on the settings. A touch while a pen is near is treated as a palm
+/// until all fingers are lifted. The arguments of the constructor must outlive this object.
 class TouchInput : public QObject {
   Q_OBJECT
 

@@ -9,13 +9,14 @@
 
 namespace felt::desktop {
 
-/// Moves the view of a canvas by a drag with the middle button, or with pen or mouse while Space is
-/// held. The shape of the cursor shows the kind of drag.
+/// Pans, zooms or turns the view of a canvas when the user drags. A drag with the middle button, or
+/// with a button that has the role kPan, pans; a drag with pen or mouse while Space is held has the
+/// kind set by offer(). The shape of the cursor shows the kind of drag.
 class ViewDrag {
  public:
   enum class Kind : std::uint8_t { kPan, kZoom, kTurn };
 
-  /// The canvas must outlive it.
+  /// The canvas must outlive this object.
   explicit ViewDrag(Canvas& canvas) : canvas_(canvas) {}
 
   /// Sets the kind of the next drag and shows the cursor for it. Called when Space is pressed. Also

@@ -46,8 +46,8 @@ class MainWindow : public QMainWindow {
  Q_SIGNALS:
   /// Emitted when "edit.preferences" was triggered.
   void wants_preferences();
-  /// The user chose an example. Show it in this window if it is pristine, otherwise in a new
-  /// window.
+  /// Emitted when the user chose an example. The receiver shows the drawing in this window if the
+  /// window is pristine, otherwise in a new window.
   void wants_drawing(const felt::Document& drawing, const QString& title);
 
  protected:

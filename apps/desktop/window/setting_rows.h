@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// Returns a check box that shows and changes a setting. It also follows changes of the setting by
-/// other code.
+/// Returns a check box that shows and changes a setting. The check box is also updated when other
+/// code changes the setting.
 QCheckBox* setting_switch(const QString& key, bool fallback, const QString& text,
                           const QString& tip, QWidget* parent);
 /// Does the same with a list. `choices` are pairs of the stored value and the text that the user

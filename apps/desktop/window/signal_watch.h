@@ -8,9 +8,9 @@
 namespace felt::desktop {
 
 /// Emits `asked` for SIGTERM, SIGINT and SIGHUP, which a logout, `kill`, Ctrl-C or a closing
-/// terminal sends. Without a SignalWatch, these signals would end the process immediately, with the
-/// device's last force still on. A second signal ends the process as usual. A process may have only
-/// one SignalWatch, in the main thread.
+/// terminal sends. Without a SignalWatch, these signals would end the process immediately, while
+/// the device still exerts its last force. A second signal ends the process as usual. A process may
+/// have only one SignalWatch, in the main thread.
 class SignalWatch : public QObject {
   Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace felt::desktop {
 /// "tool.swap" (X) borrows the eraser, or the pencil if the eraser is selected. The release of this
 /// key always selects the former tool again.
 ///
-/// This class adds an action "tool.ID" for each tool for which no other code has added one.
+/// For each tool without an action "tool.ID", this class adds this action.
 class ToolKeys : public QObject {
   Q_OBJECT
 

@@ -12,7 +12,7 @@ inline const QString kTheme = QStringLiteral("window/theme");
 inline const QString kLanguage = QStringLiteral("window/language");
 inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kLayout = QStringLiteral("window/layout");
-/// True if the next start opens the last drawing again.
+/// True if Feltline opens the last drawing (kLastFile) when it starts.
 inline const QString kReopenLast = QStringLiteral("window/reopen_last");
 
 /// The path of the drawing that was opened or saved last.

@@ -40,8 +40,8 @@ struct AutosaveStatus {
 struct AutosaveOptions {
   /// Folders for databases, the preferred one first; see autosave_roots().
   std::vector<std::string> roots;
-  /// Called on the autosave thread when AutosaveStatus::state or `why` changes. The status begins
-  /// with kWorking.
+  /// Called on the autosave thread when AutosaveStatus::state or `why` changes. The initial state
+  /// is kWorking.
   std::function<void(const AutosaveStatus&)> on_status = {};
   /// Called on the autosave thread after each commit. The argument is a time on the session's
   /// clock, in ns: everything that the session received up to that time is on the disk, together
@@ -52,7 +52,8 @@ struct AutosaveOptions {
   /// `retry` is the time until the next attempt if all folders failed; `retry_first` is the time
   /// until the next attempt to return to the first folder while another folder works.
   std::chrono::milliseconds retry{5'000}, retry_first{60'000};
-  /// If the edits since the last base are larger than this, a new base is written.
+  /// If the edits since the last base (a complete copy of the drawing in the database) are larger
+  /// than this, a new base is written.
   std::uint64_t max_log_bytes = std::uint64_t{32} << 20;
   /// The name of an SQLite file system (VFS), for tests of faults. If null, the system's file
   /// system is used.
@@ -64,7 +65,7 @@ struct AutosaveOptions {
 /// A change for the autosave to save. The autosave applies each member that is set, in the order of
 /// the members.
 struct AutosaveMessage {
-  /// Replaces the current drawing, which has been saved or discarded.
+  /// The new drawing of the session. The previous drawing has been saved or discarded.
   std::unique_ptr<Drawing> drawing = {};
   /// Page, palette, view and all other parts of the drawing that no event reports. The document and
   /// active layer of `head` are ignored.
@@ -95,12 +96,13 @@ struct AutosaveMessage {
 ///
 /// Calls on the edit thread put messages into a queue. The autosave thread applies them to its
 /// replica of the drawing (the strokes are shared) and writes them to the database. It also reads
-/// the haptic loop's second ring of samples, so ink is saved even if the edit thread hangs. Only
-/// the destructor and flush() wait for a disk. While the disk stalls, messages wait in the queue
-/// and samples in the ring, which holds 16 s of them. They are committed afterwards.
+/// samples directly from the haptic loop, through a ring buffer that only the autosave reads. So
+/// ink is saved even if the edit thread hangs. Only the destructor and flush() wait for a disk.
+/// While the disk stalls, messages wait in the queue, and the samples of up to 16 s wait in the
+/// ring. All of these are committed when the disk works again.
 ///
-/// A database that failed is not used again. Instead, the replica is written to a new database in
-/// the next folder that works.
+/// After an error, a database is not used again. Instead, the replica is written to a new database
+/// in the next folder that works.
 ///
 /// Call all functions on the edit thread unless noted otherwise.
 class Autosave {
@@ -122,8 +124,9 @@ class Autosave {
   /// Adds a message to the queue.
   void post(AutosaveMessage message);
 
-  /// Starts reading the haptic loop's samples from this ring. `offset_ns` is the session's clock
-  /// minus the loop's. The ring must exist until detach(), which does not wait for a disk.
+  /// Starts reading the haptic loop's samples from this ring. `offset_ns` is the time of the
+  /// session's clock minus that of the loop's clock. The ring must exist until detach() is called;
+  /// detach() does not wait for a disk.
   void attach(Servo::Ring& ring, std::int64_t offset_ns);
   void detach();
 

@@ -52,13 +52,13 @@ enum class LiveKind : std::uint8_t {
 ///   database->commit();
 ///   std::move(*database).remove();             // if everything is in the user's file
 ///
-/// After a crash, all committed data is in the database, even after a power failure if the disk
-/// honours fsync. Data added since the last commit may be missing. After the commit that completes
+/// All committed data survives a crash of the program and, if the disk honours fsync, also a power
+/// failure. Data that was added after the last commit may be lost. After the commit that completes
 /// a new base, tidy() deletes the previous base and the edits that the new base contains.
 ///
 /// After an error, do not use this database again, because after a failed fsync the next fsync may
 /// succeed even though data was lost. Create a new database in another folder from the data in
-/// memory. Messages begin with the folder. Not thread-safe.
+/// memory. Error messages begin with the path of the folder. Not thread-safe.
 class AutosaveDatabase {
  public:
   /// Creates a database without a base in a new folder `root`/`name`, or `name`-2, -3 ... if that
@@ -72,10 +72,10 @@ class AutosaveDatabase {
   /// Closes the database and leaves its files, as after a crash.
   ~AutosaveDatabase();
 
-  /// Writes a whole base. It is valid after the next commit.
+  /// Writes a whole base. The base is valid after the next commit.
   Result<void> write_base(const Drawing& drawing);
-  /// Starts a base. `drawing` is the drawing after the last edit that was added. Requires
-  /// !base_in_progress().
+  /// Starts to write a base. `drawing` must be the drawing after the last edit that was added.
+  /// Requires !base_in_progress().
   Result<void> begin_base(std::shared_ptr<const Drawing> drawing);
   /// Writes the next part of the base. Returns true after the last part; the base is valid after
   /// the next commit.
@@ -127,7 +127,7 @@ class AutosaveDatabase {
   std::uint64_t edit_bytes_ = 0, edit_bytes_before_base_ = 0;
 };
 
-/// Name of the database in its folder. The name of SQLite's log beside it ends in `-wal`.
+/// File name of the database. SQLite's log is in the same folder; its name ends in `-wal`.
 inline constexpr const char* kAutosaveDatabaseFile = "store.db";
 
 }  // namespace felt

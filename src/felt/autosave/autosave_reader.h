@@ -10,9 +10,9 @@
 
 namespace felt {
 
-/// Reads an autosave database that may be damaged: skips rows that cannot be read, and reads those
-/// before and after them. Open only copies, because SQLite moves the WAL of a dead process into the
-/// database file when it opens the database. Not thread-safe.
+/// Reads an autosave database that may be damaged: skips rows that cannot be read, and reads all
+/// other rows. Open only copies, because SQLite moves the WAL of a dead process into the database
+/// file when it opens the database. Not thread-safe.
 class AutosaveReader {
  public:
   /// Opens a database. Fails if it is not an autosave database of this version, or if no part of it
@@ -24,13 +24,13 @@ class AutosaveReader {
   ~AutosaveReader();
 
   /// Calls `each` with every readable row of a table, by ascending key from `first` on. Each row
-  /// has the key and then `columns`. Requires that keys are consecutive numbers, except for deleted
-  /// rows. Returns false if some rows could not be read.
+  /// contains the key, followed by `columns`. Requires that keys are consecutive numbers, except
+  /// for deleted rows. Returns false if some rows could not be read.
   bool rows(const std::string& table, const std::string& key, const std::string& columns,
             std::int64_t first, const std::function<void(const Statement&)>& each) const;
 
-  /// Returns true if rows were skipped because memory ran out and not because they are damaged. In
-  /// that case, all rows read are invalid.
+  /// Returns true if rows() skipped rows because memory ran out, although these rows may be intact.
+  /// In that case, all rows read are invalid.
   [[nodiscard]] bool ran_out_of_memory() const noexcept { return ran_out_of_memory_; }
 
  private:

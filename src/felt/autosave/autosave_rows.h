@@ -23,7 +23,8 @@ inline constexpr std::uint32_t kAutosaveVersion = 1;
 inline constexpr std::array kAutosaveTables = {
     // Parts of bases; id = generation << 32 | part.
     "CREATE TABLE base(id INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
-    // Complete bases: the serial of the last edit that each contains, and its number of parts.
+    // Complete bases, one in each row: the serial number of the last edit that the base contains,
+    // and the number of its parts.
     "CREATE TABLE generation(id INTEGER PRIMARY KEY, serial INTEGER NOT NULL, "
     "parts INTEGER NOT NULL, crc INTEGER NOT NULL)",
     "CREATE TABLE edit(serial INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
@@ -43,7 +44,7 @@ constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) no
 inline constexpr const char* kNewDatabaseFile = "store.new";
 /// Name of the copy that recovery reads.
 inline constexpr const char* kCopiedDatabaseFile = "copy.db";
-/// Deletes the autosave's files in a folder, and the folder if nothing else is in it.
+/// Deletes the autosave's files in a folder. Also deletes the folder if it contains no other files.
 Result<void> remove_autosave_folder(const std::string& folder);
 
 /// Returns the checksum of a row, which covers its numbers and then its bytes.
@@ -51,7 +52,8 @@ std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) n
 
 /// Returns the first part of a base, which has everything except the strokes.
 Result<std::string> base_head_bytes(const Drawing& drawing);
-/// Reads the drawing without its strokes: all its layers, and the highest ids ever used.
+/// Reads the first part of a base. The returned drawing has all its layers, but no strokes. Its
+/// document reserves the ids that were ever used.
 Result<Drawing> read_base_head(std::string_view bytes);
 
 /// The content of each part after the first: consecutive strokes of one layer.
@@ -59,8 +61,8 @@ struct BaseRun {
   LayerId layer;
   std::vector<std::pair<StrokeId, StrokePtr>> strokes;
 };
-/// Returns a part with the strokes from `index` on, until the part is full or the layer ends.
-/// Advances `index`.
+/// Returns a part with the strokes of `layer` from `index` on, until the part is full or the layer
+/// ends. Sets `index` to the first stroke that is not in the part.
 Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
                                    std::size_t& index);
 Result<BaseRun> read_base_run(std::string_view bytes);

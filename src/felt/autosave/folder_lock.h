@@ -13,12 +13,14 @@ namespace felt {
 ///
 /// SQLite's exclusive lock of the database is not sufficient:
 ///   - the folder must also be locked before the database has its final name, and while the folder
-///     holds only a copy for recovery. Otherwise another process could mistake it for an abandoned
-///     autosave;
-///   - a recovery holds the lock for minutes and must not write. To lock a database, however,
-///     SQLite has to open it: it then recovers the WAL, and it refuses a damaged database;
-///   - SQLite's lock is a POSIX lock, which is lost if its process also reads the file directly (to
-///     copy it). Then a second process could open the database and delete the WAL.
+///     holds only a copy for recovery. Otherwise another process could mistake the folder for an
+///     abandoned autosave;
+///   - a recovery holds the lock for minutes and must not write to the database. But SQLite can
+///     lock a database only after opening it, and when it opens a database, it merges the WAL into
+///     it. Besides, SQLite does not open a damaged database;
+///   - SQLite's lock is a POSIX lock. It is lost if the process that holds it also opens and closes
+///     the file directly (to copy it). After that, a second process could open the database and
+///     delete the WAL.
 class FolderLock {
  public:
   /// Locks a folder. Fails if another process or another object of this process has locked it

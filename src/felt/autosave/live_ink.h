@@ -34,13 +34,13 @@ struct LiveChunk {
 /// Uses no clock, thread or file. Not thread-safe.
 class LiveInk {
  public:
-  /// Maximum number of hover samples before the contact in a stretch: enough to settle velocity and
-  /// contact.
+  /// Maximum number of hover samples that a stretch contains before the contact. They are enough
+  /// for the velocity filter and the contact detection to settle.
   static constexpr std::size_t kHoverSamples = 64;
   /// If a gesture makes no edit, its stretch ends after the pen was out of contact for this time.
   static constexpr std::int64_t kNoEditNs = 200'000'000;
-  /// Maximum size in bytes of a stretch, which corresponds to ten minutes without a lift. Anything
-  /// beyond it is not saved.
+  /// Maximum size of a stretch in bytes, which corresponds to ten minutes without a lift. Events
+  /// and samples beyond this size are not saved.
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
   /// Prepares for a new session: discards everything except the device.
@@ -54,7 +54,7 @@ class LiveInk {
   void event_applied(const Event& event, bool gesture_in_progress);
   /// Ends the stretch, because the document has applied an edit that contains the gesture.
   void edit_applied();
-  /// Adds a sample of the haptic loop, on the session's clock.
+  /// Adds a sample of the haptic loop. The sample's time must be on the session's clock.
   void add_loop_sample(const PenSample& sample);
 
   /// Changes of the stretch since the last take_changes(). To apply them, first delete all chunks

@@ -21,8 +21,8 @@ struct Recovered {
   /// Time of the newest sample in the drawing, on the session's clock; -1 if no gesture was in
   /// progress.
   std::int64_t last_sample_ns = -1;
-  /// One sentence for each part that could not be read; it also says how the part was handled.
-  /// Usually empty.
+  /// One sentence for each part that could not be read. The sentence also says how the part was
+  /// handled. The list is usually empty.
   std::vector<std::string> problems;
 };
 
@@ -37,8 +37,8 @@ struct AbandonedAutosave {
 };
 
 /// Returns all autosaves below these folders that belong to ended processes, the newest first.
-/// Ignores roots that do not exist. Also deletes folders without a drawing, which remain if the
-/// program was killed while it started or during a recovery.
+/// Ignores roots that do not exist. Also deletes folders without a drawing. Such a folder remains
+/// if the program was killed during its start or during a recovery.
 std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::string>& roots);
 
 /// Returns the last state of the drawing: the base with all edits applied, and the unfinished
@@ -48,8 +48,8 @@ std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::s
 ///
 /// From a damaged autosave it returns the intact parts, and reports the other parts in `problems`.
 /// It skips rows with a wrong checksum, replaces an incomplete base with the user's file, and keeps
-/// the strokes of edits that no longer fit. Fails if nothing can be read; the message names the
-/// folder. Safe to call from any thread.
+/// the strokes of edits that do not fit the document any more. Fails if nothing can be read; the
+/// message names the folder. Safe to call from any thread.
 Result<Recovered> recover_autosave(const std::string& folder);
 
 }  // namespace felt

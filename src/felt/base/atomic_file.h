@@ -20,11 +20,11 @@ namespace felt {
 /// If the object is destroyed without `commit`, nothing is left behind and `path` is unchanged.
 ///
 /// Symbolic links are followed. An existing file keeps its permissions and extended attributes, and
-/// its owner if the system allows it; a read-only file is not replaced. If `path` is not a regular
-/// file (a pipe, /dev/stdout), it cannot be replaced: `commit` copies the bytes into it. Stdout,
-/// named "-", is handled in the same way. Every error names the file and the reason. A failed fsync
-/// is not retried, because the system may have dropped the bytes. In that case, start again with a
-/// new AtomicFile.
+/// its owner if the system allows it; if it is read-only, it is not replaced. If `path` is not a
+/// regular file (a pipe or /dev/stdout, for example), it cannot be replaced, so `commit` copies the
+/// bytes into it. Stdout, named "-", is handled in the same way. Every error names the file and the
+/// reason. A failed fsync is not retried, because the system may have dropped the bytes. In that
+/// case, start again with a new AtomicFile.
 class AtomicFile {
  public:
   /// Opens the temporary file. Fails if `path` is empty, is a folder, or may not be written.
@@ -77,9 +77,9 @@ Result<void> write_file(const std::string& path, std::string_view bytes);
 /// disk under this name.
 ///  * The new file is reopened and compared with `bytes` before and after the rename. The
 ///    comparison reads from the disk, not from the page cache, if the system allows it.
-///  * Until the second comparison the old file keeps a second, hidden name. If the new file then
-///    differs from `bytes`, the old file is restored.
-///  * Afterwards the files that killed processes left beside it are removed.
+///  * Until the second comparison has succeeded, the old file is kept under a hidden name. If the
+///    second comparison finds a difference, the old file is restored.
+///  * Afterwards, temporary files that killed processes left beside the new file are removed.
 Result<void> save_file(const std::string& path, std::string_view bytes);
 
 }  // namespace felt

@@ -6,8 +6,8 @@
 #include <string_view>
 
 /// The steps of a safe write (AtomicFile). Supports Linux and POSIX only. Private to this layer.
-/// All functions expect paths with their links resolved, except resolved(). If a function returns
-/// false, errno has the reason.
+/// Except for resolved(), all functions expect paths that contain no symbolic links. If a function
+/// returns false, errno contains the reason.
 namespace felt::file_steps {
 
 /// Returns the path with all links followed, even if the last link points to a file that does not
@@ -25,9 +25,9 @@ int open_file(const std::string& path, int flags, mode_t permissions = 0) noexce
 /// Calls write(2) until everything is written.
 bool write_all(int fd, std::string_view bytes) noexcept;
 
-/// Opens a file without a name in `folder`; the system deletes it when the process ends. Returns -1
-/// if the system does not support such files, or cannot give them a name later. The umask applies
-/// to `permissions`.
+/// Opens a file without a name in `folder`. The system deletes the file when the process ends,
+/// unless it was given a name. Returns -1 if the system does not support such files, or cannot give
+/// them a name later. The umask applies to `permissions`.
 int open_unnamed(const std::string& folder, mode_t permissions);
 /// Creates a file with a new hidden name beside `target` and stores the name in `name`. Returns the
 /// descriptor, or -1 with errno.
@@ -39,8 +39,8 @@ std::string give_name(int fd, const std::string& target);
 /// far as the system allows. Errors are ignored, because a drawing is worth more than an attribute.
 void copy_attributes(int from, int to) noexcept;
 
-/// Returns true if the file contains exactly these bytes. Reopens it, and reads from the disk
-/// instead of the page cache if the system allows it. If it returns false and errno is 0, the
+/// Returns true if the file contains exactly these bytes. Reopens the file, and reads from the disk
+/// instead of the page cache if the system allows it. If the result is false and errno is 0, the
 /// content differs.
 bool holds(const std::string& path, std::string_view bytes) noexcept;
 
@@ -48,9 +48,9 @@ bool holds(const std::string& path, std::string_view bytes) noexcept;
 /// file system has no hard links. Returns the name, or "" with errno.
 std::string keep_beside(const std::string& path);
 
-/// Writes a folder to the disk (fsync). Also returns true if the folder cannot be synced: some file
-/// systems cannot sync a folder and report EINVAL, and a folder without read permission cannot be
-/// opened.
+/// Writes a folder to the disk (fsync). Also returns true in two cases in which a folder cannot be
+/// synced: if the file system does not support it (EINVAL), and if the folder cannot be opened
+/// because read permission is missing.
 bool sync_folder(const std::string& folder) noexcept;
 
 /// Removes the files that dead processes left beside `target`. Files that a running process still

@@ -12,9 +12,9 @@ namespace felt {
 /// has more than `max_bytes`; the error names the file and the reason.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
-/// Returns all bytes of a regular file. Use it for names from an untrusted source: it also fails
-/// for a pipe or a device, because reading that may block or never end; "-" is an ordinary name
-/// here, not stdin.
+/// Returns all bytes of a regular file. Use this function for names from an untrusted source. It
+/// also fails for pipes and devices, because reading from them may block or never end, and it
+/// treats "-" as an ordinary name, not as stdin.
 Result<std::string> read_regular_file(const std::string& path, std::size_t max_bytes);
 
 }  // namespace felt

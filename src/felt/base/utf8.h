@@ -6,8 +6,8 @@
 namespace felt {
 
 /// Reads the first code point of UTF-8 text and removes it from the front of `text`. Returns false
-/// if it is malformed, overlong, a surrogate or beyond U+10FFFF; `text` and `code` are then
-/// unspecified. Requires that `text` is not empty. Source: RFC 3629.
+/// if the code point is malformed, overlong, a surrogate or beyond U+10FFFF; in that case, `text`
+/// and `code` are unspecified. Requires that `text` is not empty. Source: RFC 3629.
 bool next_code_point(std::string_view& text, std::uint32_t& code) noexcept;
 
 /// Returns true if the text is well-formed UTF-8. Empty text is well-formed.

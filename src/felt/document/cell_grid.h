@@ -29,8 +29,8 @@ inline CellAddress grid_cell(Point p, double cell_mm) noexcept {
 }
 
 /// Calls visit(iterator) for every non-empty cell that meets the area. `visit` returns the iterator
-/// of the next cell, so that it may erase the current cell. For a huge area, this takes no longer
-/// than visiting all non-empty cells.
+/// of the next cell, so that it may erase the current cell. Even for a huge area, this takes no
+/// longer than visiting all non-empty cells.
 template <class Cells, class Visit>
 void for_each_cell_in(Cells& cells, const Rect& area, double cell_mm, Visit visit) {
   const auto [top, left] = grid_cell({area.x0, area.y0}, cell_mm);

@@ -54,7 +54,8 @@ class Document {
   [[nodiscard]] const Layer* layer(LayerId id) const noexcept;
   [[nodiscard]] std::size_t stroke_count() const noexcept { return strokes_.size(); }
   /// Returns an id that no stroke of this document ever had: the next unused id, or the n-th after
-  /// it. The id counts as used once an edit that adds it is applied, even if that edit is undone.
+  /// it. An id counts as used once an edit that adds a stroke with this id is applied, even if that
+  /// edit is undone.
   [[nodiscard]] StrokeId new_id(std::uint64_t n = 0) const noexcept { return {last_id_ + 1 + n}; }
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }

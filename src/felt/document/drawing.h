@@ -26,9 +26,9 @@ struct Viewport {
   friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
-/// Data of a drawing that is only read on request: recordings of how it was made, and content that
-/// a newer Feltline stored in its file. The .felt format defines it (FeltExtras). Immutable; copies
-/// of a drawing share it.
+/// Data of a drawing that is only read on request: recordings of how the drawing was made, and
+/// content that a newer version of Feltline stored in the file. The .felt format defines these data
+/// (FeltExtras). Immutable; copies of a drawing share it.
 class DrawingExtras {
  public:
   virtual ~DrawingExtras() = default;
@@ -45,8 +45,8 @@ class DrawingExtras {
 struct Drawing {
   Document document{};
   Page page{};
-  /// False if the drawing was read from a file without a page size. `page` then has the default
-  /// size; its surface is valid.
+  /// False if the drawing was read from a file without a page size. In that case, `page` has the
+  /// default size; the other values of `page` are valid.
   bool has_page = true;
   Rgba color{};                    ///< colour of new ink
   LayerId layer{};                 ///< active layer; zero if the user has not chosen one

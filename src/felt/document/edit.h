@@ -63,8 +63,8 @@ struct LayerState {
 
 /// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
 /// must remove or move its strokes), renamed, hidden, locked, or moved. Indices are absolute, like
-/// the positions of strokes: they count the layers before and after the whole edit. Index 0 is the
-/// lowest layer.
+/// the positions of strokes: `before_index` is the index before the whole edit, `after_index` the
+/// index after it. Index 0 is the lowest layer.
 struct LayerChange {
   LayerId id;
   std::optional<LayerState> before;

@@ -14,13 +14,13 @@ namespace felt {
 ///   edit.add(layer, stroke);
 ///   Edit done = std::move(edit).build("Erase");
 ///
-/// The document must not change before build(). Pass each stroke at most once.
+/// The document must not change before build(). Replace or remove each stroke at most once.
 class EditBuilder {
  public:
   explicit EditBuilder(const Document& document) noexcept : document_(document) {}
 
-  /// Adds a new stroke on top of its layer, in the order of the calls. Returns its id. Requires
-  /// that the document has the layer.
+  /// Adds a new stroke on top of its layer, above the strokes that were added before it. Returns
+  /// its id. Requires that the document has the layer.
   StrokeId add(LayerId layer, StrokePtr stroke);
   /// Replaces a stroke with another shape at the same position. Requires that the document has the
   /// stroke.

@@ -13,10 +13,10 @@ namespace felt {
 /// The edits of a document, for undo and redo: one step per gesture (R52). The steps hold the
 /// strokes themselves, so undo restores them bit for bit.
 ///
-/// The number of steps is not limited, but their strokes and lists may take at most
-/// `memory_limit_bytes`. If this limit is exceeded, the oldest steps are discarded; the document
-/// does not change. The newest step is always kept, because otherwise the largest change could not
-/// be undone. A stroke is counted in every step that holds it, so the memory in use is at most the
+/// The number of steps is not limited, but together they may take at most `memory_limit_bytes`
+/// (memory_of()). If this limit is exceeded, the oldest steps are discarded; the document does not
+/// change. The newest step is always kept, because otherwise the largest change could not be
+/// undone. A stroke is counted in every step that holds it, so the memory in use never exceeds the
 /// counted memory. Not thread-safe.
 class History {
  public:
@@ -29,10 +29,10 @@ class History {
   /// edit.
   void record(Edit edit);
 
-  /// Undoes the last step and returns the edit that undid it, which is already applied. Fails
-  /// without a change if no step can be undone, or if the document was changed without record().
+  /// Undoes the last step. Returns the edit that was applied for this. Fails without a change if no
+  /// step can be undone, or if the document was changed without record().
   Result<Edit> undo(Document& document);
-  /// Redoes the last undone step and returns the edit that redid it. Fails under the same
+  /// Redoes the last undone step. Returns the edit that was applied for this. Fails under the same
   /// conditions as undo().
   Result<Edit> redo(Document& document);
 
@@ -42,15 +42,16 @@ class History {
   /// until the next call that changes the history.
   [[nodiscard]] std::string_view undo_label() const noexcept;
   [[nodiscard]] std::string_view redo_label() const noexcept;
-  /// Returns the number of the last step that is done, or 0 if no step is done. Equal numbers mean
-  /// equal documents, even if steps were undone and redone in between.
+  /// Returns the serial number of the newest step that is not undone, even if this step was
+  /// discarded; 0 if there is none. Equal numbers mean equal documents, even if steps were undone
+  /// and redone in between.
   [[nodiscard]] std::uint64_t position() const noexcept {
     return done_ > 0 ? steps_[done_ - 1].number : forgotten_number_;
   }
   /// Returns the number of steps that can be undone.
   [[nodiscard]] std::size_t undo_count() const noexcept { return done_; }
-  /// Returns the number of all recorded steps: first those that can be undone, the oldest first,
-  /// then those that can be redone.
+  /// Returns the number of steps that can be undone or redone. Index 0 is the oldest step that can
+  /// be undone; the steps that can be redone come last.
   [[nodiscard]] std::size_t step_count() const noexcept { return steps_.size(); }
   /// Returns the label of step i. Requires i < step_count(). Valid until the next call that changes
   /// the history.

@@ -36,9 +36,9 @@ class Moves {
   /// Keeps the element at the same index before and after.
   void keep(std::size_t index, Id id) { kept_.push_back({index, id}); }
 
-  /// Returns the new order. Requires that the indices of remove() are in the list and unique. Fails
-  /// if an index of add() is beyond the end or used twice. Takes linear time in the number of
-  /// elements from the lowest move on.
+  /// Returns the new order. Requires that the indices that were passed to remove() are in the list
+  /// and unique. Fails if an index that was passed to add() is beyond the end or used twice. Takes
+  /// linear time in the number of elements from the lowest move on.
   template <class T>
   Result<Reordered<Id>> reorder(std::span<const T> old) {
     if (removed_.empty() && added_.empty()) {

@@ -30,7 +30,7 @@ namespace felt {
 ///
 /// So no edit rebuilds everything. In the worst case, an edit causes one split for each of its
 /// segments and one sort of the leaves' boxes. Segments of very different size never share a leaf,
-/// because a line across the page would make a small leaf large.
+/// because a line across the page would enlarge the box of a leaf of short segments.
 ///
 /// Queries are const, do not allocate, and may run on any number of threads at the same time.
 class SegmentForest {
@@ -63,8 +63,8 @@ class SegmentForest {
 
   /// Returns the segment nearest to `place`, or nullopt if no segment is within radius_mm. If
   /// several visited segments have the same distance, returns the one with the lowest stroke id and
-  /// segment. The work is bounded as in SegmentBvh. If `work` is not null, stores the work done in
-  /// it.
+  /// segment. The work is bounded as in SegmentBvh. If `work` is not null, stores in it the work
+  /// that was done.
   [[nodiscard]] std::optional<Hit> nearest(Point place, double radius_mm,
                                            Work* work = nullptr) const;
   /// Calls visit(StrokeId, int segment) for every segment if its box (of the curve, without its
@@ -89,8 +89,8 @@ class SegmentForest {
     return leaves_.size() - free_leaves_.size();
   }
   /// Returns the number of segments that were sorted since construction because a leaf was split,
-  /// sorted again or built. This measures the work that edits cause on other segments than their
-  /// own. Used by tests.
+  /// sorted again or built. This measures the work that edits cause on segments that they do not
+  /// change. Used by tests.
   [[nodiscard]] std::uint64_t sorted_count() const noexcept { return sorted_; }
   /// Returns how many boxes of leaves were sorted since construction.
   [[nodiscard]] std::uint64_t sorted_leaf_count() const noexcept { return sorted_leaves_; }

@@ -53,7 +53,7 @@ class Selection {
   /// selection if the edit changes a layer.
   void follow(const Edit& edit, const Document& document);
   /// Deselects strokes that cannot be selected in this document: those that do not exist, are in a
-  /// hidden or locked layer, or have another number of points.
+  /// hidden or locked layer, or do not have exactly one point for each mark.
   void hold_to(const Document& document);
   /// Returns the box around the selected on-curve points and handles; empty if the selection is
   /// empty. Requires that `document` is the document to which the selection belongs.

@@ -10,10 +10,9 @@
 
 namespace felt {
 
-/// Builds edits that divide strokes into parts. It can build a new edit for each sample of a
-/// gesture, because it is fast enough for previews of erasing and cutting at 1 kHz. A stroke is
-/// divided into zero, one or several parts, which are new strokes at its position in the drawing
-/// order.
+/// Builds edits that divide strokes into parts. It is so fast that it can build a new edit for each
+/// sample of a gesture, for previews of erasing and cutting at 1 kHz. A stroke is divided into
+/// zero, one or several parts, which are new strokes at its position in the drawing order.
 ///
 ///   StrokeDivisions cut;
 ///   cut.set(document, id, {left, right});      // as often as the parts change
@@ -23,9 +22,9 @@ namespace felt {
 /// stroke is looked up only once. Requires that the document has every stroke that is passed.
 class StrokeDivisions {
  public:
-  /// Sets the parts of a stroke, the lowest first. Replaces parts set before. The first call for a
-  /// stroke takes logarithmic time in the size of its layer if the ids in the layer ascend,
-  /// otherwise linear time.
+  /// Sets the parts of a stroke, the lowest first. Replaces the parts that an earlier call set for
+  /// this stroke. The first call for a stroke takes logarithmic time in the size of its layer if
+  /// the ids in the layer ascend, otherwise linear time.
   void set(const Document& document, StrokeId id, std::vector<StrokePtr> parts);
   /// Removes the parts of the stroke, so that the edit does not divide it.
   void unset(StrokeId id);

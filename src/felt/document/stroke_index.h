@@ -40,7 +40,8 @@ struct StrokeHit {
 };
 
 /// A spatial index of a document's strokes, for tools. It finds the ends of open strokes, for
-/// snapping, and the segments of all editable strokes: those in visible and unlocked layers.
+/// snapping, and the segments of all editable strokes. Strokes are editable if their layer is
+/// visible and unlocked.
 ///
 /// The segments of each layer are in a forest of trees (SegmentForest). A query takes logarithmic
 /// time in the number of segments of each editable layer. An edit takes about a microsecond per
@@ -48,9 +49,10 @@ struct StrokeHit {
 /// uniform grid. A query for ends visits the non-empty cells that its circle covers, and the ends
 /// in these cells. Results do not depend on the order in which strokes were added.
 ///
-/// When a document of more than kIndexedAtOnce strokes is opened, no stroke is sorted. A stroke is
-/// sorted only when a query or an edit comes near it (UnindexedStrokes), at about 2 us per segment.
-/// Not thread-safe, even for queries, because queries sort strokes.
+/// When a document of more than kIndexedAtOnce strokes is opened, no stroke is sorted into the
+/// trees and the grid. A stroke is sorted only when a query or an edit comes near it
+/// (UnindexedStrokes), which takes about 2 us per segment. Not thread-safe, even for queries,
+/// because queries sort strokes.
 class StrokeIndex {
  public:
   /// Strokes broader than this, in mm, are kept in a separate list. Such strokes are few.
@@ -123,7 +125,7 @@ class StrokeIndex {
   /// all strokes that were ever indexed. Every handle is in the box that for_each_segment_in()
   /// tests, or at most this far outside it.
   [[nodiscard]] double farthest_handle_mm() const noexcept { return farthest_handle_mm_; }
-  /// Returns the number of ends.
+  /// Returns the number of ends of open strokes.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }
   /// Returns the number of strokes that are not sorted yet because no query or edit was near them.
   [[nodiscard]] std::size_t unindexed_count() const noexcept { return unindexed_.size(); }

@@ -13,14 +13,14 @@
 
 namespace felt {
 
-/// The strokes of a large document that are not sorted yet, because no query or edit has come near
-/// them. Sorting 10^6 strokes into trees takes seconds, so StrokeIndex only puts them into coarse
-/// grids when a document is opened, and sorts the strokes near a position when a query or an edit
-/// comes near it.
+/// The strokes of a large document that StrokeIndex has not sorted yet, because no query or edit
+/// has come near them. Sorting 10^6 strokes into trees takes seconds, so StrokeIndex only puts them
+/// into coarse grids when a document is opened, and sorts a stroke when a query or an edit comes
+/// near it.
 ///
-/// Each size class of strokes has its own grid, with cells four times as large as those of the
-/// class before. A stroke is in the cell of its middle and reaches at most half a cell beyond it.
-/// Not thread-safe.
+/// Each size class of strokes has its own grid, with cells four times as large as those of the next
+/// smaller class. A stroke is stored in the cell that contains its middle, and reaches at most half
+/// a cell beyond that cell. Not thread-safe.
 class UnindexedStrokes {
  public:
   struct Entry {

@@ -26,7 +26,7 @@ enum class StreamFault : std::uint8_t {
 ///
 /// send() and receive() block for at most the given time, and neither allocate nor throw. After
 /// kClosed or kFailed the stream is unusable: every call returns the same fault. The destructor
-/// closes it.
+/// closes the stream.
 class ByteStream {
  public:
   ByteStream() = default;
@@ -59,8 +59,8 @@ class ByteStream {
   [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
 };
 
-/// Measures on the system's monotonic clock how much of a time limit is left, so that several calls
-/// can share one limit.
+/// Measures how much of a time limit is left, on the system's monotonic clock. Several calls can
+/// share one limit.
 class StreamDeadline {
  public:
   explicit StreamDeadline(std::int64_t within_ns) noexcept;

@@ -26,7 +26,7 @@ class CueDevice {
   /// Returns true if the device plays this waveform, directly or as the nearest one it supports.
   [[nodiscard]] virtual bool plays(CueWaveform waveform) const noexcept = 0;
   /// Plays a cue. `now_ns` is the time of any clock that never goes back. Fails with kOther if the
-  /// device refuses this cue but may accept others. Fails with kDisconnected if the device is
+  /// device refuses this cue but may accept other cues. Fails with kDisconnected if the device is
   /// disconnected; all later calls then fail in the same way.
   virtual tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept = 0;
   /// Silences the device immediately. Implementations must do so in every state of the object, also

@@ -18,8 +18,8 @@ struct DeviceModel {
   /// nominal period.
   Capabilities capabilities;
   /// The source of the figures. It says "estimate" if a figure could not be checked on a data
-  /// sheet. If the device itself reports other figures, a driver may lower the force limits to
-  /// them, but not raise them.
+  /// sheet. If the device itself reports other figures, a driver may use these to lower the force
+  /// limits, but not to raise them.
   std::string_view source;
   /// True if one of our drivers can open this model. Other models are listed for reference.
   bool is_driven = true;

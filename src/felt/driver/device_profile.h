@@ -13,8 +13,8 @@
 namespace felt {
 
 /// The user's settings for one device: the position of its drawing plane, its force limits, and the
-/// hand that holds it. They are stored under the device's id in a small text file that a user can
-/// read and repair:
+/// hand that holds the device. They are stored under the device's id in a small text file that a
+/// user can read and repair:
 ///
 ///   # Feltline: what was set for one device.
 ///   device = haply:049D
@@ -38,7 +38,7 @@ struct DeviceProfile {
   std::string device_id;     ///< DeviceDescriptor::id
   std::string serial = {};   ///< serial number of the device; empty if unknown
   std::string name = {};     ///< given by the user; if empty, the maker's name is used
-  bool left_handed = false;  ///< true if the left hand holds it now; see switch_hand()
+  bool left_handed = false;  ///< true if the left hand holds the device now; see switch_hand()
   std::optional<PlaneCalibration> plane = {};  ///< plane for that hand; nullopt if not calibrated
   std::optional<DrawingArea> area = {};        ///< set together with the plane
   std::optional<PlaneCalibration> other_plane = {};  ///< plane for the other hand
@@ -65,7 +65,7 @@ void switch_hand(DeviceProfile& profile) noexcept;
 /// `serial` if `serial` is not empty.
 void forget_planes_of_another(DeviceProfile& profile, std::string_view serial);
 
-/// Returns `device` with the user's limits, which can only lower the device's own.
+/// Returns `device` with the user's limits, which can only lower the limits of the device.
 Capabilities limited_by(const DeviceProfile& profile, Capabilities device) noexcept;
 
 /// Returns "$XDG_CONFIG_HOME/feltline/devices", or "$HOME/.config/feltline/devices" if that

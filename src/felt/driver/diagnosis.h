@@ -21,8 +21,8 @@ enum class FindingLevel : std::uint8_t {
 struct SystemFix {
   std::string path;     ///< "/etc/udev/rules.d/70-feltline-novint.rules"
   std::string content;  ///< the content that follows the first line, kOurFileMark
-  /// The shell command that activates the file, run as root. It is empty if no command can activate
-  /// the file, only an action of the user such as a new login.
+  /// The shell command that activates the file; it is run as root. It is empty if the file takes
+  /// effect only after an action of the user, such as a new login.
   std::string activate;
 };
 

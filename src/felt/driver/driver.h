@@ -87,7 +87,7 @@ struct DeviceDescriptor {
   Capabilities capabilities;  ///< as far as they are known while the device is closed
 };
 
-/// The way in which a device finds its reference position.
+/// How a device finds its reference position.
 enum class Homing : std::uint8_t {
   kNone,      ///< homing is not needed
   kByItself,  ///< the arm moves by itself; the user must agree first, and must not touch it
@@ -97,8 +97,8 @@ enum class Homing : std::uint8_t {
 
 struct OpenOptions {
   /// For a device that moves only in the plane and cannot sense contact: if true, the pen is down
-  /// from the start; if false, it is up until DriverDevice::set_pen_down() is called (a key is
-  /// held).
+  /// from the start; if false, it is up until DriverDevice::set_pen_down() is called, which happens
+  /// while the user holds a key.
   bool pen_begins_down = true;
 };
 
@@ -121,10 +121,11 @@ class DriverDevice : public Device {
   /// Returns the maker's servo loop if only that loop may run this device, or null if any thread
   /// may.
   [[nodiscard]] virtual LoopHost* loop_host() noexcept { return nullptr; }
-  /// Sets whether the pen touches, for a device that cannot sense it (sensed_axes is 2, no
-  /// pressure). In the device's frame, samples then have z = -0.25 mm while the pen touches, and
-  /// 0.25 mm otherwise. (The safety chain would treat a larger step in one tick as a jump.) Returns
-  /// false, and does nothing, if the device senses contact itself. Safe to call from any thread.
+  /// Sets whether the pen touches the surface, for a device that cannot sense contact (sensed_axes
+  /// is 2, no pressure). In the device's frame, samples then have z = -0.25 mm while the pen
+  /// touches, and 0.25 mm otherwise. (The safety chain would treat a larger step in one tick as a
+  /// jump.) Returns false, and does nothing, if the device senses contact itself. Safe to call from
+  /// any thread.
   virtual bool set_pen_down(bool is_down) noexcept {
     static_cast<void>(is_down);
     return false;
@@ -164,10 +165,10 @@ class Driver {
                                                      const OpenOptions& options) = 0;
   /// Opens a cue device that find() returned. Fails like open().
   virtual Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device);
-  /// Returns the drawing plane that is used until the user has calibrated one. It assumes the usual
-  /// position of the device on a desk. Its (0, 0) is the centre of the reachable part of the plane.
-  /// The base class assumes a right-handed frame with x to the right, y up and z towards the user,
-  /// and returns an upright page in front of the device, like an easel.
+  /// Returns the drawing plane that is used until the user has calibrated a plane. It assumes the
+  /// usual position of the device on a desk. Its (0, 0) is the centre of the reachable part of the
+  /// plane. The base class assumes a right-handed frame with x to the right, y up and z towards the
+  /// user, and returns an upright page in front of the device, like an easel.
   [[nodiscard]] virtual PlaneCalibration default_plane(const DeviceDescriptor& device,
                                                        const OpenOptions& options) const {
     static_cast<void>(device), static_cast<void>(options);

@@ -24,10 +24,10 @@ struct EvdevAxis {
   std::int32_t flat = 0;  ///< size of the dead zone around the middle
 };
 
-/// A spring, damper or friction along one axis, in the kernel's units. The centre is -32767..32767
-/// over the range of the axis. Saturations (0..65535) and coefficients (-32767..32767) are relative
-/// to the device's full force. With a positive coefficient, a spring pulls to the centre, and a
-/// damper or friction brakes.
+/// A spring, damper or friction along one axis, in the kernel's units. The centre is -32767 at the
+/// minimum of the axis and 32767 at its maximum. Saturations (0..65535) and coefficients
+/// (-32767..32767) are relative to the device's full force. With a positive coefficient, a spring
+/// pulls to the centre, and a damper or friction brakes.
 struct EvdevCondition {
   std::uint16_t right_saturation = 0, left_saturation = 0;
   std::int16_t right_coefficient = 0, left_coefficient = 0;
@@ -36,8 +36,8 @@ struct EvdevCondition {
   friend constexpr bool operator==(const EvdevCondition&, const EvdevCondition&) = default;
 };
 
-/// An effect that the device plays by itself. `type` is a kFf... number of evdev_codes.h. Fields
-/// that do not apply to this type are ignored.
+/// An effect that the device plays by itself. `type` is one of the kFf... constants in
+/// evdev_codes.h. Fields that do not apply to that type are ignored.
 struct EvdevEffect {
   std::uint16_t type = 0;
   std::int16_t id =
@@ -47,7 +47,7 @@ struct EvdevEffect {
   std::uint16_t length_ms = 0;                 ///< 0 plays until stopped
   std::array<EvdevCondition, 2> conditions{};  ///< conditions of axes x and y
   std::int16_t level = 0;                      ///< level of a constant force
-  std::uint16_t strong = 0, weak = 0;          ///< strength of both motors of a rumble effect
+  std::uint16_t strong = 0, weak = 0;          ///< strengths of the two motors of a rumble effect
   std::uint16_t hid_usage = 0;                 ///< waveform of a haptic effect (HID page 0x0E)
   std::uint16_t intensity_percent = 0;         ///< intensity of a haptic effect, 0..100
   friend constexpr bool operator==(const EvdevEffect&, const EvdevEffect&) = default;
@@ -74,7 +74,7 @@ class EvdevPort {
   /// Returns how many effects the device can hold.
   virtual tl::expected<int, int> slots() noexcept = 0;
   /// Uploads an effect and returns its id. Fails with ENOSPC if all slots are used, and with EINVAL
-  /// if the device does not support this type.
+  /// if the device does not support effects of this type.
   virtual tl::expected<std::int16_t, int> upload(const EvdevEffect& effect) noexcept = 0;
   virtual tl::expected<void, int> erase(std::int16_t id) noexcept = 0;
   /// Writes an event to the device: {kFf, id, number of plays (0 stops)} or {kFf, kFfGain,
@@ -82,8 +82,8 @@ class EvdevPort {
   virtual tl::expected<void, int> send(const EvdevEvent& event) noexcept = 0;
 };
 
-/// Opens a device node. Fails with kNotFound if the node does not exist, and otherwise with kIo;
-/// the message has the path and errno's text.
+/// Opens a device node. Fails with kNotFound if the node does not exist, and with kIo for any other
+/// error. The message contains the path and the text of errno.
 Result<std::unique_ptr<EvdevPort>> open_evdev(const std::string& path);
 
 /// Returns an effect as the bytes of the kernel's struct ff_effect. The values of FF_HAPTIC are at

@@ -17,19 +17,19 @@ namespace felt {
 ///   send(passed.force);
 ///   if (!passed.was_finite) return tl::unexpected(DeviceFault::kBadData);
 ///
-/// These limits are higher than those of the safety chain. limits_for() derives the chain's limits
-/// from the same figures, but also applies the user's limit (at most 3 N) and uses only 80 % of the
-/// continuous force. A force from a working chain therefore passes exactly unchanged. The limits
-/// matter if the driver does something that the chain cannot see, for example if it holds a force
-/// because the device answers late, or sends no force for a while.
+/// The limits of the gate are higher than those of the safety chain. limits_for() derives the
+/// chain's limits from the same capabilities, but also applies the user's limit (at most 3 N) and
+/// uses only 80 % of the continuous force. A force from a working chain therefore passes exactly
+/// unchanged. The gate matters if the driver does something that the chain cannot see, for example
+/// if it holds a force because the device answers late, or sends no force for a while.
 ///
 /// Used on the haptic thread; real-time safe. A copy of a ForceGate is a snapshot of its state;
 /// assign it back if sending failed.
 class ForceGate {
  public:
-  /// The largest rise of the force (docs/safety.md, "rise"). One call of pass() allows a rise of
-  /// this rate times the time since the last call. That time counts as at most two periods of the
-  /// device and at most 5 ms.
+  /// The highest rate at which the force may rise (docs/safety.md, "rise"). One call of pass()
+  /// allows a rise of this rate multiplied by the time since the last call. A time of more than two
+  /// periods of the device, or of more than 5 ms, is shortened to the lesser of these two.
   static constexpr double kRiseNPerMs = 0.3;
 
   /// Sets the limits of a device. A device with an invalid force limit gets no force. If the
@@ -42,10 +42,10 @@ class ForceGate {
     bool was_cut = false;    ///< the requested force was larger than allowed, or rose too fast
   };
   /// Returns the force that may be sent at `now_ns`, and assumes that the device holds it until the
-  /// next call. If `now_ns` is not later than in the last call, the force may not rise.
+  /// next call. If `now_ns` is not later than that of the last call, the force does not rise.
   Passed pass(const Force& asked, std::int64_t now_ns) noexcept;
   /// Records that the driver sent `force` instead of the force that pass() returned last. Requires
-  /// that `force` is not larger.
+  /// that `force` is not larger than the one that pass() returned.
   void sent_less(const Force& force) noexcept { held_ = force; }
   /// Records that the device holds no force, because it was stopped or has stopped by itself.
   void release() noexcept { held_ = {}; }

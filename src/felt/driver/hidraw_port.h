@@ -35,8 +35,8 @@ class HidrawPort {
   virtual tl::expected<std::size_t, int> feature(std::span<std::uint8_t> room) noexcept = 0;
 };
 
-/// Opens a device node. Fails with kNotFound if the node does not exist, and otherwise with kIo;
-/// the message has the path and errno's text.
+/// Opens a device node. Fails with kNotFound if the node does not exist, and with kIo for any other
+/// error. The message contains the path and the text of errno.
 Result<std::unique_ptr<HidrawPort>> open_hidraw(const std::string& path);
 
 }  // namespace felt

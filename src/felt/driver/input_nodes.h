@@ -34,13 +34,14 @@ struct HidrawNode {
   std::string kernel;      ///< value for KERNELS in udev rules: "0018:045E:0C1B.0003"
 };
 
-/// Return the devices, ordered by number, at most 256. A value that cannot be read is empty or 0.
+/// Return at most 256 devices, in the order of the numbers of their nodes. In the result, a value
+/// that could not be read is empty or 0.
 std::vector<InputNode> input_nodes(const SystemView& system);
 std::vector<HidrawNode> hidraw_nodes(const SystemView& system);
 
-/// Returns the first `largest` bits of a sysfs file, all false if the text is invalid. The file
-/// consists of hexadecimal words, each as large as a C `long`, with the most significant word
-/// first.
+/// Returns the first `largest` bits of a sysfs file whose content is `text`; all bits are false if
+/// the text is invalid. Such a file consists of hexadecimal words, each as large as a C `long`; the
+/// most significant word comes first.
 std::vector<bool> sysfs_bits(std::string_view text, std::size_t largest);
 /// Returns vendor and product in the form "046d:c52b", for ids and rules.
 std::string vendor_and_product(std::uint16_t vendor, std::uint16_t product);

@@ -24,7 +24,8 @@ struct KernelVersion {
 };
 KernelVersion kernel_version(const SystemView& system);
 
-/// Returns the lines of limits.d(5) that grant a user the rights that the force loop needs.
+/// Returns the lines of kLimitsFile, in the form of limits.d(5), that grant a user the rights that
+/// the force loop needs.
 std::string limits_lines(const std::string& user);
 
 }  // namespace felt

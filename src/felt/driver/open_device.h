@@ -19,7 +19,7 @@ namespace felt {
 /// Options for opening a driver's device.
 struct DeviceSetup {
   OpenOptions open = {};
-  /// The user's settings; if they were made with another unit of this model, the planes in them are
+  /// The user's settings; if they were made with another device of the same model, their planes are
   /// ignored.
   DeviceProfile profile = {};
   /// If the user has not set a plane, the driver's default plane is moved so that the centre of the
@@ -34,11 +34,11 @@ struct DeviceSetup {
 /// user has set. The servo, the window, the command line and the device test use every device
 /// through an OpenDevice.
 ///
-/// Positions and velocities are mapped from the device's frame into the frame of the surface;
-/// forces are mapped back by the inverse rotation. So a movement along +z lifts the pen off the
-/// surface, however the plane is tilted. Pressure, buttons, times and faults pass unchanged. If the
-/// device reports the axis of the pen, read() computes the tilt as the angle between this axis and
-/// the normal of the surface. Otherwise it keeps the tilt that the device reports.
+/// Positions and velocities are mapped from the device's frame into the frame of the page; forces
+/// are mapped back by the inverse rotation. So a movement along +z lifts the pen off the surface,
+/// however the plane is tilted. Pressure, buttons, times and faults pass unchanged. If the device
+/// reports the axis of the pen, read() computes the tilt as the angle between this axis and the
+/// normal of the surface. Otherwise it keeps the tilt that the device reports.
 ///
 /// read(), between(), write(), held_force() and stop() are used on the thread that Device requires,
 /// and are real-time safe if the same functions of the device are. set_pen_down() may be called
@@ -49,7 +49,7 @@ class OpenDevice final : public Device {
   /// the device is abandoned (felt/rt/abandon.h).
   static constexpr std::chrono::seconds kClosePatience{3};
 
-  /// Opens a device that the driver has found. Fails as Driver::open() does.
+  /// Opens a device that the driver has found. Fails under the same conditions as Driver::open().
   static Result<std::unique_ptr<OpenDevice>> open(Driver& driver, const DeviceDescriptor& found,
                                                   const DeviceSetup& setup);
   /// Takes ownership of a device that its driver has opened. `default_plane` is the result of
@@ -61,7 +61,7 @@ class OpenDevice final : public Device {
   ~OpenDevice() override;
 
   [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
-  /// Returns the device's capabilities in the frame of the surface, within the user's limits.
+  /// Returns the device's capabilities in the frame of the page, within the user's limits.
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   std::optional<PenSample> between() noexcept override;

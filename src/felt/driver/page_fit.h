@@ -23,7 +23,7 @@ DrawingArea reach_of(const PlaneCalibration& plane, const Capabilities& device) 
 /// Returns `plane` moved so that the centre of `area` is the centre of `page`. `scale` is
 /// millimetres on the page per millimetre of the hand, clamped to 0.5..2. Without `scale`, uses the
 /// smallest scale in this range with which the whole page can be reached, or 2 if none is large
-/// enough. In the device's frame, the plane stays where it was along its normal.
+/// enough. In the device's frame, the plane is not moved along its normal.
 PlaneCalibration fit_to_page(const PlaneCalibration& plane, const DrawingArea& area,
                              const Rect& page, std::optional<double> scale) noexcept;
 

@@ -26,7 +26,7 @@ namespace felt {
 /// newtons holds at the motors. This has these effects at the hand:
 ///   - a stiffness K and damping B on the page are k = s K and b = s B at the hand, because 1 mm of
 ///     the hand is s mm on the page. If the device can render k, the page may request at most k/s,
-///     and limits_for() lowers its budgets in the same way;
+///     and limits_for() lowers its budgets accordingly;
 ///   - a force F = K d lets the pen sink in by d/s at the hand;
 ///   - the speed of the hand is |v|/s: with s < 1 the hand is faster than the pen on the page, so
 ///     the speed limits are multiplied by s;
@@ -94,7 +94,7 @@ class PlaneCalibration {
   double scale_ = 1.0;
 };
 
-/// A position that the pen touched in the device's frame, and its position on the page.
+/// A position that the pen touched: in the device's frame, and on the page.
 struct PlaneTouch {
   Vec3 device_mm;
   Point page_mm;
@@ -105,14 +105,14 @@ enum class Handedness { kRight, kLeft };
 
 struct PlaneFit {
   PlaneCalibration calibration;
-  double rms_mm = 0.0;    ///< between the mapped touches and their positions on the page
+  double rms_mm = 0.0;  ///< RMS distance between the mapped touches and their positions on the page
   double worst_mm = 0.0;  ///< the largest of these distances
 };
 
 /// Makes three touches for fit_plane() from three touched corners of the wanted drawing area, so
 /// that the user need not measure any distance. The upper left corner of the area gets the position
-/// `origin` on the page. If the angle at the corner is not a right angle, the residual of the fit
-/// is larger.
+/// `origin` on the page. The farther the angle at this corner is from a right angle, the larger is
+/// the residual of the fit.
 std::array<PlaneTouch, 3> corner_touches(const Vec3& upper_left, const Vec3& upper_right,
                                          const Vec3& lower_left, Point origin);
 

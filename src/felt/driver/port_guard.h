@@ -10,17 +10,17 @@
 namespace felt {
 
 /// A small process that sets the force of a device without a watchdog to zero when our program
-/// cannot do so: because the program was killed, has crashed, is stopped (Ctrl-Z, a debugger) or is
+/// cannot do so because it was killed, has crashed, is stopped (Ctrl-Z, a debugger) or is
 /// unresponsive.
 ///
 /// The guard holds a copy of the port and one end of a connection to our program. If the heartbeats
 /// (see beat()) stop for `patience_ns`, the guard writes `last_words`, a message that releases the
-/// force, to the port. It does so once for each silence. When the connection ends, which happens
-/// however our program ends, the guard writes `last_words` and exits. The guard runs in its own
-/// session, blocks all signals (only SIGKILL and SIGSTOP still reach it), closes all other files of
-/// our program, and calls only functions that are safe after a fork of a program with threads.
-/// After the fork, the kernel copies a page of memory when our program first writes to it, which
-/// takes time; therefore start the guard before the loop runs.
+/// force, to the port. It does so once for each interruption of the heartbeats. When the connection
+/// ends, which happens however our program ends, the guard writes `last_words` and exits. The guard
+/// runs in its own session, blocks all signals (only SIGKILL and SIGSTOP still reach it), closes
+/// all other files of our program, and calls only functions that are safe after a fork of a program
+/// with threads. After the fork, the kernel copies a page of memory when our program first writes
+/// to it, which takes time; therefore start the guard before the loop runs.
 class PortGuard {
  public:
   static constexpr std::size_t kMaxBytes = 64;

@@ -9,8 +9,8 @@ namespace felt {
 
 /// Returns the grain of a drawing's surface (Page::surface), or the grain of paper if the
 /// drawing names no surface. The Grain also describes how each medium looks on this surface.
-/// Searches the drawing's own materials and those in `here`. Fails if neither has the surface; the
-/// message names the id of the surface.
+/// Searches the materials of the drawing, then those in `here`. Fails if the surface is in neither;
+/// the message contains the id of the surface.
 Result<Grain> grain_of(const Drawing& drawing, const Materials& here = Materials::built_in());
 
 }  // namespace felt

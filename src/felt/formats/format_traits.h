@@ -35,8 +35,8 @@ std::span<const FormatTraits> format_table() noexcept;
 /// Returns the row of a format.
 const FormatTraits& traits_of(FileFormat format) noexcept;
 
-/// Returns the format with this name (of --to), in upper or lower case, with or without a dot
-/// before it. Fails for any other name; the message lists the known ones.
+/// Returns the format that has this ending (a value of --to), in upper or lower case, with or
+/// without its dot. Fails if no format has it; the message lists the formats that can be written.
 Result<FileFormat> format_of_name(std::string_view name);
 
 /// Return the names of the formats that can be read or written, for messages and help, such as

@@ -44,11 +44,11 @@ inline constexpr const char* kMendedNotice =
 
 /// Reads lines of JSON (docs/formats/ndjson.md) into a drawing with one layer and no page. Reads
 /// fitted strokes exactly as given, and fits strokes to raw pen samples (in mm). A line that is not
-/// a stroke is skipped and reported. A stroke without an id is named by stroke_name(), after its
-/// number among the strokes of the file.
+/// a stroke is skipped and reported. A stroke without an id gets the name stroke_name(n) if it is
+/// stroke n of the file, counted from 1.
 ///
-/// Fails if the text has lines but none could be read, with the first reason. Also fails if the
-/// lines are events.
+/// If the text has lines but none of them could be read, fails with the first error. Also fails if
+/// the lines are events.
 Result<Imported> import_lines(std::string_view text, const ImportOptions& options = {});
 
 /// Whether to write a first line that identifies the file.

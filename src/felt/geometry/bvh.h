@@ -96,7 +96,8 @@ class SegmentBvh {
   void rebuild();
 
   /// Returns the segment nearest to the query's point. If the search visited several segments at
-  /// exactly this distance, returns the one with the lowest reference, then the lowest handle.
+  /// exactly this distance, returns the one with the lowest reference or, if references are equal,
+  /// the lowest handle.
   [[nodiscard]] Hit nearest(const Query& query) const noexcept;
 
   /// Calls visit(handle) for every segment whose tight box (rounded outwards to float) intersects

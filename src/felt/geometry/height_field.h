@@ -10,11 +10,11 @@ namespace felt {
 
 /// The pattern of a relief. No pattern has waves shorter than wavelength_mm / 1.25.
 enum class HeightCharacter : std::uint8_t {
-  kGrain,   ///< equal in all directions, all waves within a factor 1.25 of the wavelength
-  kRough,   ///< cold-pressed paper: round hills of several sizes, and the imprint of the press felt
-  kWeave,   ///< canvas: two crossed sets of threads, each thread one wavelength from the next
-  kFibres,  ///< fibres that cross each other
-  kWood,    ///< annual rings cut lengthwise, along x, and fine fibre between them
+  kGrain,    ///< equal in all directions, all waves within a factor 1.25 of the wavelength
+  kRough,    ///< cold-pressed paper: round hills of several sizes, and the imprint of a press cloth
+  kWeave,    ///< canvas: two crossed sets of threads, each thread one wavelength from the next
+  kFibres,   ///< fibres that cross each other
+  kWood,     ///< annual rings cut lengthwise, along x, and fine fibre between them
   kPicture,  ///< a custom picture (height_picture.h)
 };
 
@@ -26,8 +26,9 @@ struct HeightFieldSpec {
   HeightCharacter character = HeightCharacter::kGrain;
 };
 
-/// The relief of a surface, which the user feels and sees (R47; docs/design/forces.md#texture). A
-/// square tile that repeats without a seam, made from a seed. Immutable; any thread may read it.
+/// The relief of a surface, which the user feels and sees (R47; docs/design/forces.md#texture). It
+/// is a square tile, made from a seed, that repeats without a visible edge. Immutable; any thread
+/// may read it.
 ///
 /// The relief is band-limited, so that the stiffness that the user feels in it is bounded. Grain is
 /// band-limited by construction: it is the sum of 96 waves of equal amplitude and random phase. In

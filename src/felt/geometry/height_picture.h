@@ -23,8 +23,8 @@ struct HeightPictureSpec {
 
 /// Returns the height field of a picture. The picture is stretched to the square tile. If opposite
 /// edges do not match, the picture is blended with a copy shifted by half its size, so that it
-/// repeats without a seam. Waves shorter than tile_mm / 40 are removed. Even if the relief is high,
-/// the force is limited to the stiffness that the haptic loop can render (Texture).
+/// repeats without a seam. Waves shorter than tile_mm / 40 are removed. However high the relief is,
+/// Texture limits the stiffness of its force to what the haptic loop can render.
 ///
 /// Fails if a size is out of range, the number of heights is not width x height, a height is not
 /// finite, or the resulting relief is flat (for example, if the picture is one uniform grey).

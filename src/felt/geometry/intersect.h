@@ -61,8 +61,9 @@ inline constexpr int kIntersectPairs = 4096;
 ///     neighbouring results of the same touch are merged into one.
 /// Curves that share a part (copies, lines on top of lines) would never be discarded, so overlaps
 /// are tested first. If ends of the curves lie on the other curve, and the curves agree between
-/// these ends at more points than Bezout allows, they share the part between them. Its two ends are
-/// reported as kOverlap, and nothing within it. The search then continues with the other parts.
+/// these ends at more points than Bezout allows, they share the part between them. The two ends of
+/// this part are reported as kOverlap; points within it are not reported. The search then continues
+/// with the other parts.
 ///
 /// Guarantees: f(t1) and g(t2) of each result are within kMeetMm (plus 1e-13 of the coordinates) of
 /// each other; every transversal crossing is found; curves that come within half of kMeetMm of each
@@ -74,8 +75,8 @@ Crossings intersections(const Cubic& first, const Cubic& second,
 
 /// Returns the point where a cubic crosses itself (at most one), with t1 < t2. Uses a closed form:
 /// the equation (f(t2) - f(t1)) / (t2 - t1) = 0 is linear in p and p^2 - q, where p = t1 + t2 and q
-/// = t1 t2. For a closed loop, t1 = 0 and t2 = 1. Returns nullopt for a cusp and for a straight
-/// cubic that runs back over itself.
+/// = t1 t2. If the ends of the cubic coincide, t1 = 0 and t2 = 1. Returns nullopt for a cusp and
+/// for a straight cubic that runs back over itself.
 std::optional<Crossing> self_intersection(const Cubic& c) noexcept;
 
 }  // namespace felt

@@ -55,9 +55,10 @@ Nearest nearest(const Cubic& c, Point q) noexcept;
 std::optional<Nearest> nearest_within(const Cubic& c, Point q,
                                       double max_distance_squared) noexcept;
 
-/// Does the same with a limit on the work, for callers with a deadline. Lowers `pieces_left` by the
-/// number of pieces examined and stops at 0. If pieces_left > 0 afterwards, the answer is proven.
-/// If it is 0, the answer is the best point found so far, or nullopt.
+/// Same as above, but with a limit on the work, for callers with a deadline. Lowers `pieces_left`
+/// by the number of pieces examined, and stops the search when `pieces_left` reaches 0. If
+/// pieces_left > 0 afterwards, the answer is proven. If pieces_left is 0, the answer is the best
+/// point found so far, or nullopt.
 std::optional<Nearest> nearest_within(const Cubic& c, Point q, double max_distance_squared,
                                       int& pieces_left) noexcept;
 

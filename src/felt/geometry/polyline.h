@@ -51,15 +51,16 @@ void resample(std::span<const Point> line, std::span<Point> out) noexcept;
 /// may, but need not, be repeated at the end. Polygons may cross themselves, repeat points and have
 /// any orientation.
 
-/// The rule for which points a self-crossing polygon contains.
+/// The rule that decides which points are inside a self-crossing polygon.
 enum class FillRule : std::uint8_t {
   kEvenOdd,  ///< points from which a ray crosses an odd number of edges
   kNonZero,  ///< points with a winding number other than zero
 };
 
-/// Returns true if p is inside or on an edge. An edge is 4 ulp of its largest coordinate wide, so
-/// that a point computed on an edge counts as on it despite rounding. A polygon of one point
-/// contains that point; an empty one contains nothing. False if p is not finite.
+/// Returns true if p is inside or on an edge. An edge has a width of 4 ulp of its largest
+/// coordinate, so that a point that was computed to lie on an edge counts as on the edge despite
+/// rounding. A polygon of one point contains that point; an empty one contains nothing. False if p
+/// is not finite.
 bool contains(std::span<const Point> polygon, Point p, FillRule rule) noexcept;
 
 /// Returns the signed area in mm^2 by the shoelace formula about the first point; positive if the

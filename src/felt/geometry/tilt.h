@@ -7,10 +7,10 @@
 
 namespace felt {
 
-/// The largest tilt. The pen then lies flat on the surface.
+/// The largest tilt, at which the pen lies flat on the surface.
 inline constexpr double kMaxTiltDeg = 90.0;
-/// People usually write at a tilt of 30 to 40 degrees. So tilt has no effect on a line up to
-/// kFreeTiltDeg, and its full effect from kFullTiltDeg on.
+/// People usually write at a tilt of 30 to 40 degrees. So a tilt of up to kFreeTiltDeg has no
+/// effect on the line, and a tilt of kFullTiltDeg or more has its full effect.
 inline constexpr double kFreeTiltDeg = 40.0;
 inline constexpr double kFullTiltDeg = 65.0;
 
@@ -29,9 +29,9 @@ inline std::optional<double> checked_tilt(std::optional<double> tilt_deg) noexce
 }
 
 /// Returns the tilt of a pen whose axis is `axis` (which may point in either direction and have any
-/// length): the angle to the z axis in degrees, 0..90, rounded to tenths of a degree. No pen
-/// measures finer, and short numbers keep recordings small. Returns nullopt if the axis has no
-/// direction. Real-time safe.
+/// length): the angle to the z axis in degrees, 0..90, rounded to tenths of a degree. This is as
+/// precise as any pen measures, and short numbers keep recordings small. Returns nullopt if the
+/// axis has no direction. Real-time safe.
 std::optional<double> tilt_of_axis(const Vec3& axis) noexcept;
 
 /// Returns the tilt of a pen from its projections on the planes x-z and y-z, in degrees, -90..90

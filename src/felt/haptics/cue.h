@@ -35,9 +35,9 @@ constexpr bool is_continuous(CueWaveform waveform) noexcept {
 }
 
 /// A request to a cue device: a waveform and its intensity, 0..1. A continuous waveform plays until
-/// the next cue of any kind, or until kCueHoldNs have passed. To play it for longer, send it again;
-/// so a program that stops responding does not leave a device humming. kNone is silence. Trivially
-/// copyable.
+/// the next cue of any kind, or until kCueHoldNs have passed. To play it for longer, send it again.
+/// The limit ensures that a program that stops responding does not leave a device humming. kNone is
+/// silence. Trivially copyable.
 struct Cue {
   CueWaveform waveform = CueWaveform::kNone;
   double intensity = 0.0;

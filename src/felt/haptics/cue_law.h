@@ -24,7 +24,7 @@ struct CueFeel {
 };
 
 /// Returns the cue feel of a medium on a surface. The waveform follows from the medium's
-/// properties, so that user-defined media have one, too. The first of these that applies is used:
+/// properties, so that custom media also have a waveform. The first of these that applies is used:
 /// kEraser if the medium does not draw; kBrush or kMarker, depending on friction, if little grain
 /// is felt through it (hairs and fibres); kInk if it glides; kChiselMarker if it is waxy; kPencil
 /// if it has about the friction of a pencil or less (but kInk on a surface without grain);
@@ -51,8 +51,9 @@ inline constexpr double kFullPushN = 2.0;  ///< full width of a line (R17)
 
 /// Returns how strongly rubbing is felt, 0..1. It is continuous and grows with speed up to 1. It
 /// also grows with the push, unless the push flattens the relief faster. The share of the relief
-/// that is left is relief_left(wear, push/kFullPushN), the same formula as for the felt and the
-/// displayed relief. If the wear is at most 0.5, the intensity always grows with the push.
+/// that is left is relief_left(wear, push/kFullPushN), the same formula as for the relief that the
+/// hand feels and for the relief on screen. If the wear is at most 0.5, the intensity always grows
+/// with the push.
 ///
 ///   I = r sqrt(P / 75 mW), at most 1,    P = mu Fn (v - 2 mm/s)+
 ///   r = 0.4 + (roughness - 0.4) relief_left
@@ -67,13 +68,13 @@ inline constexpr double kFullPushN = 2.0;  ///< full width of a line (R17)
 /// mm/s. The constants are estimates.
 double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) noexcept;
 
-/// Returns a factor of the intensity, around 1, that renders the hills of the relief that the pen
+/// Returns a factor for the intensity, around 1. It renders the hills of the relief that the pen
 /// crosses: 1 + reported grain relief_left h/(2 rms). The height h is limited to 2 rms in either
-/// direction. The relief is the same object that is also felt, seen and heard. A device receives
-/// only some 20 cues a second, so hills can be rendered fully only if at most kReportedHillsPerS of
-/// them pass per second. At kLostHillsPerS and more, which is typical of drawing, the hills merge
-/// into steady humming: `reported` falls from 0.6 to 0 between the two rates. The result is 0.4 to
-/// 1.6, continuous, and 1 without a relief.
+/// direction. This is the same relief that is also rendered as force, ink and sound. A device
+/// receives only some 20 cues a second, so hills can be rendered fully only if at most
+/// kReportedHillsPerS of them pass per second. At kLostHillsPerS and more, which is typical of
+/// drawing, the hills merge into steady humming: `reported` falls from 0.6 to 0 between the two
+/// rates. The result is 0.4 to 1.6, continuous, and 1 without a relief.
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept;
 inline constexpr double kReportedHillsPerS = 3.0;
 inline constexpr double kLostHillsPerS = 7.0;
@@ -101,8 +102,8 @@ enum class CueEvent : std::uint8_t {
 ///   surface or has been off the surface for 25 ms. So a pen that chatters on the surface counts as
 ///   touching once.
 /// * Humming starts at an intensity of 0.06 and ends below 0.03. It follows changes within some 15
-///   ms. It is sent again when its intensity has changed by 0.08, or every kSayAgainNs. A single
-///   cue interrupts it for kSingleNs.
+///   ms. Its cue is sent again when the intensity has changed by 0.08, or every kSayAgainNs. A
+///   single cue interrupts the humming for kSingleNs.
 /// * A pen above the surface does not hum. Numbers that are not finite count as 0, and if time runs
 ///   backwards, the law assumes that no time has passed.
 ///

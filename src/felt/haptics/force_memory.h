@@ -11,12 +11,12 @@
 namespace felt {
 
 /// Upper bounds of the stiffness (dF/dx, N/m) that a force model presents to the hand, by purpose.
-/// Slopes along the same axis add. If their sum exceeds the budget of R56, friction is reduced
-/// first, then the others.
+/// Slopes along the same axis add. If their sum exceeds the budget of R56, `friction_n_per_m` is
+/// reduced first; `lateral_n_per_m` is reduced only if it exceeds the budget without friction.
 struct Slopes {
   double normal_n_per_m = 0.0;    ///< across the surface: the plane
   double friction_n_per_m = 0.0;  ///< along the surface: the bristle of friction
-  double lateral_n_per_m = 0.0;   ///< along the surface: all others (edit, well, tether, texture)
+  double lateral_n_per_m = 0.0;   ///< along the surface: edit, well, tether, texture
 
   friend constexpr Slopes operator+(const Slopes& a, const Slopes& b) noexcept {
     return {a.normal_n_per_m + b.normal_n_per_m, a.friction_n_per_m + b.friction_n_per_m,
@@ -67,8 +67,8 @@ class ForceTerms {
 };
 
 /// A point that follows the pen, such as a towed nib; the brick that moves it stores it here.
-/// `gesture` is the tool's number for the current gesture. If it changes, the follower starts
-/// again.
+/// When the pen lands, the follower starts under the pen; `is_set` is false until then. `gesture`
+/// is always 0.
 struct Follower {
   Point position{};  ///< mm
   Vec velocity{};    ///< mm/s, for followers that have a velocity

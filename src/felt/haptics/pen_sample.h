@@ -82,11 +82,11 @@ inline constexpr double kUnknownSpeedMmPerS = 6.0;
 /// After the low-pass filter at 100 Hz, one step of a position sensor (0.03 mm) appears as a
 /// velocity of 12 mm/s on a loop at 1 kHz, and of 17 mm/s at 5 kHz. This happens even if the pen
 /// only crept over the edge between two steps. At rest, dampers of 3 N s/m in total turn these
-/// velocities into kicks that keep a frictionless pen oscillating between two steps. Together with
-/// stiffnesses of 900 N/m, the force above 30 Hz is then 0.031 N at 1 kHz and 0.038 N at 5 kHz.
-/// With this function, it is 0.018 and 0.023 N (spring_test.cc checks the bound). Oscillations that
-/// remain undamped are smaller than 0.05 mm at 20 Hz. Shortening keeps the direction, so a damper
-/// can still only remove energy.
+/// velocities into kicks that keep a frictionless pen oscillating between two steps. If springs of
+/// 900 N/m in total act as well, the part of the force above 30 Hz (RMS) is 0.031 N at 1 kHz and
+/// 0.038 N at 5 kHz. With this function, that part is 0.018 and 0.023 N (spring_test.cc checks the
+/// bound). Oscillations that remain undamped are smaller than 0.05 mm at 20 Hz. Shortening keeps
+/// the direction, so a damper can still only remove energy.
 inline Vec known_velocity(const PenSample& sample) noexcept {
   const Vec v = in_plane(sample.velocity);
   const double speed = norm(v);

@@ -20,8 +20,8 @@ namespace felt {
 ///   return std::move(builder).build();
 ///
 /// The first stroke named "s12" gets id 12. Strokes without such a name, and further strokes with
-/// the same name, get new ids above the largest requested one, layer by layer in order. A file that
-/// was written with stroke_name() therefore gets its ids back.
+/// the same name, get new ids above the largest requested id, in the order of the layers and of the
+/// strokes in each layer. A file that was written with stroke_name() therefore gets its ids back.
 class DrawingBuilder {
  public:
   /// Returns the drawing, so that the caller can set everything except its document: page,

@@ -9,9 +9,9 @@ namespace felt {
 /// Writes and reads exact doubles as small differences from rounded numbers that are in the same
 /// file (docs/formats/svg.md, "Exact numbers").
 
-/// Appends the differences between `values` and `guesses`, their rounded values: first one
-/// character that gives the number of digits, then that many digits for each value. Requires as
-/// many guesses as values.
+/// Appends the differences between `values` and their rounded values, `guesses`. The text starts
+/// with a character that gives the number of digits, followed by that many digits for each value.
+/// Requires as many guesses as values.
 void append_exact(std::string& out, std::span<const double> values,
                   std::span<const double> guesses);
 

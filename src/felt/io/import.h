@@ -23,9 +23,9 @@ struct ImportNotice {
 };
 
 /// Notices of one file, in the order in which they first occurred. Notices with the same `what` are
-/// counted together. If notices differ only in numbers and quoted names, only the first three are
-/// kept. The size is bounded for any file: after kMaxKinds notices, all further ones are counted in
-/// one last notice.
+/// counted together. If notices differ only in numbers and quoted names, the first three are kept,
+/// and the others are counted in the third. The size is bounded for any file: after kMaxKinds
+/// notices, all further ones are counted in one last notice.
 class ImportReport {
  public:
   static constexpr std::size_t kMaxKinds = 100;

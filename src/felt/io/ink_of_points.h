@@ -19,9 +19,9 @@ struct WidePoint {
   friend constexpr bool operator==(const WidePoint&, const WidePoint&) noexcept = default;
 };
 
-/// Largest distance between the curve and the points of a drawn line. The fit also checks points on
-/// the straight lines between the points, at most 1 mm apart. Between the checked points, the curve
-/// stays within twice this distance.
+/// Largest distance between the curve and the points of a drawn line. The fit also checks further
+/// points, at most 1 mm apart, on the straight lines between these points. Between the checked
+/// points, the curve stays within twice this distance.
 inline constexpr double kDrawnLineToleranceMm = 0.05;
 /// Largest difference between the width profile and the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;

@@ -19,9 +19,9 @@ inline constexpr std::size_t kMaxNumberChars = 64;
 /// Largest magnitude of a coordinate of raw ink, in the unit of the file. 1e9 mm is 1000 km.
 inline constexpr double kMaxCoordinate = kMaxCoordinateMm;
 
-/// Largest magnitude of a number in a sketch. It is larger than kMaxCoordinate, because a curve
-/// that was fitted to ink near that limit may reach slightly beyond it, and the control points of
-/// the curve even farther.
+/// Largest magnitude of a number in a sketch line (a fitted stroke). It is larger than
+/// kMaxCoordinate, because a curve that was fitted to samples near kMaxCoordinate may reach
+/// slightly beyond it, and the control points of the curve may lie even farther out.
 inline constexpr double kMaxSketchNumber = 1e10;
 
 /// Largest magnitude of a time in ms, so that it fits int64 nanoseconds. It must allow milliseconds

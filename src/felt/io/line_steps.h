@@ -6,10 +6,11 @@
 namespace felt {
 
 /// Computes the positions on a straight line at which a curve fit must check its distance from the
-/// line. They are dense near the ends, which may be corners: the first is at distance `first` from
-/// the end, and each gap between two positions is twice the gap before it, but at most `largest`.
-/// So the fit meets the ends and cannot leave the line in between. Replaces the content of `steps`
-/// with the positions as parameters 0 < t < 1, ascending. Requires first > 0 and first <= largest.
+/// line. They are dense near the ends, which may be corners: from each end towards the middle, the
+/// first position is at distance `first`, and each further gap is at most twice the previous gap
+/// and at most `largest`. So the fit meets the ends and stays near the line between them. Replaces
+/// the content of `steps` with the positions as parameters 0 < t < 1, ascending. Requires first > 0
+/// and first <= largest.
 inline void line_steps(double length, double first, double largest, std::vector<double>& steps) {
   steps.clear();
   double gap = first, at = first;

@@ -40,8 +40,8 @@ std::string gzip(std::string_view text);
 /// same bytes.
 std::string zlib_packed(std::string_view bytes);
 
-// The following functions pack data that is produced in pieces. Packed data consists of a head, the
-// pieces, an end and a tail.
+// The following functions pack data that is produced in pieces. Write a head, then the pieces, then
+// the deflate end, then a tail.
 
 std::string gzip_head();
 /// Appends a piece, compressed independently of the pieces before it.

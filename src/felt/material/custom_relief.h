@@ -9,15 +9,14 @@
 
 namespace felt {
 
-/// The text of a material stores a custom relief as a square of heights. This is the number of
-/// heights along each side. The shortest wave of a relief is about three heights long
-/// (HeightField::kBand).
+/// Number of heights along each side of a custom relief, which the text of a material stores as a
+/// square of heights. The shortest wave of a relief spans about three heights (HeightField::kBand).
 inline constexpr int kOwnReliefSide = 128;
 
 /// Converts a picture to a custom relief for SurfaceMaterial::picture. Resamples the picture to
 /// kOwnReliefSide^2 heights of 16 bits, as in the text of a material. Returns the same object for
-/// the same heights, so that materials with equal texts compare equal and each relief is computed,
-/// which takes 60 ms, only once. Call on any thread except the haptic thread. Fails if
+/// the same heights, so that materials with equal texts compare equal and each relief is computed
+/// only once, which takes 60 ms. Call on any thread except the haptic thread. Fails if
 /// height_field_of fails.
 Result<std::shared_ptr<const HeightField>> custom_relief(const HeightPicture& picture);
 

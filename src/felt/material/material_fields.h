@@ -22,8 +22,8 @@ enum class MaterialFieldKind : std::uint8_t {
 
 /// One field of a material. Each field is a line of the material's text, a row of the editor and a
 /// line of docs/formats/material.md. Besides these fields, a text has `kind`, `id` and `label`. The
-/// text of a surface may also have a custom relief (`grain.picture`, `grain.heights`), and that of
-/// a medium the table `pairs`.
+/// text of a surface may also have a custom relief (`grain.picture`, `grain.heights`), and the text
+/// of a medium may have the table `pairs`.
 template <class Material>
 struct MaterialField {
   std::string_view id;     ///< table and key, with the unit in the name: "grain.height_um"
@@ -38,10 +38,10 @@ struct MaterialField {
   /// Sets the field. Requires a value that allows() accepts.
   void (*set)(Material&, double) noexcept = nullptr;
 
-  /// Returns the value used if the text does not have the field.
+  /// Returns the value that the field has if the text leaves it out.
   [[nodiscard]] double fallback() const { return get(Material{}); }
-  /// Returns true if the value is in range. A wavelength of 0 means "no grain". This value is out
-  /// of range, so it is not written.
+  /// Returns true if the value is in range. The wavelength 0, which means "no grain", is out of
+  /// range, so it is not written to a text.
   [[nodiscard]] bool allows(double value) const noexcept;
 };
 

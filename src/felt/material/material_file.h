@@ -33,8 +33,8 @@ struct MaterialSource {
 };
 
 /// Reads one material. Fails if the text is not TOML, has no kind or id, has an unknown key, or is
-/// too long, or if a line is too long. Also fails if a value has the wrong type or is out of range,
-/// as NaN and infinity always are. Reports the first error with its line: "my-paper.toml:7:
+/// too long, or if a line is too long. Also fails if a value has the wrong type or is out of range
+/// (NaN and infinity always are). Reports the first error with its line: "my-paper.toml:7:
 /// grain.height_um is 900, it must be 0 to 200 um".
 Result<AnyMaterial> read_material(std::string_view text, const MaterialSource& source = {});
 

@@ -22,7 +22,7 @@ inline constexpr double kMaxFriction = 1.5;
 ///   width = (min + (max - min) p^gamma) (1 + (tilt_width - 1) tilt)
 ///   tone  = (tone_light + (tone_heavy - tone_light) p^tone_gamma) (1 + (tilt_tone - 1) tilt)
 struct MediumLine {
-  double min_mm = 0.3;  ///< range of widths, which the pencil tool uses when the medium is selected
+  double min_mm = 0.3;  ///< range of widths; set in the pencil tool when the medium is selected
   double max_mm = 6.0;
   double gamma = 1.0;
   double tilt_width = 1.0;  ///< width at full tilt, as a multiple of the upright width, >= 1
@@ -34,15 +34,15 @@ struct MediumLine {
   friend bool operator==(const MediumLine&, const MediumLine&) = default;
 };
 
-/// How the medium looks on the surface, depending on the tone (WidthKnot::tone). render/grain.h
-/// uses it; heights are in multiples of the RMS of the relief.
+/// How the medium looks on the surface, depending on the tone (WidthKnot::tone); used by
+/// render/grain.h. Heights are in multiples of the RMS of the relief.
 struct MediumLook {
   double opacity_light = 1.0;  ///< opacity of the inked parts at tone 0
   double opacity_heavy = 1.0;  ///< opacity of the inked parts at tone 1
   double grain = 1.0;          ///< visible share of the surface's relief; 0 for wet media
   double cut_light = 0.35;     ///< the surface stays bare below this height, in RMS, at tone 0
   double cut_heavy = -2.6;     ///< height below which the surface stays bare at tone 1
-  double soft = 0.9;           ///< the ink fades in within this height of the cut, in RMS
+  double soft = 0.9;           ///< the ink fades in from `soft` below the cut to `soft` above
   double crumb = 0.0;          ///< amount of grain that the medium itself adds (dust, crumbs), 0..1
   double crumb_mm = 0.3;       ///< wavelength of that grain
   double edge = 0.0;           ///< width of the soft edge of the line, as a share of its radius
@@ -93,15 +93,16 @@ struct Medium {
 /// Returns the share of the relief that remains under a medium that fills or crushes it: 1 if the
 /// user presses lightly, 1 - wear if the user presses firmly, linear in between. The same rule
 /// applies to what the user feels and sees. For the force, `firmness` is the pressing force divided
-/// by flattening_push_n() (haptics/bricks/drawing_feel.h), at which this effect is complete. For
-/// the display it is the tone of the ink (render/grain.h), because a stroke stores nothing else
-/// about the pressing force. Clamps both arguments to 0..1; NaN counts as 0.
+/// by flattening_push_n() (haptics/bricks/drawing_feel.h), the force that flattens the relief as
+/// far as the medium can. For the display it is the tone of the ink (render/grain.h), because a
+/// stroke stores no other measure of the pressing force. Clamps both arguments to 0..1; NaN counts
+/// as 0.
 constexpr double relief_left(double wear, double firmness) noexcept {
   const auto share = [](double x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; };
   return 1.0 - share(wear) * share(firmness);
 }
 
-/// The contribution of a surface to the sound of rubbing, apart from that of its relief.
+/// How a surface sounds when it is rubbed, in addition to the sound of its relief.
 struct SurfaceSound {
   double loudness = 1.0;    ///< 0..1, 0 is silent
   double brightness = 0.5;  ///< 0 dull (felt) .. 1 bright (glass)
@@ -157,15 +158,15 @@ class Materials {
   std::vector<Medium> media_;
 };
 
-// Shorthands for the functions of Materials::built_in() with the same meaning.
+// Shorthands for surfaces(), media(), find_surface() and find_medium() of Materials::built_in().
 std::span<const SurfaceMaterial> surface_materials() noexcept;
 std::span<const Medium> media() noexcept;
 const SurfaceMaterial* find_surface(std::string_view id) noexcept;
 const Medium* find_medium(std::string_view id) noexcept;
 
 /// Returns the friction coefficient of a pair: the medium's entry for that surface if it has one,
-/// otherwise mu_medium mu_surface / mu_paper, at most kMaxFriction
-/// (docs/design/forces.md#surfaces).
+/// otherwise mu_medium mu_surface / mu_paper (the `friction` of the medium, of the surface and of
+/// the surface "paper"), at most kMaxFriction (docs/design/forces.md#surfaces).
 double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept;
 
 }  // namespace felt

@@ -14,7 +14,8 @@ struct InkLook;
 /// paper): dry ink lies on the hills of the relief and leaves the valleys bare; with more pressure
 /// it reaches deeper. The formulas use the values of the medium's MediumLook, its wear, the tone t,
 /// and the push q at a distance of rho radii from the middle of the line. The tip presses less
-/// towards its edge, so q is smaller there.
+/// towards its edge, so q is smaller there. opacity(q) runs linearly from opacity_light (q = 0) to
+/// opacity_heavy (q = 1).
 ///
 ///   alpha = opacity(q) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
 ///   r = (grain d s(x) + crumb c(x) + streaks b(y)) / n,   n = |(grain, crumb, streaks)|
@@ -36,8 +37,9 @@ struct InkLook;
 /// detail that the pixel cannot show. The look of a stroke does not depend on earlier strokes, so
 /// strokes may be shaded in any order.
 ///
-/// A value type. Copies share their tables: 1.4 MB of relief, 4.2 MB more above 24 pixels per
-/// wavelength, and 32 KiB for each medium and scale. Safe to use from any thread.
+/// A value type. Copies share their tables: 1.4 MB for the relief, 4.2 MB more if it is ever drawn
+/// at more than 24 pixels per wavelength, and 32 KiB for each medium and scale. Safe to use from
+/// any thread.
 class Grain {
  public:
   /// Creates a plain grain, with which every medium is solid ink.

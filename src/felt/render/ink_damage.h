@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// The area of the page to repaint, in mm: small rectangles that may overlap.
+/// The area of the page that must be repainted, in mm: small rectangles that may overlap.
 using InkDamage = std::vector<Rect>;
 
 /// Adds the area of all ink of a stroke, segment by segment.

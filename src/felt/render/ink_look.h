@@ -35,14 +35,14 @@ struct ReliefWeights {
 };
 ReliefWeights relief_weights(const MediumLook& look) noexcept;
 
-/// The look of a medium on a surface at one scale, as tables. It is immutable, so any thread may
-/// use it.
+/// The look of a medium on a surface at one scale, as tables. An InkLook is immutable, so any
+/// thread may use it.
 struct InkLook {
   InkLook(const MediumLook& look, double wear, const SeenRelief& seen);
 
   static constexpr int kReliefs = 256;
-  /// Alpha, indexed by push (a row of PressureMap), then by relief: step 128 is height 0, and 32
-  /// steps are one RMS.
+  /// Alpha, indexed by the step of push (PressureMap::row_of), then by the height of the relief:
+  /// index 128 is height 0, and 32 steps are one RMS.
   std::vector<std::uint8_t> alphas;
   std::array<std::uint16_t, 64> rim{};                     ///< factor of alpha in 1/256, by rho^2
   std::array<std::int16_t, PressureMap::kAcross> hairs{};  ///< height by position, in 1/32 RMS
@@ -53,7 +53,7 @@ struct InkLook {
   double surface_tile_mm = 1.0, crumb_tile_mm = 1.0;
 };
 
-/// Shades the pixels of lines with a look in a view. Requires that `look` outlives it.
+/// Gives the pixels of lines in a view the look of their medium. Requires that `look` outlives it.
 class InkShade {
  public:
   InkShade(const InkLook& look, const View& view);

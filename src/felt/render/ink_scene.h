@@ -35,8 +35,8 @@ struct InkHeight {
 /// A display's copy of a document. It is updated by the document's edits, and quickly finds the
 /// strokes in a part of the page, in drawing order. Only opening a document and changing whole
 /// layers take time linear in the size of the sketch. A preview is applied to this copy and is
-/// undone when the next preview or edit arrives. Only strokes that then look different are reported
-/// as damage.
+/// undone when the next preview or edit arrives. Strokes that look the same before and after a
+/// change are not reported as damage.
 ///
 /// Not thread-safe. Strokes are shared with the document, which may be used on another thread.
 class InkScene {
@@ -47,7 +47,8 @@ class InkScene {
   InkScene& operator=(const InkScene&) = delete;
 
   /// Applies an edit of the document and ends the preview. Adds the area to repaint to `damage`.
-  /// Fails if Document::apply would fail; in that case it only removes the preview.
+  /// Fails if Document::apply would fail; in that case the preview is removed, and nothing else
+  /// changes.
   Result<void> apply(const Edit& edit, InkDamage& damage);
   /// Shows `preview` applied to the document, or the document itself if `preview` is empty. Damage
   /// and errors are the same as in apply().
@@ -63,8 +64,8 @@ class InkScene {
   }
   /// Returns the stroke, or null if the scene does not have it.
   [[nodiscard]] const SceneStroke* find(StrokeId id) const;
-  /// Returns the ids of the strokes that the preview changes, ascending. Some of these strokes may
-  /// not exist in the scene.
+  /// Returns the ids of the strokes that the preview changes, ascending. The list also contains
+  /// strokes that the preview removes and that are therefore not in the scene.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
   /// Returns a number that changes with every change of the document, but not with previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }

@@ -34,9 +34,9 @@ Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 /// Draws strokes one by one on a page.
 class PagePainter {
  public:
-  /// Prepares a page that shows `ink`, or the area in the options. Fails if an option is out of
-  /// range (0 < dpi <= 100000, 0 <= margin_mm <= 10000), if the area is empty or not finite, or if
-  /// the picture is larger than Image::kMaxPixels.
+  /// Prepares a page that shows page_area(ink, options). Fails if an option is out of range (0 <
+  /// dpi <= 100000, 0 <= margin_mm <= 10000), if the area is empty or not finite, or if the picture
+  /// is larger than Image::kMaxPixels.
   static Result<PagePainter> create(const Rect& ink, const PageOptions& options);
 
   /// Draws a stroke on top of the others.

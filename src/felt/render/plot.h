@@ -10,8 +10,9 @@
 
 namespace felt {
 
-/// Returns colour `i` of a palette for any colour vision (Okabe, Ito, "Color universal design",
-/// 2008). A plot should use the colours in this order. They repeat, so `i` may be any number.
+/// Returns colour `i` of a palette that people with any kind of colour vision can distinguish
+/// (Okabe, Ito, "Color universal design", 2008). A plot should use the colours in this order. The
+/// palette repeats, so `i` may be any number.
 Rgba plot_color(std::size_t i) noexcept;
 
 /// An interval of time.

@@ -14,8 +14,8 @@ struct PlotTicks {
   [[nodiscard]] std::string label(double value) const;
 };
 
-/// Returns about `count` ticks for a range, and at least 2. Returns no ticks if the range is empty,
-/// narrower than 1e-9, wider than 1e9, at most a billionth of its distance from 0, or not finite.
+/// Returns about `count` ticks for a range, and at least 2. Returns no ticks if the range is empty
+/// or not finite, narrower than 1e-9 or than a billionth of its distance from 0, or wider than 1e9.
 PlotTicks plot_ticks(double low, double high, int count);
 
 }  // namespace felt

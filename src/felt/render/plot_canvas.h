@@ -28,9 +28,9 @@ struct PlotFont {
   double weight = 1.0;
 };
 
-/// Draws the lines and plain ASCII text of plots into a picture, in units of `scale` pixels, x
-/// right, y down. Text is drawn as strokes, so it needs no installed font and looks the same
-/// everywhere.
+/// Draws the lines and plain ASCII text of plots into a picture, in units of `scale` pixels, with x
+/// to the right and y down. Text is drawn as strokes, so it needs no installed font and looks the
+/// same everywhere.
 class PlotCanvas {
  public:
   /// Requires that `target` outlives it.

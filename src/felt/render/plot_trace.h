@@ -6,8 +6,8 @@
 namespace felt {
 
 /// A signal over time in bounded memory, for plots. It receives one value per tick and keeps the
-/// smallest and largest of each interval. When there are too many intervals, neighbours merge in
-/// pairs, so that a recording of any length fits and no peak is lost.
+/// smallest and largest value of each interval. When there are too many intervals, neighbours are
+/// merged in pairs, so that a recording of any length fits and no peak is lost.
 class PlotTrace {
  public:
   /// Smallest and largest value of one interval; `low` > `high` if it has no value.
@@ -31,7 +31,7 @@ class PlotTrace {
   [[nodiscard]] double stretch_s() const noexcept {
     return step_s_ * static_cast<double>(per_stretch_);
   }
-  /// Returns the start of interval i; i = size() is the end of the last one.
+  /// Returns the start of interval i; for i = size(), the end of the last interval.
   [[nodiscard]] double time_s(std::size_t i) const noexcept {
     return start_s_ + static_cast<double>(i) * stretch_s();
   }

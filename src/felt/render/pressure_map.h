@@ -23,8 +23,8 @@ struct TipAt {
 ///
 /// In the strip between two dabs, the push at rho radii from the middle line is tone * (1 - 0.45
 /// rho^2). Within the soft edge of a medium, the push falls to kMinPush. If a line crosses itself,
-/// the larger push is kept, so the result depends neither on the order nor on which part of a
-/// picture is drawn.
+/// the larger push is kept. So the result depends neither on the order of the strips nor on which
+/// part of a picture is drawn.
 class PressureMap {
  public:
   static constexpr double kMinPush = -1.0 / 3.0;  ///< the ink reaches no part of the relief
@@ -43,7 +43,8 @@ class PressureMap {
   [[nodiscard]] const std::int32_t* row(int y) const noexcept {
     return values_.data() + static_cast<std::size_t>(y - area_.y0) * stride_;
   }
-  /// Returns kMinPush..1 for a pixel of the area; kMinPush if the tip did not touch it.
+  /// Returns the push at a pixel of the area, kMinPush..1; kMinPush if the tip did not touch the
+  /// pixel.
   [[nodiscard]] double push_at(int x, int y) const noexcept;
 
   // A value consists of 12 bits of push, 10 bits of rho^2 and 9 bits of the position across, from

@@ -37,7 +37,8 @@ class ReliefTexture {
 
   /// Returns the coarsest level with texels no larger than 3/4 of a pixel. If there is none,
   /// returns the finest level, which has 64 texels per wavelength. Returns null if there is no
-  /// relief, or if a tile is at most 8 pixels wide. Making a level takes 20 to 100 ms.
+  /// relief, or if a tile, the square after which the relief repeats, is at most 8 pixels wide.
+  /// Making a level takes 20 to 100 ms.
   std::shared_ptr<const ReliefLevel> level(double px_per_wavelength);
 
  private:

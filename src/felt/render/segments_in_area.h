@@ -6,9 +6,9 @@
 
 namespace felt {
 
-/// Returns bounds of the ink of segment i: its control points, expanded by half of the stroke's
-/// largest width there. Requires 0 <= i < segment_count(). Takes logarithmic time in the number of
-/// width breakpoints.
+/// Returns bounds of the ink of segment i: those of its control points, expanded on each side by
+/// half of the stroke's largest width on the segment. Requires 0 <= i < segment_count(). Takes
+/// logarithmic time in the number of width breakpoints.
 Rect segment_area(const Stroke& stroke, int i) noexcept;
 
 /// Neighbouring segments of a stroke: [first, last).

@@ -32,8 +32,8 @@ struct InkJob {
   [[nodiscard]] bool is_done() const noexcept { return next == strokes.size(); }
 };
 
-/// Two pictures of a tile: the strokes below those of a preview, and the strokes above them. They
-/// are kept while the preview changes.
+/// Two pictures of a tile: one of the strokes below the strokes of a preview, and one of the
+/// strokes above these. The pictures are kept while the preview changes.
 struct TileSplit {
   PixelRect valid;                  ///< area of the pictures; empty if nothing is kept
   std::vector<std::uint8_t> below;  ///< picture of the strokes below, transparent background
@@ -62,9 +62,10 @@ class TilePainter {
             Pixels target);
 
   /// Repaints `part` while a preview is shown. The strokes below and above those of the preview
-  /// come from `split`. If `split` fits, the time depends only on the strokes of the preview and
-  /// those between them; otherwise `split` is first made again for a larger area. Returns false,
-  /// and paints nothing, if this is not faster than drawing directly.
+  /// come from `split`. If the pictures in `split` can be used for `part`, the time depends only on
+  /// the strokes of the preview and on the strokes between these; otherwise, `split` is first made
+  /// again for an area that contains `part`. Returns false, and paints nothing, if this is not
+  /// faster than drawing directly.
   bool paint_split(const InkScene& scene, const View& view, PixelRect part, const InkStyle& style,
                    TileSplit& split, Pixels target);
 

@@ -12,8 +12,8 @@
 /// device and no haptic loop, because the recorded samples already come from a haptic loop. At the
 /// end they end the gesture in progress.
 ///
-/// Both fail at an event that the session refuses or whose file cannot be read. The events before
-/// it have then been applied.
+/// Both fail at an event that the session refuses, and at an import event if its file cannot be
+/// read. The events before that event have been applied.
 namespace felt {
 
 /// Reads the strokes of the file that an import event names.

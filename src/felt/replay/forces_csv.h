@@ -19,8 +19,8 @@ namespace felt {
 ///
 ///   t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z,plane_x,plane_y,plane_z,..
 ///
-/// in ms, mm, mm/s and N. The fixed columns are followed by three for each force term that occurs,
-/// in order of first occurrence; a term is 0 on ticks without it. `pressure` is empty if it is
+/// in ms, mm, mm/s and N. After the fixed columns, each force term that occurs has three columns,
+/// in order of first occurrence; they are 0 on ticks without the term. `pressure` is empty if it is
 /// unknown.
 ///
 /// Which terms occur is known only at the end. Until then the rows are in an unnamed temporary

@@ -13,8 +13,8 @@ namespace felt {
 /// Keeps a copy of a drawing in progress, as .ndjson next to the future output, because a crash in
 /// a vendor's library would otherwise lose all ink. The copy contains the finished strokes,
 /// followed by the drawn part of the stroke in progress. While the drawing changes, the copy is
-/// rewritten every few seconds, completely or not at all. A thread of its own writes it, so that a
-/// slow disk does not delay the drawing. Call all functions on the thread that draws.
+/// rewritten every few seconds, completely or not at all. A separate thread writes the copy, so
+/// that a slow disk does not delay the drawing. Call all functions on the thread that draws.
 class RecordCopy {
  public:
   using Clock = std::chrono::steady_clock;

@@ -11,7 +11,7 @@
 
 namespace felt {
 
-/// Status of a recording.
+/// Status of a recording in progress.
 struct RecordStatus {
   double rate_hz = 0.0;  ///< rate of the loop
   double sent_n = 0.0;
@@ -32,7 +32,7 @@ struct RecordOptions {
   std::function<void()> pause = {};
   LiveLoop::MayMove may_move = {};
   /// True if the user has already agreed to forces. Otherwise the first press of Enter calls
-  /// `ask_consent`, and the second one means that the user agrees.
+  /// `ask_consent`, and the second press means that the user agrees.
   bool has_agreed = false;
   std::function<void()> ask_consent = {};
   /// Returns true if Enter was pressed since the last call.
@@ -45,7 +45,8 @@ struct RecordOptions {
   std::function<void(const Session&)> keep = {};
 };
 
-/// A live drawing session with a real device: the edit side of the loop without a window. If the
+/// A live drawing session with a real device and without a window. It does the work of the edit
+/// thread: passes samples to the session, and publishes the session's force to the loop. If the
 /// device fails, the ink is kept. The session continues when the device is connected again; forces
 /// stay off until the user allows them again.
 ///
@@ -59,7 +60,7 @@ class RecordRun {
   /// device's capabilities.
   Result<void> begin();
   /// Runs the session until the end of the recording. Fails if the device becomes unresponsive, or
-  /// if `on_tick` fails. The session has all ink so far in any case.
+  /// if `on_tick` fails. In any case, the session keeps all ink drawn so far.
   Result<void> draw();
   /// Returns true if the device became unresponsive and was abandoned with its loop. In that case
   /// do not use or destroy its driver, and exit the program without running the exit handlers of

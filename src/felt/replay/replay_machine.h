@@ -81,8 +81,8 @@ class ReplayMachine {
   Result<void> add(const Event& event);
   /// Begins a stroke: the next events draw it.
   void begin_stroke();
-  /// Ends the stroke. Its ink is compared with this path. Outside such strokes, ink is compared
-  /// with the aims of the hand while the hand presses.
+  /// Ends the stroke. The ink of the stroke is compared with the path `meant`. Ink that belongs to
+  /// no such stroke is compared with the positions at which the hand aims while it presses.
   void stroke_drawn(const std::vector<Point>& meant);
   /// Returns true if so many events are queued that they should be played as soon as the pen is
   /// lifted.

@@ -23,8 +23,8 @@ struct FeedSink {
   /// Called after all events of a raw stroke were sent and the hand has lifted the pen. `meant` is
   /// the path of the stroke in mm.
   std::function<Result<void>(const std::vector<Point>& meant)> stroke_drawn{};
-  /// Returns how the hand draws raw strokes with the current tool and surface. If null, FeedOptions
-  /// are used.
+  /// Returns how the hand draws raw strokes with the current tool and surface. If null,
+  /// FeedOptions::hand is used.
   std::function<HandScriptOptions()> hand{};
 };
 
@@ -54,9 +54,10 @@ class Tremor {
 /// Reads scripts, with events and raw strokes in any order, and sends events in order of time.
 ///
 /// A raw stroke is drawn after all earlier events and strokes: the hand moves to its start above
-/// the surface, lands, draws at the recorded speed, and lifts the pen. An event after the stroke is
-/// sent at its own time, or after the stroke if that is later. The times of a second script are
-/// relative to the end of the first. Memory use is proportional to the longest stroke.
+/// the surface, lands, draws at the recorded speed, and lifts the pen. An event that follows the
+/// stroke in the script is sent at its own time, but not before the stroke has ended. The times in
+/// each further script are relative to the end of the script before it. Memory use is proportional
+/// to the longest stroke.
 class ScriptFeed {
  public:
   ScriptFeed(const FeedOptions& options, FeedSink sink);

@@ -28,8 +28,8 @@ enum class DeviceFault : std::uint8_t {
 /// Returns one sentence for the user.
 std::string_view describe(DeviceFault fault) noexcept;
 
-/// A force-feedback stylus, or a replacement for one (R55): the simulated stylus, a recording, or a
-/// driver.
+/// A force-feedback stylus that a driver operates, or a replacement for it (R55), such as the
+/// simulated stylus or a recording.
 ///
 /// read(), write() and stop() are called on the haptic thread only, each at most once per tick and
 /// in this order. They must not allocate, throw, or block beyond the device's own transfer.
@@ -51,21 +51,21 @@ class Device {
   /// distinguish this from a pen that stands still. `now_ns` is the time of the loop's clock; a
   /// simulated device advances to it.
   virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
-  /// Returns the samples between the last two calls of read(), one per call, oldest first; nullopt
-  /// if no more are left. It is for pens that report faster than the loop runs and have no motors,
-  /// because no force depends on these samples. Haptic thread only, after read().
+  /// Returns the next of the samples that arrived between the last two calls of read(), oldest
+  /// first; nullopt if none is left. The function is for pens without motors that report faster
+  /// than the loop runs. No force depends on these samples. Haptic thread only, after read().
   virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
   /// Returns a vector along the pen as of the last read(), of any length, in the frame of the
-  /// device's positions; nullopt if the device does not sense it. It is for drivers that know the
-  /// orientation of the pen but not that of the surface. OpenDevice knows the surface and computes
-  /// PenSample::tilt_deg from the vector. Haptic thread only, after read().
+  /// device's positions; nullopt if the device does not sense the direction. The function is for
+  /// drivers that know the orientation of the pen but not that of the surface. OpenDevice knows the
+  /// surface and computes PenSample::tilt_deg from the vector. Haptic thread only, after read().
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Requests a force, which the device holds until the next write().
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
   /// Returns the force that the device holds after the last write(). A driver implements this
-  /// function if it may send another force than requested, because the device answers late or the
-  /// driver has its own limit. The returned force is logged. Returns nullopt if the device holds
-  /// the requested force. Haptic thread only, after write().
+  /// function if it may send another force than requested, for example because the device answers
+  /// late or the driver has its own limit. The returned force is logged. Returns nullopt if the
+  /// device holds the requested force. Haptic thread only, after write().
   [[nodiscard]] virtual std::optional<Force> held_force() const noexcept { return std::nullopt; }
   /// Returns true if the pen is at the end of an arm. The position of an arm cannot jump, so the
   /// loop keeps jumps out of the ink (LeapFilter). A mouse or a joystick may jump.
@@ -100,7 +100,7 @@ class HandInput {
   }
   /// Sets the pose as aim() does, with the time at which the hand had it, on the loop's clock. If
   /// several poses arrive late together, they are played back with their original intervals. An
-  /// implementation that cannot do that aims immediately.
+  /// implementation that cannot play poses back uses the pose immediately.
   virtual void aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
     static_cast<void>(time_ns);
     this->aim(aim);

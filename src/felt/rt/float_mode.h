@@ -8,10 +8,11 @@
 
 namespace felt {
 
-/// Treats denormals as zero within a block and restores the thread's mode at its end. Without this
-/// mode, a bristle of the friction model or a low-pass filter that decays below 1e-308 would make
-/// each operation a hundred times slower. Servo::step is such a block, so that it computes the same
-/// numbers for every caller. Has no effect on processors other than x86-64 and AArch64.
+/// Treats denormals as zero within a block, and restores the thread's previous mode at the end of
+/// the block. Without this mode, a bristle of the friction model or a low-pass filter that decays
+/// below 1e-308 would make each operation a hundred times slower. Servo::step is such a block, so
+/// that it computes the same numbers for every caller. Has no effect on processors other than
+/// x86-64 and AArch64.
 class FlushDenormals {
  public:
   FlushDenormals() noexcept : saved_(get()) { set(saved_ | kBits); }

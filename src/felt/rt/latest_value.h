@@ -9,8 +9,9 @@ namespace felt {
 
 /// Passes the newest value from one publishing thread to one reading thread. A value that is not
 /// read in time is replaced, not queued. Publisher and reader are wait-free. It is a triple buffer:
-/// the publisher owns one slot, the reader another, and one atomic exchange swaps the third. The
-/// reader never sees a partial value, and never a value older than one that it has already seen.
+/// the publisher owns one slot, the reader owns another, and each of them can swap its slot for the
+/// third by one atomic exchange. The reader never sees a partial value, and never a value older
+/// than one that it has already seen.
 ///
 /// A seqlock would save one copy, but its reader must retry if the writer interferes. The haptic
 /// thread is one of the readers and must not retry.

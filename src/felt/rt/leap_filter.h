@@ -12,15 +12,16 @@ namespace felt {
 /// forces are on or off. The filter is needed because the safety chain accepts every position while
 /// no force can be output.
 ///
-/// A single jump is dropped. If a jump lasts (JumpGuard), or positions keep jumping, the stroke
-/// ends at the last accepted position, and a new one may begin after positions have been steady for
-/// kSteadyNs. The only exception is a jump between two samples that are clearly lifted: it is
-/// accepted as soon as it counts as lasting. A sample just above the surface is not enough, because
-/// it may be a bounce within a stroke (Contact).
+/// A single jump is dropped. If positions do not return from a jump in time, or jump again and
+/// again, JumpGuard reports a fault: the stroke ends at the last accepted position, and a new one
+/// may begin after positions have been steady for kSteadyNs. The only exception is a jump between
+/// two samples that are clearly lifted: the new position is accepted as soon as JumpGuard reports
+/// the fault. A sample just above the surface is not enough, because it may be a bounce within a
+/// stroke (Contact).
 ///
 /// If the loop stood still (Lateness::kVeryLate), the motion of the pen meanwhile is unknown. If
-/// the pen is afterwards farther away than JumpGuard's longest reach (kMaxReachS), the stroke ends
-/// and a new one begins at the new position.
+/// the pen is afterwards farther away than the longest distance that JumpGuard accepts
+/// (kMaxReachS), the stroke ends and a new one begins at the new position.
 ///
 /// Samples that repeat the last one (repeats()) are not passed on.
 ///
@@ -34,8 +35,9 @@ class LeapFilter {
       : clock_(limits), leaps_(limits), steady_(limits) {}
 
   /// Processes the next finite sample of an arm. Returns the sample to pass on, which is usually
-  /// `sample`. If jumps have lasted too long, returns the last accepted position once more, lifted
-  /// off the surface, which ends the stroke. Returns nullopt if no sample is to be passed on.
+  /// `sample`. To end the stroke, returns a sample that is lifted off the surface: at the last
+  /// accepted position, or, if the loop stood still, at the new position. Returns nullopt if no
+  /// sample is to be passed on.
   std::optional<PenSample> pass(const PenSample& sample, std::int64_t now_ns) noexcept;
 
   /// Returns the number of strokes that were ended by a jump.
@@ -51,7 +53,7 @@ class LeapFilter {
   std::optional<PenSample> seen_;  // the previous sample
   PenSample last_;                 // the last sample passed on
   bool is_lost_ = false;
-  bool was_held_ = false;  // the previous sample was held
+  bool was_held_ = false;  // the previous sample was too far away (PositionVerdict::kHeld)
   double steady_s_ = 0.0;  // how long positions have been steady, while is_lost_
   std::uint32_t cuts_ = 0;
 };

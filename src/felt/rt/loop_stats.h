@@ -9,7 +9,7 @@
 
 namespace felt {
 
-/// A histogram of durations with eight buckets for each doubling, from 1 ns to 18 min. So a
+/// A histogram of durations from 1 ns to 18 min, with eight buckets for each doubling. So a
 /// percentile is at most 1/8 too large and never too small. The size is constant, and adding is
 /// real-time safe.
 class TimeHistogram {

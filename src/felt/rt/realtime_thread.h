@@ -51,10 +51,11 @@ struct RealtimeOptions {
 };
 
 /// Runs a servo at its period on a thread of its own, as close to real time as the system permits
-/// (docs/design/loop.md#wake-up-lateness). If the device has a host, runs on the host's thread
-/// whenever the host calls. The thread sleeps until absolute deadlines and never spins, because the
-/// kernel stops a spinning SCHED_FIFO thread for 50 ms in each second. Periods that passed while
-/// the thread was not scheduled are counted as missed and skipped, not caught up.
+/// (docs/design/loop.md#wake-up-lateness). If the device has a host (LoopHost), the servo runs on
+/// the host's thread whenever the host calls. Its own thread sleeps until absolute deadlines and
+/// never spins, because the kernel stops a spinning SCHED_FIFO thread for 50 ms in each second.
+/// Periods that passed while the thread was not scheduled are counted as missed and skipped, not
+/// caught up.
 ///
 ///   RealtimeThread loop(servo, {});
 ///   if (auto started = loop.start(); !started) ...   // fails only if no thread can be started
@@ -85,9 +86,10 @@ class RealtimeThread {
   /// refuses (with the vendor's message), or if the host does not call within `host_patience_ns`.
   /// After a failure the loop does not run.
   Result<void> start();
-  /// Ends the loop: sets the force to zero and calls Device::stop(). Returns within a period and a
-  /// tick, or when the device's current transfer ends if that is later. If a host no longer calls,
-  /// returns after `host_patience_ns`. Has no effect if the loop does not run.
+  /// Ends the loop: sets the force to zero and calls Device::stop(). Returns within the duration of
+  /// a period and a tick, or when the device's current transfer ends, if that takes longer. If a
+  /// host no longer calls, returns after `host_patience_ns`. Has no effect if the loop does not
+  /// run.
   ///
   /// Returns false if a tick still hangs in a call of the vendor's driver after `stop_patience_ns`
   /// (with a host: `host_patience_ns`). The request to end remains: if that call ever returns, the

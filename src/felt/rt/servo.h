@@ -72,9 +72,9 @@ class Servo {
   void stop() noexcept FELT_NOT_EDIT;
 
   // Call the following functions on the edit thread unless they say otherwise.
-  /// Sets the force model, which is used from the next tick on. If its fade_id differs while two
-  /// other models are still being cross-faded, the new model is used after the end of that
-  /// cross-fade, at most `cross_fade_s` later. Wait-free.
+  /// Sets the force model, which is used from the next tick on. If two models are still being
+  /// cross-faded and the new model has another fade_id than the current one, the new model is used
+  /// when that cross-fade has ended, at most `cross_fade_s` later. Wait-free.
   void publish(const ForceModel& model) noexcept FELT_NOT_HAPTIC;
   /// Reports that the edit thread is alive. Call it at least every 100 ms with the loop's clock.
   void heartbeat(std::int64_t now_ns) noexcept FELT_NOT_HAPTIC;
@@ -97,8 +97,8 @@ class Servo {
     return session_offset_ns_.load(std::memory_order_relaxed);
   }
   /// Return the queues of all accepted samples in order, for the session and for the autosave. If
-  /// the device has no forces, all finite samples are accepted, because a mouse may jump. A jump of
-  /// an arm is not accepted and ends the stroke (LeapFilter).
+  /// the device has no forces, all finite samples are accepted, because a mouse may jump. If the
+  /// device is an arm, jumps are not accepted; a stroke may end at a jump (LeapFilter).
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
   [[nodiscard]] Ring& for_autosave() noexcept FELT_NOT_HAPTIC { return autosave_ring_; }
   /// Returns the report of the newest tick, for display. It is valid until the next call of

@@ -6,8 +6,8 @@
 /// A role is a capability without a lock. RealtimeScope acquires the haptic role for its scope, and
 /// a function that requires this role is marked FELT_HAPTIC. A function of the edit thread is
 /// marked FELT_NOT_HAPTIC, and clang warns if it is called while the haptic role is held. So most
-/// code of the edit thread needs no EditScope. Clang checks direct calls only; the interposer of
-/// tests/devices/rt checks the others.
+/// code of the edit thread needs no EditScope. Clang checks direct calls only. The interposer of
+/// tests/devices/rt also finds blocking calls that a tick makes indirectly.
 #if defined(__clang__)
 #define FELT_ROLE_ATTRIBUTE(x) __attribute__((x))
 #else

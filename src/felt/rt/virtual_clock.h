@@ -9,8 +9,8 @@
 
 namespace felt {
 
-/// Steps a servo in virtual time: as fast as the processor can, and identically on each run. It
-/// never reads the real time. Replay, tests and the demonstration use it.
+/// Steps a servo in virtual time: as fast as the processor can, and identically on each run. The
+/// clock never reads the real time. Replay, tests and the demonstration use it.
 ///
 /// If a sequence of n delays (`lateness_ns`) is given, tick k happens lateness_ns[k mod n] after it
 /// is due. Periods that pass during the delay are skipped, as in RealtimeThread. This can replay

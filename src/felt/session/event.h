@@ -59,8 +59,8 @@ struct CancelEvent {
   friend bool operator==(const CancelEvent&, const CancelEvent&) = default;
 };
 
-/// Adds the strokes of a file. {"event":"import","path":".."} The code that reads the script reads
-/// the file, and passes the strokes to Session::import().
+/// Adds the strokes of a file. {"event":"import","path":".."} The code that reads the script also
+/// reads this file, and passes its strokes to Session::import().
 struct ImportEvent {
   std::string path;
   /// If true, selects the added strokes; if false, the selection does not change.
@@ -103,7 +103,7 @@ struct RestyleEvent {
 /// {"event":"layer","do":"add","name":"Ideas"}
 struct LayerEvent {
   enum class Do : std::uint8_t {
-    kAdd,  ///< adds a layer above the current one and uses it; if `name` is empty, it is "Layer N"
+    kAdd,     ///< adds a layer above the current one and uses it; an empty `name` gives "Layer N"
     kRemove,  ///< removes the layer with its strokes
     kRename,
     kShow,
@@ -122,8 +122,9 @@ struct LayerEvent {
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 
-/// The version of the tools' default options. A recording contains this version, because it leaves
-/// out options that have their default. Version 1 is that of Feltline 0.1.0 (old_defaults.h).
+/// The version of the tools' default options. A recording contains this version, because a
+/// recording leaves out options that have their default. Version 1 has the defaults of Feltline
+/// 0.1.0 (old_defaults.h).
 inline constexpr int kOptionDefaults = 2;
 
 /// Sets the device that samples come from and forces go to. Applies to all later events.
@@ -133,16 +134,16 @@ inline constexpr int kOptionDefaults = 2;
 /// tools do not use the workspace.
 struct UseDevice {
   Capabilities capabilities;
-  /// The version of the defaults in the program that made the recording. If it differs from the
-  /// version of the session, options that still have their default are set to the defaults of the
-  /// recording's version.
+  /// The version of the defaults in the program that made the recording. If this version differs
+  /// from that of the session, options that still have their default are set to the defaults of
+  /// this version.
   int defaults = kOptionDefaults;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };
 
-/// Adds a surface or medium, or replaces the one with the same id. If it is in use, the change
-/// takes effect immediately. {"event":"material","text":"kind = \"surface\"..."} The text defines
-/// the material completely (docs/formats/material.md).
+/// Adds a surface or medium, or replaces the material with the same id. If that material is in use,
+/// the change takes effect immediately. {"event":"material","text":"kind = \"surface\"..."} The
+/// text defines the material completely (docs/formats/material.md).
 struct UseMaterial {
   std::string text;
   friend bool operator==(const UseMaterial&, const UseMaterial&) = default;

@@ -18,7 +18,8 @@ LayerId highest_open_layer(const Document& document) noexcept;
 
 /// Returns the whole effect of a layer event on a document as one edit, which is one undo step. The
 /// edit is empty if nothing changes; for kUse it is always empty. If no open layer would remain,
-/// the edit also adds one on top, because ink must never go to a layer that the user cannot see.
+/// the edit also adds an open layer on top, because ink must never go to a layer that the user
+/// cannot see.
 ///
 /// Fails if the layer does not exist, or if the event is kUse and the layer is not open. The
 /// message names the layer and the reason.

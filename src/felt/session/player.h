@@ -37,7 +37,7 @@ struct PlayReport {
   std::uint64_t samples = 0;  ///< pen samples that the session processed
   std::uint64_t events = 0;   ///< events of the script, including poses
   std::uint64_t edits = 0;    ///< edits of the document, including those of undo and redo
-  std::uint64_t turns = 0;    ///< times that the work of the edit thread was done (edit_period_ns)
+  std::uint64_t turns = 0;    ///< how often the work of the edit thread was done (edit_period_ns)
   std::uint64_t unread = 0;   ///< ticks whose sample could not be read or was not accepted
   std::int64_t start_ns = 0;  ///< time of the first tick
   std::int64_t end_ns = 0;    ///< time of the last tick

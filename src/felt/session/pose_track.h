@@ -16,7 +16,7 @@ struct ScriptPose {
   Vec3 position;
   std::optional<double> pressure{};
   std::uint32_t buttons = 0;
-  /// If true, a hand aims at the position; otherwise it is the position of the pen.
+  /// If true, a hand aims at `position`; otherwise `position` is that of the pen itself.
   bool by_hand = false;
   std::optional<double> tilt_deg{};
 
@@ -49,7 +49,7 @@ class PoseTrack {
   std::span<const Event> events_;
   std::size_t searched_ = 0;        // events examined so far
   std::int64_t end_ns_ = 0;         // time of the last event of any kind
-  std::optional<ScriptPose> last_;  // pose at or before now; before the first pose, a pose above it
+  std::optional<ScriptPose> last_;  // pose at or before now; initially, a pose above the first one
   std::optional<ScriptPose> next_;  // the first pose after now
 };
 

@@ -20,8 +20,9 @@ namespace felt {
 ///   recorder.flush();
 ///
 /// Memory is bounded: the events go to the sink in batches, in order. If an event has an earlier
-/// time than the event before it (for example because pen samples waited in a queue), it gets that
-/// event's time, because times in a script must not run backwards. Use it on the edit thread only.
+/// time than the event before it (for example because pen samples waited in a queue), it gets the
+/// time of the event before it, because times in a script must not run backwards. Use it on the
+/// edit thread only.
 class Recorder {
  public:
   using Sink = std::function<void(std::span<const Event>)>;

@@ -23,8 +23,7 @@ struct SessionOptions {
   /// The device that will output forces. A mouse or tablet has zero forces. UseDevice changes the
   /// device.
   Capabilities device;
-  /// The known surfaces and media: the built-in and the user-defined ones. UseMaterial adds to
-  /// them.
+  /// The known surfaces and media, built-in and user-defined. UseMaterial adds materials.
   Materials materials = Materials::built_in();
   /// The document before the first event; the undo history starts after it.
   Document document = {};
@@ -60,9 +59,9 @@ struct SessionOptions {
 ///
 /// New ink goes to the *current layer*, which is always *open*: visible and unlocked. If this layer
 /// is hidden, locked or removed, the highest open layer becomes current. If a layer event would
-/// leave no open layer, its edit also adds one. The *selection* is updated by every edit; strokes
-/// in hidden or locked layers are deselected. Undo does not restore the current layer or the
-/// selection.
+/// leave no open layer, its edit also adds an open layer. The *selection* is updated by every edit;
+/// strokes in hidden or locked layers are deselected. Undo does not restore the current layer or
+/// the selection.
 ///
 /// Samples with a coordinate that is not finite or exceeds 1e9 mm are dropped. Pressures are
 /// clamped to 0..1 and tilts to 0..90 degrees (NaN counts as unknown). Velocities are computed from

@@ -17,8 +17,8 @@ class SoundInput {
 
   /// Returns the input for a sample. Call it for every sample, after the session has processed it.
   RubbingSample sample(const PenSample& pen);
-  /// Returns the medium and surface as of the last sample(). Updated when the pen touches or lifts,
-  /// and every 64 samples.
+  /// Returns the medium and surface as of the last sample(). They are updated when the pen touches
+  /// or lifts, and every 64 samples.
   [[nodiscard]] const RubbingPair& pair() const noexcept { return pair_; }
 
  private:

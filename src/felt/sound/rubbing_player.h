@@ -18,7 +18,7 @@ namespace felt {
 ///   n = sound.ready();               sound.keep_up(0.020);
 ///   sound.render(block.first(n));    sound.render(block);
 ///
-/// The same calls give the same samples on every machine. A value type of about 30 KB that never
+/// The same calls give the same sound on every machine. A value type of about 30 KB that never
 /// allocates, locks or waits. Use it on one thread at a time.
 class RubbingPlayer {
  public:
@@ -30,8 +30,8 @@ class RubbingPlayer {
   static constexpr std::int64_t kLongestGapNs = 50'000'000;
   static constexpr double kFastestMmPerS = 5000.0;
 
-  /// Sets the pair for the samples that are rendered next. The sound of the previous pair first
-  /// fades out within 12 ms.
+  /// Sets the pair of medium and surface for the sound that is rendered next. First, the sound of
+  /// the previous pair fades out within 12 ms.
   void set_pair(const RubbingPair& pair) noexcept;
 
   /// Appends a sample of the path. Ignores it if it is not later than the last sample. A sample

@@ -25,8 +25,8 @@ namespace felt {
 /// All parts but the squeak go through the bodies (resonances of surface and medium) and, in
 /// parallel, through a low-pass filter that depends on the brightness of both. The sum then goes
 /// through a soft limiter and a gate. The gate reaches exactly 0 within kSilentAfterS after the pen
-/// is lifted or stops. |sample| is always less than 1, and never NaN for the input that next()
-/// allows. A value type that does not allocate. Use it on one thread at a time.
+/// is lifted or stops. A sample is always between -1 and 1, and never NaN if the arguments of
+/// next() are as required. A value type that does not allocate. Use it on one thread at a time.
 class RubbingSynth {
  public:
   static constexpr double kRateHz = 48000.0;

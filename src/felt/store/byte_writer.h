@@ -17,8 +17,8 @@ class ByteWriter {
   void f64(double v);
   /// Appends the length (u32), then the bytes. Requires less than 4 GiB.
   void text(std::string_view v);
-  /// Appends a whole number in as few bytes as it needs. Each byte has 7 bits of the number, the
-  /// lowest first; its top bit is set in all bytes but the last.
+  /// Appends a whole number in as few bytes as it needs. Each byte holds 7 bits of the number, the
+  /// lowest first. The top bit is set in every byte but the last.
   void count(std::uint64_t v);
 
  private:

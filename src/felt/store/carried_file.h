@@ -24,10 +24,10 @@ class CarriedFile {
     return database_ ? &*database_ : nullptr;
   }
 
-  /// Copies the content of a newer Feltline into a database that already has our tables and their
-  /// rows. Copies whole tables, and the additional columns of the drawing and of those layers and
-  /// strokes that still exist. Leaves out rows of tables if their column "stroke" or "layer" names
-  /// an object that no longer exists.
+  /// Copies content that only a newer Feltline understands into a database that already has our
+  /// tables and their rows. Copies whole tables, and the additional columns of the drawing and of
+  /// those layers and strokes that still exist. Leaves out rows of tables if their column "stroke"
+  /// or "layer" names an object that no longer exists.
   Result<void> copy_to(Database& to, const Document& document) const;
 
  private:

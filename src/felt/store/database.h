@@ -35,7 +35,7 @@ class Statement {
 
   /// Moves to the next row. Returns false at the end. Fails with SQLite's message.
   Result<bool> step() const;
-  /// Resets the statement, to be run again with other values.
+  /// Resets the statement, so that it can be run again with other values.
   void reset() const noexcept;
 
   [[nodiscard]] int columns() const noexcept;

@@ -13,14 +13,14 @@ namespace felt {
 /// Feltline. It keeps the bytes of the file that was opened, so that saving can carry the content
 /// over.
 struct FeltExtras final : DrawingExtras {
-  /// The bytes of the file that was read, or null if it has no such content. They were checked when
-  /// the file was read.
+  /// The bytes of the file that was read, which were checked at that time; null if that file has no
+  /// such content.
   std::shared_ptr<const std::string> file;
   /// Recordings made since the file was read, the earliest first.
   std::vector<std::shared_ptr<const FeltRecording>> added;
 
-  /// Compares the added recordings, and the content of the files that saving would carry over, by
-  /// value.
+  /// Compares by value: the added recordings, and, from each file, the content that saving would
+  /// carry over.
   [[nodiscard]] bool equals(const DrawingExtras& other) const override;
 };
 

@@ -20,8 +20,8 @@ inline constexpr std::uint32_t kFeltVersion = 1;
 inline constexpr std::size_t kMaxFeltBytes = std::size_t{2} << 30;
 
 /// Reads a drawing (docs/formats/felt.md) exactly as it was written, including the highest ids that
-/// were ever used. The path "-" is stdin. The file is read once, without a lock and without other
-/// files beside it. Recordings and content of a newer Feltline are kept as extras and not parsed.
+/// were ever used. The path "-" is stdin. Reads the file once, takes no lock, and creates no file
+/// beside it. Recordings and content of a newer Feltline are kept as extras and not parsed.
 ///
 /// The bytes are not trusted. Fails if the file cannot be read, is not a .felt file, has a newer
 /// version of the format, is truncated or damaged in a part that the drawing needs, or exceeds a

@@ -37,7 +37,7 @@ struct RecordedSample {
   friend bool operator==(const RecordedSample&, const RecordedSample&) = default;
 };
 
-/// Any other event that the session received.
+/// An event that the session received and that is not a pen sample.
 struct RecordedEvent {
   std::size_t before_sample = 0;  ///< number of samples before this event
   Event event;                    ///< not a PenEvent
@@ -95,10 +95,11 @@ struct RecordingInfo {
   double duration_s = 0.0;
 };
 
-/// Returns summaries of a drawing's recordings, the earliest first. Does not read their samples.
+/// Returns summaries of a drawing's recordings, the earliest first. Does not read the recorded
+/// samples.
 Result<std::vector<RecordingInfo>> recordings_of(const Drawing& drawing);
-/// Reads recording `number` (from 0), and checks its content and checksum. Fails if the recording
-/// does not exist or is damaged; the message says where.
+/// Reads the recording at index `number` of recordings_of(), and checks its content and checksum.
+/// Fails if the recording does not exist or is damaged; the message says where.
 Result<FeltRecording> read_recording(const Drawing& drawing, std::size_t number);
 /// Checks that the content of a recording is valid and in order. Fails with a message that names
 /// the sample or event.

@@ -21,7 +21,7 @@ struct FeltTable {
   std::vector<std::string> columns;
 
   /// Returns the names of the columns after the first `ours` columns, with a comma before each
-  /// name. Our own table of this name does not have these columns.
+  /// name. A newer Feltline added these columns to our table.
   [[nodiscard]] std::string beyond(std::size_t ours) const;
 };
 
@@ -57,7 +57,7 @@ Result<void> make_recording_tables(Database& database, const FeltSchema* like, b
 [[nodiscard]] bool has_tilt(const FeltTable& table);
 
 /// Parses a definition: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT literal],
-/// ...) with exactly these blanks. Names consist of a-z, 0-9 and _; types are INTEGER, REAL, TEXT
+/// ...) with exactly these spaces. Names consist of a-z, 0-9 and _; types are INTEGER, REAL, TEXT
 /// and BLOB. This form allows no check, expression, function or module. Fails for any other text.
 Result<FeltTable> parse_table(std::string_view sql);
 

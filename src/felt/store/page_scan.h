@@ -10,7 +10,7 @@
 namespace felt {
 
 /// A row of a table as it is stored in the pages of an SQLite file. SQLite stores no separate value
-/// for the column that is the row's id; its value here is monostate, like that of a null.
+/// for the column that is the row's id. Here, that column has the value monostate, as a null does.
 struct ScannedRow {
   /// Value of a text or blob column.
   struct Bytes {

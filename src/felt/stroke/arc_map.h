@@ -12,7 +12,8 @@ namespace felt {
 /// stroke, which must outlive it.
 ///
 /// On a closed stroke, lengths beyond the ends wrap around (modulo the whole length), so that a
-/// range may cross the seam. On an open stroke they are clamped to the ends.
+/// range may cross the seam. On an open stroke, such lengths are clamped to the ends. Below, n is
+/// the number of segments.
 ///
 /// Lengths are accurate to `accuracy_mm` for each segment. Construction takes linear time in the
 /// number of segments. A query takes a binary search among the segments and one call of
@@ -23,7 +24,7 @@ class ArcMap {
 
   /// Returns the whole length in mm, which is greater than 0.
   [[nodiscard]] double length_mm() const noexcept { return starts_.back(); }
-  /// Returns the arc length up to the start of segment i in mm; i = n gives the whole length.
+  /// Returns the arc length in mm up to the start of `segment`; segment = n gives the whole length.
   [[nodiscard]] double start_of(int segment) const noexcept {
     return starts_[static_cast<std::size_t>(segment)];
   }

@@ -6,7 +6,8 @@
 
 namespace felt {
 
-/// A stroke and its name in a file. In a file, it is one line of JSON or one trace of InkML.
+/// A stroke and its name in a file, for example the stroke of one line of JSON or of one trace of
+/// InkML.
 struct NamedStroke {
   std::string id;
   Stroke stroke;

@@ -8,7 +8,7 @@
 namespace felt {
 
 /// The tolerance of tones in `ProfileBuilder::follow`. It is much smaller than a visible
-/// difference. It is larger than the error of a tone that is computed from a width, for every width
+/// difference, but larger than the error of a tone that is computed from a width, for every width
 /// tolerance in use.
 inline constexpr double kFollowedTone = 0.01;
 

@@ -21,8 +21,8 @@ enum class JointKind : std::uint8_t {
 };
 
 /// Returns the default tone of ink that has no tone of its own, because its file comes from another
-/// program or was written before tone existed. It grows linearly from 0 at 0.3 mm to 1 at 6 mm, the
-/// pencil's smallest and largest width.
+/// program or was written before tone existed. This tone grows linearly from 0 at a width of 0.3 mm
+/// to 1 at 6 mm, the pencil's smallest and largest width.
 constexpr double tone_of_width(double width_mm) noexcept {
   const double share = (width_mm - 0.3) / (6.0 - 0.3);
   return share > 0.0 ? (share < 1.0 ? share : 1.0) : 0.0;  // NaN: 0
@@ -33,9 +33,10 @@ constexpr double tone_of_width(double width_mm) noexcept {
 ///
 /// `tone` is the amount of medium applied at `u`, from 0 (almost nothing) to 1 (the maximum). It
 /// preserves the effect of pressure and tilt, which the width alone does not. MediumLook defines
-/// how the tone affects the opacity and how deep the medium reaches into the relief. Wet ink
-/// ignores the tone. Like the width, the tone is linear between breakpoints. A breakpoint made
-/// without a tone has the default tone of its width.
+/// how the tone affects the opacity and the depth to which the medium reaches into the relief. A
+/// wet medium with a constant opacity, such as `ink-pen`, looks the same at every tone. Like the
+/// width, the tone is linear between breakpoints. A breakpoint made without a tone has the default
+/// tone of its width.
 struct WidthKnot {
   double u = 0.0;
   double width_mm = 0.0;

@@ -19,15 +19,14 @@ inline bool is_pen_position(const Vec3& at) noexcept {
 /// to the tool.
 ///
 /// Contact begins with the first sample in contact, so a single tap makes a dot. It ends when the
-/// pen is
-///   - kLiftMm above the surface. This is more than the resolution of a sensor (0.03 mm), the
-///     height of grain (0.1 mm) and a bounce of the tip (0.3 mm), but a hand that lifts the pen (50
-///     mm/s and more) reaches it in 10 ms; or
-///   - out of contact for kLiftNs. In this time a 133 Hz tablet sends three reports, so one may be
-///     lost. The shortest lift between two strokes of handwriting takes twice as long; or
-///   - out of contact for kMaxGapSamples samples, in case the clock stands still.
-/// Until contact ends, samples out of contact neither draw nor end the gesture; the caller buffers
-/// them.
+/// pen is kLiftMm above the surface, or has been out of contact for kLiftNs, or for kMaxGapSamples
+/// samples (in case the clock stands still). Until contact ends, samples out of contact neither
+/// draw nor end the gesture; the caller buffers them.
+///   - kLiftMm is more than the resolution of a sensor (0.03 mm), the height of grain (0.1 mm) and
+///     a bounce of the tip (0.3 mm), but a hand that lifts the pen (50 mm/s and more) reaches this
+///     height in 10 ms.
+///   - During kLiftNs, a 133 Hz tablet sends three reports, so one may be lost. The shortest lift
+///     between two strokes of handwriting takes twice as long.
 class Contact {
  public:
   static constexpr double kLiftMm = 0.5;

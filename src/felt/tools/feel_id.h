@@ -8,10 +8,10 @@
 
 namespace felt {
 
-/// Computes the fade_id of a force model; when the id changes, the haptic loop cross-fades from the
-/// old model to the new one. The id is a hash of the tool's name and of all values added by with().
-/// Different values give different ids (except for a chance of 1 in 2^32), equal values the same
-/// id.
+/// Computes the fade_id of a force model. When this id changes, the haptic loop cross-fades from
+/// the old model to the new one. The id is a hash of the tool's name and of all values added by
+/// with(). Different values give different ids (except for a chance of 1 in 2^32), equal values the
+/// same id.
 ///
 ///   model.set_fade_id(FeelId("pencil").with(material).with(target.stroke.value).value());
 class FeelId {

@@ -35,8 +35,8 @@ class GestureTool : public Tool {
   virtual ToolResult begin(const PenSample& sample, const Scene& scene) = 0;
   /// Handles each further sample. If it returns no preview, the previous one stays.
   virtual ToolResult move(const PenSample& sample, const Scene& scene) = 0;
-  /// Called when the pen is lifted. Returns the edit to commit, if any; the caller removes strokes
-  /// from it that have not changed.
+  /// Called when the pen is lifted. Returns the edit to commit, if any; the caller removes
+  /// unchanged strokes from the edit.
   virtual ToolResult end(const Scene& scene) = 0;
   /// Discards the gesture.
   virtual void drop() = 0;
@@ -48,8 +48,8 @@ class GestureTool : public Tool {
 
   /// Returns true from begin() until end() or drop() returns.
   [[nodiscard]] bool in_gesture() const noexcept { return in_gesture_; }
-  /// Returns true while the pen must be lifted before the next gesture. Only the surface exerts a
-  /// force then.
+  /// Returns true while the pen must be lifted before the next gesture. During this time, only the
+  /// surface exerts a force.
   [[nodiscard]] bool is_waiting() const noexcept { return waiting_; }
   [[nodiscard]] const OptionValues& options() const noexcept { return options_; }
 
@@ -67,7 +67,7 @@ class GestureTool : public Tool {
   std::vector<PenSample> gap_;  // samples of a possible bounce
 };
 
-/// Returns the time from one sample to another in s, clamped to [0, `max_s`].
+/// Returns the time in s from one sample to another, clamped to [0, `max_s`].
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns, double max_s) noexcept;
 
 }  // namespace felt

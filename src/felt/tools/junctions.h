@@ -25,7 +25,7 @@ inline constexpr double kSharedPointMm = 0.02;
 /// the ends of other strokes that lie on its curve, and its own ends that lie on the curves of
 /// other strokes. If the other stroke is on a locked layer, only its ends on the curve of this
 /// stroke are found. The result is sorted by `other`, then by `other_u`. Takes time linear in the
-/// segments of the stroke and the ink near them.
+/// number of segments of the stroke and in the amount of ink near them.
 std::vector<Junction> junctions_of(const Document& document, const StrokeIndex& index, StrokeId id,
                                    const Stroke& stroke);
 

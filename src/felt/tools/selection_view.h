@@ -14,9 +14,9 @@ namespace felt {
 
 /// The selection as the lasso and the transform tool show it: a box around the selected control
 /// points, and marks on the selected ink. The view is updated incrementally: each sample reads a
-/// part of the selection, so a sample takes no longer with a selection of 10^5 strokes than with
-/// one of fifteen. If the selection has at most kPointsPerLook points, the view is up to date after
-/// every look().
+/// part of the selection, so a sample takes no longer with a selection of 100,000 strokes than with
+/// a selection of fifteen. If the selection has at most kPointsPerLook points, the view is up to
+/// date after every look().
 ///
 ///   view.look(scene.document, scene.selection);   // each sample
 ///   view.draw(overlay);
@@ -44,14 +44,14 @@ class SelectionView {
   [[nodiscard]] bool empty() const noexcept { return seen_.strokes == 0; }
   /// Returns the box around the selected control points; empty if no point is selected.
   [[nodiscard]] const Rect& box() const noexcept { return seen_.box; }
-  /// Returns box() extended to contain the marked segments, with a margin of half their width minus
-  /// kBesideMm, if that is positive.
+  /// Returns box() extended to contain the marked segments, with a margin of half the width of the
+  /// ink minus kBesideMm, if this difference is positive.
   [[nodiscard]] const Rect& ink_box() const noexcept { return seen_.ink_box; }
   /// Returns a hash of the ids, marks and box. It changes if other points are selected or the
   /// selected points move.
   [[nodiscard]] std::uint64_t fingerprint() const noexcept { return seen_.fingerprint; }
-  /// Returns the hash without the box. It stays the same if the same points of the same strokes are
-  /// selected, even if they have moved.
+  /// Returns a hash of the ids and marks only. It stays the same if the same points of the same
+  /// strokes are selected, even if these points have moved.
   [[nodiscard]] std::uint64_t marks_fingerprint() const noexcept { return seen_.marks; }
   [[nodiscard]] std::size_t stroke_count() const noexcept { return seen_.strokes; }
   /// Returns the number of strokes that are only partly selected.

@@ -45,16 +45,16 @@ WellShape well_of(const SnapOptions& options, double strength = 1.0) noexcept;
 struct SnapTarget {
   TipId tip;  ///< no stroke id means the start of the stroke being drawn
   Point point;
-  bool on_curve = false;  ///< a point on the stroke; `tip.tip` is unused
+  bool on_curve = false;  ///< true for a point on the stroke; `tip.tip` is then unused
 
   [[nodiscard]] bool is_own_start() const noexcept { return !tip.stroke; }
   friend bool operator==(const SnapTarget&, const SnapTarget&) noexcept = default;
 };
 
 /// Chooses the end that attracts an end being dragged. This is the nearest end within reach. It
-/// stays chosen until another is nearer by 1 mm, so that the force does not alternate between two
-/// ends. The other end of the same stroke is a target immediately, because the user drags an end in
-/// order to connect it. The class is not thread-safe.
+/// stays chosen until another end is nearer by kHysteresisMm, so that the force does not alternate
+/// between two ends. The other end of the same stroke is a target immediately, because the user
+/// drags an end in order to connect it. The class is not thread-safe.
 class SnapFinder {
  public:
   static constexpr double kHysteresisMm = 1.0;

@@ -10,8 +10,8 @@ namespace felt {
 
 /// Tracks the point of a stroke under the pen, for tools that work along a stroke
 /// (docs/design/editing.md#nearest-point). All strokes are searched once. After that the point is
-/// tracked along the arc, so that if a stroke crosses itself, the pen stays on the branch it
-/// started on.
+/// tracked along the arc, so that the pen stays on the branch on which it started if a stroke
+/// crosses itself.
 ///
 ///   hold.take(scene, pen);        // hover, touch
 ///   hold.follow(scene, pen);      // each further sample of the gesture
@@ -19,7 +19,7 @@ namespace felt {
 /// Use it on the edit thread only.
 class StrokeHold {
  public:
-  /// Maximum distance of the pen from the stroke, mm. If the pen is farther away, it has no effect
+  /// Maximum distance of the pen from the stroke, mm. A pen that is farther away has no effect
   /// (R20).
   static constexpr double kReachMm = 8.0;
   /// The next point is searched for within this arc length of the last point, plus twice the

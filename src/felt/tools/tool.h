@@ -29,8 +29,8 @@ enum class ToolKind : std::uint8_t {
   kDraws,    ///< adds strokes in the medium of its option "medium"; a session starts with this tool
   kEdits,    ///< changes strokes under the pen
   kErases,   ///< removes ink; its medium is "eraser"
-  kSelects,  ///< changes the selection and draws it
-  kTransforms,  ///< changes the strokes that are selected when the gesture begins; draws the
+  kSelects,  ///< changes the selection and shows it
+  kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
 };
 
@@ -55,7 +55,7 @@ struct ToolUse {
 };
 
 /// The part of the demonstration that shows a tool. Its script is the file N-ID.ndjson in the
-/// tool's folder; N is its position in the demonstration.
+/// tool's folder; N is the position of the act in the demonstration, ID the id of the tool.
 struct ToolAct {
   std::string_view title = {};    ///< "Pull and push"; "" if the tool has no act
   std::string_view caption = {};  ///< one or two sentences
@@ -84,7 +84,8 @@ struct ToolSize {
 
 /// The result of handling one sample.
 struct ToolResult {
-  /// The preview: an edit to show applied to the document. It replaces the previous preview.
+  /// The preview: an edit that is shown as if it were applied to the document. It replaces the
+  /// previous preview.
   std::optional<Edit> preview = {};
   /// The edit to commit, one undo step. Set if the gesture is over and has changed the document.
   std::optional<Edit> commit = {};
@@ -109,8 +110,8 @@ class Tool {
   virtual ToolResult sample(const PenSample& sample, Contact::Change contact,
                             const Scene& scene) = 0;
   /// Called when the sample stream stops: the user chose another tool, the device was disconnected,
-  /// or the script or program ends. Commits the gesture as if the pen had been lifted, so that no
-  /// ink is lost.
+  /// the script ended, or the program ends. Commits the gesture as if the pen had been lifted, so
+  /// that no ink is lost.
   virtual ToolResult finish(const Scene& scene) = 0;
   /// Discards the gesture. The pen must be lifted before another gesture begins.
   virtual void cancel() = 0;

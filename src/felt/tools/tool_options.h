@@ -73,7 +73,7 @@ std::vector<std::string> choices_with(const OptionSpec& spec, const Materials& m
 /// them. Always succeeds for other rows.
 Result<void> check_choice(const OptionSpec& spec, const OptionValue& value,
                           const Materials& materials);
-/// Returns true if the row has an effect when the option that its `when` names has the value
+/// Returns true if the row has an effect while the option named in its `when` has the value
 /// `choice`.
 bool matters_with(const OptionSpec& spec, std::string_view choice) noexcept;
 /// Returns the id of the option that `when` names, or "" if the row always has an effect.

@@ -103,7 +103,7 @@ inline CheckOutcome failed(std::string measured, std::string words) {
 inline CheckOutcome not_possible(std::string words, std::string measured = {}) {
   return {Verdict::kNotPossible, std::move(measured), std::move(words)};
 }
-/// Returns the outcome of a check if its trial could not continue.
+/// Returns the outcome of a check whose trial could not continue.
 CheckOutcome broken(const Trial& trial);
 
 }  // namespace felt

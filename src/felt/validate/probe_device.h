@@ -17,12 +17,12 @@ struct ProbeTick {
   std::optional<DeviceFault> read_fault;   ///< reason why reading failed
   Force force;                             ///< the force as written
   std::optional<DeviceFault> write_fault;  ///< reason why writing failed
-  bool after_stall = false;                ///< a stall preceded this read
+  bool after_stall = false;                ///< a stall (stall()) preceded this read
 };
 
 /// Sits between the safety chain and a device under test. It records every tick, and sets the force
-/// to zero permanently if the pen leaves a ball around the point at which it was held. It never
-/// adds force. It is real-time safe if the device under test is real-time safe.
+/// to zero permanently if the pen leaves a given ball (guard()). The probe never adds force. It is
+/// real-time safe if the device under test is real-time safe.
 class ProbeDevice final : public Device {
  public:
   static constexpr std::size_t kRingTicks = 8192;

@@ -25,7 +25,7 @@ class TestLoop {
   /// Starts to call the ticks of the servo. `host` is the device's LoopHost or null, as for
   /// RealtimeThread.
   virtual Result<void> start(Servo& servo, LoopHost* host) = 0;
-  /// Ends the ticks of the servo with zero force. Has no effect if no servo runs.
+  /// Stops the ticks of the servo; the force is then zero. Has no effect if no servo runs.
   virtual void stop() noexcept = 0;
   /// Lets `ns` nanoseconds pass and sends heartbeats to the servo. Calls `turn` every few ms and
   /// once at the end. It also works while no servo runs.
@@ -44,7 +44,7 @@ class TestLoop {
 class VirtualTestLoop final : public TestLoop {
  public:
   /// `before_tick` moves the simulated hand. If `lateness_ns` has n > 0 entries, tick k is late by
-  /// entry k mod n; they must outlive this object.
+  /// entry k mod n. The entries must outlive this object.
   explicit VirtualTestLoop(std::function<void(std::int64_t now_ns)> before_tick,
                            std::span<const std::int64_t> lateness_ns = {});
 

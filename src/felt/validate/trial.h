@@ -13,8 +13,8 @@ namespace felt {
 
 /// The maximum force that a device test sends, N. The safety chain enforces it.
 inline constexpr double kTestForceN = 0.3;
-/// Maximum distance of a held pen from its position at the start, mm. Beyond that, forces are
-/// switched off.
+/// Maximum distance of the pen from its position at Trial::arm(), mm. If the pen is farther away,
+/// forces are switched off.
 inline constexpr double kHeldWithinMm = 15.0;
 
 /// A device in the haptic loop for one check: servo, safety chain (limit kTestForceN) and probe.
@@ -57,7 +57,7 @@ class Trial {
   /// Called with the loop's newest report every few ms.
   std::function<void(const TickReport&)> on_turn;
 
-  /// Returns the mean position over the last seconds, mm.
+  /// Returns the mean position over the last `last_seconds` seconds, mm.
   [[nodiscard]] Vec3 mean_place(double last_seconds) const;
   /// Returns the reason why the trial cannot continue; empty if it can continue.
   [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }

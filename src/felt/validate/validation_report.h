@@ -21,7 +21,7 @@ std::string_view name_of(Verdict verdict) noexcept;
 struct CheckResult {
   std::string id;  ///< "force_sign"
   int level = 1;
-  std::string title;  ///< for the user: "pushes the way it is told"
+  std::string title;  ///< for the user: "pushes in the right direction"
   Verdict verdict = Verdict::kNotRun;
   std::string measured;  ///< measured values with their units, one line
   std::string words;     ///< if the check did not pass: the reason, and what to try

@@ -36,8 +36,8 @@ struct ValidationOptions {
 ///   5      a force is felt, and has the right sign on each axis
 ///   6      how soon and how calmly a step of force moves the pen
 ///   7      the safety chain's limits hold with this device
-///   8      without communication the device drops its force; afterwards, forces begin gently
-///   9      unplugging is noticed; plugged in again, it works
+///   8      without communication, the force becomes zero; afterwards, forces begin gently
+///   9      unplugging is noticed; the device works after it is plugged in again
 ///   10     a soak test: no fault, no energy gain
 ///
 /// Levels from 5 on need forces. These are at most kTestForceN, pass the servo and its safety

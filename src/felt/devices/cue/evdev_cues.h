@@ -11,7 +11,8 @@
 namespace felt {
 
 /// A touchpad with FF_HAPTIC (Linux 6.18 and newer), or a game controller that rumbles. Uses at
-/// most two effects: a continuous one, which ends by itself after kCueHoldNs, and a short one.
+/// most two effects: a continuous effect, which ends by itself after kCueHoldNs, and a short
+/// effect.
 class EvdevCues final : public CueDevice {
  public:
   /// Uses FF_HAPTIC if `is_haptic`, otherwise FF_RUMBLE.

@@ -13,7 +13,8 @@
 
 namespace felt {
 
-/// Usages of page 0x0E, Haptics (HID Usage Tables 1.4; HUTRR63), and of kinds of devices.
+/// HID usages: those of page 0x0E, Haptics (HID Usage Tables 1.4; HUTRR63), and those that identify
+/// kinds of devices.
 namespace haptic_usage {
 inline constexpr std::uint16_t kPage = 0x0E;
 inline constexpr std::uint32_t kController = hid_usage(kPage, 0x01);
@@ -31,8 +32,8 @@ inline constexpr std::uint32_t kTouchpad = hid_usage(0x0D, 0x05);
 inline constexpr std::uint32_t kMouse = hid_usage(0x01, 0x02);
 }  // namespace haptic_usage
 
-/// Returns the number of a waveform on page 0x0E: 0x1003 is a click. Returns 0x1002 (stop) for
-/// kNone.
+/// Returns the number of a waveform on page 0x0E, for example 0x1003 for a click. Returns 0x1002
+/// (stop) for kNone.
 std::uint16_t hid_waveform(CueWaveform waveform) noexcept;
 /// Returns the waveform itself, followed by the waveforms that may be played instead of it, most
 /// similar first.
@@ -45,8 +46,8 @@ class HapticReports {
   /// Returns nullopt if the descriptor has no controller with a manual trigger in an output report.
   static std::optional<HapticReports> find(const HidDescriptor& descriptor);
 
-  /// Asks the device, by feature reports, which waveform each of its ordinals stands for. An
-  /// ordinal is the number by which a device plays a waveform. Fails with errno.
+  /// Asks the device for its waveforms, by feature reports. Each waveform has an ordinal, the
+  /// number by which the device plays it. Fails with errno.
   tl::expected<void, int> ask(HidrawPort& port);
 
   /// Returns the ordinal of a waveform. If the device does not have that waveform, returns the

@@ -54,7 +54,7 @@ struct HidDescriptor {
 /// device is not trusted: depth, fields and bits are bounded, and an invalid item is an error.
 /// Fails with the reason and the byte position.
 Result<HidDescriptor> read_hid_descriptor(std::span<const std::uint8_t> bytes);
-inline constexpr std::size_t kMaxHidBytes = 4096;   ///< size limit, the same as the kernel's
+inline constexpr std::size_t kMaxHidBytes = 4096;  ///< size limit of a descriptor, as in the kernel
 inline constexpr std::size_t kMaxHidFields = 1024;  ///< maximum number of fields that are stored
 inline constexpr std::size_t kMaxReportBits = 65536;
 

@@ -30,8 +30,8 @@ class HidppMouse final : public CueDevice {
   static constexpr std::uint8_t kSoftware = 0x5;  ///< our software number; Solaar uses 0xB..0xF
 
   /// Looks for a mouse with haptics: at each device number of a receiver, or at kDirect. Takes
-  /// about 0.25 s for each number that does not answer. Fails with the text of errno if a transfer
-  /// fails, and also if no mouse with haptics answers.
+  /// about 0.25 s for each number that does not answer. Fails if a transfer fails (with the text of
+  /// errno), or if no mouse with haptics answers.
   static Result<std::unique_ptr<CueDevice>> open(std::unique_ptr<HidrawPort> port, bool is_receiver,
                                                  DeviceDescriptor descriptor);
 

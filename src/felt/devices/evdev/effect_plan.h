@@ -56,7 +56,7 @@ EffectPlan plan_effects(std::span<const AxisFit, 2> fits, const StickForces& sti
 double strongest_n(const EffectPlan& one, const EffectPlan& other,
                    const StickForces& stick) noexcept;
 
-/// Duration of all effects. They end by themselves unless they are played again, so that no force
+/// Duration of each effect. An effect ends by itself unless it is played again, so that no force
 /// remains if the program hangs.
 inline constexpr std::uint16_t kEffectMs = 100;
 

@@ -20,8 +20,8 @@ struct EvdevOptions {
   bool has_thread = true;
 };
 
-/// An additional interface of this driver's devices. Through it, an owner does the work of a
-/// device's thread.
+/// An additional interface of this driver's devices. If a device has no thread, its owner uses this
+/// interface to do the work of the thread.
 class EffectServed {
  public:
   virtual ~EffectServed() = default;

@@ -25,14 +25,14 @@ struct FitAbility {
 struct AxisFit {
   double position_mm = 0.0;         ///< position of the newest sample
   double force_n = 0.0;             ///< force at that position, without the friction
-  double stiffness_n_per_mm = 0.0;  ///< never negative: that would push the grip away
+  double stiffness_n_per_mm = 0.0;  ///< never negative, because that would push the grip away
   double friction_n = 0.0;          ///< dissipates energy; never negative
 };
 
 /// Fits the force law of AxisFit to the forces of the last milliseconds. Uses regularised least
 /// squares; newer samples have more weight (a sample that is kFitForgets samples older has a third
 /// of the weight). If several force laws fit almost equally well, the regularisation prefers small
-/// unknowns and thereby the force law that dissipates energy: without motion, the stiffness is
+/// coefficients, and thereby the force law that dissipates energy: without motion, the stiffness is
 /// zero, and a force that always opposes the motion is explained mostly by friction.
 ///
 /// The force law passes exactly through the newest sample, so the fit adds no delay. The friction

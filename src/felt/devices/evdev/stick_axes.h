@@ -34,16 +34,18 @@ StickStand ask_stick(EvdevPort& port, const StickLayout& layout) noexcept;
 ///
 /// The pen is down while the contact button is held. Its z is then -2 mm times the pressure; while
 /// the pen is up, z is 0.8 mm. The pressure is the position of the lever, but at least
-/// kMinPressure; if the device has no lever, it is kUsualPressure. The button after the contact
-/// button sets bit 0, and the next button bit 1 (tools: kFirstModifier, kSecondModifier).
+/// kMinPressure; if the device has no lever, it is kUsualPressure. The two buttons after the
+/// contact button set bits 0 and 1 of PenSample::buttons (kFirstModifier and kSecondModifier of the
+/// tools).
 ///
 /// Sticks usually report every 8 ms, so their position changes in jumps. To avoid jumps of the pen,
 /// the pen moves at constant speed to a reported position within kGlideNs. The buttons of the
 /// report take effect when the pen arrives there. So position, contact and velocity are consistent,
 /// but about 8 ms late.
 ///
-/// If the kernel reports that events were lost, needs_asking() returns true. No more events are
-/// read until another thread has called ask_stick() and take() has set the state that it returned.
+/// If the kernel reports that events were lost, needs_asking() returns true. After that, no more
+/// events are read until another thread has called ask_stick(), and its result has been passed to
+/// take().
 ///
 /// After begin(), the object is used on the haptic thread. Its functions do not allocate, and their
 /// only kernel call is to read the next event, which never waits.

@@ -48,8 +48,8 @@ class StickDevice final : public DriverDevice, public EffectServed {
  private:
   static constexpr std::size_t kWindow = 24;  ///< samples used in a fit
 
-  /// The state of the axes that the worker has read, and the number of the question that it
-  /// answers.
+  /// The state of the axes as the worker has read it, and the serial number of the request
+  /// (`questions_`) that it answers.
   struct Answer {
     std::uint32_t question = 0;
     StickStand stand;

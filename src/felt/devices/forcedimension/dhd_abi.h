@@ -3,14 +3,14 @@
 #include <cstdint>
 
 /// Our own declarations of the functions in `dhdc.h` and `drdc.h`, the headers of Force Dimension's
-/// libraries (SDK 3.x: libdhd.so, and libdrd.so, which contains all functions of both). Units are
-/// metres, m/s and newtons; X is the depth towards the user, Y right, Z up.
+/// libraries (SDK 3.x: libdhd.so, and libdrd.so, which contains the functions of both libraries).
+/// Units are metres, m/s and newtons; X is the depth towards the user, Y right, Z up.
 ///
 /// Every function for a single device takes the device's number as its last argument. In the
-/// maker's header this argument has a default value and is easily overlooked; if a function type
-/// here lacked it, the function would read an undefined value. All functions are plain C functions.
-/// Those that return an int return a negative number for an error; otherwise they return their
-/// result, 0, or a positive notice.
+/// maker's header this argument has a default value and is easily overlooked. If a function type
+/// here lacked the argument, the library's function would read an undefined value. All functions
+/// are plain C functions. If a function returns an int, a negative value means an error; any other
+/// value is a result, 0, or a positive notice.
 namespace felt::dhd {
 
 using Id = char;
@@ -39,8 +39,8 @@ enum Error : int {
 };
 
 /// Notices that functions return instead of 0. They are not errors.
-inline constexpr int kTimeGuard = 1;  ///< called too soon; the function repeated its last answer
-inline constexpr int kMotorSaturated = 2;  ///< the motors give their maximum
+inline constexpr int kTimeGuard = 1;       ///< called too soon; returned the last values again
+inline constexpr int kMotorSaturated = 2;  ///< the motors produce their maximum force
 inline constexpr int kFailed = -1;
 
 inline constexpr int kOff = 0;
@@ -70,7 +70,7 @@ enum StatusIndex : int {
   kStatusAxisChecked = 16,
 };
 
-/// The reason why the motors are off, at kStatusForceOffCause.
+/// The reason why the motors are off, as dhdGetStatus() stores it at index kStatusForceOffCause.
 enum ForceOffCause : int {
   kCauseNone = 0,
   kCauseButton = 1,    ///< the force button of the device

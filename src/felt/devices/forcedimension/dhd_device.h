@@ -21,14 +21,14 @@ namespace felt::dhd {
 /// stop()), and their short-circuited windings damp the arm. *Live*: forces are enabled, and each
 /// write() sends a force. *Taken*: the device switched the motors off by itself; read() still
 /// works, and write() returns kForcesOff. If the user switched the motors off (force button, grip),
-/// only the user can switch them on again. If a guard of the device switched them off, this object
-/// enables them again: after the watchdog, as soon as no force is requested; after any other guard,
-/// when no force has been requested for kRestNs and the arm moves slowly.
+/// only the user can switch them on again. If a guard of the device switched the motors off, this
+/// object enables them again. If that guard was the watchdog, it does so as soon as no force is
+/// requested; otherwise, when no force has been requested for kRestNs and the arm moves slowly.
 ///
 /// Velocities are computed here from positions, as for the simulated devices (VelocityFilter),
 /// because all proofs of the forces' stability assume this filter. The library's own velocity is an
-/// average over 20 ms and lags 8 ms more than the filter, and damping with it feels different (in
-/// the test scenarios, ink is displaced by up to 0.53 mm instead of 0.02 mm).
+/// average over 20 ms and lags 8 ms more than the filter. Damping that uses the library's velocity
+/// feels different: in the test scenarios, it displaces ink by up to 0.53 mm instead of 0.02 mm.
 ///
 /// Each tick needs a write(), even if the force is zero, because the library compensates gravity
 /// within each force command. Without force commands, the device's watchdog brakes after 31 ms.
@@ -37,8 +37,8 @@ class DhdDevice final : public DriverDevice {
   static constexpr std::int64_t kRestNs = 500'000'000;
   /// Time after a fault before the motors are enabled again.
   static constexpr std::int64_t kRetryNs = 50'000'000;
-  /// The controller's state is read at each kStatusEvery-th read(), and at the first read() after a
-  /// gap of kGapNs.
+  /// The controller's state is read at each kStatusEvery-th read(), and at a read() that comes more
+  /// than kGapNs after the previous read().
   static constexpr unsigned kStatusEvery = 2;
   static constexpr std::int64_t kGapNs = 5'000'000;
 

@@ -17,9 +17,10 @@ namespace felt::dhd {
 
 /// Returns possible names of the library on this system, in the order in which they are tried: in
 /// the SDK's folders ($FDSDK, $FORCEDIM_SDK, and lib/release/lin-MACHINE-COMPILER in them), in
-/// ~/.local/lib and in /usr/local/lib, and last plain names, which the system's loader searches.
-/// libdrd comes before libdhd, because only libdrd can home a device by moving it. `named` is the
-/// driver's option or $FELT_FORCEDIMENSION_LIBRARY; if it is set, only that name is returned.
+/// ~/.local/lib and in /usr/local/lib, and last plain names, for which the system's loader
+/// searches. libdrd comes before libdhd, because only libdrd can home a device by moving it.
+/// `named` is the driver's option or $FELT_FORCEDIMENSION_LIBRARY; if it is set, only that name is
+/// returned.
 std::vector<std::string> library_names(const SystemView& system, const std::string& named);
 
 /// The library's functions. A pointer marked "or null" is null if the function is absent, as in
@@ -69,8 +70,8 @@ struct Identity {
 };
 
 /// The loaded library with its open devices. A program has only one object per library file. This
-/// is needed because the library lets a program open the same device twice; the first of the two
-/// users that closes the device closes it for the other, too. Safe to call from any thread, because
+/// is needed because the library lets two parts of a program open the same device; when one part
+/// closes the device, it is closed for the other part, too. Safe to call from any thread, because
 /// the object has its own lock.
 class Library {
  public:
@@ -90,8 +91,9 @@ class Library {
   /// Returns the number of connected devices, including those that other programs use. A negative
   /// number means that the library failed; treat it as 0.
   [[nodiscard]] int count() const;
-  /// Identifies the device at this index of the list. Opens it briefly if it is not open in this
-  /// program; the arm does not move. Fails with the library's text if the device cannot be opened.
+  /// Identifies the device at this index of the library's list of devices. Opens it briefly if it
+  /// is not open in this program; the arm does not move. Fails with the library's text if the
+  /// device cannot be opened.
   Result<Identity> identify(int index);
   /// Opens a device. Fails with the library's text, or with kInvalidArgument if the device is
   /// already open in this program.

@@ -9,12 +9,12 @@
 namespace felt {
 
 struct ForceDimensionOptions {
-  /// The file of the library. If empty, $FELT_FORCEDIMENSION_LIBRARY is used if set; otherwise the
-  /// names of library_names() are tried.
+  /// The file of the library. If it is empty, $FELT_FORCEDIMENSION_LIBRARY is used; if that is not
+  /// set, the names of library_names() are tried.
   std::string library;
   /// Mass in kg (0..0.5) of a part such as a pen that is mounted in place of the device's own
-  /// handle. The library compensates the weight of this part. If nullopt,
-  /// $FELT_FORCEDIMENSION_PEN_KG is used if set; otherwise the maker's default mass is used.
+  /// handle. The library compensates the weight of this part. If it is nullopt,
+  /// $FELT_FORCEDIMENSION_PEN_KG is used; if that is not set, the maker's default mass is used.
   std::optional<double> pen_mass_kg;
 };
 

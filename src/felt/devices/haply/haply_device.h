@@ -34,7 +34,7 @@ struct Connection {
 /// Capabilities::delay_ticks). With two messages per tick, each state would be newer, but the
 /// service adds up all forces that arrive within one of its own ticks (maker's page "Control
 /// Commands"). Therefore a force is sent only if the service has answered all earlier messages, and
-/// only a message without force may follow an unanswered one (RequestWindow).
+/// only a message without force may follow an unanswered message (RequestWindow).
 ///
 /// read() waits kWaitNs for a state. While states are late, read() repeats the last sample, and the
 /// last force stays in effect for a bounded time; then the force is set to zero (ServicePace).

@@ -10,7 +10,7 @@ namespace felt::haply {
 
 /// Implements Driver::diagnose: checks whether the service is installed and running, which ports
 /// and version it has, and what it reports about its devices. If a program listens on the service's
-/// port, the function connects to it through `connect` and asks it.
+/// port, the function connects to that program through `connect` and queries it.
 std::vector<Finding> examine(const SystemView& system, const TcpConnect& connect,
                              std::int64_t within_ns);
 

@@ -38,8 +38,9 @@ class JsonScanner {
   [[nodiscard]] double number() const noexcept { return number_; }
   /// Returns how many objects and arrays are open.
   [[nodiscard]] int depth() const noexcept { return depth_; }
-  /// Skips to the end of the object or array whose depth() was `depth` when it was entered. Returns
-  /// false if the text is bad.
+  /// Skips the rest of an object or array, including its end. `depth` is the value that depth() had
+  /// immediately after the beginning of the object or array was read. Returns false if the text is
+  /// bad.
   bool leave(int depth) noexcept;
   /// Skips the next value, whatever it is. Returns false if the text is bad.
   bool skip_value() noexcept;

@@ -9,21 +9,22 @@ namespace felt::haply {
 ///
 /// A message may be sent when all earlier ones are answered, with one exception: while a message
 /// with a force is unanswered, a message without force may follow it immediately, to release the
-/// force. So at most one message with a force is unanswered, at most kMaxUnanswered in total, and
-/// if two are unanswered, the newer one never carries a force.
+/// force. So no more than kMaxUnanswered messages are unanswered at any time, at most one of them
+/// carries a force, and if two are unanswered, the newer message carries no force.
 ///
 ///   window.wait(time since the last tick)
 ///   if (window.is_clear()) ...            any message may be sent
 ///   else if (window.may_release()) ...     a message without force may be sent
 ///   if (window.is_overdue()) ...          a message without force should be sent, to ask again
 ///
-/// TCP loses nothing, but a service may answer several messages with one state. So if no answer
-/// comes for kPatienceNs (the patience), there are two cases: if an answer has arrived since the
-/// newest message was sent, it counts as the answer to all messages; otherwise, if only one message
-/// is unanswered, a message without force asks again. In both cases the patience doubles. So if a
-/// service is merely slower than the patience, the count is wrong only a few times, and up to four
-/// messages can then wait at the service. None of these carries a force, because forces are off by
-/// then (ServicePace::kHoldNs is shorter than the patience).
+/// TCP loses nothing, but a service may answer several messages with one state. So the window waits
+/// for an answer only for a limited time, the patience (initially kPatienceNs). When the patience
+/// is over, there are two cases: if an answer has arrived since the newest message was sent, it
+/// counts as the answer to all messages; otherwise, if only one message is unanswered, a message
+/// without force asks again. In both cases the patience doubles. So if a service is merely slower
+/// than the patience, the count is wrong only a few times, and up to four messages can then wait at
+/// the service. None of these carries a force, because forces are off by then (ServicePace::kHoldNs
+/// is shorter than kPatienceNs).
 ///
 /// Used on the haptic thread; real-time safe.
 class RequestWindow {
@@ -31,7 +32,7 @@ class RequestWindow {
   static constexpr int kMaxUnanswered = 2;
   static constexpr std::int64_t kPatienceNs = 20'000'000;
   static constexpr std::int64_t kMaxPatienceNs = 16 * kPatienceNs;
-  /// Number of answers in a row that must come within the patience until the patience is reset to
+  /// After this many answers in a row that came within the patience, the patience is reset to
   /// kPatienceNs.
   static constexpr int kPromptAnswers = 1000;
 

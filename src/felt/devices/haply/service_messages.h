@@ -15,8 +15,8 @@
 /// is bad if a value that must be a number has another type.
 namespace felt::haply {
 
-/// The newest state of our device in a state message, in the service's units (m, m/s, N) and its
-/// application space.
+/// The state of our device in a state message, in the service's units (m, m/s, N) and in the
+/// coordinates of its application space.
 struct State {
   bool has_device = false;  ///< our device is in the message, with a position
   Vec3 position_m;
@@ -24,7 +24,7 @@ struct State {
   std::optional<Vec3> force_n;     ///< the acting force, as reported by the service
   std::optional<bool> calibrated;  ///< if reported
   std::optional<bool> has_power;   ///< if reported
-  std::uint32_t buttons = 0;       ///< our grip's; bit 0 is button a, button_0, or the only one
+  std::uint32_t buttons = 0;       ///< of our grip; bit 0: button a, button_0 or the only button
   std::optional<Vec3>
       grip_axis;  ///< direction of our grip, if it reports its orientation; length 1
 };

@@ -7,13 +7,13 @@ namespace felt::haply {
 /// Measures how quickly the service answers, and limits the force while it is slow.
 ///
 /// While states are late, the last force holds for at most kHoldNs; then it is set to zero. If a
-/// state comes before that, the force is not reduced. (The force is not reduced gradually
+/// state comes within kHoldNs, the force is not reduced at all. (The force is not reduced gradually
 /// meanwhile, because no message with a smaller force could be sent: only a message without force
 /// may follow an unanswered one, see RequestWindow.) If states come regularly but too rarely (on
 /// average more than kSlowPeriods apart), the force falls to zero within kSlowRampNs, because the
-/// stiffness was chosen for one state per tick. Once the force is zero, the pace is off: forces
-/// stay zero until states have come in time for kTimelyNs. Each such period counts as one fault,
-/// however long it lasts.
+/// stiffness was chosen for one state per tick. Once the force is zero, forces are off (is_off()):
+/// they stay zero until states have come in time for kTimelyNs. Each period in which forces are off
+/// counts as one fault, however long it lasts.
 ///
 /// Used on the haptic thread; real-time safe.
 class ServicePace {
@@ -35,7 +35,8 @@ class ServicePace {
 
   /// Returns the factor, 0..1, by which the requested force must be multiplied.
   [[nodiscard]] double share() const noexcept { return share_; }
-  /// Returns true while forces are off, until the service has been prompt for a while.
+  /// Returns true while forces are off, that is, from the moment when a slow service caused zero
+  /// force until it has answered in time for kTimelyNs.
   [[nodiscard]] bool is_off() const noexcept { return is_off_; }
   /// Returns the time since the last state.
   [[nodiscard]] std::int64_t waited_ns() const noexcept { return waited_ns_; }

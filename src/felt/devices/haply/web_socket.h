@@ -20,11 +20,11 @@ enum class SocketFault : std::uint8_t {
   kBadData,   ///< not a WebSocket frame, or too long; the connection is unusable from then on
 };
 
-/// The client's end of a WebSocket (RFC 6455), for text messages only. It is made for the haptic
-/// thread, which sends and receives one message each millisecond: it does not allocate after
-/// open(), and no call blocks longer than `within_ns`. It joins fragments of a message, answers
-/// pings, and rejects a message as soon as its announced length exceeds kMaxBytes. After kClosed or
-/// kBadData every call returns that fault again.
+/// The client's end of a WebSocket (RFC 6455), for text messages only. This class does not allocate
+/// after open(), and no call blocks longer than `within_ns`, because the haptic thread uses it to
+/// send and receive one message each millisecond. The class joins fragments of a message, answers
+/// pings, and rejects a message as soon as its announced length exceeds kMaxBytes. After a call has
+/// failed with kClosed or kBadData, every later call fails with the same fault.
 ///
 /// The object is large (two buffers of 64 KiB), so allocate it on the heap. For use by one thread
 /// at a time.

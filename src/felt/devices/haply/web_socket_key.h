@@ -8,8 +8,8 @@
 namespace felt::haply {
 
 /// Returns a WebSocket server's answer to a client's key, which proves that the server understands
-/// the WebSocket protocol (RFC 6455, section 4.2.2): the base64 of the SHA-1 of the key and a fixed
-/// text. This is not a security feature.
+/// the WebSocket protocol (RFC 6455, section 4.2.2): the base64 encoding of the SHA-1 hash of the
+/// key followed by a fixed text. This is not a security feature.
 std::string accept_for(std::string_view key);
 
 /// Returns the base64 encoding of `bytes` (RFC 4648, section 4) with padding.

@@ -16,9 +16,9 @@
 
 namespace felt {
 
-/// A device that is open in libHD. The library's scheduler runs its loop. Each tick has exactly one
-/// frame of the library, from read() to write(), and the servo reads and writes only within it. The
-/// library's errors are checked twice per tick, after reading and after writing.
+/// A device that is open in libHD. The library's scheduler runs its loop. The library allows
+/// reading and writing only within a frame. Each tick has exactly one frame, from read() to
+/// write(). The library's errors are checked twice per tick, after reading and after writing.
 class OpenHapticsDevice final : public DriverDevice, private LoopHost {
  public:
   /// Takes ownership of the device `handle`. The destructor closes it and releases the library.

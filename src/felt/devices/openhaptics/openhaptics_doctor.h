@@ -8,9 +8,9 @@
 
 namespace felt {
 
-/// The folder in which the maker's set-up program stores one file NAME.config per device:
-/// kHdConfigVariable is the environment variable that names this folder. If the variable is not
-/// set, kHdConfigHome is used.
+/// The maker's set-up program stores one file, NAME.config, for each device. The environment
+/// variable kHdConfigVariable names the folder of these files; if it is not set, the folder is
+/// kHdConfigHome.
 inline constexpr std::string_view kHdConfigVariable = "GTDD_HOME";
 inline constexpr std::string_view kHdConfigHome = "/usr/share/3DSystems";
 inline constexpr std::string_view kHdUdevRules = "/etc/udev/rules.d/70-feltline-3dsystems.rules";

@@ -23,9 +23,9 @@ struct HdLimits {
   int update_rate_hz = 0;
 };
 
-/// Returns the capabilities in `row`, with each limit replaced by the limit that the device reports
-/// if that is valid and lower. The workspace is the reported one if it is valid, otherwise that of
-/// `row`.
+/// Returns the capabilities of `row`, changed as follows. If the device reports a valid limit that
+/// is lower than the limit in `row`, the reported limit is used. If it reports a valid workspace or
+/// an update rate of 250 to 5000 Hz, these are used.
 Capabilities openhaptics_capabilities(const Capabilities& row, const HdLimits& said) noexcept;
 
 /// Returns the plane that is parallel to the desk: the page's x is the device's x (to the right),

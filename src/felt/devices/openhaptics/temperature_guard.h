@@ -6,10 +6,10 @@
 namespace felt {
 
 /// Limits the force while motors are warm, according to their own thermometers (0 cold .. 1 too
-/// warm). Above 0.7 the limit falls by a thousandth per tick, down to the continuous force; below
-/// 0.5 it rises again at the same rate. The rule and the numbers come from the maker's own sample
-/// for motor temperature (docs/design/devices.md#motor-temperature). At 1 kHz the limit halves in
-/// 0.7 s.
+/// warm). When the temperature exceeds 0.7, the limit begins to fall by a thousandth per tick, down
+/// to the continuous force. When the temperature is below 0.5, the limit rises again at the same
+/// rate. The rule and the numbers come from the maker's own sample for motor temperature
+/// (docs/design/devices.md#motor-temperature). At 1 kHz the limit halves in 0.7 s.
 ///
 /// Used on the haptic thread; real-time safe.
 class TemperatureGuard {
@@ -24,8 +24,8 @@ class TemperatureGuard {
   TemperatureGuard(double max_n, double continuous_n) noexcept
       : max_n_(max_n), min_n_(std::min(max_n, continuous_n)), allowed_n_(max_n) {}
 
-  /// Updates the limit in one tick in which the warmest motor has this temperature, and returns the
-  /// limit in N. A temperature of NaN counts as too warm.
+  /// Updates the limit for one tick and returns it in N. `temperature` is that of the warmest
+  /// motor. A temperature of NaN counts as too warm.
   double allow(double temperature) noexcept {
     if (!(temperature <= kWarm)) is_warm_ = true;
     if (temperature < kCool) is_warm_ = false;

@@ -14,8 +14,8 @@ namespace felt::pantograph {
 /// One motor with its encoder, and its wiring.
 struct MotorWiring {
   std::uint8_t port = 1;    ///< 1..4 on the board
-  bool turns_ccw = false;   ///< direction of positive torque
-  bool counts_ccw = false;  ///< direction of positive angle
+  bool turns_ccw = false;   ///< true if positive torque turns counter-clockwise
+  bool counts_ccw = false;  ///< true if the angle counts counter-clockwise
   float rest_deg = 0.0F;    ///< angle of the arm when the encoder starts to count
   float counts_per_turn = 0.0F;
 };
@@ -51,8 +51,8 @@ ResetFrame reset_frame() noexcept;
 /// Returns a frame of type 1, which sets up the motors and encoders, and no sensors or PWM outputs.
 /// The encoders start to count when the board receives it.
 SetupFrame setup_frame(const BoardModel& model) noexcept;
-/// Returns a frame of type 2, which sets the torques of motors 1 and 2. `torques` are in N m,
-/// before the gain is applied. The board answers this frame with a reply.
+/// Returns a frame of type 2, which sets the torques of motors 1 and 2. `torques_nm` does not
+/// include the gain, which this function applies. The board answers this frame with a reply.
 TorqueFrame torque_frame(const BoardModel& model, const std::array<double, 2>& torques_nm) noexcept;
 /// Reads the angles of arms 1 and 2, in rad, from a reply. Returns false if the angles are not
 /// finite or not plausible.

@@ -24,7 +24,8 @@ struct FiveBarSize {
 ///   u . E' = u . A',   w . E' = w . B'.
 /// Therefore
 ///   J = 1/(u x w) [ w_y (u.a)  -u_y (w.b) ; -w_x (u.a)  u_x (w.b) ],   a = dA/dth1, b = dB/dth2
-/// is the Jacobian dE/dth. The torques are J^T F, so F . v = tau . omega at all angles.
+/// is the Jacobian dE/dth. The torques are J^T F, so at all angles the power at the handle, F . v,
+/// equals the power of the motors, tau . omega.
 ///
 /// u x w = L^2 sin(angle between the forearms), where L is the length of a forearm. If the forearms
 /// are nearly in line, or the elbows nearly meet, small torques cause huge forces. Therefore

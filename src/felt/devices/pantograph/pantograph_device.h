@@ -20,20 +20,21 @@ namespace felt::pantograph {
 /// it to extrapolate the position to the time of the read. A frame has neither checksum nor start
 /// mark. A valid reply has the device's id and two possible angles; any other reply is a fault. All
 /// received bytes are then discarded, so that the reply to the next frame is read from its start.
-/// If a reply is late, read() returns the last sample for up to kMaxMissed ticks. After that it
-/// fails with kOther, or with kBadData if only a part of a reply came, and after kMaxSilentTicks
-/// with kDisconnected.
+/// If a reply is late, read() returns the last sample for up to kMaxMissed ticks. After kMaxMissed
+/// ticks, read() fails with kOther, or with kBadData if only a part of a reply came; after
+/// kMaxSilentTicks it fails with kDisconnected.
 ///
-/// The board has no known watchdog: torques hold until the next frame. Therefore zero torques are
-/// sent by stop(), after every fault and by the destructor, repeatedly if necessary. If a frame
-/// cannot be sent, write() fails with kOther. A separate process (ByteStream's keep_guard) sends
-/// zero torques if this program was killed or stopped, or is silent for kGuardNs. Without that
-/// process no force is possible: find_home() fails if it does not start, and write() returns
-/// kForcesOff after it has ended. If the board itself hangs, it keeps its torques. Then the motors
-/// can be turned off only by their switch or by unplugging the USB cable.
+/// The board has no known watchdog: torques hold until the next frame. Therefore the driver sends
+/// zero torques after every fault, in stop() and in the destructor, and repeats this if necessary.
+/// If a frame cannot be sent, write() fails with kOther. A separate process (ByteStream's
+/// keep_guard) sends zero torques if this program was killed or stopped, or is silent for kGuardNs.
+/// Without that process no force is possible: find_home() fails if the process does not start, and
+/// write() returns kForcesOff after it has ended. If the board itself hangs, it keeps its torques;
+/// in that case, the motors can be turned off only by their switch or by unplugging the USB cable.
 ///
-/// The encoders count from the position at which the board was set up last, so the user must hold
-/// the arms in their rest pose during find_home(). homing() is kRestPose until then.
+/// The encoders count from the position that the arms had when the board was last set up, so the
+/// user must hold the arms in their rest pose during find_home(). Until find_home() has succeeded,
+/// homing() returns kRestPose.
 class PantographDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 400'000;

@@ -21,7 +21,8 @@ namespace felt {
 /// neither loses a dot nor joins two strokes.
 ///
 /// A sample whose time is earlier than that of the previous sample gets the time of the previous
-/// sample. Samples that are not finite are left out. Forces have no effect; the last one is stored.
+/// sample. Samples that are not finite are left out. Forces have no effect; the last force is
+/// stored.
 ///
 /// read() is used on the haptic thread. It is real-time safe, and its duration is linear in the
 /// number of samples since the last read.

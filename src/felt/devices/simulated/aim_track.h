@@ -20,12 +20,12 @@ struct StampedAim {
 /// Plays the aims of a tablet with their original spacing in time, although a window system
 /// delivers them late and several at once. Each aim is played when its age reaches the playback
 /// delay. The delay is about the largest age that an aim had on arrival in the last second or two,
-/// but at most 15 ms. An aim that is older than that on arrival is played immediately. So the delay
-/// does not keep growing, and no aim is lost.
+/// but at most 15 ms. An aim that is older than the delay on arrival is played immediately. So the
+/// delay does not keep growing, and no aim is lost.
 ///
-/// With `joins`, at() interpolates linearly between one aim and the next. The second aim must then
-/// be known when the first is played, so the delay is longer by the time between the two. After a
-/// rest, the interpolation starts at most 10 ms before the time of the new aim.
+/// With `joins`, at() interpolates linearly between one aim and the next. This requires that the
+/// second aim is known when the first is played, so the delay is longer by the time between the two
+/// aims. After a rest, the interpolation starts at most 10 ms before the time of the new aim.
 ///
 /// A value type, real-time safe.
 class AimTrack {
@@ -37,8 +37,8 @@ class AimTrack {
 
   explicit AimTrack(bool joins) noexcept : joins_(joins) {}
 
-  /// Appends an aim. A time less than 50 us after that of the last aim is set to 50 us after it; a
-  /// time in the future is set to `now_ns`. Requires has_room().
+  /// Appends an aim. If the aim's time is in the future, it is set to `now_ns`. If it is less than
+  /// 50 us after the time of the last aim, it is set to 50 us after that time. Requires has_room().
   void push(const StampedAim& aim, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool has_room() const noexcept { return count_ < kMax; }
   [[nodiscard]] bool is_set() const noexcept { return is_set_; }
@@ -47,8 +47,8 @@ class AimTrack {
   [[nodiscard]] const Aim* due(std::int64_t now_ns) noexcept;
   /// Returns the time at which the oldest aim is due. Requires that an aim waits.
   [[nodiscard]] std::int64_t due_ns() const noexcept { return waiting_[head_].time_ns + delay_ns_; }
-  /// Removes the oldest aim after it was played; at() then starts from it. Requires that an aim
-  /// waits.
+  /// Removes the oldest aim after it was played; from then on, at() interpolates from this aim.
+  /// Requires that an aim waits.
   void pass() noexcept;
   /// Returns the aim at this time, interpolated between the last aim that pass() removed and the
   /// next. Pressure is interpolated if both aims press, and tilt if both aims have a tilt;

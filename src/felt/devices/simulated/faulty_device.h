@@ -38,7 +38,8 @@ enum class InjectedFault : std::uint8_t {
   kLateAnswer,     ///< a service answers one message `amount` ms late
 };
 
-/// Returns true for faults that only a device behind a service can have. FaultyDevice ignores them.
+/// Returns true for faults that only a device can have that is used through a service of its maker.
+/// FaultyDevice ignores these faults.
 constexpr bool is_of_a_service(InjectedFault fault) noexcept {
   return fault >= InjectedFault::kSlowAnswers && fault <= InjectedFault::kLateAnswer;
 }
@@ -56,8 +57,8 @@ struct FaultWindow {
   double amount = 1.0;
 };
 
-/// A wrapper around any device that adds faults on schedule, to test the code above it. Several
-/// faults may be active at the same time; they are applied in the order of the schedule.
+/// Wraps any device and adds faults according to a schedule, to test the code that uses the device.
+/// Several faults may be active at the same time; they are applied in the order of the schedule.
 /// Deterministic; real-time safe after construction.
 class FaultyDevice final : public Device {
  public:

@@ -12,9 +12,10 @@ namespace felt {
 ///
 ///   m x'' = F + k (s - x) + b (s' - x') - d x' - friction        s: the hand's aim
 ///
-/// m is the mass of stylus and hand together. The damping d and the Coulomb friction are those of
-/// the stylus; the spring k and the damping b are those of the hand. A hand also bears the weight
-/// of the stylus; without a hand, the weight pulls the stylus down.
+/// x is the position of the stylus, F the force of the device, and m the mass of stylus and hand
+/// together. The damping d and the Coulomb friction are those of the stylus; the spring k and the
+/// damping b are those of the hand. A hand also bears the weight of the stylus; without a hand, the
+/// weight pulls the stylus down.
 ///
 /// A step uses the implicit midpoint rule. With it, the energy of the linear part balances exactly
 /// for every step length h, and the error is of order h^2 (with the default step, less than 1e-4 of

@@ -26,7 +26,7 @@ class PseudoCursor {
   /// What the user does with the pen now.
   enum class Use {
     kInAir,      ///< in the air, without force
-    kFeeling,    ///< pressing, pulling, or near something that attracts
+    kFeeling,    ///< pressing, pulling, or near something that attracts the pen
     kTabletInk,  ///< drawing with a pen on a tablet
   };
 

@@ -18,7 +18,7 @@ struct ScriptKnot {
   std::optional<double> tilt_deg{};
 };
 
-/// Returns the knots of a recorded stroke. script_hand() describes the use of the recorded times.
+/// Returns the knots of a recorded stroke. See script_hand() for how the recorded times are used.
 /// The result is empty if no point is usable.
 std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressure);
 

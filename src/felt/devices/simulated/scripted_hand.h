@@ -68,10 +68,10 @@ HandScriptOptions script_options_for(const StylusPreset& device,
 void set_surface(HandScriptOptions& options, const SurfaceMaterial& surface,
                  const Capabilities& device, const Medium* medium = nullptr) noexcept;
 
-/// Returns how far below the surface a hand must aim to press with the force for this pressure, F =
-/// F0 + p (F1 - F0). The hand's spring k and the surface's spring K are then in balance if the hand
-/// aims at the depth F/K + (F + friction)/k. The Coulomb friction of the device counts only for a
-/// resting pen, because it acts along the motion of a moving pen.
+/// Returns how far below the surface a hand must aim to press with the force for pressure p, F = F0
+/// + p (F1 - F0). At this depth, F/K + (F + friction)/k, the hand's spring k and the surface's
+/// spring K are in balance. The Coulomb friction of the device counts only for a resting pen,
+/// because it acts along the motion of a moving pen.
 double aim_depth_mm(const HandScriptOptions& options, double pressure,
                     double speed_mm_per_s = 0.0) noexcept;
 
@@ -79,8 +79,8 @@ double aim_depth_mm(const HandScriptOptions& options, double pressure,
 /// hand hovers above the start, lands, presses, draws at the recorded pace, waits a moment, lifts
 /// and moves on to the next stroke. Movements in the air are minimum-jerk,
 /// s = 10 t^3 - 15 t^4 + 6 t^5 (Flash, Hogan, J Neurosci 5, 1985), with an average of at most 250
-/// mm/s. The aim runs ahead of the planned pen to compensate for mass, surface and friction, so
-/// that the pen follows the strokes.
+/// mm/s. The aim runs ahead of the planned position of the pen to compensate for mass, surface and
+/// friction, so that the pen follows the strokes.
 ///
 /// The pen has the recorded tilt. Between strokes and in the air it keeps the last tilt.
 ///

@@ -69,7 +69,7 @@ class SimulatedStylus final : public Device, public HandInput {
   /// mm around the workspace; the pen itself does not leave the workspace. A target that is not
   /// finite is ignored; a pressure or tilt that is NaN counts as missing. If several untimed aims
   /// come between two reads, the second read uses only the newest. But if one of them begins or
-  /// ends a contact (by pressure, buttons or depth), that aim and all later ones are left to the
+  /// ends a contact (by pressure, buttons or depth), this aim and all later aims are left to the
   /// following read.
   using HandInput::aim;
   void aim(const Aim& aim) noexcept override;

@@ -26,8 +26,8 @@ struct Gesture {
   std::vector<Point> via;
   double pressure = 0.5;  ///< pressure in the middle of the stroke
   double tempo = 1.0;     ///< 1 is unhurried: 40 mm/s in small letters, 150 mm/s in long sweeps
-  /// Pressure at the ends as a fraction of `pressure`: with 0.1 the line tapers like that of a
-  /// brush, with 0.5 like that of a pencil.
+  /// Pressure at the ends as a fraction of `pressure`: with 0.1 the line tapers like a brush
+  /// stroke, with 0.5 like a pencil line.
   double end_pressure = 0.4;
 };
 
@@ -45,16 +45,17 @@ struct HandOptions {
 /// person, for tests, benchmarks and demonstrations. The same options and gestures give the same
 /// samples, except that the machine's libm may differ in the last digits before quantisation.
 ///
-/// The aim moves along a smooth path through the gesture at the pace of `hand_path.h`. The aim is
-/// smoothed with a symmetric window of 40 ms, which models the muscles: fast strokes become
-/// smoother, slow strokes hardly change. Wandering and tremor are added. Pressure rises and falls
-/// at the ends, is higher in slow parts and in strokes towards the body, and varies slightly.
+/// The position at which the hand aims moves along a smooth path through the points of the gesture,
+/// at the pace that `hand_path.h` computes. This motion is smoothed with a symmetric window of 40
+/// ms, which models the muscles: fast strokes become smoother, slow strokes hardly change.
+/// Wandering and tremor are added. Pressure rises and falls at the ends, is higher in slow parts
+/// and in strokes towards the body, and varies slightly.
 class WritingHand {
  public:
   explicit WritingHand(const HandOptions& options = {});
 
   /// Draws one stroke. The times continue after those of the last stroke, with a pause in which the
-  /// hand moves the pen.
+  /// hand moves to the start of this stroke.
   std::vector<HandSample> draw(const Gesture& gesture);
 
  private:

@@ -24,28 +24,29 @@ double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 /// Returns the options of the plane of a surface on a device: its stiffness K and its damping B. C
 /// is the largest K that the device can render: the minimum of 0.9 of the device's maximum (R55),
 /// the stiffness budget, and the limit that the position sensor sets (below). If C is less than
-/// kHardestNPerM, all surfaces are made softer together, so that felt, paper, board and glass
+/// kHardestNPerM, all surfaces are made softer together, so that paper, felt, board and glass
 /// remain distinguishable (R13):
 ///
 ///   K = min(K of the surface, C sqrt(K of the surface/kHardestNPerM))
 ///
-/// B is at most the device's maximum, and at most 2 N s/m on loops with periods below 0.5 ms
-/// (docs/design/forces.md#plane). If the sensor is coarse, C and B are reduced, but not below 200
-/// N/m and 0.5 N s/m. Above these values, one step of the sensor changes the force of the spring by
-/// at most 0.025 N, and that of the damper by at most another 0.025 N. (To the damper a step is a
-/// speed: the step divided by 1.6 ms plus a period.) Without this reduction, a sliding pen would
-/// hum between two steps at 60 to 100 Hz (docs/stability.md), with 0.03 to 0.06 N for steps of
-/// 0.055 mm. The width of a line is computed with this K.
+/// B is at most the device's maximum and, on loops with periods below 0.5 ms, at most 2 N s/m at
+/// the hand (docs/design/forces.md#plane). If the sensor is coarse, C and B are reduced, but not
+/// below 200 N/m and 0.5 N s/m. Unless these minima apply, one step of the sensor changes the force
+/// of the spring by at most 0.025 N, and the force of the damper by at most another 0.025 N. (To
+/// the damper a step is a speed: the step divided by 1.6 ms plus a period.) Without this reduction,
+/// a sliding pen would hum between two steps (docs/stability.md): at 60 to 100 Hz, with 0.03 to
+/// 0.06 N if a step is 0.055 mm. The width of a line is computed with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
-/// Returns the options of the friction of a medium on a surface on a device. The bristle stiffness
-/// k is that of the medium (default 600 N/m) if the budget then leaves 300 N/m for one more spring
-/// (edit, snap). On slower loops k is less (300 N/m at 3 ms), and the damping d is reduced in
-/// proportion. A coarse sensor also reduces k and d, as it does for the plane.
+/// Returns the friction options for a medium on a surface, on a device. The stiffness k of the
+/// bristle is the one that the medium specifies (default 600 N/m) if this leaves 300 N/m of the
+/// budget for one more spring (edit, snap). On slower loops k is less (300 N/m at 3 ms), and the
+/// damping d is reduced in proportion. A coarse sensor also reduces k and d, just as it reduces C
+/// and B of the plane.
 FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
 
-/// Stiffness of glass, N/m, the hardest surface. Up to this value, surfaces remain distinguishable
-/// on every device.
+/// Stiffness of glass, the hardest built-in surface, N/m. Surfaces with a stiffness of up to this
+/// value remain distinguishable on every device.
 inline constexpr double kHardestNPerM = 800.0;
 
 /// Returns F1, the push that draws a line of full width and tone: 0.2 to 2 N. The device can hold
@@ -54,14 +55,14 @@ inline constexpr double kHardestNPerM = 800.0;
 /// a push below F1 is never limited, and any push above F1 draws full width. A user who lowers the
 /// force limit lowers F1, too, if `device` comes from with_force_limit(). With a limit below 0.25
 /// N, or with forces off, the surface yields before full width is reached. The width then depends
-/// on the depth of the pen. With a master strength s below 1, the user's factor on all forces, the
-/// surface is softer to the hand, and a push of s F1 draws full width.
+/// on the depth of the pen. If the user has set a master strength s (a factor on all forces) below
+/// 1, the surface feels softer, and a push of s F1 draws full width.
 double firm_push_n(const Capabilities& device) noexcept;
 
-/// Returns the push that flattens the felt relief as far as the medium can flatten it
-/// (relief_left): 1.2 x the continuous force, clamped to 0.2..2 N. On weak devices this push is
+/// Returns the push at which the hand feels the relief flattened as far as the medium can flatten
+/// it (relief_left): 1.2 x the continuous force, clamped to 0.2..2 N. On weak devices this push is
 /// greater than F1, because the grain of rough paper would otherwise be too weak to feel. On
-/// screen, the relief is flattened that far at F1.
+/// screen, the relief is already flattened that far at F1.
 double flattening_push_n(const Capabilities& device) noexcept;
 
 /// Returns the texture options for the grain of a surface under a medium, on a device.

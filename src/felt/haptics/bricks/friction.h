@@ -19,11 +19,11 @@ struct FrictionOptions {
 ///   z = p - w,  kept to |z| <= mu Fn / k by moving w
 ///   F = -k z - d v,  shortened to |F| <= mu Fn          (Fn = memory.normal_force_n)
 ///
-/// Below the limit the foot does not move, so there is no drift however long the hand presses. At
-/// the limit the foot follows the pen, so F = mu Fn in every steady slide. Static friction equals
-/// kinetic friction, because low stiction helps aiming and high stiction hurts (Richard and
-/// Cutkosky 2000). Friction that is a function of the speed would buzz at rest (0.17-0.58 N above
-/// 30 Hz; docs/design/forces.md#friction).
+/// While |z| is below its limit, the foot does not move, so there is no drift however long the hand
+/// presses. At the limit the foot follows the pen, so F = mu Fn in every steady slide. Static
+/// friction equals kinetic friction, because low stiction helps aiming and high stiction hurts
+/// (Richard and Cutkosky 2000). Friction that is a function of the speed would buzz at rest
+/// (0.17-0.58 N above 30 Hz; docs/design/forces.md#friction).
 ///
 /// v is known_velocity() (pen_sample.h): the measured velocity, shortened by 6 mm/s of uncertainty.
 /// The damper acts on v and not on dz/dt, because dz/dt jumps when the foot starts to move, and

@@ -27,8 +27,8 @@ struct PlaneOptions {
 ///   the displacement in between says nothing about the present speed.
 /// * |vz| is clamped to 500 mm/s, so the damper adds at most 1 N. Faster motion is left to the
 ///   safety chain, so that a stale position does not cause a kick.
-/// * If the stiffness budget is smaller, K is reduced and B is not, because at a longer delay the
-///   damper keeps a soft plane calm (docs/design/forces.md#plane).
+/// * If the stiffness budget is less than K, K is reduced but B is not, because the damper keeps a
+///   soft plane calm even at a longer delay (docs/design/forces.md#plane).
 ///
 /// Writes memory.normal_force_n (for the friction) and memory.spring_force_n (for the width).
 class Plane {

@@ -33,8 +33,8 @@ struct WellShape {
 
   /// Returns F without the damping, in N; 0 if d <= 0 or d >= M.
   [[nodiscard]] double force_at_n(double distance_mm) const noexcept;
-  /// Returns the energy needed to pull the pen from the target to a distance, mJ; by default 3.6 mJ
-  /// to leave the well.
+  /// Returns the energy needed to pull the pen from the target to a distance, mJ. With the default
+  /// values, 3.6 mJ are needed to leave the well.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
   /// Returns the stiffness at the target, N/m, which is the largest stiffness of the well. In the
   /// rim, the force falls with distance by up to 1.5 Fp/w; such a negative stiffness causes no
@@ -48,9 +48,9 @@ struct WellShape {
   [[nodiscard]] double damped_share(double distance_mm) const noexcept;
 };
 
-/// Up to four snap targets. Their forces add, so the sum is continuous and has a potential,
-/// independent of the positions of the targets. A tool that wants only the nearest target passes
-/// just that one (R43). Their dampings do not add; only the strongest one acts.
+/// Up to four snap targets. Their forces add, so the sum is continuous and has a potential wherever
+/// the targets are. If a tool needs only the nearest target, it passes only that target (R43).
+/// Their dampings do not add; only the strongest one acts.
 ///
 /// If the share s of the stiffness budget is below 1 (R56), a single well is softened by s^2
 /// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops, too.
@@ -68,8 +68,8 @@ class SnapWells {
   SnapWells() noexcept = default;
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
-  /// Returns an upper bound of the stiffness. If wells overlap, it is the slope of the nearest core
-  /// plus F/d of each other well.
+  /// Returns an upper bound of the stiffness. If wells overlap, the bound is the slope of the
+  /// nearest core plus F/d for every further well.
   [[nodiscard]] Slopes slopes() const noexcept;
 
  private:

@@ -16,14 +16,14 @@ struct EditOptions {
   double damping_n_s_per_m = 1.0;  ///< Bed, multiplied by known_velocity()
 };
 
-/// Pulls the pen back to `origin`, the point at which the gesture grabbed (R29, R30;
+/// Pulls the pen back to `origin`, the point at which the gesture grabbed a line (R29, R30;
 /// docs/design/forces.md#edit-springs):
 ///
 ///   F = -phi(|V|) V/|V| - Bed v,   V = pen - origin, along the surface
 ///
-/// V is the total displacement, and phi is the force law. The force is conservative apart from its
-/// damping, and therefore passive. It does not depend on the loop's rate. Publish it only while the
-/// gesture lasts.
+/// V is the total displacement, and phi is the force law. Apart from its damping, the force is
+/// conservative; it is therefore passive. It does not depend on the loop's rate. Publish it only
+/// while the gesture lasts.
 class EditSpring {
  public:
   explicit EditSpring(Point origin, const EditOptions& options = {}) noexcept
@@ -77,7 +77,7 @@ struct LineUnderNib {
   Point pen{};                   ///< the pen at that sample
   Vec normal{};                  ///< unit vector from the line to the pen; zero if no line is near
   double gap_mm = 0.0;           ///< between the nib and the line
-  double displacement_mm = 0.0;  ///< how far the line has been pushed at its nearest point
+  double displacement_mm = 0.0;  ///< by how much the nearest point of the line was pushed
   double share = 1.0;            ///< factor of the force; below 1 if lines push from opposite sides
 };
 

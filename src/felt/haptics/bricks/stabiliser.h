@@ -8,7 +8,7 @@
 
 namespace felt {
 
-/// Parameters of a nib on a short rope behind the pen: towed (drag) drawing. It steadies curves
+/// Parameters of a nib on a short rope behind the pen: towed (drag) drawing. Towing steadies curves
 /// that friction alone does not steady (Keefe 2007, docs/design/forces.md#stabilisers).
 struct TowOptions {
   /// Within this distance the rope is slack: no force, and the nib rests.
@@ -21,13 +21,13 @@ struct TowOptions {
 
 /// Returns the position of the nib one tick later. If the rope is taut, the nib moves along it by e
 /// dt/(tau + dt) with e = |pen - nib| - rope (backward Euler). The tool and the force call the same
-/// function, so that the drawn line and the felt pull agree.
+/// function, so that the drawn line and the pull on the hand agree.
 Point towed_nib(const TowOptions& options, Point nib, Point pen, double dt_s) noexcept;
 
-/// The pull of the rope: zero while the rope is slack, otherwise F = -phi(e), where e is its
-/// stretch. The nib yields like a dashpot, so pen and nib form a Maxwell element (see SweepSpring):
-/// the force depends on the speed of drawing and not on the rate of the loop, and is passive. At
-/// each landing the nib starts under the pen.
+/// The pull of the rope: zero while the rope is slack, otherwise F = -phi(e), where e is the
+/// stretch of the rope. The nib yields like a dashpot, so pen and nib form a Maxwell element (see
+/// SweepSpring): the force depends on the speed of drawing and not on the rate of the loop, and is
+/// passive. At each landing the nib starts under the pen.
 class Towed {
  public:
   explicit Towed(const TowOptions& options = {}) noexcept : options_(options) {}

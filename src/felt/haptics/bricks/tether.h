@@ -12,8 +12,8 @@ namespace felt {
 
 /// The counter-force of a transform (paper, eq. 10; docs/design/forces.md#tether; R35-R38). Curves
 /// that connect the selection to the rest of the drawing resist the transform. The resistance grows
-/// with S. It is the sum of the distances that the fixed ends of these curves (anchors) would have
-/// moved with the selection, for a translation by d, a rotation by th or a scaling by s:
+/// with S, the sum of the distances that the fixed ends of these curves (anchors) would have moved
+/// if they belonged to the selection. For a translation by d, a rotation by th or a scaling by s:
 ///
 ///   translation  S = N |d|              F along -d
 ///   rotation     S = sum r_i |th|       F across the arm from centre to pen, against th
@@ -32,10 +32,10 @@ namespace felt {
 /// damps the motion of the pen (Bed).
 ///
 /// If the share c of the stiffness budget is below 1 (R56), Kcap is multiplied by c^2 and the
-/// damping by c. This gives 169 N/m at 250 Hz; with c Kcap, a light hand would tremble. The level l
-/// does not change, so that a slow loop resists as strongly as a fast one (R30). The force then
-/// fades within a larger radius, because F/r, the slope of a force that turns with the arm, must
-/// also stay within the reduced Kcap.
+/// damping by c. This gives 169 N/m at 250 Hz; with Kcap multiplied only by c, a light hand would
+/// tremble. The level l does not change, so that a slow loop resists as strongly as a fast one
+/// (R30). The force then fades within a larger radius, because F/r, the slope of a force that turns
+/// with the arm, must also stay within the reduced Kcap.
 ///
 /// A constrained tether resists only the motion that the transform really makes (constrained()): a
 /// translation along the axis of the larger component, or a rotation by whole steps of
@@ -48,7 +48,7 @@ class Tether {
   /// Makes a tether without anchors, which has no force.
   Tether() noexcept = default;
   static Tether translation(Point grab, int anchors) noexcept;
-  /// If `gesture` differs from that of the last rotation, th starts again at 0.
+  /// If `gesture` differs from the gesture of the last rotation, th starts again at 0.
   static Tether rotation(Point centre, Point grab, double sum_of_radii_mm,
                          std::uint32_t gesture) noexcept;
   static Tether scale(Point centre, Point grab, double sum_of_radii_mm) noexcept;

@@ -25,7 +25,7 @@ struct TextureOptions {
   /// share.
   double firm_push_n = 2.0;
   double friction = 0.25;          ///< mu0 of the Friction that comes after the texture
-  double bristle_n_per_m = 600.0;  ///< stiffness of that friction
+  double bristle_n_per_m = 600.0;  ///< bristle stiffness of that friction
   double period_s = 0.001;         ///< period of the loop; it bounds the strength
 };
 
@@ -37,34 +37,34 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// Renders the grain of the surface as a force (R48; docs/design/forces.md#texture).
 ///
 /// Why the default is friction and not the gradient: a gradient force pushes the pen even at rest,
-/// is a spring (of either sign) that adds to all others along the surface, and with the measured Fn
-/// has no potential, so that moving the pen in a loop can gain energy. Modulated friction only
-/// removes energy (Campion and Hayward 2008) and is silent at rest, because the bristle holds. It
-/// also adds no stiffness: while the bristle sticks, the hand feels the stiffness of the bristle
-/// and no texture; while it slides, the hand feels the texture and no stiffness of the bristle. The
-/// factor k of kFriction is 2 pi/(lambda mu0), so that both kinds of texture give the same force,
-/// Fn A 2 pi/lambda, for a wave of height A. They cannot give the same force if it comes near mu0
-/// Fn, because friction cannot fall below 0. The function s therefore bounds the modulation: it is
-/// nowhere steeper than 1 and leaves a fifth of the friction in the deepest valley. So coarse and
-/// high relief is felt as broad hills, and a rare peak does not weaken the rest of the texture.
+/// is a spring (of either sign) that adds to all other springs along the surface, and with the
+/// measured Fn has no potential, so that moving the pen in a loop can gain energy. Modulated
+/// friction only removes energy (Campion and Hayward 2008) and is silent at rest, because the
+/// bristle holds. It also adds no stiffness: while the bristle sticks, the hand feels the stiffness
+/// of the bristle and no texture; while it slides, the hand feels the texture and no stiffness of
+/// the bristle. The factor k of kFriction is 2 pi/(lambda mu0), so that both laws give the same
+/// force, Fn A 2 pi/lambda, for a wave of height A. If this force comes near mu0 Fn, they cannot
+/// give the same force, because friction cannot fall below 0. The function s therefore bounds the
+/// modulation: it is nowhere steeper than 1 and leaves a fifth of the friction in the deepest
+/// valley. So coarse and high relief is felt as broad hills, and a rare peak does not weaken the
+/// rest of the texture.
 ///
 /// Bounds. A wave presents the stiffness Fn A (2 pi/lambda)^2. This stiffness stays within
 /// texture_stiffness_limit_n_per_m() at every point of the field, not only for its average wave,
 /// because it is computed from the field's own maxima. Above a push of 0.6 N the texture does not
 /// grow further. A hand draws with 0.3 to 1 N, and a texture that still grew at harder pushes would
-/// have to be weaker in that range. If a field is too steep for the limit, it is rendered lower
-/// than it is.
+/// have to be weaker in that range. If a field is too steep for the limit, its heights are reduced.
 ///
 /// Wear. A soft medium fills the grain when it is pressed: less of the relief is felt as the push
 /// grows, just as less of it is seen as the tone grows (relief_left in materials.h). For this, the
 /// strength is multiplied by a factor from 1 - wear to 1, which depends only on the push of this
-/// tick. So everything above remains true: it only reduces the stiffness along the surface;
+/// tick. So everything above remains true: the factor only reduces the stiffness along the surface;
 /// friction still only removes energy; and the push itself never changes the force along the
 /// surface faster than friction does anyway: |dF/dFn| of the texture stays within 0.8 mu0.
 ///
 /// Speed. Above the speed lambda/(4T), where lambda is the field's shortest wavelength and T the
-/// period of the loop, the loop cannot follow a wave. So the strength is full up to half that speed
-/// and decreases smoothly to 0 at that speed.
+/// period of the loop, the loop cannot follow a wave. So the strength is full up to half of
+/// lambda/(4T), decreases smoothly above that, and is 0 from lambda/(4T) on.
 ///
 /// Place it between the plane and the friction. kFriction acts through memory.friction_factor, and
 /// the friction reports the term "texture". The field must outlive the loop; if it is null, the

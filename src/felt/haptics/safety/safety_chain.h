@@ -31,7 +31,7 @@ enum class SafetyFault : std::uint8_t {
   kVeryLateTick,   ///< soft, but the force is zero immediately
   kNotFinite,      ///< hard: NaN or infinity in a sample or a force
   kDeviceError,    ///< hard: the device could not be read or written
-  kPositionJump,   ///< hard, if it lasts
+  kPositionJump,   ///< hard, if positions do not return in time or jump again and again
   kTooManyFaults,  ///< hard: too many soft faults
   kSelfTest,       ///< hard: invalid limits, or calls in the wrong order
 };

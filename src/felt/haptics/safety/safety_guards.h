@@ -10,7 +10,7 @@
 /// The monitors of the safety chain. Each guard has its own state from tick to tick.
 namespace felt {
 
-/// Says how late a tick came.
+/// How late a tick came.
 enum class Lateness : std::uint8_t {
   kOnTime,
   kLate,      ///< more than late_s after the previous tick
@@ -75,18 +75,20 @@ bool repeats(const PenSample& last, const PenSample& sample) noexcept;
 /// The result of checking a position.
 enum class PositionVerdict : std::uint8_t {
   kBelieved,
-  kHeld,   ///< too far from the last accepted position: hold the last force
+  kHeld,   ///< too far from the last accepted position: not used; the last force continues
   kFault,  ///< too far for too long
 };
 
-/// Detects positions that jump by more than 3 mm/ms. A position is accepted if it is within reach
-/// of the last accepted one. The reach is that of one tick, so a lasting jump does not become
-/// plausible by waiting. Ticks without a new sample (wait()) count as part of the next tick,
-/// because the pen continues to move while the answers of a device are late. The reach is at most
-/// that of kMaxReachS, even after a very late tick. A single jump that returns within jump_hold_s
-/// is forgiven. Repeated jumps are not: held time adds up, accepted time reduces the sum by only an
-/// eighth of itself, and a sum of kMaxDoubtS is a fault. So a position that is wrong in every
-/// second sample is a fault after about 20 ms, and one that is wrong in every ninth never is.
+/// Detects positions that jump by more than 3 mm/ms. A position that is too far from the last
+/// accepted one is held, that is, it is not used. The permitted distance is that of one tick. It
+/// does not grow while positions are held, so a jump does not become plausible by waiting. Ticks
+/// without a new sample (wait()) count as part of the next tick, because the pen continues to move
+/// while the answers of a device are late. The permitted distance is at most that of kMaxReachS,
+/// even after a very late tick. A single jump is forgiven if positions return within jump_hold_s.
+/// Repeated jumps are not: the time of held positions adds up, the time of accepted positions
+/// reduces the sum by only an eighth of itself, and a sum of kMaxDoubtS is a fault. So a position
+/// that is wrong in every second sample is a fault after about 20 ms, and one that is wrong in
+/// every ninth never is.
 class JumpGuard {
  public:
   static constexpr double kMaxDoubtS = 0.010;
@@ -165,10 +167,10 @@ double sustained_force_n(const SafetyLimits& limits) noexcept;
 /// The mean square m of the force is low-pass filtered with a time constant tau of half the window,
 /// which models how a motor warms. The bound of m keeps the plain RMS over any whole window below
 /// the limit L: the energy of a window W is at most tau m + W m, so m <= L^2 W/(W + tau). The
-/// permitted force depends only on m: the farther m is below its bound, the higher the force. When
-/// m reaches the bound, the permitted force is the sustainable force sqrt(m); the fade from the
-/// peak takes about fade_s. So a hand that keeps pressing feels the plane become softer, once, and
-/// never a cut or an oscillation.
+/// permitted force depends only on m: the farther m is below its bound, the higher this force is.
+/// When m reaches the bound, the permitted force is the sustainable force sqrt(m); the fade from
+/// the peak takes about fade_s. So a hand that keeps pressing feels the plane become softer once.
+/// The force is never cut off and does not oscillate.
 class MotorGuard {
  public:
   explicit MotorGuard(const SafetyLimits& limits) noexcept;
@@ -200,8 +202,9 @@ class PassivityObserver {
  public:
   /// Forgets all state, so that the next sample counts as the first.
   void reset() noexcept;
-  /// Adds a sample. The device has held `sent` since the previous one. Returns the energy in mJ. It
-  /// is positive if the loop gave more than it received. Huge numbers saturate.
+  /// Adds a sample. The device has held `sent` since the previous one. Returns the energy in mJ.
+  /// The energy is positive if the loop has given the hand more than it received. Huge numbers
+  /// saturate.
   double update(const PenSample& sample, const Force& sent) noexcept;
 
  private:

@@ -11,8 +11,8 @@ inline constexpr std::int64_t kShortestPeriodNs = 200'000;
 inline constexpr std::int64_t kLongestPeriodNs = 4'000'000;
 inline constexpr int kMaxDelayTicks = 100;
 
-/// The numbers of the safety chain (docs/design/limits.md). The defaults are the upper bounds:
-/// `limits_for` only lowers forces. No tool can change these numbers.
+/// The numbers of the safety chain (docs/design/limits.md). No result of limits_for() allows more
+/// than the defaults do. No tool can change these numbers.
 struct SafetyLimits {
   double peak_force_n = 3.0;
   double continuous_force_n = 0.0;  ///< the RMS over any rms_window_s stays below it; 0 = no bound
@@ -23,20 +23,20 @@ struct SafetyLimits {
 
   double rise_n_per_ms = 0.3;
   double engage_rise_n_per_ms = 0.01;
-  double soft_fall_n_per_ms =
-      0.06;  ///< after a soft fault; after a hard one the force is 0 in one tick
+  double soft_fall_n_per_ms = 0.06;  ///< rate of the fall after a soft fault; after a hard fault,
+                                     ///< the force is 0 in one tick
 
   double engage_below_n = 0.2;  ///< engaging may start if the commanded force is below this
-  int engage_ticks = 4;         ///< number of ticks in a row for which it must be below that
+  int engage_ticks = 4;         ///< number of ticks in a row for which the force must be below that
   double engage_s = 0.5;        ///< duration of the ramp that follows
 
   double brake_from_m_per_s = 0.6;  ///< additional damping grows from this speed
   double brake_n_s_per_m = 2.0;     ///< additional damping at cut_m_per_s
-  double cut_m_per_s = 1.0;         ///< the force is cut after cut_samples above this speed
+  double cut_m_per_s = 1.0;         ///< cut_samples samples in a row above this speed cut the force
   int cut_samples = 3;
-  double cut_now_m_per_s = 2.0;  ///< the force is cut after a single sample above this speed
+  double cut_now_m_per_s = 2.0;  ///< a single sample above this speed cuts the force
 
-  double jump_mm_per_ms = 3.0;  ///< a sample farther from the previous one is not accepted
+  double jump_mm_per_ms = 3.0;  ///< a sample farther from the last accepted one is not accepted
   double jump_hold_s = 0.002;   ///< the last force is held this long; then a jump is a hard fault
 
   double silent_damp_s = 0.5;  ///< if the edit thread is silent for this time, only damping remains
@@ -74,9 +74,9 @@ SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) n
 /// Returns a copy of `device` with advised_force_n lowered to the limit that the user set, so that
 /// limits_for() of the copy equals limits_for(device, user_limit_n). Pass it to the session
 /// (UseDevice), because the width of a line depends on the force that the device may output
-/// (firm_push_n, R14); recordings then contain the limit, too. The copy is unchanged if
-/// limits_for(device) is not above the user's limit anyway. It is also unchanged if the user's
-/// limit is 0 or less, because forces are then off.
+/// (firm_push_n, R14); recordings then contain the limit, too. The copy equals `device` if
+/// limits_for(device) is not above the user's limit anyway, and if the user's limit is 0 or less,
+/// because forces are off in that case.
 Capabilities with_force_limit(const Capabilities& device, double user_limit_n) noexcept;
 
 }  // namespace felt

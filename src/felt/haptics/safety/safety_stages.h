@@ -18,7 +18,7 @@ Force clamp_length(const Force& f, double max_n) noexcept;
 /// A fall is not limited, but turning and reversing are. The force first moves to the point of the
 /// segment from 0 to `previous` that is nearest to `wanted`. This only removes force. From that
 /// point it moves by at most step_n towards `wanted`. The result never leaves the triangle 0,
-/// previous, wanted, so it is never longer than both `previous` and `wanted`.
+/// previous, wanted, so it is at most as long as the longer of `previous` and `wanted`.
 Force limit_rise(const Force& previous, const Force& wanted, double step_n) noexcept;
 
 /// Returns a force at most step_n N from `previous` towards `wanted`. Unlike limit_rise(), it also
@@ -41,8 +41,9 @@ Force damping_force(double damping_n_s_per_m, const Vec3& velocity_mm_per_s, dou
 double stiffness_budget_n_per_m(const SafetyLimits& limits) noexcept;
 
 /// Returns scales that keep the slopes within the budget (R56) and the plane within the device's
-/// stiffness (R55). Along the surface, friction is reduced first, then the others. If a slope is
-/// NaN or negative, its share is 0.
+/// stiffness (R55). Along the surface, `friction_n_per_m` is reduced first; `lateral_n_per_m` is
+/// reduced only if it exceeds the budget without friction. If a slope is NaN or negative, its share
+/// is 0.
 StiffnessScale share_budget(const SafetyLimits& limits, const Slopes& slopes) noexcept;
 
 }  // namespace felt

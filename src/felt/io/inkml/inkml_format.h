@@ -56,8 +56,8 @@ struct Resolution {
 /// Returns nullopt for anything else, including infinity and NaN.
 std::optional<double> number_of(std::string_view text) noexcept;
 
-/// Returns the length of a unit in mm ("cm", "himetric", ...), its duration in ms ("s", ...), or
-/// its angle in degrees.
+/// Return the length in mm, the duration in ms, or the angle in degrees of a unit such as "cm",
+/// "himetric" or "s".
 std::optional<double> mm_of_unit(std::string_view unit) noexcept;
 std::optional<double> ms_of_unit(std::string_view unit) noexcept;
 std::optional<double> deg_of_unit(std::string_view unit) noexcept;

@@ -10,9 +10,9 @@
 
 namespace felt {
 
-/// Reads the text of InkML traces point by point: for each point the values of its channels in
-/// order, written as numbers, first differences or second differences, with or without separators
-/// (InkML, section 3.3.1).
+/// Reads the text of an InkML trace point by point. The text has the values of all channels of the
+/// first point, then those of the next point, and so on. They are written as numbers, first
+/// differences or second differences, with or without separators (InkML, section 3.3.1).
 ///
 ///   1125 18432,'23'43,"7"-8,3-5     ->  (1125,18432) (1148,18475) (1178,18510) (1211,18540)
 ///

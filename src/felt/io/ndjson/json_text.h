@@ -15,7 +15,7 @@ void append_json_string(std::string& out, std::string_view text);
 std::string json_number(double value);
 /// Returns "[a,b,c]". Requires that each value is already JSON.
 std::string json_array(const std::vector<std::string>& values);
-/// Returns `text` quoted and escaped.
+/// Returns `text` quoted and escaped as JSON.
 std::string json_string(std::string_view text);
 
 /// Builds a JSON object on one line, with its keys in the order in which they are added. Keys are

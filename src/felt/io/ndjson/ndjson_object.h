@@ -61,9 +61,9 @@ class Fields {
   std::uint32_t seen_ = 0;
 };
 
-/// Calls `take(key, value)` -> Result<void> for each member of the object in the line, and checks
-/// that nothing follows the object in the line. `key` is valid until the next string is read. If
-/// `take` does not read a value, the value is skipped without a check.
+/// Calls `take(key, value)`, which returns a Result<void>, for each member of the object in the
+/// line, and checks that nothing follows the object in the line. `key` is valid until the next
+/// string is read. If `take` does not read a value, the value is skipped without a check.
 template <class Take>
 Result<void> for_each_member(simdjson::ondemand::parser& parser, const NdjsonLine& line,
                              Take&& take) {

@@ -15,8 +15,8 @@ namespace felt {
 /// numbers have the shortest form that reads back as the same double in any locale, so equal values
 /// give equal bytes. Ids and materials must be UTF-8.
 
-/// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, then "material" and "color" if they
-/// differ from the defaults.
+/// Appends {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, with "material" and "color"
+/// if they differ from the defaults.
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
 
 /// For each stroke of the visible layers, appends a line as append_sketch_line() does, with
@@ -27,11 +27,11 @@ void append_sketch_lines(std::string& out, const Document& document);
 /// line could not be read back.
 Result<void> check_sketch_numbers(const StrokeData& data);
 
-/// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}. Pressure or time is omitted if no sample
-/// has one.
+/// Appends {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}. Pressure or time is omitted if
+/// no sample has one.
 void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples);
 
-/// {"feltline":1,"unit":"mm"}
+/// Appends {"feltline":1,"unit":"mm"}.
 void append_header_line(std::string& out);
 
 }  // namespace felt

@@ -16,8 +16,8 @@ struct PngPicture {
   double dpi = 0.0;  ///< resolution; 0 if the file does not specify it
 };
 
-/// Returns the PNG file of a picture: 8-bit sRGB, with an alpha channel only if a pixel is
-/// transparent, and its resolution. The same picture gives the same bytes. PNG stores the
+/// Returns a picture as a PNG file in 8-bit sRGB. The file contains the resolution, and an alpha
+/// channel only if a pixel is transparent. The same picture gives the same bytes. PNG stores the
 /// resolution as a whole number of pixels per metre, so the stored resolution differs from `dpi` by
 /// up to 0.013 dpi.
 Result<std::string> encode_png(const Image& image, double dpi);
@@ -29,9 +29,9 @@ Result<void> write_png(const std::string& path, const Image& image, double dpi);
 /// damaged, or is larger than Image::kMaxPixels.
 Result<PngPicture> decode_png(std::string_view bytes);
 
-/// Reads any PNG that libpng supports as a relief: grey at 16 bits a pixel (8 bits are stretched).
-/// White is high. The height of a coloured pixel is its brightness; transparency and gamma are
-/// ignored. Fails if it is not a PNG, is damaged, or has more than kMaxHeightPixels.
+/// Reads any PNG that libpng supports as a relief: grey at 16 bits per pixel (8-bit values are
+/// scaled up). White is high. The height of a coloured pixel is its brightness; transparency and
+/// gamma are ignored. Fails if it is not a PNG, is damaged, or has more than kMaxHeightPixels.
 Result<HeightPicture> decode_height_png(std::string_view bytes);
 inline constexpr std::int64_t kMaxHeightPixels = std::int64_t{1} << 26;
 

@@ -25,7 +25,8 @@ struct QuickdrawRecord {
 /// "points" nor "segments". This is a quick test; QuickdrawParser decides.
 bool looks_like_quickdraw(std::string_view line) noexcept;
 
-/// The error message for such a line in a file whose beginning was not that of a Quick, Draw! file.
+/// The error message for such a line in a file that was not recognised as a Quick, Draw! file by
+/// its first bytes.
 inline constexpr const char* kUnknownQuickdraw =
     "is a drawing of Quick, Draw!, but this could not be detected from the first 4096 bytes of the "
     "file";

@@ -16,8 +16,7 @@ namespace felt {
 
 inline constexpr std::string_view kSvgElementNamespace = "http://www.w3.org/2000/svg";
 
-/// A parsed file with its tree, ids, prefixes and style sheets, which the walk through its elements
-/// needs.
+/// A parsed file with its tree, ids, prefixes and style sheets, as read_svg_scene() needs them.
 class SvgDocument {
  public:
   /// Parses a file. Fails if it is not XML, not SVG, or beyond a limit. The message states the line

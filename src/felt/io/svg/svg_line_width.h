@@ -15,9 +15,9 @@ struct SvgLineWidths {
 };
 
 /// Returns the widths on the page of a line that was drawn with a width of `width` user units.
-/// `line` is its centre line in mm, and `to_mm` transforms user units to the page. Where the line
-/// runs in the direction d, a vector of length 1 in user units, it is w |det| / |to_mm d| wide,
-/// with w = `width` and the determinant det of `to_mm`.
+/// `line` is its centre line in mm, and `to_mm` transforms user units to the page. The width at a
+/// point depends on the direction d of the line there (a vector of length 1 in user units): it is w
+/// |det| / |to_mm d|, where w is `width` and det is the determinant of `to_mm`.
 SvgLineWidths svg_line_widths(const SvgCenterLine& line, const Affine& to_mm, double width);
 
 }  // namespace felt

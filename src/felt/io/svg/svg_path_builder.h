@@ -32,7 +32,7 @@ class SvgPathBuilder {
   void cubic(Point a, Point b, Point p);
   void quadratic(Point control, Point p);
   /// Adds an elliptical arc as up to four cubics, by the centre parameterisation of SVG 1.1 F.6:
-  /// radii that are too small are scaled up, a zero radius makes a line.
+  /// radii that are too small are scaled up, and a zero radius makes a line.
   void arc(double rx, double ry, double turn_deg, bool large, bool sweep, Point p);
   /// Closes the contour. The next command begins at the start of the closed contour.
   void close();

@@ -80,7 +80,7 @@ struct SvgRoot {
   std::vector<std::string_view> materials;  ///< felt:material1 and so on, if the file is ours
 };
 
-/// Receives the content that the walk finds, in painting order.
+/// Receives the content that read_svg_scene() finds, in painting order.
 class SvgSceneSink {
  public:
   virtual ~SvgSceneSink() = default;

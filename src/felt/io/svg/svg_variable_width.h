@@ -10,8 +10,8 @@
 
 namespace felt {
 
-/// A stroke that was stored in the attributes of a path, with notices about changes that were made
-/// while reading it.
+/// A stroke that was stored in the attributes of a path, with notices about changes that the reader
+/// made to it.
 struct SvgWideStroke {
   StrokeData data;
   std::string id;  ///< the id that Feltline gave it; empty if it has none
@@ -20,9 +20,9 @@ struct SvgWideStroke {
 
 /// Reads the stroke from the attributes. If Feltline wrote them and no other program changed the
 /// path, the stroke is exactly the one that was written. A PowerStroke of Inkscape is converted to
-/// a stroke with the widths at its knots. `to_mm` transforms the stroke to the page; if it is not a
-/// similarity, widths are scaled by sqrt(|determinant|). Fails if the attributes do not describe a
-/// valid stroke; the caller then uses the outline.
+/// a stroke with the same widths at the knots of the PowerStroke. `to_mm` transforms the stroke to
+/// the page; if it is not a similarity, the widths are scaled by sqrt(|determinant|). Fails if the
+/// attributes do not describe a valid stroke; the caller then uses the outline.
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& attributes, const Affine& to_mm);
 
 /// Returns true if a transform is a similarity: it rotates, mirrors, moves, and scales all

@@ -39,8 +39,8 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const Sv
 /// Returns the same file as one text.
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
-/// Returns the ink alone: without layers, and without a page that import_svg() would read. A stream
-/// of strokes is written in the same form (svg_elements.h).
+/// Returns a file with the ink only, without layers and without a page for import_svg(). Code that
+/// writes strokes one at a time (svg_elements.h) writes the same kind of file.
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options);
 
 }  // namespace felt

@@ -6,7 +6,7 @@
 
 namespace felt {
 
-/// Returns true if a drawing may carry `text` as the text of a material: 1 to
+/// Returns true if a drawing may contain `text` as the text of a material: 1 to
 /// limits::kMaxMaterialTextBytes bytes of UTF-8 that XML can hold. Does not check whether the text
 /// describes a material.
 bool is_material_text(std::string_view text);

@@ -22,8 +22,9 @@ struct XmlLimits {
 
 /// An untrusted XML document, read within limits. The size, the depth and the number of elements
 /// are bounded, and an internal DTD is an error, so there are no entities except the five that XML
-/// predefines. All this is checked before the tree is built. Accepts UTF-8, UTF-16, and ISO-8859-1
-/// if the declaration names it. Private to this layer, because it exposes the XML library.
+/// predefines. All this is checked before the tree is built. Accepts UTF-8 and UTF-16, and also
+/// ISO-8859-1 if the XML declaration names it. Private to this layer, because it exposes the XML
+/// library.
 class XmlInput {
  public:
   /// Parses a document. Fails if the document is not well-formed or exceeds a limit; the message

@@ -10,16 +10,17 @@ namespace felt {
 
 /// The longest distance along the stroke over which the shift of an end fades out.
 inline constexpr double kTipFadeMm = 25.0;
-/// Two ends become a smooth joint if the direction changes by less than this; otherwise a corner.
+/// If the direction changes by less than this angle, two ends become a smooth joint; otherwise a
+/// corner.
 inline constexpr double kSmoothJoinBelowDeg = 30.0;
 
 /// Returns the stroke with one end moved exactly to `target`. With L = min(fade_mm, half the length
 /// of the stroke), a joint at arc length s from the end moves by shift * S(s/L), where S(x) = 1 -
 /// 3x^2 + 2x^3, and its handles move with it. The stroke is cut at L, so that everything beyond
-/// stays the same bit for bit. The widths and the tangents at joints with handles stay the same.
-/// Fails with kInvalidArgument for a closed stroke, a target that is not finite, or a shift of more
-/// than L/1.5, because the ink would then fold back on itself; with kInvalidData if a segment would
-/// become too short (I5).
+/// stays the same bit for bit. The widths stay the same, and so do the tangents at joints with
+/// handles. Fails with kInvalidArgument for a closed stroke, a target that is not finite, or a
+/// shift of more than L/1.5, because the ink would then fold back on itself; with kInvalidData if a
+/// segment would become too short (I5).
 Result<Stroke> with_tip_at(const Stroke& stroke, StrokeTip tip, Point target,
                            double fade_mm = kTipFadeMm);
 

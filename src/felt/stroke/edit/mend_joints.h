@@ -16,10 +16,10 @@ struct MendedStroke {
   }
 };
 
-/// Another program may write coordinates with fewer digits. Then smooth joints are no longer
-/// exactly smooth, and `Stroke::create` rejects the stroke (I2). To repair it, mend_rounding()
-/// moves handles by less than kMaxMendedMm, and an end of the stroke by less than twice
-/// kMaxMendedMm.
+/// Another program may write coordinates with fewer digits. As a result, smooth joints are no
+/// longer exactly smooth, and `Stroke::create` rejects the stroke (I2). To repair it,
+/// mend_rounding() moves handles by less than kMaxMendedMm, and an end of the stroke by less than
+/// twice kMaxMendedMm.
 inline constexpr double kMaxMendedMm = 0.001;
 /// A joint that turns by at most this many degrees is assumed to have been smooth before rounding.
 inline constexpr double kMaxMendedDeg = 1.0;

@@ -17,7 +17,7 @@ namespace felt {
 /// handle has length zero, the arm on that side is the next control point that differs from the
 /// joint (I2).
 
-/// Maximum width in mm after scaling: that of the broadest line of the pencil. Widths that were
+/// Maximum width in mm after scaling: the width of the pencil's broadest line. Widths that were
 /// already larger may stay larger.
 inline constexpr double kMaxScaledWidthMm = 50.0;
 

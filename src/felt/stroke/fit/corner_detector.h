@@ -9,18 +9,19 @@ namespace felt {
 /// Finds the corners of ink while its samples arrive.
 ///
 /// A sample is a corner if the ink's direction changes by more than kCornerDeg between two straight
-/// arms that meet at the sample. One arm reaches back and one forward, each to the first point of
-/// the ink that is kCornerArm tolerances away, but over at least two samples. So the arms are
-/// longer than both the tolerance and the distance between samples. If the pen slows down or rests
-/// in the corner, most of the path length there is noise of the sensor; the arms are long enough to
-/// reach beyond this noise. Three conditions keep noise and tight curves out:
+/// arms that meet at the sample. One arm reaches back and one forward. Each ends at the first point
+/// of the ink that is kCornerArm tolerances away (h in the figure), but spans at least two samples.
+/// So the arms are longer than both the tolerance and the distance between samples. If the pen
+/// slows down or rests in the corner, most of the path length there is noise of the sensor; the
+/// arms are long enough to reach beyond this noise. Three conditions keep noise and tight curves
+/// out:
 ///   - the part of the turn that curved or noisy arms can cause is subtracted first: 2 da / a + 2
 ///     db / b, where da and db are the largest distances of the arms' samples from the arms'
 ///     chords, and a and b are the lengths of these chords. This removes half the turn of a circle,
 ///     and nothing of a corner;
 ///   - with arms of half the length, at least kCornerPersistence of the turn must remain: a corner
 ///     keeps all of its turn, a circle half;
-///   - if several turns lie within one arm, only the largest counts.
+///   - of several turns within the length of one arm, only the largest counts.
 /// A sample has no arm if the path of the ink to the arm's end is longer than kCornerDetour times
 /// the arm. No corner is reported if the path to an end of the stroke is shorter than kCornerMargin
 /// tolerances, because hooks occur there.
@@ -32,8 +33,8 @@ namespace felt {
 /// A corner is decided when the ink has continued for kCornerMargin + kCornerArm tolerances, about
 /// 1.7 mm at the default tolerance, or later if the pen rests. The corners do not depend on how the
 /// samples are divided into calls (R5, R7). The work is bounded: only kept samples are examined,
-/// and an arm has at most kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() of
-/// these.
+/// and an arm has at most kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() kept
+/// samples.
 class CornerDetector {
  public:
   static constexpr double kCornerDeg = 60.0;

@@ -18,8 +18,9 @@ namespace felt {
 
 /// Appends one stroke parameter on `segment` for each sample that `place` represents. The
 /// parameters increase slightly from sample to sample, so that the width can change while the pen
-/// rests (R15). They do not exceed `next_u`, the next parameter. From the first of them to the
-/// last, the curve moves by less than the reserve in the tolerance (KeptSamples::kReserve).
+/// rests (R15). They do not exceed `next_u`, the next parameter. Between the first and the last of
+/// these parameters, the curve moves by less than the reserve in the tolerance
+/// (KeptSamples::kReserve).
 void append_sample_places(const SamplePlace& place, double next_u, const Cubic& segment,
                           double tolerance_mm, std::vector<double>& sample_u);
 
@@ -27,10 +28,10 @@ void append_sample_places(const SamplePlace& place, double next_u, const Cubic& 
 ///
 /// The fitter is greedy: from the last joint on, LongRun finds the longest run of samples that one
 /// cubic fits. The next joint is put at the fraction kReach of that run. At the joint, the long fit
-/// has samples on both sides, so the position and tangent of its curve are well determined; at the
-/// end of the run they are not. The next segment starts with this position and tangent, so smooth
-/// joints are G1 exactly. A run never passes a corner (CornerDetector): the segment ends at the
-/// corner, and the next segment starts there with a new tangent.
+/// has samples on both sides, so the position and tangent of its curve are well determined there;
+/// at the end of the run they are not. The next segment starts with this position and tangent, so
+/// smooth joints are G1 exactly. A run never passes a corner (CornerDetector): the segment ends at
+/// the corner, and the next segment starts there with a new tangent.
 ///
 ///      o--o--o--o--o--o--o--o--o--o            samples
 ///      |===== run, one cubic ======|           longest within the tolerance
@@ -59,9 +60,9 @@ class CurveFitter {
   /// Maximum spacing as a fraction of the tolerance. It is limited because the distance to merged
   /// samples is subtracted from the tolerance of the curve.
   static constexpr double kMaxSpacing = 0.2;
-  /// Returns the spacing of data points in mm. A sample becomes a data point if it is farther than
-  /// this from the last data point (R3); other samples are merged into that data point
-  /// (KeptSamples). At the default tolerance, the spacing is 0.03 mm.
+  /// Returns the spacing of data points in mm. A sample becomes a data point if its distance from
+  /// the last data point is greater than the spacing (R3); other samples are merged into that data
+  /// point (KeptSamples). At the default tolerance, the spacing is 0.03 mm.
   static constexpr double spacing_mm(double tolerance_mm) noexcept {
     return std::min(std::clamp(kSpacing * tolerance_mm, kResolutionMm, kDataPointMm),
                     kMaxSpacing * tolerance_mm);
@@ -93,8 +94,9 @@ class CurveFitter {
   [[nodiscard]] JointKind joint(int i) const noexcept {
     return joints_[static_cast<std::size_t>(i - 1)];
   }
-  /// Returns the positions of the samples that the committed segments cover, in order. While a long
-  /// run is being placed, positions on the next segment follow; these may still change.
+  /// Returns the positions of the samples that the committed segments cover, in order. While the
+  /// samples of a long run are being placed, positions on the next segment come after them; these
+  /// positions may still change.
   [[nodiscard]] const ChunkedVector<SamplePlace>& places() const noexcept { return places_; }
   /// Appends to `tail` provisional segments from the last committed joint to the newest sample, for
   /// display while drawing: the best run so far, and straight lines beyond it.
@@ -153,10 +155,10 @@ class CurveFitter {
 };
 
 /// Returns where to cut a run that one cubic covers: the index into `parameters` of the sample that
-/// becomes the joint. Prefers samples near the fraction `reach` of the run. At the joint, the curve
-/// moves fast enough for a well-determined tangent, and the part before the joint is long enough
-/// for a segment; if there is no such sample, the last one is the joint. Requires at least one
-/// sample.
+/// becomes the joint. Prefers samples near the fraction `reach` of the run. At the chosen sample,
+/// the curve moves fast enough for a well-determined tangent, and the part before it is long enough
+/// for a segment. If there is no such sample, the last sample becomes the joint. Requires at least
+/// one sample.
 std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
                          double reach) noexcept;
 /// Does the same, but prefers samples near the index `middle`.

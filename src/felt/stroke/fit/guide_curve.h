@@ -12,9 +12,9 @@ namespace felt {
 struct FittedCurve;
 
 /// A curve that a later fit of the same samples must stay close to, because the user has seen it
-/// while drawing. It stores the point of that curve at each kept sample and at three positions
-/// between neighbours. So a check of closeness compares corresponding points and takes only a few
-/// distance computations.
+/// while drawing. A GuideCurve stores the point of that curve at each kept sample and at three
+/// positions between each two neighbouring samples. So a check of closeness compares corresponding
+/// points and takes only a few distance computations.
 class GuideCurve {
  public:
   /// Points stored from one sample to the next.
@@ -23,7 +23,7 @@ class GuideCurve {
   /// Sets the guide: stores the points of `curve` at the kept samples. Requires that `curve` was
   /// fitted to exactly the samples that were added to `kept`.
   void follow(const KeptSamples& kept, const FittedCurve& curve);
-  /// Removes the guide. Then every curve counts as close.
+  /// Removes the guide. Without a guide, every curve counts as close.
   void clear() noexcept { places_.clear(); }
   [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
 

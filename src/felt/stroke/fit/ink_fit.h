@@ -36,8 +36,8 @@ struct CurveFitOptions {
 
 /// Thresholds by which PenFilter recognises artefacts of the pen. Times are those of the samples.
 struct PenFilterOptions {
-  /// Delay of each sample before it becomes ink, and therefore the time at either end of the stroke
-  /// in which artefacts can be corrected.
+  /// Delay of each sample before it becomes ink. Artefacts can be corrected within this time of
+  /// either end of the stroke.
   double window_ms = 30.0;
   /// Assumed time between samples without times (a tablet at 133 Hz).
   double interval_ms = 7.5;
@@ -103,9 +103,9 @@ struct WidthFitOptions {
   double min_mm = kMinWidthMm;  ///< widths are clamped to [min_mm, max_mm] (I4)
   double max_mm = 6.0;
   /// Largest difference between the profile and the tone of any sample, if samples have their own
-  /// tone. Measured with handwriting on a tablet and widths of 0.3..2 mm, compared with a fit of
-  /// the widths alone: a tolerance of 0.1 adds no knots, 0.05 adds 11 %, and 0.03 adds 28 %. With
-  /// widths of 0.3..6 mm, 0.05 adds none.
+  /// tone. In handwriting on a tablet with widths of 0.3..2 mm, a fit with tone needs as many knots
+  /// as a fit of the widths alone if this tolerance is 0.1, 11 % more if it is 0.05, and 28 % more
+  /// if it is 0.03. With widths of 0.3..6 mm, 0.05 adds no knots.
   double tone_tolerance = 0.05;
 };
 

@@ -11,12 +11,12 @@ namespace felt {
 
 /// The data points of a stroke: the samples that a curve fit keeps, from the first one on.
 ///
-/// A sample within the spacing of the last kept sample is not stored. The last kept sample
-/// represents it, or the next kept sample if that turns out to be nearer. It only increases the
-/// *slack* of the kept sample that represents it. The slack is the largest distance from a kept
-/// sample to a sample that it represents. A curve that stays within (tolerance - slack) of a kept
-/// sample stays within the tolerance of all samples that it represents. So the tolerance holds for
-/// every sample (R3, R8), and a resting pen adds no kept samples.
+/// A sample within the spacing of the last kept sample is not stored. Instead, the last kept sample
+/// represents it, or the next kept sample if that turns out to be nearer. The largest distance from
+/// a kept sample to a sample that it represents is the *slack* of the kept sample. A curve that
+/// stays within (tolerance - slack) of a kept sample stays within the tolerance of all samples that
+/// it represents. So the tolerance holds for every sample (R3, R8), and a resting pen adds no kept
+/// samples.
 ///
 /// Adding a sample takes constant time and does not allocate after warm-up.
 class KeptSamples {
@@ -40,8 +40,8 @@ class KeptSamples {
   /// Returns the path length in mm along the kept samples, from the first one of the stroke to
   /// sample i.
   [[nodiscard]] double path_mm(std::size_t i) const noexcept { return samples_[i].path_mm; }
-  /// Returns 1 / (tolerance - slack)^2 of sample i, in 1/mm^2. A squared distance is allowed if its
-  /// product with this is at most 1.
+  /// Returns 1 / (tolerance - slack)^2 of sample i, in 1/mm^2. A distance d from the sample is
+  /// allowed if d^2 times this value is at most 1.
   [[nodiscard]] double inverse_limit(std::size_t i) const noexcept {
     return samples_[i].inverse_limit;
   }

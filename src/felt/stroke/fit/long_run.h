@@ -11,15 +11,15 @@
 
 namespace felt {
 
-/// Finds how far one cubic can go over the kept samples of a stroke, for any number of samples: a
-/// slow stroke has more samples but the same curve.
+/// Finds the longest run, that is, consecutive kept samples of a stroke that one cubic fits. A run
+/// may have any number of samples, because a slow stroke has more samples but the same curve.
 ///
 /// RunSearch looks at a window of at most SegmentFit::kMaxRun samples. When the run fills the
-/// window, samples are removed from the window (RunSearch::thin) and the search continues with
-/// those that follow. Then the result is proven only for the samples in the window; RunPlacer
-/// proves it for all samples. If the curve misses a sample, call search_again(), which holds that
-/// sample in the window. If search_again() returns false, call begin() with Detail::kEverySample:
-/// such a run ends at the end of the window and needs no proof.
+/// window, samples are removed from the window (RunSearch::thin) and the search continues with the
+/// samples that follow. In that case the result is proven only for the samples in the window;
+/// RunPlacer proves it for all samples. If the curve misses a sample, call search_again(), which
+/// holds that sample in the window. If search_again() returns false, call begin() with
+/// Detail::kEverySample: such a run ends at the end of the window and needs no proof.
 ///
 /// One step() takes at most kMaxRun additions to the window and one step of RunSearch. Nothing is
 /// allocated.
@@ -94,7 +94,7 @@ class RunPlacer {
   /// Places that sample and returns its parameter, which is not less than that of the previous
   /// sample. Returns nullopt if the sample is outside its limit. Requires next() < run.end().
   std::optional<double> place(const LongRun& run, const KeptSamples& kept) noexcept;
-  /// Returns the sample that is furthest along the curve so far. Later samples must not lie before
+  /// Returns the placed sample that is furthest along the curve. Later samples must not lie before
   /// it.
   [[nodiscard]] std::size_t furthest() const noexcept { return furthest_sample_; }
 

@@ -10,7 +10,8 @@
 /// functions. They do not allocate.
 namespace felt::detail {
 
-/// The two small terms of SegmentFit, which determine the curve as far as the samples do not.
+/// The two small terms of SegmentFit, which determine the curve to the extent that the samples do
+/// not.
 struct Priors {
   double energy;     ///< weight of |B4 - 3 B3 + 3 B2 - B1|^2
   double ridge;      ///< weight of the distance of each control point from its point on the chord
@@ -22,8 +23,8 @@ struct Priors {
 /// 0. `basis` counts from the first free control point.
 void add_end_sample(NormalSums& sums, std::size_t basis, Vec sample, double weight) noexcept;
 
-/// Solves for B1..B4. The sums are those of accumulate_free_start. Like the functions below,
-/// returns false if the system is singular.
+/// Solves for B1..B4. The sums are those of accumulate_free_start. This function and the two below
+/// return false if the system is singular.
 bool solve_free(const NormalSums& sums, const Priors& priors, Point origin, Cubic& curve) noexcept;
 
 /// Solves for B2, B3, B4 with B1 = origin. The sums are those of accumulate_fixed_start.

@@ -10,22 +10,22 @@ namespace felt {
 
 /// The curve fit of the paper, kept as a separate mode for study and comparison (R6).
 ///
-/// Points are added to the current segment while its error stays within a threshold; then a new
-/// segment starts, and "for smoothness two successive segments share a number of points". We read
-/// the text as follows:
+/// Points are added to the current segment while its error stays within a threshold. Otherwise a
+/// new segment starts, and "for smoothness two successive segments share a number of points". We
+/// read the text as follows:
 ///   - "a threshold" decides which samples are data points: a sample nearer than `data_point_mm` to
 ///     the last data point is skipped, unless it is the last sample of the stroke. So slow drawing
 ///     adds no segments.
 ///   - [Paper eq. 2, docs/design/errata.md#e7] a segment fitted to the points P_1..P_n runs from B1
-///     = P_(1+s) to B4 = P_(n-s); neighbours share 2s + 1 samples and the joint is the middle one,
-///     so the curve is exactly C0. The first segment starts at its P_1 and the last one ends at its
-///     P_n.
+///     = P_(1+s) to B4 = P_(n-s); neighbours share 2s + 1 samples, and the joint is the middle one
+///     of these, so the curve is exactly C0. The first segment starts at its P_1 and the last one
+///     ends at its P_n.
 ///   - B2 and B3 are the least-squares solution over P_1..P_n at chord-length parameters, 0 at B1
 ///     and 1 at B4. The s samples beyond each end have parameters below 0 or above 1. They
 ///     influence the handles, although the segment does not cover them.
-///   - [docs/design/errata.md#e9] the tolerance limits the largest distance of the data points that
-///     the segment draws, each measured at its parameter after one Newton step towards the nearest
-///     point.
+///   - [docs/design/errata.md#e9] the tolerance limits the distance from the segment to each data
+///     point that it draws. The distance is measured at the parameter of the data point, after one
+///     Newton step towards the nearest point of the segment.
 ///
 /// Sharing samples does not make joints smooth (docs/design/errata.md#e8): their tangents differ by
 /// 3 to 10 degrees. A joint is declared kSmooth only if the tangents agree to kSmoothJointMaxDeg,
@@ -36,9 +36,9 @@ namespace felt {
 ///                     |--------|--------|         shared: 2s + 1 = 5
 ///                              B1==========...    second segment
 ///
-/// Use: begin(); push() for each point; end(). Each new sample fits the whole run again, so the
-/// work per sample is bounded only by the longest run, kMaxRun samples. Therefore this class is for
-/// study, not for drawing with a device.
+/// Use: begin(); push() for each point; end(). For each new sample, the whole run (the samples of
+/// the current segment) is fitted again, so the work per sample is bounded only by the longest run,
+/// kMaxRun samples. Therefore this class is for study, not for drawing with a device.
 class PaperFitter {
  public:
   /// Maximum number of steps from sample to sample in one segment.

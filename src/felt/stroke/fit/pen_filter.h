@@ -12,7 +12,8 @@ namespace felt {
 /// Removes the artefacts of pen-down and pen-up from a stroke before it is fitted:
 ///   - late pressure: if the first samples have no pressure or pressure 0, they get the pressure of
 ///     the first sample with a pressure above 0; no sample is dropped;
-///   - a pressure blob at pen-down or pen-up: replaced by the pressure one window away;
+///   - a pressure blob at pen-down or pen-up: replaced by the pressure one window away
+///     (PenFilterOptions::window_ms);
 ///   - a hook at lift: cut off at its turn;
 ///   - a stray sample, which jumps out and back or occurs at lift: dropped.
 /// In 1,407 strokes of public recordings (Wacom's Universal Ink Library, MyScript iinkTS, BDALab)
@@ -28,8 +29,8 @@ namespace felt {
 ///      |--window--|  ... passes ...  |--window--|
 ///
 /// Use, for each stroke: begin(); push() for each sample; end(). push() and end() return the
-/// samples that have become ink, in order, valid until the next call. held() returns those still
-/// waiting, for display. The delay is PenFilterOptions::window_ms, but at most kMaxHeld samples. No
+/// samples that have become ink, in order, valid until the next call. held() returns the samples
+/// that still wait, for display. The delay is one window, but at most kMaxHeld samples. No
 /// allocation after construction.
 class PenFilter {
  public:

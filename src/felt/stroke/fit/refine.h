@@ -13,12 +13,13 @@ namespace felt {
 
 /// Fits a whole stroke again at pen-up, with fewer segments within the same tolerance.
 ///
-/// While drawing, CurveFitter must place each joint before later samples arrive. With the whole
-/// stroke available, a beam search tries several joints. Each round starts from the best partial
-/// curves of m segments, at most kBeam. For each of them, it finds the longest run that can follow,
-/// and cuts this run at the fractions kReaches, or only at its end if a corner is there. Of these
-/// candidates with m + 1 segments, it keeps those that cover most ink. The first candidate that
-/// covers all ink is the result. Fits, corners and guarantees are those of CurveFitter.
+/// While drawing, CurveFitter must place each joint before later samples arrive. At pen-up, all
+/// samples are available, and a beam search tries several joints. Each round starts from the best
+/// partial curves of m segments, at most kBeam. For each of them, the round finds the longest run
+/// (consecutive samples that one more cubic fits), and cuts this run at the fractions kReaches, or
+/// only at its end if a corner is there. Of these candidates with m + 1 segments, the round keeps
+/// those that cover most ink. The first candidate that covers all ink is the result. Fits, corners
+/// and guarantees are those of CurveFitter.
 ///
 /// The time is linear in the number of samples, about kBeam times the time of the online fit. Any
 /// thread may use a Refiner, but only one at a time. Buffers are kept between strokes.

@@ -4,18 +4,19 @@
 
 namespace felt {
 
-/// A cheap test of a run before the exact fit. It keeps running sums over the samples. From these,
-/// it computes the least-squares cubic through the two end samples and the residual of this cubic,
-/// in a time that does not depend on the length of the run.
+/// A cheap test, before the exact fit, whether one cubic can follow a run (consecutive samples). It
+/// keeps sums over the samples and updates them with each new sample. From these sums, it computes
+/// the least-squares cubic through the two end samples and the residual of this cubic, in a time
+/// that does not depend on the length of the run.
 ///
 /// With s the path length from the origin, the sums are M_k = sum s^k (k 0..6), Q_k = sum s^k P (k
-/// 0..3) and sum |P|^2, with positions P relative to the origin. Divided by powers of the whole
-/// length L they become sums over t = s / L. These give the normal equations, and the sum of the
-/// squared distances between samples and cubic at chord-length parameters. If the sum of squared
-/// distances is at most tolerance^2, every single sample is within the tolerance, so the run can
-/// grow without visiting its samples again. If it is larger, the exact fit must decide, because the
-/// sum also counts distance along the curve as error. After 100,000 samples the rounding error is
-/// 3e-10 mm.
+/// 0..3) and sum |P|^2, with positions P relative to the origin. Divided by powers of L, the length
+/// of the whole run, they become sums over t = s / L. From these follow the normal equations, and
+/// the sum of the squared distances between samples and cubic at chord-length parameters. If the
+/// sum of squared distances is at most tolerance^2, every single sample is within the tolerance, so
+/// the run can grow without visiting its samples again. If the sum is larger, the exact fit must
+/// decide, because the sum also counts distance along the curve as error. After 100,000 samples the
+/// rounding error is 3e-10 mm.
 class RunMoments {
  public:
   /// Starts a run at `origin` with a free tangent.

@@ -10,14 +10,15 @@
 
 namespace felt {
 
-/// Finds how far one cubic can go: the longest run of a window's samples from a given start that
-/// SegmentFit accepts. It works in small steps of bounded work, so that it keeps up with a pen.
-/// LongRun continues beyond the end of the window.
+/// Finds how far one cubic can go. A run is a sequence of consecutive samples in a window, fitted
+/// by one cubic; this class finds the longest run from a given start that SegmentFit accepts. It
+/// works in small steps of bounded work, so that it keeps up with a pen. LongRun continues beyond
+/// the end of the window.
 ///
-///   1. Gate: while running sums prove that the run is within the tolerance, each sample takes one
-///      update (RunMoments).
+///   1. Gate: as long as the sums of RunMoments prove that the run is within the tolerance, a
+///      sample only takes one update of these sums.
 ///   2. Gallop: runs are fitted exactly, each a quarter longer than the last accepted one. If the
-///      window was thinned, all of it is tried immediately.
+///      window was thinned, the run of all its samples is tried immediately.
 ///   3. Bisect: after the first run that fails, the gap between the shortest failed and the longest
 ///      accepted run is halved until it is at most a sixteenth of the accepted run. Greater
 ///      precision is not needed, because the last samples of a run go to the next segment anyway.
@@ -35,8 +36,8 @@ class RunSearch {
   /// (SegmentFit::set_guide).
   void set_guide(const GuideCurve* guide) noexcept { fit_.set_guide(guide); }
 
-  /// Returns false if the run is a bridge that is not within the tolerance of the guide. Fitted
-  /// runs always are.
+  /// Returns false only if the best run is a bridge (SegmentFit::bridge) that is not within the
+  /// tolerance of the guide. Fitted runs are always within it.
   [[nodiscard]] bool is_close_to_guide() const noexcept { return is_close_to_guide_; }
 
   /// Starts a search at sample `first` of the window. If the start is free, that sample is the
@@ -60,18 +61,19 @@ class RunSearch {
   /// Replaces the curve of the best run with a curve that begins exactly on the first sample (if
   /// `start` is true and the start is free) and ends exactly on the last sample (if `end` is true).
   /// If no such curve is accepted, pins only the start, or else only the end, or else changes
-  /// nothing. Used at the ends of a stroke.
+  /// nothing. Call it at the ends of a stroke.
   void pin(const SampleWindow& window, bool start, bool end) noexcept;
 
   /// If the best run is shorter than a segment may be (I5), replaces it with a bridge
   /// (SegmentFit::bridge) to the first sample that is far enough from the start, or to the last
-  /// available one. All samples between are within kMinSegmentMm of the start, so the tolerance
-  /// holds. Call it after kDone. May change count().
+  /// available one. All samples between are within kMinSegmentMm of the start, so the bridge keeps
+  /// the tolerance. Call it after kDone. May change count().
   void ensure_length(const SampleWindow& window) noexcept;
 
-  /// Removes samples from the window and resumes the search. Used if the best run fills the whole
-  /// window. The samples farthest to either side of the curve stay, because a longer run would miss
-  /// them first. Requires kDone, first() == 0 and count() == SegmentFit::kMaxRun == window.size().
+  /// Removes samples from the window and resumes the search. Call it if the best run fills the
+  /// whole window. The samples farthest to either side of the curve stay, because the curve of a
+  /// longer run would first exceed the tolerance at these samples. Requires kDone, first() == 0 and
+  /// count() == SegmentFit::kMaxRun == window.size().
   void thin(SampleWindow& window) noexcept;
 
   /// Returns the work since construction, in samples x rounds of exact fits.

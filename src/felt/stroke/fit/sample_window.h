@@ -9,18 +9,18 @@
 
 namespace felt {
 
-/// The kept samples that one cubic is fitted to, one array per quantity, so that the fit's inner
-/// loops can process four samples at a time. A sample may represent others around it: its `weight`
-/// is the number of kept samples that it represents, including itself, and its `source` is its own
-/// index among the kept samples of the stroke.
+/// The kept samples (KeptSamples) to which one cubic is fitted, one array per quantity, so that the
+/// fit's inner loops can process four samples at a time. A sample may represent others around it:
+/// its `weight` is the number of kept samples that it represents, including itself, and its
+/// `source` is its own index among the kept samples of the stroke.
 class SampleWindow {
  public:
   /// Number of padding elements of each array, so that four elements can be read starting at any
   /// sample.
   static constexpr std::size_t kPadding = 4;
-  /// Once samples are left out, the limits of the distances are reduced to this fraction. The
-  /// remaining 3 % are a reserve, because the omitted samples lie only approximately between those
-  /// that stay.
+  /// After samples have been left out (thin()), every allowed distance is reduced to this fraction.
+  /// The remaining 3 % are a reserve, because the omitted samples lie only approximately between
+  /// those that stay.
   static constexpr double kThinnedShare = 0.97;
 
   explicit SampleWindow(std::size_t capacity);
@@ -31,12 +31,13 @@ class SampleWindow {
   void add(const KeptSamples& kept, std::size_t source) noexcept;
   /// Marks the newest sample as held, so that thin() never leaves it out.
   void hold_newest() noexcept { is_held_[size_ - 1] = 1; }
-  /// Leaves samples out, so that about a quarter of a full window or more becomes free. Of four
-  /// neighbours that together represent few samples, only two stay: the one with the smallest value
-  /// in `left` and the one with the largest value in `right`. Each of the two then represents half
-  /// of the samples that the four represented. The first, the last and all held samples always
-  /// stay. Later samples get smaller indices, and `parameters` is reduced in the same way. All
-  /// three arrays need one value for each sample.
+  /// Leaves samples out, so that at least about a quarter of a full window becomes free. Of four
+  /// neighbours that together represent a small part of all samples, only two stay: the one with
+  /// the smallest value in `left` and the one with the largest value in `right`. Each of the two
+  /// then represents half of the samples that the four represented. The first, the last and all
+  /// held samples always stay. The samples that stay move to the front of the window, and their
+  /// values in `parameters` move with them. Each of the three arrays must have one value for each
+  /// sample.
   void thin(const double* left, const double* right, double* parameters) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -49,11 +50,12 @@ class SampleWindow {
   /// Returns the path length in mm along the kept samples, from the first one of the stroke to
   /// sample i.
   [[nodiscard]] double path_mm(std::size_t i) const noexcept { return path_mm_[i]; }
-  /// Returns KeptSamples::inverse_limit of each sample. Once samples are left out, the values are
-  /// those of the reduced limit (kThinnedShare). A squared distance is allowed if its product with
-  /// this value is at most 1.
+  /// Returns KeptSamples::inverse_limit of each sample. After samples have been left out, the
+  /// values are those of the reduced limit (kThinnedShare). A squared distance is allowed if its
+  /// product with this value is at most 1.
   [[nodiscard]] const double* inverse_limit() const noexcept { return inverse_limit_.data(); }
-  /// Returns how many kept samples each one represents. All are 1 unless samples were left out.
+  /// Returns, for each sample, the number of kept samples that it represents. All numbers are 1
+  /// unless samples were left out.
   [[nodiscard]] const double* weight() const noexcept { return weight_.data(); }
   /// Returns the index of sample i among the kept samples of the stroke.
   [[nodiscard]] std::size_t source(std::size_t i) const noexcept { return source_[i]; }

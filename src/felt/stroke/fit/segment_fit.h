@@ -28,27 +28,28 @@ struct RunStart {
   Vec tangent;  ///< unit length
 };
 
-/// Fits one cubic to a run of samples.
+/// Fits one cubic to a run, that is, to consecutive samples.
 ///
 /// B4 and, if the start is free, B1 need not lie on samples: joints are points on the ink, so the
-/// noise of single samples is averaged away there as everywhere else. This halves the number of
-/// segments at noise-level tolerances (docs/decisions/0004-joints-leave-the-samples.md).
+/// noise of single samples is averaged away at joints as well. This halves the number of segments
+/// at noise-level tolerances (docs/decisions/0004-joints-leave-the-samples.md).
 ///
 /// The fit minimises
 ///   sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2,
 /// where w_i is the weight of a sample (SampleWindow), n is the sum of all weights, and B_chord are
 /// the control points of the straight line from the start to the last sample. The norm M counts the
 /// distance to the curve's tangent line at the foot point and a little of the distance along that
-/// line (segment_fit_kernels.h). The last two terms are small; they determine the curve only as far
-/// as the samples leave it open. The jerk f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and
-/// small on arcs, so it keeps curls out without flattening round shapes. Each round solves for the
+/// line (segment_fit_kernels.h). The last two terms are small; they determine the curve only where
+/// the samples do not. The jerk f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and small on
+/// arcs, so its term prevents curls without flattening round shapes. Each round solves for the
 /// control points and moves every t_i one Newton step to its foot point; 2 to 4 rounds achieve as
 /// much as 10 rounds of ordinary least squares.
 ///
 /// A curve is accepted if it passes within (tolerance - slack) of every sample *in the order of the
 /// samples*: t_i never decreases. (KeptSamples defines the slack.) In addition, between two
-/// neighbouring samples the curve must stay near the straight line that joins them, within
-/// tolerance + kGapBulge times their distance, so that no loop or spike can hide there.
+/// neighbouring samples the curve must stay near the straight line that joins them, within the
+/// tolerance plus kGapBulge times the distance between the two, so that no loop or spike can hide
+/// there.
 ///
 /// Use one fitter per thread; any thread may use one. Does not allocate after construction, and the
 /// work is bounded.
@@ -78,8 +79,8 @@ class SegmentFit {
   /// Fits samples [first, first + count) of `window`. Returns true if the curve is accepted;
   /// `curve()` and `parameters()` then return the curve and its parameters. Requires 1 <= count <=
   /// kMaxRun and, if the start is free, count >= 2. `known` are the parameters that the first
-  /// samples had on a shorter curve from the same start. If there is noise, they are a better first
-  /// guess than path lengths.
+  /// samples had on a shorter curve from the same start. If the samples are noisy, these parameters
+  /// are a better first guess than path lengths.
   bool fit(const SampleWindow& window, const RunStart& start, std::size_t first, std::size_t count,
            End end = End::kFree, std::span<const double> known = {}) noexcept;
 

@@ -5,9 +5,10 @@
 #include "felt/geometry/cubic.h"
 
 /// The two inner loops of the segment fit, four samples at a time. They use explicit SIMD lanes, so
-/// that every machine adds in the same order and computes the same bits. On x86-64 a second version
-/// for wider registers is chosen at load time (without fused multiply-add, see options.cmake).
-/// Private to the stroke layer. Any thread may call them. They do not allocate.
+/// that every machine adds in the same order and computes the same bits. On x86-64, a second
+/// version for wider registers is chosen at load time if the processor has them; it does not use
+/// fused multiply-add either (options.cmake). Private to the stroke layer. Any thread may call
+/// them. They do not allocate.
 namespace felt::detail {
 
 /// A cubic in power form relative to an origin: f(t) = ((a3 t + a2) t + a1) t + a0.
@@ -15,7 +16,8 @@ struct PowerCubic {
   Vec a0, a1, a2, a3;
 };
 
-/// Samples of a run. The kernels may read up to three elements beyond `count` from each array.
+/// A run: consecutive samples to which one cubic is fitted. The kernels may read up to three
+/// elements beyond `count` from each array.
 struct RunView {
   const double* x;
   const double* y;
@@ -29,8 +31,8 @@ struct RunView {
 /// and sets `ratio` to the squared distance at the new parameter times the `inverse_limit` of the
 /// sample.
 ///   t <- t - (e.f') / (f'.f' + e.f''), e = f(t) - P [Plass & Stone 1983; Schneider 1990]
-/// If this denominator is not safely positive, the Gauss-Newton denominator f'.f' is used. Requires
-/// that t and ratio have space for `count` + 3 values.
+/// If the denominator is not safely positive, f'.f' (Gauss-Newton) is used instead. Requires that t
+/// and ratio have space for `count` + 3 values.
 void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
 
 /// Sums over samples for the normal equations of the control points. b_j are the basis functions, M

@@ -18,8 +18,9 @@ inline constexpr double kSameWidthPlace = 1e-9;
 /// Use, for each stroke: `begin()`; `push()` for each sample, in order; `finish()`; `knots()`. The
 /// object can be reused. It keeps its buffer, so it does not allocate after warm-up.
 ///
-/// Each segment starts at the end (u1, W1) of the last one [docs/design/errata.md#e10] and has one
-/// unknown, its slope a. A sample (u, w) is within the tolerance if a lies in
+/// Each segment of the profile starts at the end (u1, W1) of the previous one
+/// [docs/design/errata.md#e10] and has one unknown, its slope a. A sample (u, w) is within the
+/// tolerance if a lies in
 ///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)].
 /// So the intersection of these intervals shows exactly, and in O(1), whether one more sample fits.
 /// This is the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref, Zwaenepoel, "Online piece-wise
@@ -41,7 +42,7 @@ class WidthFitter {
  public:
   explicit WidthFitter(const WidthFitOptions& options = {});
 
-  /// Discards the last stroke and starts a new one.
+  /// Discards the previous stroke and starts a new one.
   void begin() noexcept;
   /// Adds the width of the next sample, at stroke parameter `u`. A `u` below the previous one
   /// counts as equal to the previous one. Ignores a sample that is not finite.
@@ -49,10 +50,10 @@ class WidthFitter {
   /// Adds a width and a tone, which is clamped to 0..1. Requires that either all samples of a
   /// stroke have a tone or none.
   void push(double u, double width_mm, double tone);
-  /// Ends the profile at `u_end` > 0, the number of Bezier segments, at the width of the last
-  /// sample, or as near to it as the tolerance allows (docs/design/errata.md#e11). Call at pen-up.
-  /// Samples past u_end count as samples at u_end. If no sample was added, the profile is constant
-  /// at min_mm.
+  /// Ends the profile at `u_end` > 0, the number of Bezier segments. Its width there is that of the
+  /// last sample, or as near to that as the tolerance allows (docs/design/errata.md#e11). Call at
+  /// pen-up. Samples past u_end count as samples at u_end. If no sample was added, the profile is
+  /// constant at min_mm.
   void finish(double u_end);
   /// Returns the knots so far, with u strictly increasing from 0; after finish() they end exactly
   /// at u_end.

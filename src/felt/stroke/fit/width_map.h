@@ -7,8 +7,9 @@
 
 namespace felt {
 
-/// Returns the width in mm for the pressure p, which is clamped to [0, 1]; NaN counts as absent.
-/// The width never decreases as p increases, and is exactly min_mm at 0 and max_mm at 1 (R14).
+/// Returns the width in mm for the pressure p, which is clamped to [0, 1]. NaN counts as absent:
+/// then the pressure is `absent_pressure` of the options. The width never decreases as p increases,
+/// and is exactly min_mm at 0 and max_mm at 1 (R14).
 double width_of_pressure(const WidthMapOptions& options, double p) noexcept;
 
 /// Returns the width in mm for the pressure p and the tilt l, both clamped to [0, 1]. At l = 0, the
@@ -39,12 +40,12 @@ class WidthMap {
   /// Moves options that are out of range to the nearest valid value.
   explicit WidthMap(const WidthMapOptions& options = {}) noexcept;
 
-  /// Discards the last stroke. The first sample sets the filters to its pressure and tilt.
+  /// Discards the previous stroke. The first sample sets the filters to its pressure and tilt.
   void begin() noexcept;
-  /// Processes the next sample and returns its width and tone. If a sample has no pressure or tilt,
-  /// uses the last one of the stroke or, before the first one, the default of the options. Time
-  /// that stands still or runs backwards counts as 0.2 ms, the tick of the fastest device, so a
-  /// stuck clock cannot freeze the width.
+  /// Processes the next sample and returns its width and tone. If a sample has no pressure or no
+  /// tilt, uses the value of the last sample of the stroke that had it, or the default of the
+  /// options if no sample has had it yet. Time that stands still or runs backwards counts as 0.2
+  /// ms, the tick of the fastest device, so a stuck clock cannot freeze the width.
   InkWidth push(const InkSample& sample) noexcept;
 
   [[nodiscard]] const WidthMapOptions& options() const noexcept { return options_; }

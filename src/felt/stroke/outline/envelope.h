@@ -52,8 +52,8 @@ struct Stretch {
   double length_mm = 0.0;
 };
 
-/// Returns true if the left half strips of both stretches cover each other's corner on the inside
-/// of the bend, at a dab of this radius between them.
+/// Returns true if, on the inside of the bend between two stretches, the left half strip of each
+/// stretch covers the corner of the other's. The dab between the stretches has this radius.
 bool has_room(const Stretch& from, const Stretch& to, double radius_mm) noexcept;
 
 /// Returns the turn between two stretches on a dab of this radius.
@@ -62,9 +62,10 @@ bool has_room(const Stretch& from, const Stretch& to, double radius_mm) noexcept
 /// centre. It becomes a sum of pieces with positive orientation: half a tapered strip for each side
 /// and stretch, and a sector of the dab for each outside turn. With the non-zero rule, a sum of
 /// positive pieces fills exactly their union. Take a point covered by dabs, and the dab that covers
-/// it deepest. If that dab is within a stretch, the point is on one of its normals, so it is in the
-/// strip. If it is a dab between stretches, the point is between the normals of an outside turn, so
-/// it is in the sector. A shortcut removes one layer of a triangle that both strips cover.
+/// it deepest. If that dab is within a stretch, the point is on one of the dab's normals, so the
+/// strip contains the point. If the dab is between two stretches, the point is between the normals
+/// of an outside turn, so the sector contains the point. A shortcut removes one layer of a triangle
+/// that both strips cover.
 ///
 /// `tie` is +1 for the forward direction and -1 for backwards. If the stroke reverses its direction
 /// exactly, `tie` decides whether it turns left or right, so that both sides agree.

@@ -25,16 +25,17 @@ inline constexpr int kMaxFlattenSteps = 1 << 14;
 /// segments, with at least one step for each; 2^24 dabs take 540 MB.
 inline constexpr int kMaxStrokeSteps = 1 << 24;
 
-/// Returns the number of steps, at least 1, into which a part of c with a length of `span` in t
-/// must be divided so that straight lines between equal steps of t are within the tolerance of the
-/// curve at the same t. Uses the bound h^2 max|f''| / 8 (Wang, "The subdivision method for finding
-/// the intersection between two Bezier curves", 1984), which also holds at cusps and zero handles.
+/// Returns the number of equal steps of t, at least 1, into which a part of c with the length
+/// `span` in t must be divided. The straight lines between the steps are then within the tolerance
+/// of the curve at the same t. Uses the bound h^2 max|f''| / 8 (Wang, "The subdivision method for
+/// finding the intersection between two Bezier curves", 1984), which also holds at cusps and zero
+/// handles.
 int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 
-/// Replaces `out` by dabs along the stroke. Radius and centre, interpolated linearly between dabs,
-/// are within the tolerance of those of the stroke at the same parameter, unless that would need
-/// more than the maximum number of steps; tones are exact. Segment ends and width breakpoints each
-/// get a dab. The seam of a closed stroke appears at both ends.
+/// Replaces `out` by dabs along the stroke. If radius and centre are interpolated linearly between
+/// dabs, they are within the tolerance of the values of the stroke at the same parameter, unless
+/// this needs more than the maximum number of steps. Tones are exact. Each end of a segment and
+/// each width breakpoint gets a dab. The seam of a closed stroke appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
 /// Replaces `out` by the dabs of the segments from `first` up to, but not including, `last`. They
@@ -78,8 +79,9 @@ class StrokeOutliner {
   StrokeOutliner(StrokeOutliner&&) noexcept;
   StrokeOutliner& operator=(StrokeOutliner&&) noexcept;
 
-  /// Returns the outline of a stroke. Every point of it is within the tolerance of the true edge or
-  /// inside the ink. Requires tolerance_mm > 0. The result is valid until the next call.
+  /// Returns the outline of a stroke. Every point of the outline is within the tolerance of the
+  /// true edge or inside the ink. Requires tolerance_mm > 0. The result is valid until the next
+  /// call.
   const Outline& trace(const Stroke& stroke, double tolerance_mm);
 
   /// Returns the outline of a row of dabs joined by tapered strips. The outline is exact, except

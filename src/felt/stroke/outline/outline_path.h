@@ -20,10 +20,10 @@ struct OutlinePath {
 };
 
 /// Returns the outline of a stroke as curves, for vector files: the same ink as from
-/// `StrokeOutliner`, but smooth at any zoom and with a third as many coordinates. Each side is
-/// fitted by as few cubics as stay within the tolerance of its true edge. If a bend is tighter than
-/// the half width, the edge is not smooth, and the side consists of straight lines. Requires
-/// tolerance_mm > 0.
+/// `StrokeOutliner`, but smooth at any zoom and with a third of the coordinates. Each side is
+/// fitted by cubics that stay within the tolerance of its true edge, as few as possible. If a bend
+/// is tighter than the half width, the edge is not smooth, and the side consists of straight lines.
+/// Requires tolerance_mm > 0.
 OutlinePath outline_path(const Stroke& stroke, double tolerance_mm);
 
 }  // namespace felt

@@ -39,15 +39,15 @@ struct SideStretch {
   Point start{}, finish{};     ///< ends of the edge
   bool curved = false;         ///< false for a straight line from `start` to `finish`
   Point handle0{}, handle1{};  ///< handles of the cubic, if curved
-  /// True if the bend is tighter than the radius at that end. Then the edge is at the centre of the
-  /// bend instead of a full radius away, because the area farther along the normal is inked by
-  /// other parts of the stroke.
+  /// True if the bend is tighter than the radius at the start or finish of the edge. Then that end
+  /// of the edge is at the centre of the bend instead of a full radius away, because the area
+  /// farther along the normal is inked by other parts of the stroke.
   bool starts_inside = false, finishes_inside = false;
 };
 
-/// Appends the left edge of consecutive pieces. If the edge is smooth, uses as few cubics as stay
-/// within the tolerance of the true edge; one cubic may replace the edge of several pieces.
-/// Otherwise uses straight lines.
+/// Appends the left edge of consecutive pieces. If the edge is smooth, uses cubics that stay within
+/// the tolerance of the true edge, as few as possible; one cubic may replace the edge of several
+/// pieces. If the edge is not smooth, uses straight lines.
 void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
                       std::vector<SideStretch>& out);
 

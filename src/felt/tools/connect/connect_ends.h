@@ -8,8 +8,9 @@ namespace felt {
 /// The point at which two ends meet.
 enum class MeetingPlace {
   kAtTarget,  ///< the moved end moves to the other end, which stays
-  /// Both ends move halfway. Exception: if the gap is too wide to close by bending
-  /// (TipLead::small_gap_mm), or the other stroke must not be changed, the other end stays.
+  /// Both ends move halfway. Exception: the other end stays, and only the moved end moves, if the
+  /// gap is too wide to close by bending (TipLead::small_gap_mm) or if the other stroke must not be
+  /// changed.
   kHalfWay,
 };
 

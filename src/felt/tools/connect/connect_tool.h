@@ -15,8 +15,9 @@ namespace felt {
 /// Joins two existing ends, or closes a stroke (paper, "Connect curves"; connect.md):
 ///
 ///   - drag: the pen grabs the nearest end, which moves with the pen. Within the snap radius of
-///     another end it is shown connected, and lifting the pen there commits the connection. If the
-///     pen is lifted elsewhere, the end moves back, or stays if the option `extend` is on.
+///     another end, the grabbed end is shown connected, and lifting the pen there commits the
+///     connection. If the pen is lifted elsewhere, the end moves back, or stays if the option
+///     `extend` is on.
 ///   - tap: connects the tapped end with another end within reach; both ends move halfway.
 ///
 /// From the start of the drag, the other end of the same stroke is a target too, so that the user
@@ -61,11 +62,11 @@ class ConnectTool final : public GestureTool {
     StrokeReplacement place;
     TipLead lead;
     Point at;                       ///< current position of the end
-    std::optional<TipId> on = {};   ///< the other end that `tip` is connected to
+    std::optional<TipId> on = {};   ///< the end to which `tip` is connected
     std::optional<Edit> edit = {};  ///< the current edit; nullopt if none
     bool is_pulled = false;         ///< moved too far for a tap
     bool is_long = false;           ///< lasted too long for a tap
-    bool extend = false;            ///< the option, inverted by the modifier
+    bool extend = false;            ///< the option `extend`, inverted by the modifier
   };
 
   void find(Point pen, const Scene& scene);
@@ -79,7 +80,7 @@ class ConnectTool final : public GestureTool {
   ConnectSettings settings_;
   SnapFinder finder_;
   std::vector<TipHit> shown_;      // a touch would grab the first of these
-  std::optional<TipHit> partner_;  // the end that a tap would connect shown_[0] to
+  std::optional<TipHit> partner_;  // the end to which a tap would connect shown_[0]
   bool near_ = false;
   // Position at which the last drag ended, until the pen leaves it.
   std::optional<Point> released_at_;

@@ -8,9 +8,8 @@
 
 namespace felt {
 
-/// Returns the ends of strokes within radius_mm of `place`, but only on visible, unlocked layers,
-/// because only these ends may be dragged. The nearest end comes first. Returns at most `largest`
-/// ends.
+/// Returns the ends that are within radius_mm of `place` and on visible, unlocked layers; other
+/// ends may not be dragged. The nearest end comes first. Returns at most `largest` ends.
 std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double radius_mm,
                                        std::size_t largest);
 

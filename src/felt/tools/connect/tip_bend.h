@@ -11,11 +11,11 @@ namespace felt {
 ///
 /// with_tip_at() keeps the tangents of joints and is meant for the short distance of a snap (2 mm).
 /// This function also turns the handles: it adds the derivative of the displacement by arc length
-/// to the unit tangent, on both sides of a joint. So the joint stays smooth, and the curve between
-/// the joints follows the same displacement, without dents. If `turn` is zero, the end keeps its
-/// tangent (R45 measures the angle at the joint). Otherwise the unit tangent v at the end, which
-/// points out of the stroke, becomes v minus `turn`. The stroke is cut at L, and ink beyond it
-/// stays bit for bit.
+/// to the unit tangent, on both sides of a joint. So smooth joints stay smooth, and the curve
+/// between the joints follows the same displacement, without dents. If `turn` is zero, the end
+/// keeps its tangent (R45 measures the angle at the joint). Otherwise the unit tangent v at the
+/// end, which points out of the stroke, becomes v minus `turn`. The stroke is cut at the arc length
+/// L, and ink beyond the cut stays bit for bit.
 ///
 /// Fails with kInvalidArgument if the stroke is closed, the target is not finite, the reach is more
 /// than the stroke's length, or the end moves by more than half of the reach (at two thirds the ink

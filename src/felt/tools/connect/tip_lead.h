@@ -12,11 +12,12 @@ namespace felt {
 ///
 /// The stroke stays one fair curve (docs/design/editing.md#joining; R45). If the target lies ahead
 /// of the end, the stroke is first extended straight along its tangent by the distance a, until the
-/// target is beside it. The remaining shift s then bends the stroke (with_tip_bent) over the length
-/// max(min(max(25, 4 s), a + 0.5 L), min(2.7 s, a + min(0.95 L, 200))), in mm, with L the length of
-/// the stroke. If this bend fails, the stroke does not change, and one cubic that begins along its
-/// tangent and ends with zero curvature bridges the gap. If the gap is at most `small_gap_mm`, the
-/// end keeps its tangent; the wider the gap, the more the end turns towards the target.
+/// target is beside the new end. The remaining shift s then bends the stroke (with_tip_bent) over
+/// the length max(min(max(25, 4 s), a + 0.5 L), min(2.7 s, a + min(0.95 L, 200))), in mm, with L
+/// the length of the stroke. If this bend fails, the stroke does not change, and one cubic that
+/// begins along its tangent and ends with zero curvature bridges the gap. If the gap is at most
+/// `small_gap_mm`, the end keeps its tangent. If the gap is wider, the end turns towards the
+/// target, and it turns more for a wider gap.
 ///
 /// If a stroke has many segments, only a part at the end is changed; the remaining stroke stays bit
 /// for bit.
@@ -36,8 +37,9 @@ class TipLead {
   [[nodiscard]] Result<Stroke> at(Point target) const;
 
   /// Like at(target), but if the gap is more than small_gap_mm, the end arrives at the target in
-  /// the direction `arrival` (a unit vector). The result is then the bent stroke, or the unchanged
-  /// stroke extended by one cubic, whichever has less bending energy.
+  /// the direction `arrival` (a unit vector). The result is then the unchanged stroke extended by
+  /// one cubic. Exception: if `arrival` differs by less than kSmoothJoinBelowDeg from the direction
+  /// of the end, and bending the stroke takes less bending energy, the result is the bent stroke.
   [[nodiscard]] Result<Stroke> at(Point target, Vec arrival) const;
 
   /// Returns an eighth of the length of the stroke, at most 6 mm.

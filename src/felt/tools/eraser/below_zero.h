@@ -35,12 +35,12 @@ class UnitParts {
 UnitParts common(const UnitParts& a, const UnitParts& b) noexcept;
 
 /// Returns the parts of [0, 1] in which a polynomial, given by its Bernstein coefficients (degree
-/// up to 6), is below zero. The result is certified: a piece is skipped if all coefficients are >=
-/// 0, and added if all are <= 0. If the coefficients change sign once, the piece has exactly one
-/// root (Descartes' rule for Bernstein forms). Otherwise the piece is halved. So no dip below zero
-/// is missed, however narrow, down to the rounding of the coefficients. Roots are accurate to
-/// 1e-15. The work is bounded, without recursion. The result is empty if a coefficient is not
-/// finite.
+/// up to 6), is below zero. The result is certified. The interval is examined piece by piece: a
+/// piece is skipped if all its coefficients are >= 0, and added if all are <= 0. If the
+/// coefficients change sign once, the piece has exactly one root (Descartes' rule for Bernstein
+/// forms). Otherwise the piece is halved. So no part below zero is missed, however narrow, except
+/// for the rounding of the coefficients. Roots are accurate to 1e-15. The work is bounded, without
+/// recursion. The result is empty if a coefficient is not finite.
 UnitParts below_zero(std::span<const double> coefficients) noexcept;
 
 }  // namespace felt

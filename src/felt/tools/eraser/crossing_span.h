@@ -15,8 +15,8 @@ namespace felt {
 /// this stroke, that counts as a crossing, because people rarely hit a line exactly.
 ///
 /// The crossings are computed segment by segment on request, with a budget, so that a pen sample
-/// does not wait for a stroke with a thousand crossings. Results are cached and stay as computed at
-/// the first request, even if other strokes change.
+/// does not wait for a stroke with a thousand crossings. Each result is cached at the first request
+/// and does not change afterwards, even if other strokes change.
 class StrokeCrossings {
  public:
   static constexpr double kTeeMm = 0.5;
@@ -67,7 +67,8 @@ class SpanSearch {
  public:
   explicit SpanSearch(ParameterSet::Interval touched) : from_(touched.from), to_(touched.to) {}
 
-  /// Continues the search. Returns true if the span is known. Each call uses up some of the budget.
+  /// Continues the search. Returns true if the search is complete. Each call uses up some of the
+  /// budget.
   bool advance(StrokeCrossings& crossings, const Scene& scene, int& budget);
   /// Return the start and end of the span. Require that advance() has returned true. On a closed
   /// stroke, to() <= from() means that the span crosses the seam.

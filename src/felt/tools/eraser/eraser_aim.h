@@ -18,9 +18,9 @@ namespace felt {
 class EraserAim {
  public:
   /// Maximum age of the marks. Older marks are computed again, because nearby strokes may have
-  /// changed (undo).
+  /// changed, for example by an undo.
   static constexpr std::int64_t kFreshNs = 250'000'000;
-  /// Maximum number of strokes under the ring that are marked.
+  /// Maximum number of marked strokes under the ring.
   static constexpr std::size_t kMaxMarked = 64;
 
   /// Updates the marks for a pen that hovers at this position.

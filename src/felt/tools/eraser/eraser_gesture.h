@@ -23,8 +23,8 @@ namespace felt {
 ///
 /// kTouched and kStroke act on all ink that the eraser covers. kCrossing acts on one line at a
 /// time, because otherwise a tail could not be erased without the line to which it is attached. At
-/// the touch, this is the line nearest to the pen, if the eraser covers a part of it (aimed_at());
-/// after that, each line that the path of the pen crosses.
+/// the touch, it acts on the line nearest to the pen, if the eraser covers a part of that line
+/// (aimed_at()); after the touch, it acts on each line that the path of the pen crosses.
 ///
 /// For each sample, the segments near the path of the pen are processed, a few strokes are cut, and
 /// a limited number of crossings is searched. The next samples, or finish(), do the remaining work.
@@ -41,12 +41,12 @@ class EraserGesture {
   static constexpr int kCutsPerMs = 6;
   static constexpr int kMaxCuts = 64;
   /// Minimum pause before a line is cut again: kCutPauseNs, plus kCutPauseNsPerPlace for each point
-  /// that the last cut processed. A hatching of 5 m has 25,000 points, so it is cut four times a
-  /// second. Therefore the time for all cuts is at most proportional to the duration of the
+  /// that the last cut processed. A hatching of 5 m has 25,000 points, so it is cut at most four
+  /// times a second. Therefore the time for all cuts is at most proportional to the duration of the
   /// gesture.
   static constexpr std::int64_t kCutPauseNs = 4'000'000;
   static constexpr std::int64_t kCutPauseNsPerPlace = 10'000;
-  /// Maximum number of lines that one sample checks for the end of their pause.
+  /// Maximum number of waiting lines for which one sample checks whether their pause is over.
   static constexpr int kMaxWaiting = 256;
   /// Time between two previews: kShowNs (120 Hz), or kShowNsPerStroke for each stroke if that is
   /// longer, because a preview copies the strokes; at most kMaxShowNs.
@@ -127,9 +127,9 @@ class EraserGesture {
   ParameterSet covered_;       // buffer, reused for each segment
 };
 
-/// Returns the line that a touch in the mode kCrossing would erase a part of, with the point of
-/// this line that is nearest to the pen. It is the line nearest to the pen. Returns nullopt if the
-/// eraser does not reach the ink of that line, or its centre line if include_width is off.
+/// Returns the line of which a touch in the mode kCrossing would erase a part: the line nearest to
+/// the pen, with its point nearest to the pen. Returns nullopt if the eraser does not reach the ink
+/// of that line or, if include_width is off, does not reach its centre line.
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene);
 
 }  // namespace felt

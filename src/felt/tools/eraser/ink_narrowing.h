@@ -16,13 +16,16 @@ namespace felt {
 /// some of the remaining ink must be erased too, but as little as possible (R39).
 ///
 /// The ink of a stroke is the union of the discs with centre f(u) and diameter W(u). The clearance
-/// of u is the distance from f(u) to the nearest point that was covered. The disc around f(u) with
+/// at u is the distance from f(u) to the nearest point that was covered. The disc around f(u) with
 /// the clearance as its radius is the largest one that covers no erased point:
-///   * if the eraser covered only the rim, the line becomes narrower: W(u) = 2 clearance; * if it
-///   reached the centre line, or less than kThinnestMm would be left, the line is cut; * towards a
-///   cut the ink would taper to a point. The cut end moves back to the first point whose round cap
-///   covers this taper, except for at most kLostTipMm of its tip. So a line crossed at right
-///     angles ends in a cap of its own width that touches the edge of the covered area.
+///   - If the eraser covered only the rim, the line becomes narrower: W(u) = 2 clearance.
+///   - If the eraser reached the centre line, or less than kThinnestMm would be left, the line is
+///     cut.
+///   - Towards a cut, the ink would taper to a point. The cut end moves back to the first point
+///     whose round cap covers this taper, except for at most kLostTipMm of the taper's tip. So a
+///     line crossed at right angles ends in a cap of its own width that touches the edge of the
+///     covered area.
+///
 /// The centre line never moves.
 ///
 /// The clearance is sampled along the touched parts of the curve. Each sample is the minimum over

@@ -16,11 +16,12 @@ class ParameterSet {
     friend constexpr bool operator==(Interval, Interval) noexcept = default;
   };
 
-  /// Maximum gap between intervals that are merged. Rounding may leave gaps between two steps.
+  /// Maximum gap between intervals that are merged. Rounding may leave such gaps between two steps
+  /// of the eraser.
   static constexpr double kGap = 1e-12;
 
   /// Adds an interval; ignores it if from >= to. Returns true if the set grew. Takes logarithmic
-  /// time, plus time linear in the intervals after it.
+  /// time, plus time linear in the number of intervals after the new one.
   bool add(Interval interval);
   /// Returns true if the whole interval is in the set.
   [[nodiscard]] bool contains(Interval interval) const noexcept;

@@ -24,7 +24,7 @@ class RemainingPieces {
   /// Says which pieces are too small to keep. W is the width in the middle of a piece.
   enum class Crumbs {
     kOfLine,  ///< shorter than max(0.25 mm, W/2)
-    kOfInk,   ///< shorter than I5, or their ink is less than 0.25 mm long
+    kOfInk,   ///< shorter than 0.05 mm (I5), or than 0.25 mm including the round ends (length + W)
   };
   static constexpr double kMinHoleMm = 1e-3;
 

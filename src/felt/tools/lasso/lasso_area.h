@@ -10,7 +10,7 @@
 namespace felt {
 
 /// The inside of a lasso, prepared for many queries: the edges are sorted into horizontal strips,
-/// so that a query checks only those near the point. The results are the same as those of
+/// so that a query checks only the edges near the point. The results are the same as those of
 /// felt::contains() with FillRule::kEvenOdd (R31: even-odd, a point on an edge is inside).
 class LassoArea {
  public:

@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// The path of the pen around the area to select, simplified while it grows: every position of the
-/// pen is within kToleranceMm of it (docs/design/editing.md#lasso, R31). The time per sample is
-/// bounded, independent of the length of the path.
+/// The path of the pen around the area to select. It is simplified while it grows: every position
+/// of the pen is within kToleranceMm of the simplified path (docs/design/editing.md#lasso, R31).
+/// The time per sample is bounded, independent of the length of the path.
 class LassoOutline {
  public:
   static constexpr double kToleranceMm = 0.25;

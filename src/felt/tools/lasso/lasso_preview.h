@@ -15,19 +15,20 @@
 
 namespace felt {
 
-/// Marks the ink that a lasso would select so far, while the user draws it. With each sample,
-/// look() does a part of the work: it searches a few patches of the page for new strokes and tests
-/// some of the strokes already found, in turn. So with fifty strokes the marks are at most 20 ms
-/// old, with a thousand at most half a second. A sample takes tens of microseconds, whatever the
-/// size of the document. The final selection does not depend on this; taken_by() computes it.
+/// While the user draws a lasso, marks the ink that the lasso would select if it ended now. With
+/// each sample, look() does a part of the work: it searches a few patches of the page for new
+/// strokes and tests some of the strokes already found, in turn. So with fifty strokes the marks
+/// are at most 20 ms old, with a thousand at most half a second. A sample takes tens of
+/// microseconds, whatever the size of the document. The final selection does not depend on these
+/// marks; taken_by() computes it.
 class LassoPreview {
  public:
-  /// Maximum number of strokes that are tested, and of segments that are marked.
+  /// Maximum number of tested strokes, and also of marked segments.
   static constexpr std::size_t kMaxStrokes = 2'000;
 
   void begin();
-  /// Continues the search with the current outline, which is closed here. `bounds` is the box
-  /// around it.
+  /// Continues the search with the current outline, which this function closes. `bounds` is the box
+  /// around the outline.
   void look(std::span<const Point> outline, const Rect& bounds, LassoTake take,
             const Document& document, const StrokeIndex& index);
   void draw(Overlay& overlay) const;

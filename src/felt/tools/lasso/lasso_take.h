@@ -19,17 +19,18 @@ enum class LassoTake : std::uint8_t {
 /// How the lasso combines the previous selection with the new one.
 enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };
 
-/// Returns the marks that a lasso sets on a stroke, before close_marks (R31).
+/// Returns the marks that a lasso sets on a stroke, before close_marks is applied (R31).
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take);
 
-/// Returns the selection that the lasso makes among the editable strokes, after close_marks (R32).
-/// With kPoints, handles inside the area are selected even if all of the ink is outside.
+/// Returns the selection that the lasso makes among the editable strokes, after close_marks is
+/// applied (R32). With kPoints, handles inside the area are selected even if all of the ink is
+/// outside.
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index);
 
-/// Returns the combined selection, after close_marks. With kAdd, a stroke that is in only one of
-/// `before` and `taken` keeps its marks. With kSubtract, a stroke that is only in `taken` is
-/// ignored.
+/// Returns the combined selection, after close_marks is applied. With kAdd, a stroke that is in
+/// only one of `before` and `taken` keeps its marks. With kSubtract, a stroke that is only in
+/// `taken` is ignored.
 Selection combined(const Document& document, const Selection& before, const Selection& taken,
                    LassoCombine combine);
 

@@ -25,10 +25,13 @@ struct InkConnections {
 ///   - An end moves exactly to its target. The shift fades out along the stroke over five times the
 ///     length of the shift, limited to 2..25 mm, so that the rest of the stroke stays as drawn.
 ///   - Ink whose end meets its own start becomes a closed stroke.
-///   - Ink that meets the end of another stroke becomes one stroke with it, which keeps the id,
-///     position and direction of that stroke. Ink that meets both ends of the same stroke closes
-///     it. This happens only if both have the same medium and colour and the stroke is in the
-///     current, unlocked layer. Otherwise both strokes stay separate and share the point.
+///   - Ink that meets the end of another stroke is joined with that stroke; the result keeps the
+///     id, position and direction of that stroke. If the two ends of the ink meet different
+///     strokes, all three are joined, and the result keeps the id, position and direction of the
+///     stroke at the start of the ink. Ink that meets both ends of the same stroke closes that
+///     stroke. Ink and stroke are joined only if they have the same medium and colour and the
+///     stroke is in the current layer, which must be unlocked. Otherwise they stay separate and
+///     share the point.
 ///   - Ink that meets a point on another stroke shares that point; the other stroke does not
 ///     change.
 /// An impossible connection is skipped, so that ink is never lost: for example, if the other stroke

@@ -15,21 +15,21 @@ namespace felt {
 /// (docs/decisions/0011-when-a-line-snaps.md; R43, R44):
 ///
 ///   - an end of another line, if the pen approaches it slowly and is heading for it, and the new
-///     line would continue the other one. These ends are excluded: the end that the new line was
-///     begun on, ends at which it would turn back along the other line, ends of lines that it has
-///     crossed elsewhere, and ends that belong to a hatching;
+///     line would continue the other one. These ends are excluded: the end on which the new line
+///     was begun, ends at which the new line would turn back along the other line, ends of lines
+///     that the new line has crossed elsewhere, and ends that belong to a hatching;
 ///   - the start of the line itself, if the line goes once around an area;
 ///   - a point on another line, if the pen stops just before that line and no other line is close
 ///     behind it.
 ///
 /// Call order: hover() for each hover sample; begin() at the touch; update() for each sample in
-/// contact; then start_target() and target() return the targets of the line's ends; end(). Not
-/// thread-safe.
+/// contact; start_target() and target() to get the targets of the line's two ends; end() after the
+/// lift. Not thread-safe.
 class InkSnap {
  public:
-  /// The line's own start, and the other end of the line it was begun on, attract only if the line
-  /// so far goes once around an area: 4 pi A / L^2, with A the area and L the length (1 for a
-  /// circle, 0.24 for an ellipse of 10:1), is at least this ...
+  /// The line's own start, and the other end of the line on which it was begun, are targets only if
+  /// the line so far goes once around an area: 4 pi A / L^2, with A the area and L the length (1
+  /// for a circle, 0.24 for an ellipse of 10:1), is at least this ...
   static constexpr double kMinRoundness = 0.22;
   /// ... or at least this, if the extent is at least kLargeMm and the gap at most kLargeShare of
   /// it. This is for shapes like a star or the outline of a hand.
@@ -43,14 +43,14 @@ class InkSnap {
   static constexpr double kMaxGapShare = 0.62;
   /// The radius for closing, relative to the snap radius. It is larger because users often lift the
   /// pen a little before the shape is closed. The faster the pen, the earlier they lift it.
-  /// Therefore the distance that the pen moves in kEarlyS is added, up to the snap radius.
+  /// Therefore the distance that the pen moves in kEarlyS is added, but at most the snap radius.
   static constexpr double kCloseShare = 1.2;
   static constexpr double kEarlyS = 0.02;
   /// Maximum distance between an end and the start of a new line that continues it, relative to the
   /// snap radius. The direction is not checked, because a pen that lands has none yet.
   static constexpr double kStartShare = 0.6;
-  /// Maximum distance from another line, relative to the snap radius, at which the pen may stop and
-  /// the lines still meet.
+  /// If the pen stops within this distance of another line, relative to the snap radius, the two
+  /// lines meet.
   static constexpr double kMeetShare = 0.3;
 
   /// Handles a hover sample. `is_near` says whether the pen is near the surface.
@@ -80,7 +80,7 @@ class InkSnap {
     double miss_mm;
     double closing_mm;  ///< the maximum gap to the start of the line
     double sure_share;  ///< below this gap/extent, the direction does not matter
-    bool felt;          ///< true for the attraction; excludes the last line
+    bool felt;          ///< true for the attraction, which excludes the line just finished
   };
   /// The part of an outline that is already drawn: the line on which the new line was begun.
   struct Part {
@@ -112,7 +112,7 @@ class InkSnap {
   double closest_mm_ = 0.0;  // smallest distance of the pen from attraction_ so far
   Point crossings_from_;
   std::vector<snap_rules::Crossed> crossed_;
-  std::optional<double> first_crossing_mm_, last_crossing_mm_;  // path length there
+  std::optional<double> first_crossing_mm_, last_crossing_mm_;  // path lengths at these crossings
 };
 
 }  // namespace felt

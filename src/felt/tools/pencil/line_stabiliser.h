@@ -23,10 +23,10 @@ struct StabiliserOptions {
   friend bool operator==(const StabiliserOptions&, const StabiliserOptions&) noexcept = default;
 };
 
-/// Returns the options of kInertia. Let K and B be the stiffness and damping of the coupling, and m
-/// the mass. The drag c is chosen so that the mass is at least critically damped, B + c >= 2 sqrt(K
-/// m), because a nib that overshoots would draw loops. At the speed v the nib trails by c v/K: 2 mm
-/// at 100 mm/s for 50 g.
+/// Returns the options of kInertia. Let K and B be the stiffness and damping of the spring between
+/// pen and nib, and m the mass. The drag c is chosen so that the mass is at least critically
+/// damped, B + c >= 2 sqrt(K m), because a nib that overshoots would draw loops. At the speed v the
+/// nib trails by c v/K: 2 mm at 100 mm/s for 50 g.
 InertiaOptions inertia_of(const StabiliserOptions& options) noexcept;
 /// Returns the options of kTowed.
 TowOptions tow_of(const StabiliserOptions& options) noexcept;
@@ -49,8 +49,8 @@ class Stabiliser {
     std::int64_t time_ns = 0;
   };
   /// Ends the line at pen-up. Sets `rest` to the remaining path of the nib to the resting pen,
-  /// because users expect ink to reach the pen. The last point is the position of the pen. At most
-  /// 2000 points are added.
+  /// because users expect ink to reach the pen. The last point is the position of the pen. `rest`
+  /// gets at most 2000 points.
   void finish(std::vector<Step>& rest);
 
  private:

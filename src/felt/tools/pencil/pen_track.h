@@ -16,8 +16,8 @@ class PenTrack {
   /// Minimum distance between stored points, so that a pen that trembles in one place does not add
   /// to the path.
   static constexpr double kNodeMm = 0.2;
-  /// Distance over which a direction is measured. Over this distance, a tremor of 0.1 mm or four
-  /// times the noise of a tablet changes the direction by less than 15 degrees.
+  /// Distance over which a direction is measured. Over this distance, the direction changes by less
+  /// than 15 degrees because of a tremor of 0.1 mm, or because of four times the noise of a tablet.
   static constexpr double kChordMm = 0.8;
   /// The first direction is measured between these distances from the start. Nearer to the start,
   /// the ink is often only a hook that the pen makes when it lands.

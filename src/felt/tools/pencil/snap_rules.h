@@ -13,8 +13,9 @@ namespace felt {
 /// it (docs/decisions/0011-when-a-line-snaps.md). The rules are pure functions of the document.
 namespace snap_rules {
 
-/// Maximum turn at a joint, degrees. If it would be larger, ends are not joined: neighbours in a
-/// hatching turn by 180 degrees, the corners of a five-pointed star by 144.
+/// Maximum turn at a joint, degrees. If the turn would be larger, ends are not joined: at
+/// neighbouring lines of a hatching the turn would be 180 degrees, but at the corners of a
+/// five-pointed star it is only 144.
 inline constexpr double kFoldDeg = 150.0;
 /// If the turn is larger than this, ends are joined only within kSharpRadiusMm, because the lines
 /// of a hatching are not exactly parallel and are shaky.
@@ -35,8 +36,8 @@ bool is_dot(const Stroke& stroke) noexcept;
 /// Returns the unit direction from an end into its stroke.
 Vec inward_direction(const Stroke& stroke, StrokeTip tip) noexcept;
 
-/// Returns true if ink arriving with direction `heading`, `gap_mm` away from the end, would turn
-/// back along the stroke instead of continuing it.
+/// Returns true if ink that arrives `gap_mm` away from the end in the direction `heading` would
+/// turn back along the stroke instead of continuing it.
 bool turns_back(const Stroke& stroke, StrokeTip tip, Vec heading, double gap_mm) noexcept;
 
 /// Returns true if an end of another stroke lies next to this end, as in a hatching.
@@ -61,8 +62,8 @@ struct Crossed {
 /// A crossing within this distance of an end is part of the corner at that end.
 inline constexpr double kCornerMm = 2.0;
 
-/// Adds the strokes that the chord meets to a list without duplicates. Returns true if it meets
-/// any.
+/// Adds the strokes that the straight line from a to b meets to `crossed`, which contains each
+/// stroke once. Returns true if the line meets any stroke.
 bool append_crossed(const Scene& scene, Point a, Point b, std::vector<Crossed>& crossed);
 
 /// Returns true if the stroke was crossed anywhere but near its end at `tip`. A line that is drawn

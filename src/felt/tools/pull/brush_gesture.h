@@ -14,9 +14,9 @@ namespace felt {
 /// the change and the sample rate has no effect (R23). The force is EditSpring around the point of
 /// the touch.
 ///
-/// `hit` is the result of scene.index for the touch. The touch itself moves nothing. `offset` says
-/// whether the curve moves to the pen after the touch (curve_displacement). If a shape would break
-/// an invariant, the last valid shape is kept.
+/// `hit` is the point of a stroke that scene.index found at the touch. The touch itself moves
+/// nothing. `offset` says whether the curve moves to the pen after the touch (curve_displacement).
+/// If a shape would break an invariant, the last valid shape is kept.
 std::unique_ptr<PullGesture> make_brush(const PenSample& touch, const Scene& scene,
                                         const StrokeHit& hit, const BrushOptions& options,
                                         TouchOffset offset = TouchOffset::kBlendedOut);

@@ -12,8 +12,9 @@ namespace felt {
 
 /// Pulls a stroke at one point with a brush: the grabbed point moves by a given displacement, the
 /// influence falls off along the ink, and ink beyond the reach does not move
-/// (docs/design/editing.md#brush; R21, R23, R24, R26, R28). With V the displacement of the grabbed
-/// point since the touch and s the arc length in the stroke at the touch,
+/// (docs/design/editing.md#brush; R21, R23, R24, R26, R28). The stroke f becomes g, with V the
+/// displacement of the grabbed point since the touch, w the influence (brush_reach.h) and s the arc
+/// length in the stroke at the touch:
 ///
 ///   g(t) = f(t) + V w(s(t)),   g' = f' + V w' |f'|
 ///
@@ -43,11 +44,11 @@ class BrushPull {
 
   /// Returns the grabbed point, in the snapshot.
   [[nodiscard]] Point origin() const noexcept { return origin_; }
-  /// Return the parameters at which the part of the snapshot that moves begins and ends; this may
+  /// Return the start and the end of the moving part of the snapshot, as parameters; this part may
   /// be the whole stroke. On a closed stroke, last <= first means that the part crosses the seam.
   [[nodiscard]] double first_u() const noexcept { return first_u_; }
   [[nodiscard]] double last_u() const noexcept { return last_u_; }
-  /// Return the joints at which this part begins and ends on strokes made by at().
+  /// Return the joints at which the moving part begins and ends on strokes made by at().
   [[nodiscard]] int first_joint() const noexcept { return joints_.first; }
   [[nodiscard]] int last_joint() const noexcept { return joints_.last; }
 

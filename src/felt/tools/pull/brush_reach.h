@@ -18,7 +18,8 @@ struct BrushOptions {
 /// An end or corner within this arc length of the grab is grabbed itself.
 inline constexpr double kPinGrabMm = 2.0;
 
-/// The reach of a pull to one side of the rigidly held part.
+/// The reach of a pull to one side of the grab. Held ink, next to the grab, moves exactly with the
+/// pen.
 struct BrushSide {
   double held_mm = 0.0;    ///< from the grab to the point where the influence begins to fall off
   double way_mm = 0.0;     ///< from there to the end of the change; 0 at an end of the stroke

@@ -20,13 +20,13 @@ namespace felt {
 /// in any mode (R33): adds the changes of the other strokes to the gesture's edit.
 ///
 /// If a shared point moves, a brush pulls the other stroke to the new position of that point, while
-/// the other end and the corners of that stroke stay. Strokes connected to the other stroke follow
-/// in turn. If an end of a changed stroke lies on a stroke of a locked layer, a brush pulls this
-/// end back to its position at the touch instead. If at most kMaxFollowers strokes follow, the
+/// the ends and corners elsewhere on the pulled stroke stay. Strokes connected to the pulled stroke
+/// follow in turn. If an end of a changed stroke lies on a stroke of a locked layer, a brush pulls
+/// this end back to its position at the touch instead. If at most kMaxFollowers strokes follow, the
 /// result depends only on the edit and the document at the touch, so moving back undoes it.
 ///
-/// For a stroke that has not changed since the last edit, complete() only does a look-up. For a
-/// changed stroke it searches the shared points, and for each follower it does one multiplication
+/// For a stroke that has not changed since the last edit, complete() only does a look-up. For each
+/// changed stroke it searches for shared points, and for each follower it does one multiplication
 /// per control point. Make one object per gesture.
 class ConnectedPull {
  public:
@@ -43,7 +43,7 @@ class ConnectedPull {
 
   explicit ConnectedPull(const BrushOptions& brush) : brush_(brush) { brush_.free_ends = false; }
 
-  /// Adds the followers to `edit`, the gesture's edit of the document of the scene.
+  /// Adds the changes of the followers to `edit`, which is the gesture's edit of scene.document.
   void complete(Edit& edit, const Scene& scene);
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
@@ -60,7 +60,7 @@ class ConnectedPull {
     std::vector<Junction> junctions;
     std::optional<ArcMap> arc;  // of `before`, made when needed
     StrokePtr given;            // this stroke in the gesture's last edit
-    StrokePtr after;            // `given` with the held ends pulled back
+    StrokePtr after;            // `given`, with ends on locked strokes pulled back
     std::vector<Point> places;  // positions of the junctions on `after`
   };
   struct Follower {

@@ -4,13 +4,13 @@
 
 namespace felt {
 
-/// How far each control point of a segment moves if the point of the segment at t is pulled by V,
-/// as fractions of V: B_i' = B_i + w_i V (paper, eq. 7 and its three cases;
+/// How far each control point of a segment moves if the point of the segment at t is pulled by V.
+/// The weights w_i are fractions of V: B_i' = B_i + w_i V (paper, eq. 7 and its three cases;
 /// docs/design/editing.md#pull-weights).
 ///
-/// All but `kPrinted` are w = (alpha, alpha + c2, beta + c3, beta) with sum b_i w_i = 1, so that
-/// the point moves exactly as far as the pen. alpha moves the left joint with its handles on both
-/// sides, beta the right one; c2 and c3 move only the inner handles.
+/// All kinds of weights except `kPrinted` have the form w = (alpha, alpha + c2, beta + c3, beta)
+/// with sum b_i w_i = 1, so that the point moves exactly as far as the pen. alpha moves the left
+/// joint with its handles on both sides, beta the right one; c2 and c3 move only the inner handles.
 struct EditWeights {
   std::array<double, 4> w{};
 

@@ -18,8 +18,8 @@ struct GrabOptions {
   double affected_mm = 0.0;
 };
 
-/// Bends one segment of a stroke so that its point at u0 moves exactly as far as the pen (R21). Its
-/// neighbours stay G1-continuous with it; nothing else changes
+/// Bends one segment of a stroke so that its point at u0 moves exactly as far as the pen (R21). The
+/// neighbouring segments stay G1-continuous with it; nothing else changes
 /// (docs/design/editing.md#smooth-joints). The result depends only on the total displacement and on
 /// the stroke at the start of the gesture, not on the samples in between
 /// (docs/design/editing.md#snapshot, R23).

@@ -13,11 +13,11 @@
 namespace felt {
 
 /// One stroke that a round nib pushes aside (R27; docs/design/editing.md#push). The nib moves in
-/// steps of at most half its radius r. Let f be the point of the stroke nearest to the pen p. After
-/// each step, f is moved to p - r n, n = (p - f)/|p - f|. This is repeated with the new nearest
-/// point until its distance is at least r. So the stroke is pushed from outside and never dragged
-/// along. Because a step is at most half a radius, the pen never comes nearer to the stroke than
-/// half a radius, so the nib cannot pass through the stroke.
+/// steps of at most half its radius r. Let f be the point of the stroke nearest to the pen p. If f
+/// is nearer than r after a step, f is moved to p - r n, n = (p - f)/|p - f|. This is repeated with
+/// the new nearest point until the distance of that point is at least r. So the stroke is pushed
+/// from outside and never dragged along. Because a step is at most half a radius, the pen never
+/// comes nearer to the stroke than half a radius, so the nib cannot pass through the stroke.
 ///
 /// The neighbourhood of f moves with it: a point moves by w(s) times the displacement of f, with
 /// w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, and s the arc length in the stroke at the touch. The
@@ -62,8 +62,8 @@ class NibPush {
   /// touch it.
   [[nodiscard]] const std::optional<Point>& contact() const noexcept { return contact_; }
   /// Returns the final stroke, with its changed segments refitted (refit.h). The refit does not
-  /// bring the stroke nearer to a nib at `pen`: if it would, the result is pushed again or not
-  /// refitted.
+  /// move the stroke under a nib at `pen`: if it would, the refitted stroke is pushed again, or the
+  /// stroke is not refitted.
   [[nodiscard]] Result<Stroke> finished(Point pen) const;
 
  private:

@@ -12,9 +12,10 @@ namespace felt {
 
 /// Returns the force model of the pull tool (paper, eq. 8 and 9; R29, R30): the surface and, while
 /// a line is held, the counter-force. The counter-force pulls back to the point where the pen
-/// grabbed the line. In the modes push and sweep, which depend on the path of the pen, it is the
-/// force between the pen and the line as it is now. The fade_id stays the same during a gesture, so
-/// that nothing is cross-faded; only a leap of a swept curve (PullFeel::leaps) changes it.
+/// grabbed the line. In the modes push and sweep, which depend on the path of the pen, the
+/// counter-force acts between the pen and the current shape of the line instead. The fade_id stays
+/// the same during a gesture, so that nothing is cross-faded; only a leap of a swept curve
+/// (PullFeel::leaps) changes it.
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
   const Medium material =

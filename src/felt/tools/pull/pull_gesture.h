@@ -29,9 +29,10 @@ struct PullFeel {
   LineUnderNib line{};      ///< kPush
 };
 
-/// One gesture in one mode of the pull tool: the strokes as the pen has changed them so far. In
-/// brush and grab mode they depend only on the pen's current position and the document at the
-/// touch; in push and sweep mode they depend on the path of the pen. Edit thread only.
+/// One gesture in one mode of the pull tool. It contains the strokes as the pen has changed them so
+/// far. In brush and grab mode, these strokes depend only on the pen's current position and the
+/// document at the touch; in push and sweep mode they depend on the path of the pen. Edit thread
+/// only.
 class PullGesture {
  public:
   virtual ~PullGesture() = default;

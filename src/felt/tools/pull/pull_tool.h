@@ -47,7 +47,7 @@ class PullTool final : public GestureTool {
   PullSettings settings_;
   Point pen_;  // position while hovering
   bool hovers_ = false;
-  std::unique_ptr<Target> target_;  // kept for the same stroke, because a new map takes time
+  std::unique_ptr<Target> target_;  // reused for the same stroke, because a new map takes time
   bool has_target_ = false;
   std::unique_ptr<PullGesture> gesture_;
   std::optional<ConnectedPull> connected_;  // set if gesture_ is set

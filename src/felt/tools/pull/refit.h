@@ -19,11 +19,12 @@ inline constexpr double kRefitToleranceMm = 0.02;
 /// or a corner is allowed.
 bool is_well_shaped(const Stroke& stroke, int i, const SegmentShape& shape = {}) noexcept;
 
-/// Returns the stroke of a strand, with its changed segments in the required shape: first, runs of
-/// segments are merged if fewer suffice; then segments that wind or have a long handle are divided,
-/// and segments with a short handle get new handle lengths. Each step moves the curve by at most
-/// kRefitToleranceMm; a segment that cannot be improved within this tolerance stays as it is.
-/// Unchanged segments stay bit for bit. Fails if the strand breaks an invariant.
+/// Returns the stroke of a strand, with its changed segments in the required shape: first,
+/// consecutive segments are replaced by fewer segments if these suffice; then segments that wind or
+/// have a long handle are divided, and segments with a short handle get new handle lengths. Each
+/// step moves the curve by at most kRefitToleranceMm; a segment that cannot be improved within this
+/// tolerance stays as it is. Unchanged segments stay bit for bit. Fails if the strand breaks an
+/// invariant.
 Result<Stroke> with_good_shapes(const Strand& strand);
 
 }  // namespace felt

@@ -22,8 +22,8 @@ struct StrandPlace {
 ///
 /// Smooth joints stay smooth: `bend` turns the neighbours' handles
 /// (docs/design/editing.md#smooth-joints). A zero-length handle at a smooth joint gets the length
-/// kStandingMm before anything next to it moves. Otherwise its direction would depend on a control
-/// point elsewhere (R28).
+/// kStandingMm before anything next to it moves. Otherwise the direction of this handle would
+/// depend on a control point elsewhere (R28).
 class Strand {
  public:
   static constexpr double kStandingMm = 1e-3;
@@ -40,7 +40,8 @@ class Strand {
   [[nodiscard]] Cubic segment(int i) const noexcept;
   /// Returns the joint before segment i; i = count() is the end of the stroke.
   [[nodiscard]] JointKind joint(int i) const noexcept;
-  /// Return the segment before or after, wrapping around on a closed stroke; -1 past an end.
+  /// Return the number of the segment before or after segment i, wrapping around on a closed
+  /// stroke; -1 past an end.
   [[nodiscard]] int previous(int i) const noexcept;
   [[nodiscard]] int next(int i) const noexcept;
   /// Returns 3 count() + 1 control points, as in StrokeData::points.

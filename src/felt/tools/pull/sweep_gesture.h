@@ -17,8 +17,8 @@ struct SweepOptions {
 /// as the pen moves along the stroke. The result depends on the path of the pen, so moving back
 /// does not undo the change. The force is SweepSpring around the curve as it is now.
 ///
-/// `hit` is the result of scene.index for the touch. The sample rate has no effect, because the
-/// path of the pen is processed in steps of 1 ms from the touch on.
+/// `hit` is the point of a stroke that scene.index found at the touch. The sample rate has no
+/// effect, because the path of the pen is processed in steps of 1 ms from the touch on.
 std::unique_ptr<PullGesture> make_sweep(const PenSample& touch, const Scene& scene,
                                         const StrokeHit& hit, const SweepOptions& options);
 

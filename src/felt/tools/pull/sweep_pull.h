@@ -10,9 +10,10 @@
 namespace felt {
 
 /// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
-/// moves towards the pen by a fraction of their distance, with the weights of soft_weights(). Each
-/// step starts from the result of the last one, so moving back does not undo the change. Because
-/// the fraction is 1 - exp(-dt/tau), the result hardly depends on the step length.
+/// moves towards the pen by a fraction of its distance to the pen, with the weights of
+/// soft_weights(). Each step starts from the result of the previous step, so moving back does not
+/// undo the change. Because the fraction is 1 - exp(-dt/tau), the result hardly depends on the step
+/// length.
 ///
 /// The search for the nearest point covers only the segment of the previous nearest point and the
 /// neighbours of that segment, so that the point moves along the stroke and does not leap to
@@ -36,8 +37,8 @@ class SweepPull {
   /// Returns the point that follows the pen.
   [[nodiscard]] Point point() const noexcept;
   [[nodiscard]] StrandPlace place() const noexcept { return place_; }
-  /// Returns the point that follows the pen with the normal of the curve, and whether it is an end
-  /// or a corner.
+  /// Returns the point that follows the pen, the normal of the curve there, and whether the point
+  /// is an end or a corner.
   [[nodiscard]] CurveNear near() const noexcept;
   /// Returns how often the nearest point has leapt by more than kLeapMm, which happens on a folded
   /// stroke.

@@ -13,9 +13,9 @@ enum class TouchOffset : std::uint8_t {
   kKept,        ///< the curve keeps its distance from the pen
 };
 
-/// Returns the distance from the touch, in mm, at which the pen must be for the offset to be
-/// completely blended out. It is at least the offset itself, so that the curve never moves more
-/// than 2.5 times as fast as the pen.
+/// Returns the distance in mm that the pen must have from the point of the touch so that the offset
+/// is completely blended out. This distance is at least the length of the offset, so that the curve
+/// never moves more than 2.5 times as fast as the pen.
 inline double blend_length_mm(Vec offset) noexcept {
   constexpr double kShortestMm = 3.0;
   return std::max(kShortestMm, norm(offset));

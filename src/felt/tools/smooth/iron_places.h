@@ -7,13 +7,13 @@
 
 namespace felt {
 
-/// Sample positions ("places") about 0.25 mm apart along the smoothed path of a stroke, evenly
-/// spaced between the kept corners, numbered 0 to count(). On a closed stroke place count() is
-/// place 0, the seam. Points are computed on first use.
+/// Sample positions ("places") along the smoothed path of a stroke, numbered 0 to count(). They are
+/// about 0.25 mm apart and evenly spaced between the kept corners. On a closed stroke, place
+/// count() is the same as place 0, the seam. Points are computed on first use.
 ///
 /// The smoothed path ("way") is the ink with its jitter averaged out. Jittery ink is up to twice as
-/// long as its path. If doses were measured along the arc of the ink, jittery ink would be ironed
-/// only half as much. For smooth ink both lengths are the same.
+/// long as its path. If doses (ironing.h) were measured along the arc of the ink, jittery ink would
+/// be ironed only half as much. For smooth ink both lengths are the same.
 class IronPlaces {
  public:
   static constexpr double kSpacingMm = 0.25;
@@ -30,8 +30,8 @@ class IronPlaces {
   static constexpr double kShakeHeightMm = 2.0;
   /// Length of ink over which the smoothed path is averaged.
   static constexpr double kGuideMm = 3.0;
-  /// Upper limit of the ratio of ink length to path length. A greater ratio comes from small loops,
-  /// which are not jitter.
+  /// Maximum ratio of ink length to path length; greater ratios are reduced to this value. They
+  /// come from small loops, which are not jitter.
   static constexpr double kMaxInflation = 2.5;
 
   /// `stroke` and `map` must outlive this object. If `keep_corners` is false, no corner is kept.

@@ -14,12 +14,12 @@ namespace felt {
 ///
 ///   mu = mu0 + min(kMaxN/Fn, kMaxFactor rho/(rho + kHalfMm))
 ///
-/// with mu0 the friction coefficient of the surface and rho the roughness, mm.
+/// with mu the friction coefficient, mu0 that of the surface alone, Fn the force of the plane in
+/// this tick, and rho the roughness, mm.
 ///
 /// The roughness is rendered as friction instead of as a texture, because friction only dissipates
 /// energy, is silent at rest, and uses the spring that the friction of the surface already has.
-/// RoughFeel must come between Texture and Friction in the chain. Fn is the force of the plane in
-/// this tick.
+/// RoughFeel must come between Texture and Friction in the chain.
 class RoughFeel {
  public:
   static constexpr double kMaxN = 0.4;  ///< maximum additional friction, N

@@ -13,7 +13,7 @@
 namespace felt {
 
 /// Irons the jitter out of a line under the pen without shrinking it (smooth.md). The more the user
-/// rubs, the more it irons. A gesture acts on the first line that the pen comes within 8 mm of.
+/// rubs, the more it irons. A gesture acts on the first line that is within 8 mm of the pen.
 class SmoothTool final : public GestureTool {
  public:
   static constexpr double kLongestStepS = 0.050;

@@ -26,7 +26,8 @@ struct MovedLine {
 };
 
 /// Returns the lines that move if `selected` moves (R33, R34): first `selected`, then the editable
-/// strokes that share a point with ink that moves:
+/// strokes that share a point with moving ink, as follows (a point is mapped if the transform
+/// itself moves it):
 ///   - an end on a point that is mapped is marked; an end on a part that bends gets a leader;
 ///   - a stroke on which a mapped end lies gets a joint there, which is marked;
 ///   - strokes that share a point with these follow in the same manner, recursively.

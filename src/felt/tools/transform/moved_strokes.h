@@ -33,13 +33,14 @@ class MovedStrokes {
   MovedStrokes() = default;
   /// Prepares the strokes, except those on hidden or locked layers. If `duplicates` is true, the
   /// strokes stay, and copies are mapped instead; they are added on top of the layers. If a stroke
-  /// is selected only in part, each run of selected segments is copied as a separate line.
+  /// is selected only in part, each unbroken sequence of selected segments is copied as a separate
+  /// line.
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
   /// point: an end moves with the point, and a line on which an end lies gets a joint at that
   /// point. The remaining parts of these strokes resist like the unselected part of a partly
-  /// selected line. Strokes on locked layers stay. The end of a line that lies on such a stroke
-  /// stays too, unless this line is selected as a whole.
+  /// selected line. Strokes on locked layers stay. If an end of a moving line lies on such a
+  /// stroke, this end stays too, unless the line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
                bool duplicates);
 
@@ -51,9 +52,10 @@ class MovedStrokes {
   /// Returns a selection of all copies as whole strokes, or nullopt if `duplicates` was false.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
-  /// Continues the preview in progress, or starts a preview of this map. Returns the preview if it
-  /// is now complete. The preview may be that of an earlier map, because it can take several
-  /// samples. Returns nullopt if the preview is not complete or a stroke cannot be mapped.
+  /// Continues the preview in progress, or starts a preview of this map if none is in progress.
+  /// Returns the preview if it is now complete. It may be the preview of an earlier map, because
+  /// making a preview can take several samples. Returns nullopt if the preview is not complete or a
+  /// stroke cannot be mapped.
   std::optional<Edit> step(const Affine& map, double width_factor);
   /// Returns the whole edit. If a stroke cannot be mapped, returns the edit of the last preview
   /// instead, or an empty one.

@@ -32,9 +32,9 @@ class TransformDrag {
   TransformDrag(TransformKind kind, Point centre, Point grab,
                 double min_scale = kMinScale) noexcept;
 
-  /// Updates the map. If constrained, kMove moves along one axis and kRotate turns in steps of
-  /// kTurnStepRad. kScale then stretches both axes independently, and kStretch only the axis along
-  /// which the grab is farther from the centre.
+  /// Updates the map. If `constrained` is true, kMove moves along one axis, kRotate turns in steps
+  /// of kTurnStepRad, kScale stretches both axes independently, and kStretch stretches only the
+  /// axis along which the grab is farther from the centre.
   void update(Point pen, bool constrained) noexcept;
 
   [[nodiscard]] const Affine& map() const noexcept { return map_; }
@@ -75,7 +75,7 @@ class TransformDrag {
 /// stretched.
 inline constexpr double kNoAxisMm = 0.5;
 
-/// Return true if a stretch of this kind that is grabbed at `grab` acts along x or y.
+/// Return true if a stretch of this kind, grabbed at `grab`, acts along x or along y, respectively.
 bool stretches_x(TransformKind kind, Point centre, Point grab) noexcept;
 bool stretches_y(TransformKind kind, Point centre, Point grab) noexcept;
 

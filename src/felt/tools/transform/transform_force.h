@@ -17,9 +17,10 @@ namespace felt {
 
 /// The tether of a stretch: a scale tether for each axis, with the pen projected onto the axis. For
 /// x, the sum S of tether.h is sum |x_i - c| |ln s_x|, with x_i the anchors, c the centre and s_x
-/// the factor; for y accordingly. If both axes act, each has 1/sqrt 2 of the force, so that
-/// together they stay within 1 N and the stiffness limit Kcap (tether.h). If the pen has crossed
-/// the centre along an axis, that axis exerts no force, because its factor is constant.
+/// the factor; for y, the sum is defined in the same way. If both axes act, each has 1/sqrt 2 of
+/// the force, so that together they stay within 1 N and the stiffness limit Kcap (tether.h). If the
+/// pen has crossed the centre along an axis, that axis exerts no force, because its factor is
+/// constant there.
 class StretchTether {
  public:
   StretchTether() noexcept = default;

@@ -13,13 +13,13 @@ struct ProfileKnot {
   bool stays = false;  ///< must be a knot of the result
 };
 
-/// Returns the profile with as few of the given knots as a greedy search finds. No omitted knot
-/// differs from the result by more than tolerance_mm in width or kFollowedTone in tone. From each
-/// knot that is kept, the search goes on to the farthest knot such that a straight line to it
-/// passes all knots in between within the tolerance. For this it keeps the interval of slopes that
-/// pass the knots so far (as in WidthFitter); the slope to the next knot must lie in that interval.
-/// The first and the last knot stay. Requires strictly increasing u. Takes linear time, because the
-/// number of knots in between is bounded.
+/// Returns a profile that keeps some of the given knots, as few as a greedy search finds. No
+/// omitted knot differs from the result by more than tolerance_mm in width or kFollowedTone in
+/// tone. From each knot that is kept, the search goes on to the farthest knot such that a straight
+/// line to it passes all knots in between within the tolerance. For this, the search stores the
+/// interval of the slopes that pass all knots so far within the tolerance (as in WidthFitter); the
+/// slope to the next knot must lie in that interval. The first and the last knot stay. Requires
+/// strictly increasing u. Takes linear time, because the number of knots in between is bounded.
 std::vector<WidthKnot> thinned(std::span<const ProfileKnot> knots, double tolerance_mm);
 
 /// Returns the profile scaled by a factor, clamped to kMinWidthMm..max_width_mm; tones do not

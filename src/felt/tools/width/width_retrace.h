@@ -11,11 +11,12 @@ namespace felt {
 /// (docs/design/editing.md#retrace). The result is a pure function of the stroke at the touch and
 /// the pen's path.
 ///
-/// Between the first and the last point that the pen reached, each place has the width that was
-/// drawn there last; the width is linear between places, which are 0.25 mm apart. Over 2 mm at both
-/// ends of that part the width blends smoothly into the old width, except at an end of the stroke.
-/// Within 1 mm of the pen the width is the mean over 2 mm, because there newer widths meet older
-/// ones of the same gesture. Elsewhere the profile stays bit for bit.
+/// The width is sampled at places that are 0.25 mm apart, and is linear between them. In the part
+/// between the first and the last point that the pen reached, each place has the width that was
+/// drawn there last. Over 2 mm at both ends of that part, the width blends smoothly into the old
+/// width, except at an end of the stroke. Within 1 mm of the pen the width is the mean over 2 mm,
+/// because there newer widths meet older ones of the same gesture. Elsewhere the profile stays bit
+/// for bit.
 class WidthRetrace {
  public:
   static constexpr double kSpacingMm = 0.25;

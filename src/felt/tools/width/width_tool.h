@@ -19,8 +19,8 @@ namespace felt {
 /// docs/design/editing.md#width-brush, R46; width.md): with a brush, by drawing along a line again,
 /// or for whole lines.
 ///
-/// A gesture acts on the first line that the pen comes within 8 mm of. In the mode `scale`, if that
-/// line is selected, it acts on all selected lines.
+/// A gesture acts on the first line that is within 8 mm of the pen. In the mode `scale`, if that
+/// line is selected, the gesture acts on all selected lines.
 class WidthTool final : public GestureTool {
  public:
   /// Length of an upward drag that doubles the width.
@@ -29,9 +29,9 @@ class WidthTool final : public GestureTool {
   static constexpr double kLongestStepS = 0.050;
   /// The user feels the stop if the width is within this distance of a limit.
   static constexpr double kStopMm = 1.0;
-  /// Minimum time between previews. The time is also at least kPreviewNsPerPoint per control point.
-  /// More previews would not be visible, and a long line should not be copied a thousand times a
-  /// second.
+  /// Minimum time between two previews. This time is also at least kPreviewNsPerPoint per control
+  /// point. More previews would not be visible, and a long line should not be copied a thousand
+  /// times a second.
   static constexpr std::int64_t kPreviewNs = 4'000'000;
   static constexpr std::int64_t kPreviewNsPerPoint = 2'000;
 

@@ -26,7 +26,7 @@ std::vector<Gesture> exercise_page();
 /// loops and spirals, in all sizes, speeds and pressures.
 std::vector<Gesture> random_gestures(std::uint64_t seed, std::size_t count);
 
-/// These return single exercises of one stroke.
+/// Each of the following functions returns an exercise of one stroke.
 Gesture straight_line(Point from, Point to);
 Gesture zigzag(Point at, Vec step, int corners);
 Gesture loops(Point at, double radius_mm, double advance_mm, int turns);

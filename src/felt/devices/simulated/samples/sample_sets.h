@@ -19,8 +19,8 @@ struct SampleSet {
   std::vector<RecordedStroke> strokes;
 };
 
-/// Draws the project's sample strokes with the simulated hand, and returns them: cat.ndjson,
-/// handwriting.ndjson, page.ndjson.
+/// Draws the project's sample strokes with the simulated hand, and returns the sets cat.ndjson,
+/// handwriting.ndjson and page.ndjson.
 std::vector<SampleSet> make_sample_sets();
 
 /// Returns the set as raw stroke lines, {"id":..,"points":[[x,y,pressure,t_ms],..]}. Positions are
