@@ -18,6 +18,6 @@ struct GivenOutput {
 /// Prints a notice if an output file has further hard links, because those links will still refer
 /// to the old file. Call it before opening any file.
 void check_no_overwrite(const std::vector<std::string>& inputs,
-                       const std::vector<GivenOutput>& outputs, Console& console);
+                        const std::vector<GivenOutput>& outputs, Console& console);
 
 }  // namespace felt::cli
