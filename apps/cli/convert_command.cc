@@ -5,8 +5,8 @@
 #include "drawing_output.h"
 #include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
-#include "overwrite_check.h"
 #include "input.h"
+#include "overwrite_check.h"
 #include "sketch_input.h"
 
 namespace felt::cli {
@@ -77,8 +77,9 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
   }
   if (strokes == 0) return;
   console.notice(output + ": " + std::to_string(strokes) + " strokes of hidden layers " +
-                 (format == Format::kXopp ? "show, because .xopp has no hidden layers"
-                                          : "were left out; --layers all includes them"));
+                 (format == Format::kXopp
+                      ? "are visible in the output, because .xopp does not support hidden layers"
+                      : "were left out; --layers all includes them"));
 }
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,

@@ -118,9 +118,11 @@ done
 run 0 "$feltline" replay in.ndjson -o faint.felt --medium faint
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render faint.felt -o there.png --dpi 50 --page A4 --surface canvas
 same there.png faint.png
-run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --paper white --medium faint \
-  --surface canvas
-same played.png faint.png
+# In replay, --surface is drawn on, and its grain and colour show in the picture.
+run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --medium faint --surface canvas
+run 0 "$feltline" replay in.ndjson -o played.felt --medium faint --surface canvas
+run 0 "$feltline" render played.felt -o again.png --dpi 50 --page A4 --grain
+same played.png again.png
 # If the values in the drawing and in the folder differ, those in the drawing are used.
 run 0 "$feltline" replay in.ndjson -o own_text.felt --medium faint --surface my-paper
 run 0 "$feltline" render own_text.felt -o before.png --dpi 50 --grain
