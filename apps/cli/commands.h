@@ -26,8 +26,9 @@ void add_doctor_command(CLI::App& app, Console& console);
 void add_device_test_command(CLI::App& app, Console& console);
 void add_record_command(CLI::App& app, Console& console);
 
-/// Thrown if the command line is invalid: the message is shown and the exit code is 2. A damaged
-/// input file is a different error; its exit code is 1.
+/// Thrown if the command line is invalid: the message is shown and the exit code is 2. A UsageError
+/// made from an Error with kInvalidData, for example because an option names a damaged picture, has
+/// the exit code 1; so have all errors that are not usage errors.
 class UsageError : public CLI::Error {
  public:
   explicit UsageError(const std::string& message) : CLI::Error("UsageError", message, 2) {}

@@ -41,8 +41,10 @@ class InkWorker {
   InkWorker& operator=(const InkWorker&) = delete;
 
   /// These functions post an order and return its number: open a document, apply an edit, show or
-  /// hide a preview, set the view (`over` is a plane with only the layers above a given layer; see
-  /// InkTileStore::look), and drop the tiles of a plane.
+  /// hide a preview, set the view, and drop the tiles of a plane. A plane is the picture of the
+  /// drawing at one scale and angle (PlaneSpec). In look(), `over` is a second plane of the same
+  /// view, which shows only the layers above PlaneSpec::above; its tiles are made after those of
+  /// `plane`.
   std::uint64_t open(Document document);
   std::uint64_t apply(Edit edit);
   std::uint64_t show(std::optional<Edit> preview);

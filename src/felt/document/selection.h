@@ -20,7 +20,8 @@ namespace felt {
 ///
 /// The marks of a stroke are one byte for each of StrokeData::points: 1 if the point is selected,
 /// otherwise 0. The first and the last point of a closed stroke are the same point and have the
-/// same mark. point_marks.h completes marks so that smooth joints stay smooth. A stroke without a
+/// same mark. close_marks() (point_marks.h) also marks the points that must move together with the
+/// selected ones, so that smooth joints stay smooth when the selection is moved. A stroke without a
 /// selected point is not in the selection.
 class Selection {
  public:

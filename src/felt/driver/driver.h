@@ -97,8 +97,9 @@ enum class Homing : std::uint8_t {
 
 struct OpenOptions {
   /// For a device that moves only in the plane and cannot sense contact: if true, the pen is down
-  /// from the start; if false, it is up until DriverDevice::set_pen_down() is called, which happens
-  /// while the user holds a key.
+  /// from the start. If false, it is up at the start; the program calls
+  /// DriverDevice::set_pen_down(true) when the user presses a key, and set_pen_down(false) when the
+  /// user releases it.
   bool pen_begins_down = true;
 };
 

@@ -86,8 +86,9 @@ class EvdevPort {
 /// error. The message contains the path and the text of errno.
 Result<std::unique_ptr<EvdevPort>> open_evdev(const std::string& path);
 
-/// Returns an effect as the bytes of the kernel's struct ff_effect. The values of FF_HAPTIC are at
-/// their positions even if the installed headers do not define FF_HAPTIC.
+/// Returns an effect as the bytes of the kernel's struct ff_effect. For a haptic effect
+/// (FF_HAPTIC), hid_usage and intensity_percent are stored at the offsets that the kernel uses
+/// (since Linux 6.18), even if the installed headers are older and do not declare them.
 inline constexpr std::size_t kEvdevEffectBytes = 48;
 std::array<std::byte, kEvdevEffectBytes> packed(const EvdevEffect& effect) noexcept;
 

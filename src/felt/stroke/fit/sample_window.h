@@ -32,12 +32,13 @@ class SampleWindow {
   /// Marks the newest sample as held, so that thin() never leaves it out.
   void hold_newest() noexcept { is_held_[size_ - 1] = 1; }
   /// Leaves samples out, so that at least about a quarter of a full window becomes free. Of four
-  /// neighbours that together represent a small part of all samples, only two stay: the one with
-  /// the smallest value in `left` and the one with the largest value in `right`. Each of the two
-  /// then represents half of the samples that the four represented. The first, the last and all
-  /// held samples always stay. The samples that stay move to the front of the window, and their
-  /// values in `parameters` move with them. Each of the three arrays must have one value for each
-  /// sample.
+  /// neighbours that together represent a small part of all samples, only the two stay that lie
+  /// farthest to either side of the curve: the one with the smallest value in `left` (signed
+  /// distance from the curve minus the slack of the sample) and the one with the largest value in
+  /// `right` (the distance plus the slack). Each of the two then represents half of the samples
+  /// that the four represented. The first, the last and all held samples always stay. The samples
+  /// that stay move to the front of the window, and their values in `parameters` move with them.
+  /// Each of the three arrays must have one value for each sample.
   void thin(const double* left, const double* right, double* parameters) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }

@@ -12,8 +12,8 @@ namespace felt {
 
 class GuideCurve;
 
-/// Minimum length of the segments that the fitters make: the minimum of I5 and a margin for
-/// rounding.
+/// Minimum length of the segments that the fitters make: kMinSegmentMm (invariant I5 of
+/// docs/design/strokes.md), plus a small margin for rounding.
 inline constexpr double kShortestSegmentMm = 1.001 * kMinSegmentMm;
 
 /// The properties that are already fixed at the start of a segment.

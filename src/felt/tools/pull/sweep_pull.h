@@ -10,10 +10,10 @@
 namespace felt {
 
 /// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
-/// moves towards the pen by a fraction of its distance to the pen, with the weights of
-/// soft_weights(). Each step starts from the result of the previous step, so moving back does not
-/// undo the change. Because the fraction is 1 - exp(-dt/tau), the result hardly depends on the step
-/// length.
+/// moves towards the pen by a fraction of its distance to the pen. soft_weights() determines how
+/// far each control point moves so that the nearest point does. Each step starts from the result of
+/// the previous step, so moving back does not undo the change. Because the fraction is 1 -
+/// exp(-dt/tau), the result hardly depends on the step length.
 ///
 /// The search for the nearest point covers only the segment of the previous nearest point and the
 /// neighbours of that segment, so that the point moves along the stroke and does not leap to
