@@ -124,7 +124,7 @@ Result<ReplayStats> draw(const Options& options, const std::string& material, bo
 
 std::vector<std::string> cells_of(const Row& row) {
   const ReplayStats& s = row.stats;
-  return {row.medium,
+  return {row.material,
           row.forces ? "on" : "off",
           std::to_string(s.strokes_meant),
           std::to_string(s.strokes),

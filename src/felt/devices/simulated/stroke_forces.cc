@@ -116,9 +116,9 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
 }
 
 double force_above_30_hz_n(std::span<const Force> forces, double period_s) {
-  constexpr double kFromHz = 30.0, kSettleS = 0.1;
+  constexpr double kFromHz = 30.0, kFilterSettleS = 0.1;
   HighPass x(kFromHz, period_s), y(kFromHz, period_s), z(kFromHz, period_s);
-  const auto first = static_cast<std::size_t>(kSettleS / period_s);
+  const auto first = static_cast<std::size_t>(kFilterSettleS / period_s);
   double sum = 0.0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const Vec3 high{x(forces[i].x - forces[0].x), y(forces[i].y - forces[0].y),
