@@ -49,7 +49,8 @@ std::vector<std::string> driver_names() {
 DoctorReport examine(const DoctorArguments& args) {
   DoctorReport report;
   report.is_named = !args.drivers.empty();
-  report.drivers = query_drivers(wanted_drivers(args.drivers), this_system(), DriverQuery::kFindings);
+  report.drivers =
+      query_drivers(wanted_drivers(args.drivers), this_system(), DriverQuery::kFindings);
   if (!report.is_named) report.machine = diagnose_machine(this_system());
   return report;
 }

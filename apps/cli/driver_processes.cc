@@ -156,7 +156,7 @@ Finding trouble(const std::string& what, const Looker& looker) {
 }
 
 DriverReport result_of(const Driver& driver, const Looker& looker,
-                     std::chrono::milliseconds largest) {
+                       std::chrono::milliseconds largest) {
   DriverReport look{std::string(driver.name()), std::string(driver.label()), {}, {}};
   if (!looker.has_ended) {
     look.findings = {trouble("The software for these devices does not answer (for " +

@@ -48,7 +48,8 @@ TEST(DriverLookTest, WhatADriverSaysComesBackAsItIs) {
                     {"a", "b\nc"},
                     SystemFix{"/etc/x", "y", "z"}},
                    {FindingLevel::kOk, "fine"}};
-  const std::vector<DriverReport> looks = query_drivers(drivers, FakeSystem(), DriverQuery::kFindings);
+  const std::vector<DriverReport> looks =
+      query_drivers(drivers, FakeSystem(), DriverQuery::kFindings);
   ASSERT_THAT(looks, SizeIs(1));
   EXPECT_EQ(looks[0].name, "good");
   EXPECT_EQ(looks[0].label, "Maker of good");
@@ -83,7 +84,8 @@ TEST(DriverLookTest, LibrariesAtTheirWorstSpoilNothingElse) {
     add(drivers, "bad", manner).devices = {some_device()};
   }
   add(drivers, "good").devices = {some_device()};
-  const std::vector<DriverReport> looks = query_drivers(drivers, FakeSystem(), DriverQuery::kDevices);
+  const std::vector<DriverReport> looks =
+      query_drivers(drivers, FakeSystem(), DriverQuery::kDevices);
   ASSERT_THAT(looks, SizeIs(5));
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_THAT(looks[i].devices, IsEmpty()) << i;

@@ -11,8 +11,8 @@
 #include "felt/tools/medium_line.h"
 #include "fit_source.h"
 #include "fit_worker.h"
-#include "overwrite_check.h"
 #include "ordered_pipeline.h"
+#include "overwrite_check.h"
 #include "print.h"
 
 namespace felt::cli {

@@ -27,7 +27,7 @@ void note_hard_links(const std::string& path, Console& console) {
 }  // namespace
 
 void check_no_overwrite(const std::vector<std::string>& inputs,
-                       const std::vector<GivenOutput>& outputs, Console& console) {
+                        const std::vector<GivenOutput>& outputs, Console& console) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto& [option, path] = outputs[i];
     if (path.empty()) continue;

@@ -16,9 +16,9 @@
 #include "felt/session/recorder.h"
 #include "felt/tools/tool.h"
 #include "forces_file.h"
-#include "overwrite_check.h"
 #include "interrupt.h"
 #include "known_materials.h"
+#include "overwrite_check.h"
 #include "print.h"
 
 namespace felt::cli {
@@ -201,8 +201,8 @@ RecordOptions record_options(const RecordArguments& args, const Rect& page, Cons
 }
 
 void run_record(const RecordArguments& args, Console& console) {
-  check_no_overwrite({}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}},
-                    console);
+  check_no_overwrite(
+      {}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}}, console);
   const Result<std::optional<Rect>> page = parse_page(args.page);
   if (!page || !*page) throw UsageError("--page: '" + args.page + "' is not a page size");
   const std::vector<std::unique_ptr<Driver>> drivers = make_drivers();

@@ -19,10 +19,10 @@
 #include "felt/stroke/color_text.h"
 #include "force_plot.h"
 #include "forces_file.h"
-#include "overwrite_check.h"
 #include "input.h"
 #include "known_materials.h"
 #include "overlay_picture.h"
+#include "overwrite_check.h"
 #include "picture.h"
 #include "print.h"
 #include "replay_arguments.h"
@@ -144,11 +144,11 @@ void check_files(const ReplayCommandArguments& args, Console& console) {
   std::vector<std::string> inputs = args.scripts;
   if (!args.on.empty()) inputs.push_back(args.on);
   check_no_overwrite(inputs,
-                    {{"-o", args.output},
-                     {"--forces", args.forces},
-                     {"--plot", args.plot},
-                     {"--sound", args.sound}},
-                    console);
+                     {{"-o", args.output},
+                      {"--forces", args.forces},
+                      {"--plot", args.plot},
+                      {"--sound", args.sound}},
+                     console);
 }
 
 void check_outputs(const ReplayCommandArguments& args) {

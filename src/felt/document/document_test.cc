@@ -77,7 +77,8 @@ TEST(Document, RefusesWhatDoesNotFitAndSaysWhy) {
               HasSubstr("is not at index 0"));
   EXPECT_THAT(error_of(d, {"", {{{2}, d.find({2}), nullptr, {{8}, 1}, {}}}}),
               HasSubstr("of layer 8"));
-  EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{2}, 0}}}}), HasSubstr("layer 2 does not exist"));
+  EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{2}, 0}}}}),
+              HasSubstr("layer 2 does not exist"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 4}}}}), HasSubstr("beyond the end"));
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 3}}, {{8}, nullptr, s, {}, {{1}, 3}}}}),
               HasSubstr("used twice"));

@@ -208,10 +208,12 @@ TEST(MaterialFile, IsBoundedInLengthAndDepth) {
   std::string deep;
   for (int i = 0; i < 240; ++i) deep += "a.";
   EXPECT_THAT(error_of(surface_with(deep + "a = 1")), HasSubstr("nested too deeply"));
-  EXPECT_THAT(error_of(surface_with("[" + deep + "a]\n" + deep + "b = 1")), HasSubstr("nested too deeply"));
+  EXPECT_THAT(error_of(surface_with("[" + deep + "a]\n" + deep + "b = 1")),
+              HasSubstr("nested too deeply"));
   EXPECT_THAT(error_of(surface_with("a = " + std::string(200, '[') + std::string(200, ']'))),
               StartsWith("my-paper.toml:3: "));
-  EXPECT_THAT(error_of(surface_with("a = {b = {c = {d = {e = 1}}}}")), HasSubstr("nested too deeply"));
+  EXPECT_THAT(error_of(surface_with("a = {b = {c = {d = {e = 1}}}}")),
+              HasSubstr("nested too deeply"));
 }
 
 TEST(MaterialFile, TakesNoNumberThatIsNone) {

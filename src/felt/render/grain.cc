@@ -134,7 +134,8 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view medium, double px_pe
   const auto crumb = weights.crumb > 0.0 ? dust_texture().level(px_per_mm * crumb_mm) : nullptr;
   const std::lock_guard lock(state_->mutex);
   for (const State::Made& m : state_->made) {
-    if (m.medium == medium_index && m.surface == surface.get() && m.crumb == crumb.get()) return m.look;
+    if (m.medium == medium_index && m.surface == surface.get() && m.crumb == crumb.get())
+      return m.look;
   }
   const auto made = std::make_shared<InkLook>(
       of.look, of.wear,

@@ -192,7 +192,8 @@ TEST(FeltSalvage, SaysWhatIsMissing) {
   EXPECT_THAT(all_problems, HasSubstr("The page size"));
   EXPECT_THAT(all_problems, HasSubstr("3 layers lost their names"));
   EXPECT_THAT(all_problems, HasSubstr("of the layer “Birds” could not be read"));
-  EXPECT_THAT(salvage_felt_bytes("").error().message, HasSubstr("is empty; it does not contain any part of a drawing"));
+  EXPECT_THAT(salvage_felt_bytes("").error().message,
+              HasSubstr("is empty; it does not contain any part of a drawing"));
   EXPECT_THAT(salvage_felt_bytes(std::string(10'000, 'x')).error().message,
               HasSubstr("any part of a drawing"));
   EXPECT_THAT(salvage_felt("/none/x.felt").error().message, HasSubstr("/none/x.felt"));

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "felt/devices/simulated/aim_track.h"
-#include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/gliding_aim.h"
+#include "felt/devices/simulated/held_body.h"
 #include "felt/geometry/tilt.h"
 #include "felt/rt/spsc_ring.h"
 

@@ -10,8 +10,8 @@
 
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/aim_track.h"
-#include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/gliding_aim.h"
+#include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/random.h"
 
 namespace felt::simulated_stylus_test {
