@@ -14,13 +14,12 @@ set(felt_qt_headers <QAction> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QL
   <QTimer> <QToolButton> <QVariant> <QVBoxLayout> <QWidget>)
 
 # Options for test code, which need not be fast. Not -O0, because the linker may use the inline functions of
-# the library from an object of the test, and at -O0 they would make the whole program slow. With sanitizers,
-# -O0 halves the time to compile, which matters more there. Sanitizer builds keep debug information, because
-# sanitizers report line numbers.
-if(FELT_SANITIZE)
-  set(felt_quick_test_options -O0)
-else()
-  set(felt_quick_test_options -O1 -g0)
+# the library from an object of the test, and at -O0 they would make the whole program slow: with sanitizers,
+# single test programs took minutes. Sanitizer builds keep debug information, because sanitizers report line
+# numbers.
+set(felt_quick_test_options -O1)
+if(NOT FELT_SANITIZE)
+  list(APPEND felt_quick_test_options -g0)
 endif()
 
 function(felt_unity target sources)
