@@ -30,8 +30,8 @@ tl::unexpected<Error> no_layer(std::string_view text, std::span<const Layer> lay
     there += (i > 0 ? ", " : "") + std::to_string(i + 1) + " '" + layers[i].name + "'";
   }
   if (layers.size() > kMaxNamed) there += ", ...";
-  return fail(ErrorCode::kNotFound,
-              "--layers: there is no layer '" + std::string(text) + "'; the layers are " + there);
+  return fail(ErrorCode::kNotFound, "--layers: layer '" + std::string(text) +
+                                        "' does not exist; the layers are " + there);
 }
 
 /// Returns for each layer whether it is kept.

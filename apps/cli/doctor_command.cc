@@ -88,7 +88,7 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
   std::fflush(stdout);
   if (!args.yes && !somebody_is_there()) {
     return console.error(
-        "nothing was written, because there is no terminal to ask for consent; use --yes to agree");
+        "nothing was written, because consent can be asked only in a terminal; use --yes to agree");
   }
   const bool agreed = args.yes || ask("Write this?");
   std::vector<PlannedFix> written;

@@ -156,11 +156,11 @@ Finding trouble(const std::string& what, const Looker& looker) {
 }
 
 DriverReport result_of(const Driver& driver, const Looker& looker,
-                       std::chrono::milliseconds largest) {
+                       std::chrono::milliseconds time_limit) {
   DriverReport look{std::string(driver.name()), std::string(driver.label()), {}, {}};
   if (!looker.has_ended) {
     look.findings = {trouble("The software for these devices does not answer (for " +
-                                 std::to_string(largest.count() / 1000) + " s).",
+                                 std::to_string(time_limit.count() / 1000) + " s).",
                              looker)};
     return look;
   }
@@ -201,16 +201,16 @@ void wait_for(std::vector<Looker>& lookers, Clock::time_point until) {
 
 std::vector<DriverReport> query_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, DriverQuery what,
-                                        std::chrono::milliseconds largest) {
+                                        std::chrono::milliseconds time_limit) {
   std::vector<Looker> lookers(drivers.size());
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     lookers[i].pid = fork();
     if (lookers[i].pid == 0) be_child(*drivers[i], system, what, lookers[i]);
   }
-  wait_for(lookers, Clock::now() + largest);
+  wait_for(lookers, Clock::now() + time_limit);
   std::vector<DriverReport> looks;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    looks.push_back(result_of(*drivers[i], lookers[i], largest));
+    looks.push_back(result_of(*drivers[i], lookers[i], time_limit));
   }
   return looks;
 }

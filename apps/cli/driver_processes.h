@@ -30,6 +30,6 @@ inline constexpr std::chrono::milliseconds kDriverTime{15'000};
 /// the last text that the process wrote to stderr. Requires that no other thread runs.
 std::vector<DriverReport> query_drivers(const std::vector<std::unique_ptr<Driver>>& drivers,
                                         const SystemView& system, DriverQuery what,
-                                        std::chrono::milliseconds largest = kDriverTime);
+                                        std::chrono::milliseconds time_limit = kDriverTime);
 
 }  // namespace felt::cli

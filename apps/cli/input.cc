@@ -112,11 +112,12 @@ ReadBytes Input::reader() const {
   };
 }
 
-Result<std::string> Input::read_all(std::size_t largest) const {
-  const auto too_large = [largest] {
-    return fail(ErrorCode::kLimitExceeded, "is larger than " + std::to_string(largest) + " bytes");
+Result<std::string> Input::read_all(std::size_t max_bytes) const {
+  const auto too_large = [max_bytes] {
+    return fail(ErrorCode::kLimitExceeded,
+                "is larger than " + std::to_string(max_bytes) + " bytes");
   };
-  if (static_cast<std::uint64_t>(size_bytes_) > largest) return too_large();
+  if (static_cast<std::uint64_t>(size_bytes_) > max_bytes) return too_large();
   std::string bytes = head_;
   // Reserves one block more than the size of the file. Otherwise the last read, which finds the end
   // of the file, would double the memory.
@@ -124,7 +125,7 @@ Result<std::string> Input::read_all(std::size_t largest) const {
   const ReadBytes read = read_descriptor(fd_);
   for (std::size_t more = head_.size(); more > 0;) {
     const std::size_t have = bytes.size();
-    if (have > largest) return too_large();
+    if (have > max_bytes) return too_large();
     bytes.resize(have + kBlockBytes);
     const Result<std::size_t> got = read({bytes.data() + have, kBlockBytes});
     if (!got) return tl::unexpected(got.error());

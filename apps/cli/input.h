@@ -44,7 +44,7 @@ class Input {
  private:
   Input(std::string name, int fd) noexcept : name_(std::move(name)), fd_(fd) {}
   static Result<Input> begin(const std::string& path, int fd, bool regular_only);
-  [[nodiscard]] Result<std::string> read_all(std::size_t largest) const;
+  [[nodiscard]] Result<std::string> read_all(std::size_t max_bytes) const;
   Result<void> read_head();
   Result<void> find_kind(const std::string& path);
 

@@ -43,6 +43,7 @@ struct ReplayCommandArguments {
   ReplayArguments pen;
   std::uint64_t seed = 0;
   std::string former_surface;  ///< the surface by a former flag, which did not change the picture
+  std::string file_surface;    ///< id of the surface in the .toml file that --surface names
   std::string medium;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
@@ -166,13 +167,21 @@ void check_outputs(const ReplayCommandArguments& args) {
   }
 }
 
-/// Returns the id of the surface to draw on, or "" without one. A file with a relief applies only
-/// to the picture.
+/// Returns the id of the surface to draw on, or "" without one. A .png is only the relief of the
+/// picture.
 std::string drawn_surface(const ReplayCommandArguments& args) {
   if (!args.former_surface.empty()) return args.former_surface;
-  const std::string& surface = args.picture.surface;
-  const bool is_file = surface.ends_with(".png") || surface.ends_with(".toml");
-  return is_file ? std::string() : surface;
+  if (!args.file_surface.empty()) return args.file_surface;
+  return args.picture.surface.ends_with(".png") ? std::string() : args.picture.surface;
+}
+
+/// If --surface names a .toml file, adds the surface in that file to `known`.
+void load_surface(ReplayCommandArguments& args, Materials& known) {
+  if (!args.picture.surface.ends_with(".toml")) return;
+  Result<SurfaceMaterial> surface = find_surface(args.picture.surface, known);
+  if (!surface) throw UsageError({surface.error().code, "--surface: " + surface.error().message});
+  args.file_surface = surface->id;
+  known.put(*std::move(surface));
 }
 
 /// Returns the options of pictures. The page has the colour of the selected surface, unless the
@@ -448,15 +457,16 @@ void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
   if (!done) console.error(done.error().message);
 }
 
-void run_replay(const ReplayCommandArguments& args, Console& console) {
+void run_replay(ReplayCommandArguments args, Console& console) {
   check_outputs(args);
   check_files(args, console);
   const auto begin = std::chrono::steady_clock::now();
   Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
-  if (!drawn_surface(args).empty()) start->page.surface.clear();  // another surface is selected
   ReplaySettings settings = args.pen.settings();
   settings.materials = with_texts(start->materials, known_materials(console).materials);
+  load_surface(args, settings.materials);
+  if (!drawn_surface(args).empty()) start->page.surface.clear();  // another surface is selected
   Result<ReplayOutputs> outputs = open_outputs(args, settings, console);
   if (!outputs) return console.error(outputs.error().message);
   ReplayMachine machine(settings, start->document, observer_of(args, *outputs, console));

@@ -75,7 +75,7 @@ lines some.ndjson 2
 run 0 "$feltline" convert layers.felt -o one.ndjson --layers 'Ideas, old'
 lines one.ndjson 1
 run 1 "$feltline" convert layers.felt -o none.ndjson --layers 4
-has err "there is no layer '4'; the layers are 1 'Below', 2 'Ideas, old', 3 'Top'"
+has err "layer '4' does not exist; the layers are 1 'Below', 2 'Ideas, old', 3 'Top'"
 [ ! -e none.ndjson ] || fail "written without a layer"
 run 0 "$feltline" convert layers.felt -o seen.svg --layers visible
 run 0 "$feltline" render seen.svg -o seen.png --dpi 50

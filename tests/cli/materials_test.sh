@@ -166,6 +166,15 @@ run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" convert on.felt -o on.svg
 has on.svg 'felt:surface="my-paper"'
 has on.svg "id = &quot;faint&quot;"
 run 0 "$feltline" replay in.ndjson --surface wood --forces wood.csv --set pencil.snap=off
+# A surface in a file is drawn on, too, and travels with the drawing.
+sed 's/^id = "[^"]*"/id = "of-file"/; s/^friction = [0-9.]*/friction = 1.1/' \
+  "$XDG_DATA_HOME/feltline/materials/my-paper.toml" >of-file.toml
+run 0 "$feltline" replay in.ndjson --surface of-file.toml --forces file.csv -o file.felt --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --surface my-paper --forces library.csv --set pencil.snap=off
+cmp -s file.csv library.csv && fail "the friction of the file has no effect"
+run 0 "$feltline" replay in.ndjson --on file.felt --forces on-file.csv --set pencil.snap=off
+same on-file.csv file.csv
+run 1 "$feltline" replay in.ndjson --surface bad.toml --forces bad.csv
 # The former names of the flag and of the options.
 run 0 "$feltline" replay in.ndjson --sheet wood --forces former.csv --set pencil.snap=off
 same former.csv wood.csv

@@ -42,14 +42,14 @@ void RubbedSamples::take_news() {
   sound_.keep_up(kBehindS);
 }
 
-qint64 RubbedSamples::readData(char* data, qint64 largest) {
+qint64 RubbedSamples::readData(char* data, qint64 max_bytes) {
   constexpr float kFollow = 0.002F;  // time constant 10 ms
   take_news();
   const qint64 size = is_float_ ? sizeof(float) : sizeof(std::int16_t);
   std::array<float, 256> block{};
   qint64 done = 0;
-  while (largest - done >= size) {
-    const auto n = std::min(static_cast<std::size_t>((largest - done) / size), block.size());
+  while (max_bytes - done >= size) {
+    const auto n = std::min(static_cast<std::size_t>((max_bytes - done) / size), block.size());
     sound_.render(std::span(block).first(n));
     const float volume = feed_.volume.load(std::memory_order_relaxed);
     for (std::size_t i = 0; i < n; ++i, done += size) {

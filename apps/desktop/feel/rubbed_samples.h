@@ -54,7 +54,7 @@ class RubbedSamples final : public QIODevice {
   [[nodiscard]] qint64 bytesAvailable() const override;
 
  protected:
-  qint64 readData(char* data, qint64 largest) override;
+  qint64 readData(char* data, qint64 max_bytes) override;
   qint64 writeData(const char* data, qint64 size) override;
 
  private:

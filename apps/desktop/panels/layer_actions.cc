@@ -18,13 +18,13 @@ void add_order(Actions& actions, LayersPanel& panel) {
       .add(QStringLiteral("layer.add"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Add layer")),
            {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Adds a layer above the current one.")),
-           [&panel] { panel.report(Do::kAdd); })
+           [&panel] { panel.apply(Do::kAdd); })
       ->setIcon(icon_of("layer-add"));
   actions
       .add(QStringLiteral("layer.remove"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")), {},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Removes the layer and its lines.")),
-           [&panel] { panel.report(Do::kRemove); })
+           [&panel] { panel.apply(Do::kRemove); })
       ->setIcon(icon_of("layer-remove"));
   actions
       .add(QStringLiteral("layer.rename"),
@@ -38,14 +38,14 @@ void add_order(Actions& actions, LayersPanel& panel) {
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Raise layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Moves the layer up by one.")),
-           [&panel] { panel.report(Do::kRaise); })
+           [&panel] { panel.apply(Do::kRaise); })
       ->setIcon(icon_of("raise"));
   actions
       .add(QStringLiteral("layer.lower"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Lower layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Moves the layer down by one.")),
-           [&panel] { panel.report(Do::kLower); })
+           [&panel] { panel.apply(Do::kLower); })
       ->setIcon(icon_of("lower"));
 }
 

@@ -43,7 +43,7 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
   const auto add = [&](const char* icon, const QString& name, const QString& tip, Do what) {
     QToolButton* made = button(icon, name, tip);
     row->addWidget(made);
-    connect(made, &QToolButton::clicked, this, [this, what] { report(what); });
+    connect(made, &QToolButton::clicked, this, [this, what] { apply(what); });
     return made;
   };
   add("layer-add", tr("Add a layer"), tr("A new layer above this one"), Do::kAdd);
@@ -101,11 +101,11 @@ void LayersPanel::choose(LayerId layer) {
   follow_chosen();
 }
 
-void LayersPanel::report(Do what) {
-  report(what, what == Do::kAdd ? LayerId{} : chosen());
+void LayersPanel::apply(Do what) {
+  apply(what, what == Do::kAdd ? LayerId{} : chosen());
 }
 
-void LayersPanel::report(Do what, LayerId id) {
+void LayersPanel::apply(Do what, LayerId id) {
   const auto count = [this] { return studio_.session().document().layers().size(); };
   const std::size_t before = count();
   if (!studio_.apply(LayerEvent{what, id}) || what == Do::kAdd || count() <= before) return;
@@ -116,12 +116,12 @@ void LayersPanel::report(Do what, LayerId id) {
 
 void LayersPanel::toggle_visible(LayerId id) {
   const Layer* layer = studio_.session().document().layer(id ? id : chosen());
-  if (layer) report(layer->visible ? Do::kHide : Do::kShow, layer->id);
+  if (layer) apply(layer->visible ? Do::kHide : Do::kShow, layer->id);
 }
 
 void LayersPanel::toggle_locked(LayerId id) {
   const Layer* layer = studio_.session().document().layer(id ? id : chosen());
-  if (layer) report(layer->locked ? Do::kUnlock : Do::kLock, layer->id);
+  if (layer) apply(layer->locked ? Do::kUnlock : Do::kLock, layer->id);
 }
 
 void LayersPanel::use_next(bool above) {

@@ -26,7 +26,7 @@ class LayersPanel : public QWidget {
   [[nodiscard]] LayerId chosen() const;
   void choose(LayerId layer);
   /// Applies an event to the highlighted layer.
-  void report(LayerEvent::Do what);
+  void apply(LayerEvent::Do what);
   /// Shows or hides the layer `id`, or the highlighted layer if `id` is empty. toggle_locked()
   /// locks or unlocks it.
   void toggle_visible(LayerId id = {});
@@ -50,7 +50,7 @@ class LayersPanel : public QWidget {
   void follow_chosen();
   void use_chosen();
   void use_clicked();
-  void report(LayerEvent::Do what, LayerId id);
+  void apply(LayerEvent::Do what, LayerId id);
 
   Studio& studio_;
   LayersModel* model_;

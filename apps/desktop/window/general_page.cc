@@ -46,12 +46,12 @@ GeneralPage::GeneralPage(QWidget* parent) : QWidget(parent) {
 }
 
 void GeneralPage::add_sound(QFormLayout& form) {
-  QCheckBox* received =
+  QCheckBox* sound =
       setting_switch(feel_keys::kSound, feel_keys::kSoundDefault, tr("So&und of drawing"),
                      tr("Hear the pen rub on the surface"), this);
   QSlider* volume = setting_slider(feel_keys::kSoundVolume, feel_keys::kSoundVolumeDefault,
                                    tr("Volume of the sound of drawing"), this);
-  received->setEnabled(FrictionSound::is_built_in());
+  sound->setEnabled(FrictionSound::is_built_in());
   volume->setEnabled(FrictionSound::is_built_in());
   QLabel* note = note_with({}, this);
   note->setObjectName(QStringLiteral("sound-note"));
@@ -60,7 +60,7 @@ void GeneralPage::add_sound(QFormLayout& form) {
     note->setVisible(!note->text().isEmpty());
   };
   connect(&SoundState::the(), &SoundState::changed, note, show);
-  form.addRow(tr("Sound:"), received);
+  form.addRow(tr("Sound:"), sound);
   form.addRow(tr("&Volume:"), volume);
   form.addRow(QString(), note);
   show();

@@ -34,7 +34,7 @@ Recorded draw() {
                                  .on_event = [&](const Event& e) { recorder.event(e); },
                                  .on_edit = {}});
   std::int64_t now_ns = 5'000'000;
-  const auto report = [&](auto what) { EXPECT_TRUE(session.apply({now_ns, what})); };
+  const auto apply = [&](auto what) { EXPECT_TRUE(session.apply({now_ns, what})); };
   const auto line = [&](double y) {
     for (int i = 0; i <= 300; ++i) {
       now_ns += i % 50 == 49 ? 1'250'000 : 1'000'000;
@@ -45,12 +45,12 @@ Recorded draw() {
       EXPECT_TRUE(session.sample({now_ns, {x, wave, down ? -0.2 - 0.001 * i : 4.0}, {}, {}, 0}));
     }
   };
-  report(SelectTool{"pencil"});
+  apply(SelectTool{"pencil"});
   line(40.0);
-  report(SetOption{"pencil.snap", std::string("off")});
+  apply(SetOption{"pencil.snap", std::string("off")});
   line(70.0);
-  report(UndoEvent{});
-  report(LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas \"2\"\n"});
+  apply(UndoEvent{});
+  apply(LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas \"2\"\n"});
   line(90.0);
   EXPECT_EQ(session.document().stroke_count(), 2u);
   return {recorder.take(), session.document()};

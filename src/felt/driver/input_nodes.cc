@@ -71,17 +71,17 @@ std::string_view value_of(std::string_view lines, std::string_view key) {
 
 }  // namespace
 
-std::vector<bool> sysfs_bits(std::string_view text, std::size_t largest) {
-  std::vector<bool> bits(largest, false);
+std::vector<bool> sysfs_bits(std::string_view text, std::size_t bit_count) {
+  std::vector<bool> bits(bit_count, false);
   text = unquoted(text);
-  for (std::size_t base = 0; !text.empty() && base < largest; base += kWordBits) {
+  for (std::size_t base = 0; !text.empty() && base < bit_count; base += kWordBits) {
     const std::size_t space = text.rfind(' ');
     const std::string_view last = space == std::string_view::npos ? text : text.substr(space + 1);
     unsigned long value = 0;
     const auto read = std::from_chars(last.data(), last.data() + last.size(), value, 16);
     if (read.ec != std::errc() || read.ptr != last.data() + last.size())
-      return std::vector<bool>(largest, false);
-    for (std::size_t i = 0; i < kWordBits && base + i < largest; ++i)
+      return std::vector<bool>(bit_count, false);
+    for (std::size_t i = 0; i < kWordBits && base + i < bit_count; ++i)
       bits[base + i] = (value >> i & 1) != 0;
     text = space == std::string_view::npos ? std::string_view() : unquoted(text.substr(0, space));
   }

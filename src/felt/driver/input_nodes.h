@@ -39,10 +39,10 @@ struct HidrawNode {
 std::vector<InputNode> input_nodes(const SystemView& system);
 std::vector<HidrawNode> hidraw_nodes(const SystemView& system);
 
-/// Returns the first `largest` bits of a sysfs file whose content is `text`; all bits are false if
-/// the text is invalid. Such a file consists of hexadecimal words, each as large as a C `long`; the
-/// most significant word comes first.
-std::vector<bool> sysfs_bits(std::string_view text, std::size_t largest);
+/// Returns the first `bit_count` bits of a sysfs file whose content is `text`; all bits are false
+/// if the text is invalid. Such a file consists of hexadecimal words, each as large as a C `long`;
+/// the most significant word comes first.
+std::vector<bool> sysfs_bits(std::string_view text, std::size_t bit_count);
 /// Returns vendor and product in the form "046d:c52b", for ids and rules.
 std::string vendor_and_product(std::uint16_t vendor, std::uint16_t product);
 /// Returns at most 80 bytes of a device's name, in which each control character, such as a line

@@ -30,12 +30,12 @@ std::string_view take_line(std::string_view& text) {
 }
 
 /// Removes a whole number up to `most` from the line. Returns nullopt if no number is found.
-std::optional<unsigned> take_number(std::string_view& line, unsigned largest) {
+std::optional<unsigned> take_number(std::string_view& line, unsigned max_value) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpace), line.size()));
   unsigned number = 0;
   const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
   const auto length = static_cast<std::size_t>(end - line.data());
-  if (error != std::errc{} || number > largest) return {};
+  if (error != std::errc{} || number > max_value) return {};
   line.remove_prefix(length);
   if (!line.empty() && kSpace.find(line.front()) == std::string_view::npos) return {};
   return number;

@@ -119,9 +119,9 @@ class Definition {
 
  private:
   template <class Fits>
-  std::string_view take_while(Fits fits, std::size_t largest) noexcept {
+  std::string_view take_while(Fits fits, std::size_t max_count) noexcept {
     const auto* const end = std::find_if_not(left_.begin(), left_.end(), fits);
-    const auto size = std::min(static_cast<std::size_t>(end - left_.begin()), largest);
+    const auto size = std::min(static_cast<std::size_t>(end - left_.begin()), max_count);
     const std::string_view taken = left_.substr(0, size);
     left_.remove_prefix(size);
     return taken;

@@ -138,7 +138,7 @@ std::string compare(const ScenarioResult& plain, const ScenarioResult& driven, d
 
 }  // namespace
 
-HandScript hand_script(const Scenario& scenario, const Capabilities& on_page) {
+HandScript hand_script(const Scenario& scenario, const Capabilities& page_capabilities) {
   HandScript script;
   const bool is_led = !scenario.has_hand();
   for (const Event& event : scenario.events) {
@@ -146,7 +146,7 @@ HandScript hand_script(const Scenario& scenario, const Capabilities& on_page) {
     if (is_led) added.time_ns = kLeadInNs + kSlower * event.time_ns;
     if (const auto* pen = std::get_if<PenEvent>(&event.what)) added.what = by_hand(*pen);
   }
-  fit_into(script, on_page);
+  fit_into(script, page_capabilities);
   if (!is_led) return script;
   const auto first = std::find_if(script.events.begin(), script.events.end(),
                                   [](const Event& event) { return place_of(event) != nullptr; });

@@ -25,7 +25,7 @@ struct HandScript {
   double scale = 1.0;
   Vec shift;  ///< position on the surface = scale * script + shift
 };
-HandScript hand_script(const Scenario& scenario, const Capabilities& on_page);
+HandScript hand_script(const Scenario& scenario, const Capabilities& page_capabilities);
 
 /// Plays the script twice through the driver's real code, which must give the same bytes, and once
 /// on the plain device. Both must give the same strokes within the bench's tolerance, the same undo

@@ -67,13 +67,13 @@ class HdLibrary {
   bool is_taken_ = false;
 };
 
-/// Removes up to `largest` errors from the library's stack, newest first. Calls `each(info)` for
+/// Removes up to `max_count` errors from the library's stack, newest first. Calls `each(info)` for
 /// each removed error and returns their number. May be called on every thread that may call the
 /// library.
 template <class Each>
-std::size_t drain_errors(const HdFunctions& call, std::size_t largest, Each&& each) {
+std::size_t drain_errors(const HdFunctions& call, std::size_t max_count, Each&& each) {
   std::size_t count = 0;
-  for (; count < largest; ++count) {
+  for (; count < max_count; ++count) {
     const hd::ErrorInfo info = call.get_error();
     if (info.code == hd::error::kNone) break;
     each(info);

@@ -83,7 +83,7 @@ class Dasher {
 
 std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
                                                   std::span<const double> pattern, double offset,
-                                                  bool keep_dots, std::size_t largest) {
+                                                  bool keep_dots, std::size_t max_dashes) {
   std::vector<double> lengths;
   double whole = 0.0;
   for (std::size_t i = 0; i < contour.segment_count(); ++i) {
@@ -92,7 +92,7 @@ std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
   }
   const double sum = std::accumulate(pattern.begin(), pattern.end(), 0.0);
   const double count = (whole / sum + 1.0) * (0.5 * static_cast<double>(pattern.size()));
-  if (!(count <= static_cast<double>(largest))) return std::nullopt;
+  if (!(count <= static_cast<double>(max_dashes))) return std::nullopt;
   Dasher dasher(pattern, offset, keep_dots);
   for (std::size_t i = 0; i < lengths.size(); ++i) dasher.along(contour.segment(i), lengths[i]);
   return dasher.take();

@@ -13,9 +13,9 @@ namespace felt {
 /// even number of lengths, alternately of a dash and of a gap. Requires that no length is negative
 /// and that their sum is above 0. The contour begins at `offset` in the pattern. If `keep_dots` is
 /// set, a dash without length becomes a contour of a single point. Returns nullopt if the result
-/// would have more than `largest` dashes.
+/// would have more than `max_dashes` dashes.
 std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
                                                   std::span<const double> pattern, double offset,
-                                                  bool keep_dots, std::size_t largest);
+                                                  bool keep_dots, std::size_t max_dashes);
 
 }  // namespace felt

@@ -34,8 +34,8 @@ int argument_count(char command) noexcept {
 
 class PathParser {
  public:
-  PathParser(std::string_view d, std::size_t max_segments, double largest)
-      : scan_(d, largest), path_(max_segments) {}
+  PathParser(std::string_view d, std::size_t max_segments, double max_number)
+      : scan_(d, max_number), path_(max_segments) {}
 
   SvgPathData parse() {
     SvgPathData data;
@@ -154,10 +154,10 @@ class PathParser {
 
 }  // namespace
 
-SvgPathData parse_svg_path(std::string_view d, std::size_t max_segments, double largest) {
+SvgPathData parse_svg_path(std::string_view d, std::size_t max_segments, double max_number) {
   const std::string_view text = svg_trimmed(d);
   if (text.empty() || svg_same_word(text, "none")) return {};
-  return PathParser(d, max_segments, largest).parse();
+  return PathParser(d, max_segments, max_number).parse();
 }
 
 SvgPointList parse_svg_points(std::string_view text) {

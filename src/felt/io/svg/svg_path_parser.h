@@ -17,8 +17,8 @@ struct SvgPathData {
 
 /// Parses the attribute `d` in the full grammar of SVG: repeated commands, numbers without
 /// separators, flags without separators. Parsing stops at an error; the commands before it are
-/// used, as the standard requires. `largest` is the largest magnitude of a number.
-SvgPathData parse_svg_path(std::string_view d, std::size_t max_segments, double largest = 1e9);
+/// used, as the standard requires. `max_number` is the largest magnitude of a number.
+SvgPathData parse_svg_path(std::string_view d, std::size_t max_segments, double max_number = 1e9);
 
 /// Pairs of numbers, as in polylines: x,y x,y ...
 struct SvgPointList {

@@ -10,9 +10,9 @@ namespace felt {
 /// what it should, the text stays unread.
 class SvgScan {
  public:
-  /// Numbers with a magnitude beyond `largest` are not read.
-  explicit SvgScan(std::string_view text, double largest = 1e9) noexcept
-      : text_(text), size_(text.size()), max_(largest) {}
+  /// Numbers with a magnitude beyond `max_number` are not read.
+  explicit SvgScan(std::string_view text, double max_number = 1e9) noexcept
+      : text_(text), size_(text.size()), max_(max_number) {}
 
   void skip_spaces() noexcept;
   /// Skips spaces and at most one comma.

@@ -132,11 +132,11 @@ void CornerDetector::update(KeptSamples& w) noexcept {
   decide(w);
 }
 
-void CornerDetector::measure(KeptSamples& w, std::size_t largest) noexcept {
+void CornerDetector::measure(KeptSamples& w, std::size_t max_count) noexcept {
   if (w.size() == 0) return;
   const double margin = kCornerMargin * w.tolerance_mm();
   const double newest = w.path_mm(w.size() - 1);
-  for (; largest > 0 && measured_ + kArmSamples < w.size(); --largest) {
+  for (; max_count > 0 && measured_ + kArmSamples < w.size(); --max_count) {
     const double here = w.path_mm(measured_);
     const bool at_start = measured_ < kArmSamples || here < margin;
     if (!at_start) {

@@ -54,7 +54,7 @@ class CornerDetector {
   [[nodiscard]] std::size_t decided() const noexcept { return decided_; }
 
  private:
-  void measure(KeptSamples& kept, std::size_t largest) noexcept;
+  void measure(KeptSamples& kept, std::size_t max_count) noexcept;
   void decide(KeptSamples& kept) noexcept;
 
   std::size_t measured_ = 0;  // number of samples with a measured turn

@@ -39,10 +39,10 @@ std::vector<TipHit> by_segments(const Scene& scene, Point place, double radius_m
 }  // namespace
 
 std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double radius_mm,
-                                       std::size_t largest) {
+                                       std::size_t max_ends) {
   std::vector<TipHit> found;
   std::vector<TipId> seen;
-  while (found.size() < largest) {
+  while (found.size() < max_ends) {
     const auto hit = scene.index.nearest_tip(scene.document, place, radius_mm, seen);
     if (!hit) break;
     seen.push_back(hit->id);
@@ -50,7 +50,7 @@ std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double r
       found.push_back(*hit);
     } else if (seen.size() - found.size() > kMaxSkipped) {
       found = by_segments(scene, place, radius_mm);
-      found.resize(std::min(found.size(), largest));
+      found.resize(std::min(found.size(), max_ends));
       break;
     }
   }

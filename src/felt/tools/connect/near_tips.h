@@ -9,8 +9,8 @@
 namespace felt {
 
 /// Returns the ends that are within radius_mm of `place` and on visible, unlocked layers; other
-/// ends may not be dragged. The nearest end comes first. Returns at most `largest` ends.
+/// ends may not be dragged. The nearest end comes first. Returns at most `max_ends` ends.
 std::vector<TipHit> editable_tips_near(const Scene& scene, Point place, double radius_mm,
-                                       std::size_t largest);
+                                       std::size_t max_ends);
 
 }  // namespace felt

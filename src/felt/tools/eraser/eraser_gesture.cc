@@ -174,12 +174,12 @@ bool EraserGesture::Line::is_due(std::int64_t time_ns) const noexcept {
                       static_cast<double>(kCutPauseNsPerPlace) * static_cast<double>(cut_places);
 }
 
-void EraserGesture::cut(int largest, std::int64_t time_ns, const Scene& scene) {
+void EraserGesture::cut(int max_cuts, std::int64_t time_ns, const Scene& scene) {
   const auto waiting = std::min<std::size_t>(to_cut_.size(), kMaxWaiting);
-  for (std::size_t k = 0; k < waiting && largest > 0; ++k) {
+  for (std::size_t k = 0; k < waiting && max_cuts > 0; ++k) {
     if (lines_.at(to_cut_.front()).is_due(time_ns)) {
       cut_next(time_ns, scene);
-      --largest;
+      --max_cuts;
     } else {
       to_cut_.push_back(to_cut_.front());
       to_cut_.pop_front();

@@ -107,7 +107,7 @@ class EraserGesture {
   Line& line_of(StrokeId id, const Scene& scene);
   const StrokePtr& looked_at(StrokeId id, const Scene& scene);
   void mark(StrokeId id, Line& line);
-  void cut(int largest, std::int64_t time_ns, const Scene& scene);
+  void cut(int max_cuts, std::int64_t time_ns, const Scene& scene);
   void cut_next(std::int64_t time_ns, const Scene& scene);
   bool shows(std::int64_t time_ns);
 

@@ -81,11 +81,12 @@ bool Strand::divide(int i, double t) {
   return true;
 }
 
-int Strand::divide_evenly(int i, double longest_mm, int largest) {
+int Strand::divide_evenly(int i, double longest_mm, int max_pieces) {
   constexpr double kAccuracy = 1e-3;
   const double length = arc_length(segment(i), kAccuracy);
   const double wanted = std::ceil(length / longest_mm);
-  const int pieces = std::max(1, static_cast<int>(std::min(wanted, static_cast<double>(largest))));
+  const int pieces =
+      std::max(1, static_cast<int>(std::min(wanted, static_cast<double>(max_pieces))));
   int made = 1;
   for (int left = pieces; left > 1; --left, ++made) {
     const int k = i + made - 1;

@@ -62,9 +62,9 @@ class Strand {
   /// curve has a cusp at t.
   bool divide(int i, double t);
   /// Divides segment i into as few pieces of equal arc length as possible, each at most
-  /// `longest_mm` long. If that would take more than `largest` pieces, divides it into `largest`
-  /// longer pieces. Returns the number of pieces.
-  int divide_evenly(int i, double longest_mm, int largest);
+  /// `longest_mm` long. If that would take more than `max_pieces` pieces, divides it into
+  /// `max_pieces` longer pieces. Returns the number of pieces.
+  int divide_evenly(int i, double longest_mm, int max_pieces);
   /// Gives a length (kStandingMm) to zero-length handles at the smooth joints of segment i and its
   /// neighbours.
   void prepare(int i);

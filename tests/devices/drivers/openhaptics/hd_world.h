@@ -53,9 +53,10 @@ class HdWorld {
 
 /// Returns the vendor's axes above a desk, for a page on which the device reaches its `workspace`.
 /// The origin of the device is 60 mm above the middle of the desk.
-PlaneCalibration hd_plane(const Capabilities& on_page);
+PlaneCalibration hd_plane(const Capabilities& page_capabilities);
 /// Returns the values that a device with these capabilities reports, in the vendor's units and
 /// axes.
-FakeHdModel hd_model(const Capabilities& on_page, const PlaneCalibration& plane, const char* type);
+FakeHdModel hd_model(const Capabilities& page_capabilities, const PlaneCalibration& plane,
+                     const char* type);
 
 }  // namespace felt
