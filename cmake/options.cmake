@@ -4,7 +4,7 @@ option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
 option(FELT_WERROR "Warnings are errors" OFF)
 option(FELT_QUICK_BUILD "Precompiled headers, several sources as one (quick.cmake)" ${PROJECT_IS_TOP_LEVEL})
-set(FELT_SANITIZE "" CACHE STRING "Sanitizers: [fuzzer-no-link,]address,undefined | thread | (empty)")
+set(FELT_SANITIZE "" CACHE STRING "Sanitizers: address,undefined | thread | (empty)")
 option(FELT_TESTS_TOGETHER "Run the test cases of a program in few processes instead of one each" OFF)
 
 set(CMAKE_CXX_STANDARD 20)

@@ -42,8 +42,9 @@ struct ReplayCommandArguments {
   std::string forces, plot, sound, stats;
   ReplayArguments pen;
   std::uint64_t seed = 0;
-  std::string former_surface;  ///< the surface by a former flag, which did not change the picture
-  std::string file_surface;    ///< id of the surface in the .toml file that --surface names
+  /// Id of the surface to draw on if it is not `picture.surface`: the surface in a file, or that of
+  /// a former flag, which did not change the picture.
+  std::string page_surface;
   std::string medium;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
@@ -92,7 +93,7 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
       .add_option("--seed", args.seed, "Seed of the hand's tremor for raw strokes; 0 for no tremor")
       ->check(whole_number())
       ->capture_default_str();
-  command.add_option("--sheet,--material", args.former_surface)->group("");  // former names
+  command.add_option("--sheet,--material", args.page_surface)->group("");  // former names
   command.add_option("--medium", args.medium,
                      "The medium to draw with, in its default widths and colour: an id of\n"
                      "'feltline materials'");
@@ -131,12 +132,9 @@ struct ReplayOutputs {
 
 void check_recording(const ReplayCommandArguments& args) {
   if (args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
-  if (!args.on.empty()) {
-    throw UsageError(
-        "--recording saves a drawing from its beginning, so it cannot be used with --on");
-  }
-  if (args.until_ms) {
-    throw UsageError("--recording saves a whole script, so it cannot be used with --until");
+  if (!args.on.empty() || args.until_ms) {
+    throw UsageError("--recording saves a whole drawing, so it cannot be used with " +
+                     std::string(args.until_ms ? "--until" : "--on"));
   }
 }
 
@@ -159,19 +157,16 @@ void check_outputs(const ReplayCommandArguments& args) {
     throw UsageError("replay needs -o OUT, --forces, --plot, --sound or --stats");
   }
   if (args.recording) check_recording(args);
-  const int to_stdout = (args.output == "-" ? 1 : 0) + (args.forces == "-" ? 1 : 0) +
-                        (args.plot == "-" ? 1 : 0) + (args.sound == "-" ? 1 : 0) +
-                        (args.stats.empty() ? 0 : 1);
+  const int to_stdout = (args.output == "-") + (args.forces == "-") + (args.plot == "-") +
+                        (args.sound == "-") + !args.stats.empty();
   if (to_stdout > 1) {
     throw UsageError("only one of -o, --forces, --plot, --sound and --stats can use stdout");
   }
 }
 
-/// Returns the id of the surface to draw on, or "" without one. A .png is only the relief of the
-/// picture.
+/// Returns the id of the surface to draw on, or "". A .png is only the relief of the picture.
 std::string drawn_surface(const ReplayCommandArguments& args) {
-  if (!args.former_surface.empty()) return args.former_surface;
-  if (!args.file_surface.empty()) return args.file_surface;
+  if (!args.page_surface.empty()) return args.page_surface;
   return args.picture.surface.ends_with(".png") ? std::string() : args.picture.surface;
 }
 
@@ -180,7 +175,7 @@ void load_surface(ReplayCommandArguments& args, Materials& known) {
   if (!args.picture.surface.ends_with(".toml")) return;
   Result<SurfaceMaterial> surface = find_surface(args.picture.surface, known);
   if (!surface) throw UsageError({surface.error().code, "--surface: " + surface.error().message});
-  args.file_surface = surface->id;
+  args.page_surface = surface->id;
   known.put(*std::move(surface));
 }
 
@@ -478,8 +473,8 @@ void run_replay(ReplayCommandArguments args, Console& console) {
   console.end_progress();
   if (done) done = write_outputs(args, *std::move(start), *outputs, machine);
   if (!done) return console.error(done.error().message);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (args.stats.empty()) return;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   ReplayStats stats = machine.take_stats();
   stats.wall_s = wall.count();
   print("{}", stats_json(stats));
