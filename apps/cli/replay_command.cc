@@ -196,10 +196,9 @@ Result<void> open_drawing(const ReplayCommandArguments& args, const ReplaySettin
   const Result<Format> format = output_format(args.output, args.to);
   if (!format) throw UsageError(format.error().message);
   outputs.picture = picture_of(args, settings.materials, console);
+  const bool is_felt = *format == Format::kFelt;
   if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
-  if (args.recording && *format != Format::kFelt) {
-    throw UsageError("--recording needs -o OUT.felt");
-  }
+  if (args.recording && !is_felt) throw UsageError("--recording needs -o OUT.felt");
   if (args.overlay) {
     Result<Output> opened = Output::create(args.output);
     if (!opened) return tl::unexpected(opened.error());
