@@ -56,6 +56,7 @@ endif()
 target_include_directories(felt_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
 if(FELT_SANITIZE)
+  target_compile_definitions(felt_flags INTERFACE FELT_SANITIZED)  # g++ and clang name theirs differently
   target_compile_options(felt_flags INTERFACE
     -fsanitize=${FELT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(felt_flags INTERFACE -fsanitize=${FELT_SANITIZE})

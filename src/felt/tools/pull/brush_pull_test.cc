@@ -427,7 +427,7 @@ Nearest nearest_on(const Stroke& s, Point p) {
 
 /// A build with sanitizers takes ten times as long and looks for other faults, so it does fewer
 /// pulls.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FELT_SANITIZED
 constexpr int kManyPulls = 1'000;
 #else
 constexpr int kManyPulls = 10'000;
