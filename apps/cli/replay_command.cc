@@ -170,9 +170,9 @@ std::string drawn_surface(const ReplayCommandArguments& args) {
   return args.picture.surface.ends_with(".png") ? std::string() : args.picture.surface;
 }
 
-/// If --surface names a .toml file, adds the surface in that file to `known`.
+/// If --surface names a .toml file that is drawn on, adds the surface in that file to `known`.
 void load_surface(ReplayCommandArguments& args, Materials& known) {
-  if (!args.picture.surface.ends_with(".toml")) return;
+  if (!args.page_surface.empty() || !args.picture.surface.ends_with(".toml")) return;
   Result<SurfaceMaterial> surface = find_surface(args.picture.surface, known);
   if (!surface) throw UsageError({surface.error().code, "--surface: " + surface.error().message});
   args.page_surface = surface->id;
@@ -382,15 +382,6 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
   if (args.output == "-" && args.sound == "-") {
     throw UsageError("only one of -o and --sound can use stdout");
   }
-}
-
-/// Converts a recorded event of the pen to a sample.
-PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
-  PenSample sample;
-  sample.time_ns = time_ns;
-  sample.position = pen.position;
-  sample.pressure = pen.pressure;
-  return sample;
 }
 
 /// Returns the drawing that --on names, or an empty drawing without that option.

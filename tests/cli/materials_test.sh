@@ -174,6 +174,9 @@ run 0 "$feltline" replay in.ndjson --surface my-paper --forces library.csv --set
 cmp -s file.csv library.csv && fail "the friction of the file has no effect"
 run 0 "$feltline" replay in.ndjson --on file.felt --forces on-file.csv --set pencil.snap=off
 same on-file.csv file.csv
+# With the former flag, the surface in the file is only the picture's.
+run 0 "$feltline" replay in.ndjson --sheet wood --surface of-file.toml --forces shown.csv --set pencil.snap=off
+same shown.csv wood.csv
 run 1 "$feltline" replay in.ndjson --surface bad.toml --forces bad.csv
 # The former names of the flag and of the options.
 run 0 "$feltline" replay in.ndjson --sheet wood --forces former.csv --set pencil.snap=off

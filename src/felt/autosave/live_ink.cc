@@ -19,16 +19,6 @@ constexpr std::size_t kSampleBytes = 8 + 4 * 8 + 4;
 constexpr std::size_t kLeaningBytes = kSampleBytes + 8;
 constexpr std::size_t kMinSelectedBytes = 12;
 
-PenSample sample_of(const Event& event, const PenEvent& pen) {
-  PenSample sample;
-  sample.time_ns = event.time_ns;
-  sample.position = pen.position;
-  sample.pressure = pen.pressure;
-  sample.buttons = pen.buttons;
-  sample.tilt_deg = pen.tilt_deg;
-  return sample;
-}
-
 /// Returns the value, or NaN if it is missing.
 double number_or_nan(std::optional<double> value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -95,7 +85,7 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
     if (open_) append_event_line(events_, event);
     return;
   }
-  const PenSample sample = sample_of(event, *pen);
+  const PenSample sample = sample_of(event.time_ns, *pen);
   const bool touches = contact_.update(sample) == Contact::Change::kTouched;
   if (touches && !open_) open();
   if (in_contact(sample)) last_contact_ns_ = event.time_ns;

@@ -38,6 +38,11 @@ struct PenEvent {
   friend bool operator==(const PenEvent&, const PenEvent&) = default;
 };
 
+/// Converts an event of the pen to a sample with velocity 0.
+inline PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
+  return {time_ns, pen.position, {}, pen.pressure, pen.buttons, pen.tilt_deg};
+}
+
 /// Sets the position that the simulated hand wants for the pen; forces displace the pen from it.
 /// Only the player handles it, because it owns the device; a session refuses it.
 /// {"event":"hand","x":..,"y":..,"z":..}
