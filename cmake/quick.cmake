@@ -1,8 +1,8 @@
 # FELT_QUICK_BUILD makes builds faster in three ways. Headers that nearly every file includes are precompiled
 # once per kind of target. Several sources of a target compile as one (FELT_UNITY_SOURCES). Test code, but
-# not the code under test, is optimised less and has no debug information (with sanitizers: line numbers). Without the option, every file is
-# compiled alone: clang-tidy needs this, and a missing #include is an error. A higher FELT_UNITY_SOURCES makes
-# a full build faster (the release preset) and a build after a change slower.
+# not the code under test, is optimised less and has no debug information (with sanitizers: line numbers).
+# Without the option, every file is compiled alone: clang-tidy needs this, and a missing #include is an error.
+# A higher FELT_UNITY_SOURCES makes a full build faster (the release preset) and a build after a change slower.
 set(FELT_UNITY_SOURCES 8 CACHE STRING "Sources that compile as one with FELT_QUICK_BUILD")
 set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <map>
   <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
@@ -90,6 +90,17 @@ function(felt_quick_room target)
     felt_quick_headers(felt_quick_room STATIC HEADERS ${felt_std_headers} ${felt_qt_headers}
       LIBRARIES Qt6::Widgets DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY)
     target_precompile_headers(${target} REUSE_FROM felt_quick_room)
+    felt_unity(${target} ${FELT_UNITY_SOURCES})
+  endif()
+endfunction()
+
+# felt_quick_checker(TARGET): for a program of the tests without GoogleTest.
+function(felt_quick_checker target)
+  if(FELT_QUICK_BUILD)
+    felt_quick_headers(felt_quick_checker EXECUTABLE HEADERS ${felt_std_headers}
+      LIBRARIES felt_quick_test_flags)
+    target_link_libraries(${target} PRIVATE felt_quick_test_flags)
+    target_precompile_headers(${target} REUSE_FROM felt_quick_checker)
     felt_unity(${target} ${FELT_UNITY_SOURCES})
   endif()
 endfunction()

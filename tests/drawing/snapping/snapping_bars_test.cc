@@ -1,12 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <span>
+
 #include "tests/drawing/snapping/snap_count.h"
+#include "tests/support/repeats.h"
 
 namespace felt::snap_test::snapping_bars_test {
 namespace {
 
-/// The test runs a part of ./dev bench feel --snapping, with these two hands.
-const SnapHand kHands[] = {{.name = "typical"}, {.name = "firm", .forces = false}};
+/// The test runs a part of ./dev bench feel --snapping: with these two hands, or with sanitizers
+/// with the first of them.
+const std::array kAllHands = {SnapHand{.name = "typical"},
+                              SnapHand{.name = "firm", .forces = false}};
+const std::span<const SnapHand> kHands = std::span(kAllHands).first(kSanitized ? 1 : 2);
 
 TEST(SnappingBars, R43_LinesThatAreNotMeantToMeetComeOutOneByOne) {
   for (const SnapHand& hand : kHands) {

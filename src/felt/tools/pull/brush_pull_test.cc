@@ -15,6 +15,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/stroke/testing/test_ink.h"
+#include "tests/support/repeats.h"
 
 namespace felt::brush_pull_test {
 namespace {
@@ -87,7 +88,8 @@ bool keeps_outside(const Stroke& before, const Stroke& after, double first_u, do
 TEST(BrushPull, R21_TheCurvePassesThroughThePen) {
   double worst = 0.0;
   int pulls = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  const auto strokes = static_cast<std::uint64_t>(repeats(60));
+  for (std::uint64_t seed = 0; seed < strokes; ++seed) {
     SCOPED_TRACE(seed);
     const StrokePtr s = share(random_stroke(seed));
     RandomStroke random(seed + 3);
@@ -105,7 +107,7 @@ TEST(BrushPull, R21_TheCurvePassesThroughThePen) {
     }
   }
   EXPECT_LE(worst, 1e-9);
-  EXPECT_GT(pulls, 3800);
+  EXPECT_GT(pulls, repeats(3800));
 }
 
 TEST(BrushPull, R23_ItDependsOnTheDisplacementAlone) {
@@ -157,7 +159,7 @@ TEST(BrushPull, NoPullIsRefused) {
                                   InkShape::kSpiral, InkShape::kHairpin, InkShape::kFractal};
   int pulls = 0, refused = 0;
   double worst = 0.0;
-  for (std::uint64_t seed = 0; pulls < 2000; ++seed) {
+  for (std::uint64_t seed = 0; pulls < repeats(2000); ++seed) {
     SCOPED_TRACE(seed);
     RandomStroke random(seed + 1);
     const Stroke ink = drawn(seed, 150, kShapes[seed % kShapes.size()]);
@@ -349,9 +351,10 @@ TEST(BrushPull, R26_ClosedStrokesWrapOneAndTwoSegmentsIncluded) {
     }
     const StrokePtr s = share(loop);
     for (const double radius : {3.0, 12.0, 30.0, 200.0}) {
-      for (int k = 0; k <= 40; ++k) {
+      const int places = repeats(40);
+      for (int k = 0; k <= places; ++k) {
         SCOPED_TRACE(std::to_string(n) + " " + std::to_string(radius) + " " + std::to_string(k));
-        const double u0 = n * k / 40.0;
+        const double u0 = double(n) * k / places;
         for (const bool is_free : {false, true}) {
           const BrushPull pull(s, u0, {.radius_mm = radius, .free_ends = is_free});
           for (const Vec v : {Vec{4.0, 3.0}, Vec{-9.0, 2.0}, Vec{0.0, -30.0}}) {
@@ -425,13 +428,7 @@ Nearest nearest_on(const Stroke& s, Point p) {
   return best;
 }
 
-/// A build with sanitizers takes ten times as long and looks for other faults, so it does fewer
-/// pulls.
-#ifdef FELT_SANITIZED
-constexpr int kManyPulls = 1'000;
-#else
-constexpr int kManyPulls = 10'000;
-#endif
+constexpr int kManyPulls = repeats(10'000);
 
 TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   const Stroke first = drawn(1, 200);
