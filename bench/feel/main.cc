@@ -3,9 +3,13 @@
 // drawn, how far the ink is from the intended path, which forces the hand felt, and how much faster
 // than real time the simulation runs on this machine.
 //   bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] [--hand NAME] [--csv F]
+//   bench_feel --people N [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]
 //   bench_feel --snapping [--file F]... [--hand NAME]
 // Without --file it draws share/samples. All options of the pencil have their defaults. Fails if a
-// stroke is missing or is split. --snapping counts joined and closed strokes (snap_bars.h).
+// stroke is missing or is split. With --people, N simulated people draw, who see and feel what the
+// pen does (felt/devices/simulated/feedback_hand.h); prints how the forces change the error of each
+// person.
+// --snapping counts joined and closed strokes (snap_bars.h).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,10 +18,12 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/cli/text_table.h"
+#include "bench/hand/statistics.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
 #include "snap_bars.h"
@@ -25,19 +31,24 @@
 namespace felt::bench {
 namespace {
 
+constexpr std::array kMaterials = {"pencil", "chalk", "crayon", "felt-tip"};
+
 struct Options {
   std::vector<std::string> files;
   double mm_per_unit = 1.0;
   std::size_t limit = 1'000'000'000;
   std::string device = "touch", hand = "typical", csv;
+  std::size_t people = 0;
   bool snapping = false, all_hands = true;
 };
 
 [[noreturn]] void fail_usage() {
-  fmt::print(stderr,
-             "usage: bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] "
-             "[--hand NAME] [--csv F]\n"
-             "       bench_feel --snapping [--file F]... [--hand NAME]\n");
+  fmt::print(
+      stderr,
+      "usage: bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] "
+      "[--hand NAME] [--csv F]\n"
+      "       bench_feel --people N [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]\n"
+      "       bench_feel --snapping [--file F]... [--hand NAME]\n");
   std::exit(2);
 }
 
@@ -58,6 +69,8 @@ Options options_of(int argc, char** argv) {
       options.mm_per_unit = std::strtod(value.c_str(), nullptr);
     } else if (name == "--limit") {
       options.limit = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (name == "--people") {
+      options.people = std::strtoull(value.c_str(), nullptr, 10);
     } else if (name == "--device") {
       options.device = value;
     } else if (name == "--hand") {
@@ -99,9 +112,11 @@ struct Row {
   ReplayStats stats;
 };
 
-Result<ReplayStats> draw(const Options& options, const std::string& material, bool forces) {
-  const ReplaySettings settings = replay_settings(*find_stylus_preset(options.device),
-                                                  *find_hand(options.hand), forces, {}, {});
+Result<ReplayStats> draw(const Options& options, const std::string& material, bool forces,
+                         const std::optional<Person>& person = std::nullopt) {
+  ReplaySettings settings = replay_settings(*find_stylus_preset(options.device),
+                                            *find_hand(options.hand), forces, {}, {});
+  settings.person = person;
   ReplayMachine machine(settings, Document(), {});
   if (Result<void> set = machine.set_option("pencil.medium", material); !set) {
     return tl::unexpected(set.error());
@@ -171,15 +186,66 @@ void print_table(const Options& options, const std::vector<Row>& rows) {
       options.device, options.hand);
 }
 
+/// Lets people draw with a material, with forces off and on. Returns the errors of each person, mm.
+Result<std::vector<double>> errors_of(const Options& options, const std::string& material,
+                                      bool forces, int& lost) {
+  std::vector<double> errors;
+  for (const Person& person : population(options.people)) {
+    const Result<ReplayStats> stats = draw(options, material, forces, person);
+    if (!stats) return tl::unexpected(stats.error());
+    errors.push_back(stats->distance.mean_mm());
+    lost += static_cast<int>(stats->strokes_meant - stats->strokes);
+  }
+  return errors;
+}
+
+Result<void> compare_people(const Options& options) {
+  using Align = cli::TextTable::Align;
+  cli::TextTable table({{"material", Align::kLeft},
+                        {"forces off mm", Align::kRight},
+                        {"on mm", Align::kRight},
+                        {"change (95 %)", Align::kRight},
+                        {"strokes off", Align::kRight},
+                        {"on", Align::kRight}});
+  for (const char* material : kMaterials) {
+    int lost_off = 0, lost_on = 0;
+    const auto off = errors_of(options, material, false, lost_off);
+    const auto on = errors_of(options, material, true, lost_on);
+    if (!off) return tl::unexpected(off.error());
+    if (!on) return tl::unexpected(on.error());
+    std::vector<double> change;
+    for (std::size_t i = 0; i < off->size(); ++i) change.push_back((*on)[i] / (*off)[i] - 1.0);
+    const MeanOverPeople mean = mean_over_people(change);
+    table.add_row({material, fmt::format("{:.3f}", mean_over_people(*off).mean),
+                   fmt::format("{:.3f}", mean_over_people(*on).mean),
+                   fmt::format("{:+.0f} % ({:+.0f} to {:+.0f})", 100.0 * mean.mean,
+                               100.0 * mean.low, 100.0 * mean.high),
+                   fmt::format("{:+d}", -lost_off), fmt::format("{:+d}", -lost_on)});
+  }
+  fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
+  fmt::print(
+      "\n{} simulated people with a simulated {}, paper, default options. mm: mean distance "
+      "between "
+      "the intended path and\nthe ink. change: per person, with its 95 % interval over people. "
+      "strokes: drawn strokes minus intended ones, of all people.\n",
+      options.people, options.device);
+  return {};
+}
+
 int run(int argc, char** argv) {
   const Options options = options_of(argc, argv);
   if (options.snapping) {
     return check_snap_bars(options.files, options.all_hands ? "" : options.hand) ? 0 : 1;
   }
+  if (options.people > 0) {
+    const Result<void> compared = compare_people(options);
+    if (!compared) fmt::print(stderr, "bench_feel: {}\n", compared.error().message);
+    return compared ? 0 : 1;
+  }
   std::vector<Row> rows;
   bool all_came_out = true;
   for (const bool forces : {true, false}) {
-    for (const char* material : {"pencil", "chalk", "crayon", "felt-tip"}) {
+    for (const char* material : kMaterials) {
       const Result<ReplayStats> stats = draw(options, material, forces);
       if (!stats) {
         fmt::print(stderr, "bench_feel: {}\n", stats.error().message);

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/base/constants.h"
+#include "felt/devices/simulated/feedback_hand.h"
+#include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/replay/option_text.h"
 #include "felt/session/session_medium.h"
@@ -28,6 +31,19 @@ double drawing_number(const Session& session, std::string_view option, double ot
   const Result<OptionValue> value = session.option(drawing_option(session, option));
   const double* number = value ? std::get_if<double>(&*value) : nullptr;
   return number ? *number : otherwise;
+}
+
+/// Makes the simulated stylus in the hand of the settings, and sets `hand` to the input of that
+/// hand.
+std::unique_ptr<Device> make_stylus(const ReplaySettings& settings, HandInput*& hand) {
+  if (settings.person) {
+    auto held = std::make_unique<FeedbackHand>(settings.device, *settings.person);
+    hand = held.get();
+    return held;
+  }
+  auto stylus = std::make_unique<SimulatedStylus>(settings.device, settings.hand);
+  hand = stylus.get();
+  return stylus;
 }
 
 bool presses(const HandEvent& aim) {
@@ -55,7 +71,8 @@ ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& 
 ReplayMachine::ReplayMachine(const ReplaySettings& settings, Document document, Observer observer)
     : settings_(settings),
       observer_(std::move(observer)),
-      stylus_(settings.device, settings.hand),
+      stylus_(make_stylus(settings, hand_)),
+      preview_ns_(settings.person ? std::llround(1e9 * settings.person->preview_s) : 0),
       session_(make_tools(), {.device = settings.device.capabilities,
                               .materials = settings.materials,
                               .document = std::move(document),
@@ -66,7 +83,7 @@ ReplayMachine::ReplayMachine(const ReplaySettings& settings, Document document, 
                             .document = {},
                             .on_event = {},
                             .on_edit = {}}),
-      player_(stylus_, &stylus_, session_, player_options()) {}
+      player_(*stylus_, hand_, session_, player_options()) {}
 
 PlayerOptions ReplayMachine::player_options() {
   PlayerOptions options;
@@ -100,6 +117,10 @@ HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
   set_surface(options, probe_.surface(), probe_.device(),
               probe_.materials().find_medium(drawing_medium(probe_)));
+  if (settings_.person) {  // a person feels mass and friction, and compensates for them
+    options.hand = settings_.person->grip();
+    options.device_mass_kg = options.device_friction_n = options.friction = 0.0;
+  }
   return options;
 }
 
@@ -131,11 +152,11 @@ Result<void> ReplayMachine::add(const Event& event) {
 
 void ReplayMachine::add_aim(std::int64_t time_ns, const HandEvent& aim) {
   if (in_stroke_) {
-    if (meant_.back().start_ns < 0) meant_.back().start_ns = time_ns;
+    if (meant_.back().start_ns < 0) meant_.back().start_ns = time_ns + preview_ns_;
     return;
   }
   const bool is_down = presses(aim) && draws(probe_);
-  if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
+  if (is_down && !hand_is_down_) meant_.push_back({time_ns + preview_ns_, {}});
   if (is_down) meant_.back().path.push_back(on_page(aim.target));
   hand_is_down_ = is_down;
 }
@@ -167,9 +188,21 @@ ReplayStats ReplayMachine::take_stats() {
   return taken;
 }
 
+/// Lets the hand carry out its last aim before the play ends.
+void ReplayMachine::await_preview() {
+  const auto last = std::find_if(events_.rbegin(), events_.rend(), [](const Event& event) {
+    return std::holds_alternative<HandEvent>(event.what);
+  });
+  if (preview_ns_ == 0 || last == events_.rend()) return;
+  Event wait = *last;
+  wait.time_ns = events_.back().time_ns + preview_ns_ + 100 * kMs;
+  events_.push_back(std::move(wait));
+}
+
 Result<void> ReplayMachine::play() {
   if (is_stopped_) events_.clear();
   if (events_.empty()) return {};
+  await_preview();
   const Result<PlayReport> report = player_.play(events_);
   if (!report) return tl::unexpected(report.error());
   if (!observed_) return observed_;

@@ -2,17 +2,19 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/devices/simulated/person.h"
 #include "felt/devices/simulated/scripted_hand.h"
-#include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/material/materials.h"
 #include "felt/replay/replay_stats.h"
+#include "felt/rt/device.h"
 #include "felt/session/player.h"
 #include "felt/session/session.h"
 #include "felt/stroke/fit/width_map.h"
@@ -23,6 +25,8 @@ namespace felt {
 struct ReplaySettings {
   StylusPreset device;
   SimulatedHand hand;
+  /// If set, this person draws instead of `hand`, and corrects what the pen does (FeedbackHand).
+  std::optional<Person> person{};
   bool force = true;  ///< if false, the loop sends no forces
   /// How the hand draws raw strokes.
   HandScriptOptions script;
@@ -117,12 +121,15 @@ class ReplayMachine {
   void handle_tick(const TickReport& report);
   void handle_edit(const Edit& edit);
   void add_aim(std::int64_t time_ns, const HandEvent& aim);
+  void await_preview();
   void compare_ink();
   std::optional<double> width_at(const TickReport& report, std::optional<double> pressure);
 
   ReplaySettings settings_;
   Observer observer_;
-  SimulatedStylus stylus_;
+  HandInput* hand_ = nullptr;  // that of stylus_
+  std::unique_ptr<Device> stylus_;
+  std::int64_t preview_ns_ = 0;  // how much later than an event the hand carries it out
   Session session_;
   Session probe_;  // has tools and options only; finds events that the session would refuse
   Player player_;

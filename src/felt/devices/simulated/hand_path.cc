@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -95,6 +97,42 @@ std::vector<TimedPoint> pace(std::span<const Point> path, double tempo) {
     timed.push_back({path[i], t_s});
   }
   return timed;
+}
+
+std::vector<Point> at_equal_times(std::span<const TimedPoint> path, double step_s,
+                                  double min_duration_s) {
+  std::vector<Point> points;
+  std::size_t k = 0;
+  const double duration_s = std::max(path.back().t_s, min_duration_s);
+  for (double t = 0.0; t <= duration_s; t += step_s) {
+    while (k + 1 < path.size() && path[k + 1].t_s < t) ++k;
+    if (k + 1 == path.size()) {
+      points.push_back(path.back().position);
+      continue;
+    }
+    const double span = path[k + 1].t_s - path[k].t_s;
+    points.push_back(lerp(path[k].position, path[k + 1].position,
+                          span > 0.0 ? std::min((t - path[k].t_s) / span, 1.0) : 1.0));
+  }
+  return points;
+}
+
+std::vector<Point> through_muscles(std::span<const Point> path, int reach) {
+  const auto last = static_cast<std::ptrdiff_t>(path.size()) - 1;
+  std::vector<Point> moved;
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    const Point center = path[static_cast<std::size_t>(i)];
+    Vec sum;
+    double weights = 0.0;
+    for (int k = -reach; k <= reach; ++k) {
+      const double w = 1.0 + std::cos(kTau * k / (2.0 * reach + 2.0));
+      const auto j = std::clamp<std::ptrdiff_t>(i + k, 0, last);
+      sum += w * (path[static_cast<std::size_t>(j)] - center);
+      weights += w;
+    }
+    moved.push_back(center + sum / weights);
+  }
+  return moved;
 }
 
 }  // namespace felt

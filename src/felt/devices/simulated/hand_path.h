@@ -27,4 +27,13 @@ std::vector<Point> smooth_path(std::span<const Point> via);
 /// (docs/design/simulation.md#perception). `tempo` multiplies all speeds.
 std::vector<TimedPoint> pace(std::span<const Point> path, double tempo);
 
+/// Returns the positions at equal time steps, from time 0 to the last time or, if that is later, to
+/// `min_duration_s`.
+std::vector<Point> at_equal_times(std::span<const TimedPoint> path, double step_s,
+                                  double min_duration_s);
+
+/// Smooths positions at equal time steps as muscles do: with a raised-cosine window that reaches
+/// `reach` steps to each side. Before its start and after its end, the movement is at rest.
+std::vector<Point> through_muscles(std::span<const Point> path, int reach);
+
 }  // namespace felt

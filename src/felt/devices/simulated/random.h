@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+
+#include "felt/base/constants.h"
 
 namespace felt {
 
@@ -22,6 +25,13 @@ class Random {
   /// Returns a uniform number in [low, high).
   double between(double low, double high) noexcept {
     return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+  }
+  /// Returns a normally distributed number with mean 0 and standard deviation 1 (Box, Muller, "A
+  /// note on the generation of random normal deviates", Ann Math Stat 29, 1958). The machine's libm
+  /// may differ in the last digits.
+  double normal() noexcept {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - between(0.0, 1.0)));
+    return radius * std::cos(between(0.0, kTau));
   }
 
  private:

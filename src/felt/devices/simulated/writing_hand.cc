@@ -25,44 +25,6 @@ double quantised(double value, double step) {
   return step > 0.0 ? step * std::round(value / step) : value;
 }
 
-// Resamples the aim at equal time steps.
-std::vector<Point> on_grid(const std::vector<TimedPoint>& aim) {
-  std::vector<Point> grid;
-  std::size_t k = 0;
-  const double duration_s = std::max(aim.back().t_s, kDotS);
-  for (double t = 0.0; t <= duration_s; t += kGridS) {
-    while (k + 1 < aim.size() && aim[k + 1].t_s < t) ++k;
-    if (k + 1 == aim.size()) {
-      grid.push_back(aim.back().position);
-      continue;
-    }
-    const double span = aim[k + 1].t_s - aim[k].t_s;
-    grid.push_back(lerp(aim[k].position, aim[k + 1].position,
-                        span > 0.0 ? std::min((t - aim[k].t_s) / span, 1.0) : 1.0));
-  }
-  return grid;
-}
-
-// Smooths the aim with a raised-cosine window over time. Before its start and after its end, the
-// aim is assumed to stand still.
-std::vector<Point> through_muscles(const std::vector<Point>& aim) {
-  const auto last = static_cast<std::ptrdiff_t>(aim.size()) - 1;
-  std::vector<Point> moved;
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    const Point center = aim[static_cast<std::size_t>(i)];
-    Vec sum;
-    double weights = 0.0;
-    for (int k = -kMuscleHalfMs; k <= kMuscleHalfMs; ++k) {
-      const double w = 1.0 + std::cos(kTau * k / (2.0 * kMuscleHalfMs + 2.0));
-      const auto j = std::clamp<std::ptrdiff_t>(i + k, 0, last);
-      sum += w * (aim[static_cast<std::size_t>(j)] - center);
-      weights += w;
-    }
-    moved.push_back(center + sum / weights);
-  }
-  return moved;
-}
-
 // Returns a factor for the pressure. It is higher for slow strokes and for strokes towards the body
 // (down the page).
 double effort(Vec velocity_mm_s) {
@@ -113,7 +75,8 @@ std::vector<HandSample> WritingHand::draw(const Gesture& gesture) {
   std::vector<HandSample> samples;
   if (gesture.via.empty()) return samples;
   rest_until_start_of(gesture.via.front());
-  const auto track = through_muscles(on_grid(pace(smooth_path(gesture.via), gesture.tempo)));
+  const auto plan = at_equal_times(pace(smooth_path(gesture.via), gesture.tempo), kGridS, kDotS);
+  const auto track = through_muscles(plan, kMuscleHalfMs);
   const double duration_s = kGridS * static_cast<double>(track.size() - 1);
   const auto start_ns = std::llround(now_s_ * 1e9);
   for (std::int64_t ns = 0; static_cast<double>(ns) * 1e-9 <= duration_s;

@@ -1,0 +1,229 @@
+#include "drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "felt/base/constants.h"
+#include "felt/devices/simulated/feedback_hand.h"
+#include "felt/devices/simulated/hand_path.h"
+#include "felt/devices/simulated/held_body.h"
+#include "felt/haptics/bricks/friction.h"
+#include "felt/haptics/bricks/plane.h"
+#include "felt/haptics/bricks/stabiliser.h"
+
+namespace felt::bench {
+namespace {
+
+constexpr double kTickS = 0.001;
+constexpr std::size_t kWindow = 200;  // points of the path around the pen that are searched
+
+const StylusPreset& device() {
+  return *find_stylus_preset("premium");
+}
+
+// Follows a pen along a path. Searches only near the last position, so that a path that crosses
+// itself does not mislead it.
+class PathFollower {
+ public:
+  explicit PathFollower(std::span<const Point> path) : path_(path) {}
+
+  // Returns the vector from the nearest point of the path to `p`.
+  Vec error(Point p) {
+    const std::size_t from = at_ > kWindow ? at_ - kWindow : 0;
+    const std::size_t count = std::min(path_.size() - from, 2 * kWindow);
+    std::size_t best = from;
+    for (std::size_t i = from; i < from + count; ++i) {
+      if (norm_squared(path_[i] - p) < norm_squared(path_[best] - p)) best = i;
+    }
+    at_ = best;
+    return p - path_[best];
+  }
+  [[nodiscard]] Vec direction() const {
+    const std::size_t before = at_ > 0 ? at_ - 1 : 0, after = std::min(at_ + 1, path_.size() - 1);
+    return normalized(path_[after] - path_[before]);
+  }
+
+ private:
+  std::span<const Point> path_;
+  std::size_t at_ = 0;
+};
+
+// Moves the plan of the pen ahead of that of the nib by the length of the rope. A nib that is
+// pulled along the tangent of the path stays on the path (the tractrix).
+RecordedPath ahead_by_rope(const RecordedPath& nib, const TowOptions& rope) {
+  RecordedPath pen;
+  const auto reach = static_cast<std::ptrdiff_t>(10);
+  const auto last = static_cast<std::ptrdiff_t>(nib.size()) - 1;
+  Vec along;
+  const auto at = [&](std::ptrdiff_t i) {
+    return nib[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))].position;
+  };
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    const Vec step = at(i + reach) - at(i - reach);
+    const double speed = norm(step) / (2.0 * static_cast<double>(reach) * kTickS);
+    if (norm(step) > 0.0) along = normalized(step);
+    const double length = rope.rope_mm + rope.time_constant_s * speed;
+    RecordedPoint point = nib[static_cast<std::size_t>(i)];
+    point.position = point.position + length * along;
+    if (i == 0) {  // first the pen pulls the rope taut
+      const int steps = 300;
+      for (int k = 0; k < steps; ++k) {
+        const double t = double(k) / steps;
+        const double part = t * t * t * (10.0 + t * (6.0 * t - 15.0));
+        pen.push_back({.position = at(0) + part * length * along, .time_ns = k * kMs});
+      }
+    }
+    point.time_ns = static_cast<std::int64_t>(pen.size()) * kMs;
+    pen.push_back(point);
+  }
+  return pen;
+}
+
+// The stylus in the hand of a person, and the forces of a condition.
+class Scene {
+ public:
+  Scene(const Person& person, const Condition& condition, std::span<const Point> path,
+        const Tablet& tablet)
+      : condition_(condition),
+        tablet_(tablet),
+        hand_(device(), person),
+        path_(path),
+        friction_({.coefficient = condition.friction}) {
+    memory_.dt_s = memory_.period_s = kTickS;
+    options_ = script_options_for(device(), person.grip());
+    options_.device_mass_kg = options_.device_friction_n = options_.friction = 0.0;  // FeedbackHand
+    options_.plane_n_per_m = PlaneOptions{}.stiffness_n_per_m;
+  }
+
+  Drawing draw(const RecordedPath& plan) {
+    const std::vector<TimedAim> aims = script_hand(std::span(&plan, 1), options_);
+    Drawing drawing;
+    const auto extra = static_cast<std::size_t>((hand_.person().preview_s + 0.1) / kTickS);
+    for (std::size_t i = 0; i < aims.size() + extra; ++i) {
+      const TimedAim& aim = aims[std::min(i, aims.size() - 1)];
+      tick(static_cast<std::int64_t>(i) * kMs, aim, drawing);
+    }
+    drawing.simulated_s = kTickS * static_cast<double>(aims.size() + extra);
+    return drawing;
+  }
+
+ private:
+  void tick(std::int64_t now_ns, const TimedAim& aim, Drawing& drawing) {
+    hand_.aim(aim.target_mm, aim.pressure, 0);
+    const PenSample sample = hand_.read(now_ns).value();
+    memory_.begin_tick(kTickS);
+    Force force = Plane()(sample, memory_);
+    if (condition_.friction > 0.0) force += friction_(sample, memory_);
+    Point ink = on_page(sample.position);
+    if (condition_.towed) {
+      force += tow_(sample, memory_);
+      if (memory_.nib.is_set) ink = memory_.nib.position;
+    }
+    if (in_contact(sample)) {
+      const Vec error = path_.error(ink);
+      const Vec across = perp(path_.direction());
+      const Vec off = dot(error, across) * across;
+      if (condition_.towed) hand_.see(off);
+      if (condition_.guide_n_per_m > 0.0) force += guide(off);
+      record(now_ns, ink, drawing);
+    }
+    static_cast<void>(hand_.write(force));
+  }
+
+  [[nodiscard]] Force guide(Vec off) const {
+    const double size = norm(off);
+    if (size == 0.0) return {};
+    const double pull = std::min(kMPerMm * condition_.guide_n_per_m * size, condition_.guide_n);
+    return {-pull * off.x / size, -pull * off.y / size, 0.0};
+  }
+
+  void record(std::int64_t now_ns, Point ink, Drawing& drawing) {
+    if (began_ns_ < 0) began_ns_ = next_ns_ = now_ns;
+    drawing.duration_s = 1e-9 * static_cast<double>(now_ns - began_ns_);
+    if (now_ns < next_ns_) return;
+    next_ns_ += std::llround(1e9 * tablet_.interval_s);
+    if (next_ns_ <= now_ns) next_ns_ = now_ns + 1;
+    const auto rounded = [this](double x) {
+      return tablet_.step_mm * std::round(x / tablet_.step_mm);
+    };
+    drawing.ink.push_back({{rounded(ink.x), rounded(ink.y)}, drawing.duration_s});
+  }
+
+  Condition condition_;
+  Tablet tablet_;
+  FeedbackHand hand_;
+  HandScriptOptions options_;
+  PathFollower path_;
+  Friction friction_;
+  Towed tow_;
+  ForceMemory memory_;
+  std::int64_t began_ns_ = -1, next_ns_ = 0;
+};
+
+double distance_to(std::span<const Point> line, Point p) {
+  double nearest = norm_squared(line.front() - p);
+  for (const Point q : line) nearest = std::min(nearest, norm_squared(q - p));
+  return std::sqrt(nearest);
+}
+
+// Returns the mean distance from ink to path and from path to ink.
+double error_of(const std::vector<Sample>& ink, std::span<const Point> path) {
+  std::vector<Point> line, ideal;
+  for (const Sample& sample : ink) line.push_back(sample.position);
+  for (std::size_t i = 0; i < path.size(); i += 4) ideal.push_back(path[i]);
+  double sum = 0.0;
+  for (const Point p : line) sum += distance_to(ideal, p);
+  for (const Point p : ideal) sum += distance_to(line, p);
+  return sum / static_cast<double>(line.size() + ideal.size());
+}
+
+// With a nib that follows late, a person corrects more calmly, so that the crossover frequency
+// times the delay stays the same (McRuer, Jex, IEEE Trans HFE 8, 1967).
+double calmer(const Person& person, const RecordedPath& nib, const TowOptions& rope) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < nib.size(); ++i) {
+    length += distance(nib[i - 1].position, nib[i].position);
+  }
+  const double speed = length / (kTickS * static_cast<double>(nib.size()));
+  const double delay_s = person.eye_delay_s + 2.0 * person.muscle_lag_s;
+  return delay_s / (delay_s + rope.rope_mm / std::max(speed, 1.0));
+}
+
+}  // namespace
+
+Drawing draw(const Person& person, std::span<const Point> via, const Condition& condition,
+             std::uint64_t trial, const Tablet& tablet) {
+  const std::vector<Point> path = smooth_path(via);
+  RecordedPath plan = plan_movement(person, via, trial, condition.tunnel_mm);
+  Person drawer = person;
+  if (condition.towed) {
+    drawer.eye_gain_per_s *= calmer(person, plan, TowOptions());
+    plan = ahead_by_rope(plan, TowOptions());
+  }
+  drawer.seed += 7919 * (trial + 1);
+  Drawing drawing = Scene(drawer, condition, path, tablet).draw(plan);
+  drawing.error_mm = error_of(drawing.ink, path);
+  return drawing;
+}
+
+std::vector<double> pulse_response(const Person& person, double force_n, double pulse_s) {
+  FeedbackHand hand(device(), person);
+  std::vector<double> moved;
+  const double settle_s = 1.0;
+  double start = 0.0;
+  for (int i = 0; i < 1500; ++i) {
+    hand.aim({100.0, 100.0, 4.0}, {}, 0);
+    static_cast<void>(hand.read(i * kMs));
+    const double t = kTickS * i - settle_s;
+    const double x = hand.stylus().body().position().x;
+    if (t < 0.0) {
+      start = x;
+    } else {
+      moved.push_back(x - start);
+    }
+    static_cast<void>(hand.write(t >= 0.0 && t < pulse_s ? Force{force_n, 0.0, 0.0} : Force{}));
+  }
+  return moved;
+}
+
+}  // namespace felt::bench

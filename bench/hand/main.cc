@@ -1,0 +1,396 @@
+// Compares simulated people (felt/devices/simulated/person.h) with real people and with published
+// findings, and prints the tables. Says which of the bars are missed; the exit status is 1 then.
+//   bench_hand [--people N] [--seed N] [--strokes FILE.ndjson] [--mm-per-unit U] [--limit N]
+//              [--every N --from K]
+// --strokes names recordings of real people with times; each simulated person then draws the same
+// lines. --every and --from take every N-th stroke from the K-th on, to keep strokes back.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "apps/cli/text_table.h"
+#include "drawing.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "movement.h"
+#include "statistics.h"
+
+namespace felt::bench {
+namespace {
+
+constexpr double kCareful = 0.25;  // pace of people who draw slowly
+constexpr double kHurry = 3.0;     // pace of people who are told to be as fast as possible
+constexpr double kTau = 2.0 * std::numbers::pi;
+
+struct Options {
+  std::size_t people = 20;
+  std::uint64_t seed = 1;
+  std::string strokes;
+  double mm_per_unit = 0.26;
+  std::size_t limit = 1'000'000;
+  std::size_t every = 1, from = 0;
+};
+
+[[noreturn]] void fail_usage() {
+  fmt::print(stderr,
+             "usage: bench_hand [--people N] [--seed N] [--strokes FILE.ndjson] [--mm-per-unit U]\n"
+             "                  [--limit N] [--every N] [--from K]\n");
+  std::exit(2);
+}
+
+Options options_of(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i], value = argv[i + 1];
+    const auto number = static_cast<std::size_t>(std::strtoull(value.c_str(), nullptr, 10));
+    if (name == "--people") {
+      options.people = number;
+    } else if (name == "--seed") {
+      options.seed = number;
+    } else if (name == "--strokes") {
+      options.strokes = value;
+    } else if (name == "--mm-per-unit") {
+      options.mm_per_unit = std::strtod(value.c_str(), nullptr);
+    } else if (name == "--limit") {
+      options.limit = number;
+    } else if (name == "--every") {
+      options.every = number;
+    } else if (name == "--from") {
+      options.from = number;
+    } else {
+      fail_usage();
+    }
+  }
+  if (argc % 2 == 0 || options.people == 0 || options.every == 0 || !(options.mm_per_unit > 0.0)) {
+    fail_usage();
+  }
+  return options;
+}
+
+// --- Shapes ------------------------------------------------------------------------------------
+
+struct Shape {
+  std::string name;
+  std::vector<Point> via;
+};
+
+std::vector<Point> curve(int count, const std::function<Point(double)>& at) {
+  std::vector<Point> points;
+  for (int i = 0; i <= count; ++i) points.push_back(at(double(i) / count));
+  return points;
+}
+
+std::vector<Point> circle(double radius) {
+  return curve(48, [=](double t) {
+    return Point{80.0 + radius * std::sin(kTau * t), 80.0 - radius * std::cos(kTau * t)};
+  });
+}
+
+// The shapes in the order of their complexity, for the comparison with Langerak.
+std::vector<Shape> shapes() {
+  std::vector<Point> star;
+  for (int i = 0; i <= 10; ++i) {
+    const double radius = i % 2 == 0 ? 25.0 : 10.0, angle = kTau * i / 10.0;
+    const Point p{80.0 + radius * std::sin(angle), 80.0 - radius * std::cos(angle)};
+    star.push_back(p);
+    if (i > 0 && i < 10) star.push_back(p);  // a corner
+  }
+  return {{"line", {{40.0, 80.0}, {120.0, 80.0}}},
+          {"circle", circle(20.0)},
+          {"wave", curve(60,
+                         [](double t) {
+                           return Point{30.0 + 132.0 * t, 80.0 + 8.0 * std::sin(2.0 * kTau * t)};
+                         })},
+          {"spiral", curve(120,
+                           [](double t) {
+                             const double radius = 12.0 + 25.0 * t;
+                             return Point{80.0 + radius * std::cos(3.0 * kTau * t),
+                                          80.0 + radius * std::sin(3.0 * kTau * t)};
+                           })},
+          {"star", star}};
+}
+
+// --- Tables ------------------------------------------------------------------------------------
+
+class Report {
+ public:
+  void bar(bool holds, const std::string& what) {
+    fmt::print("{}: {}\n", holds ? "held" : "MISSED", what);
+    if (!holds) ++missed_;
+  }
+  [[nodiscard]] int missed() const { return missed_; }
+
+ private:
+  int missed_ = 0;
+};
+
+cli::TextTable table(std::initializer_list<const char*> columns) {
+  using Align = cli::TextTable::Align;
+  std::vector<cli::TextTable::Column> all;
+  for (const char* name : columns)
+    all.push_back({name, all.empty() ? Align::kLeft : Align::kRight});
+  return cli::TextTable(all);
+}
+
+void print(const cli::TextTable& table) {
+  fmt::print("{}\n", table.text(cli::TextStyle::of_stdout()));
+}
+
+double mean_error(const std::vector<Person>& people, std::span<const Point> via,
+                  const Condition& condition, double pace = 1.0) {
+  double sum = 0.0;
+  for (Person person : people) {
+    person.pace *= pace;
+    sum += draw(person, via, condition).error_mm;
+  }
+  return sum / static_cast<double>(people.size());
+}
+
+// --- Comparison with real people -----------------------------------------------------------------
+
+struct Real {
+  std::vector<Sample> samples;
+};
+
+std::vector<Real> read_strokes(const Options& options) {
+  std::ifstream file(options.strokes);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  LineReader reader(read_text(text));
+  LineBatch batch;
+  NdjsonParser parser;
+  RawStroke raw;
+  std::vector<Real> all;
+  std::size_t number = 0;
+  while (reader.fill(batch, 1'000'000).value()) {
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (!parser.raw_stroke(batch.line(i), raw)) continue;
+      Real real;
+      for (const InkSample& s : raw.samples) {
+        if (!s.time_ns) break;
+        const Point p{options.mm_per_unit * s.position.x, options.mm_per_unit * s.position.y};
+        const double t_s = 1e-9 * static_cast<double>(*s.time_ns);
+        if (real.samples.empty() || t_s > real.samples.back().t_s) real.samples.push_back({p, t_s});
+      }
+      if (!measure(real.samples) || number++ % options.every != options.from) continue;
+      if (all.size() < options.limit) all.push_back(std::move(real));
+    }
+  }
+  return all;
+}
+
+// The line that a real person drew, without sensor steps and tremor, as a path to draw.
+std::vector<Point> line_of(const Real& real) {
+  std::vector<Point> via;
+  const double apart_mm = 1.0;
+  for (std::size_t i = 0; i < real.samples.size(); ++i) {
+    const std::size_t from = i > 0 ? i - 1 : 0, to = std::min(i + 1, real.samples.size() - 1);
+    Vec sum;
+    for (std::size_t k = from; k <= to; ++k) sum += real.samples[k].position - Point{};
+    const Point p = Point{} + sum / static_cast<double>(to - from + 1);
+    if (via.empty() || distance(via.back(), p) >= apart_mm) via.push_back(p);
+  }
+  for (Point& p : via) p = p + Vec{40.0, 40.0};
+  return via;
+}
+
+// The tablet or mouse of a recording, as its samples show it.
+Tablet tablet_of(const Real& real) {
+  Tablet tablet{.interval_s = 0.0, .step_mm = 1e9};
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < real.samples.size(); ++i) {
+    intervals.push_back(real.samples[i].t_s - real.samples[i - 1].t_s);
+    const Vec step = real.samples[i].position - real.samples[i - 1].position;
+    for (const double d : {std::abs(step.x), std::abs(step.y)}) {
+      if (d > 1e-6) tablet.step_mm = std::min(tablet.step_mm, d);
+    }
+  }
+  tablet.interval_s = quantile(intervals, 0.5);
+  return tablet;
+}
+
+void compare_with_people(const Options& options, const std::vector<Person>& people,
+                         Report& report) {
+  if (options.strokes.empty()) {
+    fmt::print("No comparison with real people: no --strokes.\n\n");
+    return;
+  }
+  std::vector<Movement> real, simulated;
+  double simulated_s = 0.0;
+  const std::clock_t start = std::clock();  // CPU time, because other programs may run
+  std::size_t number = 0;
+  for (const Real& stroke : read_strokes(options)) {
+    const std::vector<Point> via = line_of(stroke);
+    if (via.size() < 2) continue;
+    const Person& person = people[number % people.size()];
+    const Drawing drawing = draw(person, via, {}, ++number, tablet_of(stroke));
+    simulated_s += drawing.simulated_s;
+    real.push_back(*measure(stroke.samples));
+    if (const std::optional<Movement> m = measure(drawing.ink)) simulated.push_back(*m);
+  }
+  const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  fmt::print("{} strokes of real people, {} of {} simulated people on the same lines\n",
+             real.size(), simulated.size(), people.size());
+  cli::TextTable rows =
+      table({"measure", "people 5 %", "50 %", "95 %", "simulated 5 %", "50 %", "95 %", "KS"});
+  double largest = 0.0;
+  const auto add = [&](const char* name, double Movement::*member) {
+    std::vector<double> a, b;
+    for (const Movement& m : real) a.push_back(m.*member);
+    for (const Movement& m : simulated) b.push_back(m.*member);
+    const double ks = ks_distance(a, b);
+    largest = std::max(largest, ks);
+    std::vector<std::string> cells{name};
+    for (const auto& values : {a, b}) {
+      for (const double share : {0.05, 0.5, 0.95}) {
+        cells.push_back(fmt::format("{:.2f}", quantile(values, share)));
+      }
+    }
+    cells.push_back(fmt::format("{:.2f}", ks));
+    rows.add_row(cells);
+  };
+  add("exponent of the power law", &Movement::power);
+  add("R2 of the power law", &Movement::fit);
+  add("peaks of the speed per s", &Movement::peaks_hz);
+  add("log dimensionless jerk", &Movement::jerk);
+  print(rows);
+  report.bar(largest <= 0.30, fmt::format("KS distance to people at most 0.30 ({:.2f})", largest));
+  report.bar(simulated_s / cpu_s >= 100.0,
+             fmt::format("at least 100 times real time ({:.0f})\n", simulated_s / cpu_s));
+}
+
+// --- Laws and findings ---------------------------------------------------------------------------
+
+void check_steering(const std::vector<Person>& people, Report& report) {
+  cli::TextTable rows = table({"tunnel", "width mm", "ID", "time s", "error mm"});
+  for (const Shape& shape : {shapes()[0], shapes()[1]}) {
+    std::vector<Point> law;
+    bool falls = true;
+    double before = 1e9;
+    for (const double width : {12.0, 8.0, 5.0, 3.0, 2.0}) {
+      double time = 0.0, error = 0.0;
+      for (Person person : people) {
+        person.pace *= kHurry;
+        const Drawing drawing = draw(person, shape.via, {.tunnel_mm = width});
+        time += drawing.duration_s / static_cast<double>(people.size());
+        error += drawing.error_mm / static_cast<double>(people.size());
+      }
+      const double length = shape.name == "line" ? 80.0 : 20.0 * kTau;
+      law.push_back({length / width, time});
+      falls = falls && error < before;
+      before = error;
+      rows.add_row({shape.name, fmt::format("{:.0f}", width), fmt::format("{:.1f}", length / width),
+                    fmt::format("{:.2f}", time), fmt::format("{:.3f}", error)});
+    }
+    report.bar(correlation(law) >= 0.98, fmt::format("steering law, {}: r at least 0.98 ({:.4f})",
+                                                     shape.name, correlation(law)));
+    report.bar(falls, shape.name + ": the error falls with the width of the tunnel");
+  }
+  print(rows);
+}
+
+void check_speed(const std::vector<Person>& people, Report& report) {
+  cli::TextTable rows = table({"pace", "error mm"});
+  double before = 0.0;
+  bool rises = true;
+  for (const double pace : {0.5, 1.0, 2.0, 4.0}) {
+    const double error = mean_error(people, shapes()[2].via, {}, pace);
+    rises = rises && error > before;
+    before = error;
+    rows.add_row({fmt::format("{:.1f}", pace), fmt::format("{:.3f}", error)});
+  }
+  report.bar(rises, "wave: the error rises with the speed");
+  print(rows);
+}
+
+// Returns the change of the error that a condition makes, relative to drawing freely.
+MeanOverPeople change(const std::vector<Person>& people, std::span<const Shape> shapes,
+                      const Condition& condition) {
+  std::vector<double> relative(people.size());
+  for (const Shape& shape : shapes) {
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const double free = draw(people[i], shape.via, {}).error_mm;
+      const double with = draw(people[i], shape.via, condition).error_mm;
+      relative[i] += (with / free - 1.0) / static_cast<double>(shapes.size());
+    }
+  }
+  return mean_over_people(relative);
+}
+
+std::string percent(const MeanOverPeople& change) {
+  return fmt::format("{:+.0f} % ({:+.0f} to {:+.0f})", 100.0 * change.mean, 100.0 * change.low,
+                     100.0 * change.high);
+}
+
+void check_findings(std::vector<Person> people, Report& report) {
+  for (Person& person : people) person.pace *= kCareful;
+  const Condition friction{.friction = 0.4}, towed{.towed = true}, groove{.guide_n_per_m = 100.0};
+  cli::TextTable rows =
+      table({"shape, drawn slowly", "free mm", "friction 0.4", "towed", "groove"});
+  const std::vector<Shape> all = shapes();
+  std::vector<double> gain;
+  for (const Shape& shape : all) {
+    const std::span<const Shape> one(&shape, 1);
+    const MeanOverPeople guided = change(people, one, groove);
+    rows.add_row({shape.name, fmt::format("{:.3f}", mean_error(people, shape.via, {})),
+                  percent(change(people, one, friction)), percent(change(people, one, towed)),
+                  percent(guided)});
+    gain.push_back(-guided.mean);
+  }
+  print(rows);
+  const std::span<const Shape> curves = std::span(all).subspan(1, 3);
+  const MeanOverPeople rubbed = change(people, curves, friction);
+  const MeanOverPeople pulled = change(people, curves, towed);
+  report.bar(pulled.high < 0.0 && pulled.mean < rubbed.mean,
+             "Keefe 2007: towing beats drawing freely on slow curves: " + percent(pulled));
+  report.bar(rubbed.high >= 0.0, "Keefe 2007: friction alone does not: " + percent(rubbed));
+  report.bar(*std::min_element(gain.begin(), gain.end()) > 0.0, "guidance lowers the error");
+  report.bar(gain.front() < gain[1] && gain[1] < gain.back(),
+             "Langerak 2019: guidance gains less for simple shapes\n");
+}
+
+void show_pulse(const std::vector<Person>& people) {
+  std::vector<double> peak, at_50, late;
+  for (const Person& person : people) {
+    const std::vector<double> moved = pulse_response(person, 1.0, 0.05);
+    peak.push_back(*std::max_element(moved.begin(), moved.end()));
+    at_50.push_back(moved[50]);
+    late.push_back(moved[400]);
+  }
+  cli::TextTable rows = table({"pulse of 1 N for 50 ms", "5 %", "50 %", "95 %"});
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    rows.add_row({name, fmt::format("{:.2f}", quantile(values, 0.05)),
+                  fmt::format("{:.2f}", quantile(values, 0.5)),
+                  fmt::format("{:.2f}", quantile(values, 0.95))});
+  };
+  add("moved at the end of the pulse, mm", at_50);
+  add("moved furthest, mm", peak);
+  add("moved after 400 ms, mm", late);
+  print(rows);
+}
+
+int run(int argc, char** argv) {
+  const Options options = options_of(argc, argv);
+  const std::vector<Person> people = population(options.people, options.seed);
+  Report report;
+  compare_with_people(options, people, report);
+  check_steering(people, report);
+  check_speed(people, report);
+  check_findings(people, report);
+  show_pulse(people);
+  return report.missed() == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace felt::bench
+
+int main(int argc, char** argv) {
+  return felt::bench::run(argc, argv);
+}

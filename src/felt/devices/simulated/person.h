@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "felt/devices/simulated/scripted_hand.h"
+#include "felt/devices/simulated/stylus_presets.h"
+
+namespace felt {
+
+/// A simulated person who draws with a pen: how this person plans a movement, perceives errors, and
+/// moves the arm. The defaults are the medians of the population. docs/design/simulation.md#people
+/// lists the distributions and their sources.
+struct Person {
+  std::uint64_t seed = 0;  ///< of all noise
+
+  // Planning
+  double pace = 0.45;        ///< factor of the speed
+  double power = 0.15;       ///< speed ~ curvature^-power
+  double scatter = 0.65;     ///< standard deviation of ln(speed) around this law
+  double rhythm_hz = 5.5;    ///< frequency around which the speed varies
+  double steering_s = 0.12;  ///< in a tunnel of width W, the speed is at most W / steering_s
+  double preview_s = 0.25;   ///< how far ahead of the pen the person plans
+  double wander_mm = 0.12;   ///< RMS of slow deviations of the plan from the path, per axis
+
+  // Perception
+  double eye_delay_s = 0.135;   ///< from the position of the pen to a corrected plan
+  double eye_noise_mm = 0.15;   ///< RMS of the error of the perceived position, per axis
+  double eye_gain_per_s = 2.5;  ///< share of the perceived error that is corrected per second
+  double arm_delay_s = 0.04;    ///< from a deviation of the arm to a changed muscle command
+
+  // Arm and hand
+  double muscle_lag_s = 0.04;    ///< each of two low-pass filters in a row
+  double motor_noise = 0.1;      ///< standard deviation of the muscle force divided by that force
+  double tremor_mm = 0.03;       ///< RMS of physiological tremor, 8 to 12 Hz, per axis
+  double arm_kg = 0.1;           ///< mass that moves with the hand, in addition to that of the grip
+  double arm_n_per_m = 250.0;    ///< stiffness between the arm and its planned position
+  double arm_n_s_per_m = 6.0;    ///< damping between them
+  double reflex_n_per_m = 60.0;  ///< additional stiffness after arm_delay_s
+  double load_share = 0.8;  ///< share of a constant load that the person learns to compensate for
+  double grip_n = 2.0;      ///< force of the fingers on the stylus, 1 to 3 N
+
+  /// Returns the fingers as the stylus feels them: stiffness and damping grow with the grip.
+  [[nodiscard]] SimulatedHand grip() const noexcept;
+};
+
+/// Returns a person drawn from the distributions of the population. The same seed gives the same
+/// person.
+Person person_of(std::uint64_t seed);
+/// Returns `count` different persons.
+std::vector<Person> population(std::size_t count, std::uint64_t seed = 1);
+
+/// Returns the movement that a person plans along a path through `via`: points with times, 1 ms
+/// apart. A point given twice in a row is a corner. The person slows down in curves and corners,
+/// and for a tunnel of width `tunnel_mm` around the path (0 for none), and varies the speed at
+/// random. `trial` selects the random numbers. Points that are not finite are left out; without
+/// points, the movement is empty.
+RecordedPath plan_movement(const Person& person, std::span<const Point> via,
+                           std::uint64_t trial = 0, double tunnel_mm = 0.0);
+
+}  // namespace felt
