@@ -227,7 +227,8 @@ Result<void> compare_people(const Options& options) {
       "\n{} simulated people with a simulated {}, paper, default options. mm: mean distance "
       "between "
       "the intended path and\nthe ink. change: per person, with its 95 % interval over people. "
-      "strokes: drawn strokes minus intended ones, of all people.\n",
+      "strokes: drawn strokes minus intended ones, of all people; fewer because snapping joined "
+      "some.\n",
       options.people, options.device);
   return {};
 }

@@ -26,7 +26,7 @@ bool presses(const Aim& aim) noexcept {
 }
 
 // Moves `value` towards `target` with a first-order low-pass filter.
-void follow(Vec& value, Vec target, double time_s, double step_s) noexcept {
+void low_pass(Vec& value, Vec target, double time_s, double step_s) noexcept {
   value += step_s / (time_s + step_s) * (target - value);
 }
 
@@ -87,7 +87,7 @@ tl::expected<void, DeviceFault> FeedbackHand::write(const Force& force) noexcept
 
 tl::expected<PenSample, DeviceFault> FeedbackHand::read(std::int64_t now_ns) noexcept {
   if (!started_) start(now_ns);
-  if (newest_ && !holds_) take_up();
+  if (newest_ && !holds_) pick_up();
   const std::int64_t tick_ns = std::llround(1e9 * tick_s_);
   now_ns_ = std::max(now_ns_, now_ns - kMaxGapNs);
   while (now_ns_ + tick_ns <= now_ns) {
@@ -103,7 +103,7 @@ void FeedbackHand::start(std::int64_t now_ns) noexcept {
 }
 
 // Puts the pen at the first aim, at rest.
-void FeedbackHand::take_up() noexcept {
+void FeedbackHand::pick_up() noexcept {
   holds_ = true;
   arm_ = on_page(newest_->target_mm);
   std::fill(plan_.begin(), plan_.end(), *newest_);
@@ -149,8 +149,8 @@ void FeedbackHand::step() noexcept {
   const Vec late_n =
       kMPerMm * person_.reflex_n_per_m * deviation_[(tick_ - arm_delay_) & (deviation_.size() - 1)];
   const Vec noise_n = motor_noise(stiffness_n + plan_n + late_n);
-  follow(muscle_[0], late_n + noise_n, person_.muscle_lag_s, tick_s_);
-  follow(muscle_[1], muscle_[0], person_.muscle_lag_s, tick_s_);
+  low_pass(muscle_[0], late_n + noise_n, person_.muscle_lag_s, tick_s_);
+  low_pass(muscle_[1], muscle_[0], person_.muscle_lag_s, tick_s_);
 
   const Vec force = stiffness_n + plan_n + muscle_[1] + load;
   arm_velocity_ += tick_s_ / (kMPerMm * person_.arm_kg) * force;
@@ -180,7 +180,7 @@ Vec FeedbackHand::load_at_pen() const noexcept {
 void FeedbackHand::learn_load(Vec load, Vec velocity) noexcept {
   if (norm(velocity) < kLearnFromMmPerS) return;
   const Vec along = normalized(velocity);
-  follow(load_, {dot(load, along), dot(load, perp(along))}, kLearnS, tick_s_);
+  low_pass(load_, {dot(load, along), dot(load, perp(along))}, kLearnS, tick_s_);
 }
 
 Vec FeedbackHand::expected_load(Vec velocity) const noexcept {
@@ -202,8 +202,8 @@ void FeedbackHand::correct(bool draws, const Motion& motion) noexcept {
   } else {
     wanted = -1.0 / kForgetS * offset_;
   }
-  follow(lagging_, wanted, person_.muscle_lag_s, tick_s_);
-  follow(offset_speed_, lagging_, person_.muscle_lag_s, tick_s_);
+  low_pass(lagging_, wanted, person_.muscle_lag_s, tick_s_);
+  low_pass(offset_speed_, lagging_, person_.muscle_lag_s, tick_s_);
   const double speed = norm(motion.velocity);
   if (draws && speed > kLearnFromMmPerS) {
     const double turn = cross(motion.velocity, motion.acceleration) / (speed * speed);

@@ -62,7 +62,7 @@ class FeedbackHand final : public Device, public HandInput {
   };
 
   void start(std::int64_t now_ns) noexcept;
-  void take_up() noexcept;
+  void pick_up() noexcept;
   void step() noexcept;
   void correct(bool draws, const Motion& motion) noexcept;
   void learn_load(Vec load, Vec velocity) noexcept;
