@@ -162,6 +162,10 @@ struct Real {
 
 std::vector<Real> read_strokes(const Options& options) {
   std::ifstream file(options.strokes);
+  if (!file) {
+    fmt::print(stderr, "bench_hand: {}: cannot open\n", options.strokes);
+    std::exit(1);
+  }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   LineReader reader(read_text(text));
   LineBatch batch;
@@ -236,6 +240,10 @@ void compare_with_people(const Options& options, const std::vector<Person>& peop
     if (const std::optional<Movement> m = measure(drawing.ink)) simulated.push_back(*m);
   }
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (real.empty() || simulated.empty()) {
+    report.bar(false, options.strokes + ": no strokes with times that last 0.6 s or more\n");
+    return;
+  }
   fmt::print("{} strokes of real people, {} of {} simulated people on the same lines\n",
              real.size(), simulated.size(), people.size());
   cli::TextTable rows =
