@@ -8,8 +8,7 @@
 // Without --file it draws share/samples. All options of the pencil have their defaults. Fails if a
 // stroke is missing or is split. With --people, N simulated people draw, who see and feel what the
 // pen does (felt/devices/simulated/feedback_hand.h); prints how the forces change the error of each
-// person.
-// --snapping counts joined and closed strokes (snap_bars.h).
+// person. --snapping counts joined and closed strokes (snap_bars.h).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -71,6 +70,7 @@ Options options_of(int argc, char** argv) {
       options.limit = std::strtoull(value.c_str(), nullptr, 10);
     } else if (name == "--people") {
       options.people = std::strtoull(value.c_str(), nullptr, 10);
+      if (options.people == 0) fail_usage();
     } else if (name == "--device") {
       options.device = value;
     } else if (name == "--hand") {
@@ -225,10 +225,9 @@ Result<void> compare_people(const Options& options) {
   fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
   fmt::print(
       "\n{} simulated people with a simulated {}, paper, default options. mm: mean distance "
-      "between "
-      "the intended path and\nthe ink. change: per person, with its 95 % interval over people. "
-      "strokes: drawn strokes minus intended ones, of all people; fewer because snapping joined "
-      "some.\n",
+      "between the\nintended path and the ink. change: per person, with its 95 % interval over "
+      "people. strokes: drawn\nstrokes minus intended ones, of all people; fewer because snapping "
+      "joined some.\n",
       options.people, options.device);
   return {};
 }

@@ -40,8 +40,8 @@ FeedbackHand::FeedbackHand(const StylusPreset& preset, const Person& person)
     : person_(person),
       stylus_(preset, person.grip()),
       random_(person.seed),
-      tremor_(make_noise(kTremorHz[0], kTremorHz[1])),
-      wander_(make_noise(kWanderHz[0], kWanderHz[1])) {
+      tremor_(random_, kTremorHz[0], kTremorHz[1], person.tremor_mm),
+      wander_(random_, kWanderHz[0], kWanderHz[1], person.wander_mm) {
   tick_s_ = 1e-9 * static_cast<double>(preset.capabilities.period_ns);
   preview_ = std::max<std::size_t>(ticks(person.preview_s, tick_s_), ticks(kPlanLookS, tick_s_));
   eye_delay_ = ticks(person.eye_delay_s, tick_s_);
@@ -51,26 +51,6 @@ FeedbackHand::FeedbackHand(const StylusPreset& preset, const Person& person)
   plan_.resize(size);
   error_.resize(size);
   deviation_.resize(size);
-}
-
-FeedbackHand::Noise FeedbackHand::make_noise(double low_hz, double high_hz) noexcept {
-  Noise noise;
-  for (Tone& tone : noise) {
-    tone.radians_per_s = kTau * random_.between(low_hz, high_hz);
-    tone.phase_x = random_.between(0.0, kTau);
-    tone.phase_y = random_.between(0.0, kTau);
-  }
-  return noise;
-}
-
-Vec FeedbackHand::value(const Noise& noise, double rms) const noexcept {
-  const double t_s = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
-  Vec sum;
-  for (const Tone& tone : noise) {
-    const double angle = tone.radians_per_s * t_s;
-    sum += Vec{std::sin(angle + tone.phase_x), std::sin(angle + tone.phase_y)};
-  }
-  return rms * std::sqrt(2.0 / double(kTones)) * sum;
 }
 
 void FeedbackHand::aim(const Aim& aim) noexcept {
@@ -136,7 +116,8 @@ void FeedbackHand::step() noexcept {
   const bool draws = presses(now);
   const Motion motion = planned_motion();
   correct(draws, motion);
-  const Vec wander = value(wander_, person_.wander_mm) + value(tremor_, person_.tremor_mm);
+  const double t_s = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  const Vec wander = wander_.at(t_s) + tremor_.at(t_s);
   const Vec off = motion.position + wander + offset_ - arm_;
   const Vec off_speed = motion.velocity + offset_speed_ - arm_velocity_;
   deviation_[tick_ & (deviation_.size() - 1)] = off;

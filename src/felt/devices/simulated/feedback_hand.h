@@ -8,6 +8,7 @@
 #include "felt/devices/simulated/person.h"
 #include "felt/devices/simulated/random.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/devices/simulated/tones.h"
 
 namespace felt {
 
@@ -51,11 +52,6 @@ class FeedbackHand final : public Device, public HandInput {
   [[nodiscard]] const SimulatedStylus& stylus() const noexcept { return stylus_; }
 
  private:
-  static constexpr std::size_t kTones = 5;
-  struct Tone {
-    double radians_per_s = 0.0, phase_x = 0.0, phase_y = 0.0;
-  };
-  using Noise = std::array<Tone, kTones>;
   struct Motion {
     Point position;
     Vec velocity, acceleration;
@@ -73,13 +69,11 @@ class FeedbackHand final : public Device, public HandInput {
   [[nodiscard]] const Aim& planned(std::size_t ticks_ago) const noexcept;
   [[nodiscard]] Point planned_point(std::size_t ticks_ago) const noexcept;
   [[nodiscard]] Motion planned_motion() const noexcept;
-  [[nodiscard]] Noise make_noise(double low_hz, double high_hz) noexcept;
-  [[nodiscard]] Vec value(const Noise& noise, double rms) const noexcept;
 
   Person person_;
   SimulatedStylus stylus_;
   Random random_;
-  Noise tremor_, wander_;
+  Tones tremor_, wander_;
   bool started_ = false, holds_ = false;
   std::optional<Aim> newest_;
   double tick_s_ = 0.001;

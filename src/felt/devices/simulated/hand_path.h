@@ -28,7 +28,7 @@ std::vector<Point> smooth_path(std::span<const Point> via);
 std::vector<TimedPoint> pace(std::span<const Point> path, double tempo);
 
 /// Returns the positions at equal time steps, from time 0 to the last time or, if that is later, to
-/// `min_duration_s`.
+/// `min_duration_s`. Requires at least one point.
 std::vector<Point> at_equal_times(std::span<const TimedPoint> path, double step_s,
                                   double min_duration_s);
 

@@ -11,12 +11,13 @@ namespace felt {
 
 /// A simulated person who draws with a pen: how this person plans a movement, perceives errors, and
 /// moves the arm. The defaults are the medians of the population. docs/design/simulation.md#people
-/// lists the distributions and their sources.
+/// lists the distributions and their sources. Requires that all numbers are finite and not
+/// negative, and arm_kg positive.
 struct Person {
   std::uint64_t seed = 0;  ///< of all noise
 
   // Planning
-  double pace = 0.45;        ///< factor of the speed
+  double pace = 0.45;        ///< 1: 40 mm/s in a circle with a radius of 1 mm
   double power = 0.15;       ///< speed ~ curvature^-power
   double scatter = 0.65;     ///< standard deviation of ln(speed) around this law
   double rhythm_hz = 5.5;    ///< frequency around which the speed varies

@@ -38,29 +38,9 @@ double effort(Vec velocity_mm_s) {
 WritingHand::WritingHand(const HandOptions& options)
     : options_(options),
       random_(options.seed),
-      tremor_(make_noise(8.0, 12.0, options.tremor_mm)),
-      wander_(make_noise(0.4, 2.5, options.wander_mm)),
-      waver_(make_noise(0.7, 4.0, 0.06)) {}
-
-WritingHand::Noise WritingHand::make_noise(double low_hz, double high_hz, double rms) {
-  Noise noise;
-  for (Tone& tone : noise) {
-    tone.hz = random_.between(low_hz, high_hz);
-    tone.phase_x = random_.between(0.0, kTau);
-    tone.phase_y = random_.between(0.0, kTau);
-    tone.amplitude = rms * std::sqrt(2.0 / double(kTones));
-  }
-  return noise;
-}
-
-Vec WritingHand::value(const Noise& noise, double t_s) noexcept {
-  Vec sum;
-  for (const Tone& tone : noise) {
-    const double a = kTau * tone.hz * t_s;
-    sum += tone.amplitude * Vec{std::sin(a + tone.phase_x), std::sin(a + tone.phase_y)};
-  }
-  return sum;
-}
+      tremor_(random_, 8.0, 12.0, options.tremor_mm),
+      wander_(random_, 0.4, 2.5, options.wander_mm),
+      waver_(random_, 0.7, 4.0, 0.06) {}
 
 // Advances the time by a whole number of sampling intervals, because the tablet's clock continues
 // to run while the pen is up.
@@ -85,11 +65,11 @@ std::vector<HandSample> WritingHand::draw(const Gesture& gesture) {
     const auto k = std::min(static_cast<std::size_t>(place), track.size() - 1);
     const auto next = std::min(k + 1, track.size() - 1);
     const Point aim = lerp(track[k], track[next], place - static_cast<double>(k));
-    const Point p = aim + value(tremor_, now_s_ + t) + value(wander_, now_s_ + t);
+    const Point p = aim + tremor_.at(now_s_ + t) + wander_.at(now_s_ + t);
     const double ends = std::min(smooth_step(t / kRiseS), smooth_step((duration_s - t) / kFallS));
     const double level = gesture.end_pressure + (1.0 - gesture.end_pressure) * ends;
     const double pressure = gesture.pressure * level * effort((track[next] - track[k]) / kGridS) *
-                            (1.0 + value(waver_, now_s_ + t).x);
+                            (1.0 + waver_.at(now_s_ + t).x);
     samples.push_back({.position = {quantised(p.x, options_.resolution_mm),
                                     quantised(p.y, options_.resolution_mm)},
                        .pressure = quantised(std::clamp(pressure, options_.pressure_step, 1.0),

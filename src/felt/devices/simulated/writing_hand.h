@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "felt/devices/simulated/random.h"
+#include "felt/devices/simulated/tones.h"
 #include "felt/geometry/point.h"
 
 namespace felt {
@@ -59,20 +59,11 @@ class WritingHand {
   std::vector<HandSample> draw(const Gesture& gesture);
 
  private:
-  /// One sine of the noise that is added to the position or the pressure.
-  struct Tone {
-    double hz, phase_x, phase_y, amplitude;
-  };
-  static constexpr std::size_t kTones = 5;
-  using Noise = std::array<Tone, kTones>;
-
-  Noise make_noise(double low_hz, double high_hz, double rms);
-  [[nodiscard]] static Vec value(const Noise& noise, double t_s) noexcept;
   void rest_until_start_of(Point start);
 
   HandOptions options_;
   Random random_;
-  Noise tremor_, wander_, waver_;
+  Tones tremor_, wander_, waver_;
   double now_s_ = 0.0;
   std::optional<Point> last_;
 };
