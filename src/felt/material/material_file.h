@@ -16,9 +16,8 @@ namespace felt {
 /// A surface or a medium, as read from one text. Format: docs/formats/material.md.
 using AnyMaterial = std::variant<SurfaceMaterial, Medium>;
 
-/// Limits of a text: its size in bytes, and the length of a line, of an id and of a label.
+/// Limits of a text: its size in bytes, and the length of an id and of a label.
 inline constexpr std::size_t kMaxMaterialBytes = std::size_t{64} << 10;
-inline constexpr std::size_t kMaxMaterialLine = 500;
 inline constexpr std::size_t kMaxMaterialIdChars = 64;
 inline constexpr std::size_t kMaxMaterialLabelBytes = 80;
 

@@ -14,28 +14,12 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxProblems = 20;
-constexpr std::size_t kShownChars = 40;
 
 /// Keys that were renamed, with their present names. Texts with the old names are still read.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kFormerKeys = {
     {{"line.lean_width", "line.tilt_width"}, {"line.lean_tone", "line.tilt_tone"}}};
 /// The kind of surfaces in older texts, which are still read.
 constexpr std::string_view kFormerSurfaceKind = "sheet";
-
-std::string shown(const TomlEntry& entry) {
-  if (const auto* number = std::get_if<double>(&entry.value)) return number_text(*number);
-  if (const auto* on = std::get_if<bool>(&entry.value)) return *on ? "true" : "false";
-  if (const auto* other = std::get_if<TomlOther>(&entry.value)) return std::string(other->what);
-  std::string text = std::get<std::string>(entry.value);
-  if (text.size() > kShownChars) {
-    std::size_t end = kShownChars;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-    text = text.substr(0, end) + "...";
-  }
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return "\"" + text + "\"";
-}
 
 bool is_label(std::string_view text) noexcept {
   return !text.empty() && text.size() <= kMaxMaterialLabelBytes && is_utf8(text) &&
@@ -125,7 +109,7 @@ class Reading {
     problems_.push_back({line, {ErrorCode::kInvalidData, toml_place(source_.name, line) + what}});
   }
   void refuse(const TomlEntry& entry, const std::string& allowed) {
-    say(entry.line, entry.key + " is " + shown(entry) + ", it must be " + allowed);
+    say(entry.line, entry.key + " is " + toml_value_text(entry) + ", it must be " + allowed);
   }
 
   SurfaceMaterial surface_of(const std::vector<TomlEntry>& entries) {
@@ -315,27 +299,9 @@ void rename_former_keys(std::vector<TomlEntry>& entries) {
   }
 }
 
-/// Returns an error if the text or a line is too long. Must be called before the parser, because
-/// the parser nests as many tables as a line has dots.
-std::optional<Error> too_long(std::string_view text, const std::string& name) {
-  if (text.size() > kMaxMaterialBytes) {
-    return Error{ErrorCode::kLimitExceeded, name + ": is longer than 64 KiB"};
-  }
-  int line = 1;
-  for (std::size_t begin = 0; begin < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end - begin > kMaxMaterialLine) {
-      return Error{ErrorCode::kLimitExceeded, toml_place(name, line) + "is longer than " +
-                                                  std::to_string(kMaxMaterialLine) + " bytes"};
-    }
-    begin = end + 1;
-  }
-  return std::nullopt;
-}
-
 std::optional<AnyMaterial> read(std::string_view text, const MaterialSource& source,
                                 std::vector<Error>& problems) {
-  if (std::optional<Error> error = too_long(text, source.name)) {
+  if (std::optional<Error> error = toml_too_long(text, source.name, kMaxMaterialBytes)) {
     problems.push_back(*std::move(error));
     return std::nullopt;
   }

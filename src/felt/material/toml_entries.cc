@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
+#include "felt/material/number_text.h"
 
 // Configures toml++ for small texts: no exceptions. Version 3.3 asserts some properties of a text
 // that it has not checked (tests/fuzz found that "[=" violates one). Such an assertion must not
@@ -36,12 +37,13 @@ namespace felt {
 namespace {
 
 constexpr int kMaxDepth = 4;
+constexpr std::size_t kShownChars = 40;
 
 int line_of(const toml::source_region& where) noexcept {
   return static_cast<int>(std::max<toml::source_index>(where.begin.line, 1));
 }
 
-/// Quotes a key that contains a dot: no material has such a key, and it must not look like a table.
+/// Quotes a key that contains a dot, because it must not look like a table.
 std::string name_of(const toml::key& key) {
   std::string name(key.str());
   return name.find('.') == std::string::npos ? name : "\"" + name + "\"";
@@ -62,45 +64,87 @@ decltype(TomlEntry::value) value_of(const toml::node& node) {
   return TomlOther{word_for(node)};
 }
 
-struct Level {
-  const toml::table* table;
-  std::string prefix;
-  int depth;
-};
+/// Collects all entries. Uses a stack of tables instead of recursion.
+class TomlEntries {
+ public:
+  TomlEntries(const std::string& name, const TomlRules& rules) : name_(name), rules_(rules) {}
 
-tl::unexpected<Error> too_deep(const std::string& name, const toml::key& key) {
-  return fail(ErrorCode::kLimitExceeded, toml_place(name, line_of(key.source())) + "\"" +
-                                             std::string(key.str()) +
-                                             "\" is nested too deeply for a material");
-}
-
-/// Returns all entries. Uses a stack of tables instead of recursion.
-Result<std::vector<TomlEntry>> entries_of(const toml::table& root, const std::string& name) {
-  std::vector<TomlEntry> entries;
-  std::vector<Level> levels = {{&root, "", 1}};
-  while (!levels.empty()) {
-    const Level level = std::move(levels.back());
-    levels.pop_back();
-    for (const auto& [key, node] : *level.table) {
-      const std::string id = level.prefix + name_of(key);
-      const toml::table* table = node.as_table();
-      if (table && !table->empty()) {
-        if (level.depth == kMaxDepth) return too_deep(name, key);
-        levels.push_back({table, id + ".", level.depth + 1});
-        continue;
+  Result<std::vector<TomlEntry>> of(const toml::table& root) {
+    levels_.push_back({&root, "", 1, -1});
+    while (!levels_.empty()) {
+      const Level level = std::move(levels_.back());
+      levels_.pop_back();
+      for (const auto& [key, node] : *level.table) {
+        const std::string id = level.prefix + name_of(key);
+        if (const toml::table* table = node.as_table(); table && !table->empty()) {
+          if (level.depth == kMaxDepth) return too_deep(key);
+          levels_.push_back({table, id + ".", level.depth + 1, level.index});
+        } else if (node.is_array() && rules_.lists == TomlRules::Lists::kItems) {
+          add_items(*node.as_array(), id, key.source(), level);
+        } else {
+          add(id, key.source(), node, level.index, -1);
+        }
       }
-      entries.push_back({id, line_of(key.source()), static_cast<int>(key.source().begin.column),
-                         value_of(node), node.is_integer()});
+    }
+    std::stable_sort(entries_.begin(), entries_.end(), [](const TomlEntry& a, const TomlEntry& b) {
+      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
+    return std::move(entries_);
+  }
+
+ private:
+  struct Level {
+    const toml::table* table;
+    std::string prefix;
+    int depth;
+    int index;  // TomlEntry::table
+  };
+
+  void add(const std::string& id, const toml::source_region& at, const toml::node& node, int table,
+           int item) {
+    entries_.push_back({id, line_of(at), static_cast<int>(at.begin.column), value_of(node),
+                        node.is_integer(), table, item});
+  }
+
+  void add_items(const toml::array& list, const std::string& id, const toml::source_region& at,
+                 const Level& level) {
+    if (list.empty()) {
+      return entries_.push_back({id, line_of(at), static_cast<int>(at.begin.column),
+                                 TomlOther{kTomlEmptyList}, false, level.index, -1});
+    }
+    int index = 0;
+    for (const toml::node& node : list) {
+      const toml::table* table = node.as_table();
+      if (!table) {
+        add(id, node.source(), node, level.index, index);
+      } else if (level.depth > 1) {
+        entries_.push_back({id, line_of(node.source()),
+                            static_cast<int>(node.source().begin.column), TomlOther{"a table"},
+                            false, level.index, index});
+      } else if (table->empty()) {
+        add(id, node.source(), node, index, -1);
+      } else {
+        levels_.push_back({table, id + ".", level.depth + 1, index});
+      }
+      ++index;
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
-    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-  });
-  return entries;
-}
+
+  [[nodiscard]] tl::unexpected<Error> too_deep(const toml::key& key) const {
+    return fail(ErrorCode::kLimitExceeded,
+                toml_place(name_, line_of(key.source())) + "\"" + std::string(key.str()) +
+                    "\" is nested too deeply for " + std::string(rules_.subject));
+  }
+
+  const std::string& name_;
+  const TomlRules& rules_;
+  std::vector<Level> levels_;
+  std::vector<TomlEntry> entries_;
+};
 
 /// Returns the first line with a table header whose key is invalid, or 0. The parser does not stop
-/// at such a header. Such a line within a multi-line string is rejected, too: no material has one.
+/// at such a header. Such a line within a multi-line string is rejected, too: no text of ours has
+/// one.
 int line_of_bad_header(std::string_view text) noexcept {
   int line = 1;
   for (std::size_t at = 0; at < text.size(); ++line) {
@@ -126,7 +170,41 @@ std::string toml_place(const std::string& name, int line) {
   return name + ":" + std::to_string(line) + ": ";
 }
 
-Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::string& name) {
+std::string toml_value_text(const TomlEntry& entry) {
+  if (const auto* number = std::get_if<double>(&entry.value)) return number_text(*number);
+  if (const auto* on = std::get_if<bool>(&entry.value)) return *on ? "true" : "false";
+  if (const auto* other = std::get_if<TomlOther>(&entry.value)) return std::string(other->what);
+  std::string text = std::get<std::string>(entry.value);
+  if (text.size() > kShownChars) {
+    std::size_t end = kShownChars;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    text = text.substr(0, end) + "...";
+  }
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return "\"" + text + "\"";
+}
+
+std::optional<Error> toml_too_long(std::string_view text, const std::string& name,
+                                   std::size_t max_bytes) {
+  if (text.size() > max_bytes) {
+    return Error{ErrorCode::kLimitExceeded,
+                 name + ": is longer than " + std::to_string(max_bytes / 1024) + " KiB"};
+  }
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > kMaxTomlLine) {
+      return Error{ErrorCode::kLimitExceeded, toml_place(name, line) + "is longer than " +
+                                                  std::to_string(kMaxTomlLine) + " bytes"};
+    }
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::string& name,
+                                         const TomlRules& rules) {
   if (!is_utf8(text)) return fail(ErrorCode::kInvalidData, name + ": is not UTF-8");
   // The byte order mark, which some editors write at the start of a file.
   if (constexpr std::string_view kMark = "\xEF\xBB\xBF"; text.starts_with(kMark)) {
@@ -137,7 +215,7 @@ Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::strin
                 toml_place(name, line) + "'[' must be followed by the name of a table");
   }
   const toml::parse_result parsed = toml::parse(text);
-  if (parsed) return entries_of(parsed.table(), name);
+  if (parsed) return TomlEntries(name, rules).of(parsed.table());
   return fail(ErrorCode::kInvalidData, toml_place(name, line_of(parsed.error().source())) +
                                            std::string(parsed.error().description()));
 }
