@@ -101,6 +101,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/samples
   FILES_MATCHING PATTERN "*.ndjson")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/materials
   DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin FILES_MATCHING PATTERN "*.toml")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/studies
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin FILES_MATCHING PATTERN "*.toml")
 set(felt_completions ${PROJECT_SOURCE_DIR}/share/completions)
 install(FILES ${felt_completions}/bash/feltline COMPONENT bin
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
