@@ -1,14 +1,16 @@
-// Draws recorded strokes again: a simulated hand moves a simulated pen, with the haptic loop and
-// the pencil, for each drawing material and with forces on and off. Prints whether every stroke was
-// drawn, how far the ink is from the intended path, which forces the hand felt, and how much faster
-// than real time the simulation runs on this machine.
-//   bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] [--hand NAME] [--csv F]
-//   bench_feel --people N [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]
-//   bench_feel --snapping [--file F]... [--hand NAME]
-// Without --file it draws share/samples. All options of the pencil have their defaults. Fails if a
-// stroke is missing or is split. With --people, N simulated people draw, who see and feel what the
-// pen does (felt/devices/simulated/feedback_hand.h); prints how the forces change the error of each
-// person. --snapping counts joined and closed strokes (snap_bars.h).
+// Draws recorded strokes again, with a simulated pen, the haptic loop and the pencil, for each
+// drawing material and with forces on and off. Without --file it draws share/samples. All options
+// of the pencil have their defaults, except those given with --set.
+//   bench_feel [--people N] [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]
+//              [--set ID=VALUE]...
+// N simulated people draw (default 20), who see and feel what the pen does
+// (felt/devices/simulated/feedback_hand.h). Prints how the forces change the error of each person.
+//   bench_feel --hand NAME [--csv F] [the options above]
+// A simulated hand that only carries out a plan draws. Prints whether every stroke was drawn, how
+// far the ink is from the intended path, which forces the hand felt, and how much faster than real
+// time the simulation runs on this machine. Fails if a stroke is missing or is split.
+//   bench_feel --snapping [--file F]... [--hand NAME] [--people N]
+// Counts joined and closed strokes (snap_bars.h).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -36,18 +38,18 @@ struct Options {
   std::vector<std::string> files;
   double mm_per_unit = 1.0;
   std::size_t limit = 1'000'000'000;
-  std::string device = "touch", hand = "typical", csv;
-  std::size_t people = 0;
-  bool snapping = false, all_hands = true;
+  std::string device = "touch", hand, csv;
+  std::vector<std::pair<std::string, std::string>> set;
+  std::size_t people = 20;
+  bool snapping = false;
 };
 
 [[noreturn]] void fail_usage() {
-  fmt::print(
-      stderr,
-      "usage: bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] "
-      "[--hand NAME] [--csv F]\n"
-      "       bench_feel --people N [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]\n"
-      "       bench_feel --snapping [--file F]... [--hand NAME]\n");
+  fmt::print(stderr,
+             "usage: bench_feel [--people N] [--file F]... [--mm-per-unit U] [--limit N] "
+             "[--device NAME] [--set ID=VALUE]...\n"
+             "       bench_feel --hand NAME [--csv F] [the options above]\n"
+             "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n");
   std::exit(2);
 }
 
@@ -71,11 +73,14 @@ Options options_of(int argc, char** argv) {
     } else if (name == "--people") {
       options.people = std::strtoull(value.c_str(), nullptr, 10);
       if (options.people == 0) fail_usage();
+    } else if (name == "--set") {
+      const std::size_t at = value.find('=');
+      if (at == std::string::npos) fail_usage();
+      options.set.emplace_back(value.substr(0, at), value.substr(at + 1));
     } else if (name == "--device") {
       options.device = value;
     } else if (name == "--hand") {
       options.hand = value;
-      options.all_hands = false;
     } else if (name == "--csv") {
       options.csv = value;
     } else {
@@ -87,7 +92,8 @@ Options options_of(int argc, char** argv) {
       options.files.push_back(std::string("share/samples/") + name + ".ndjson");
     }
   }
-  const bool known = find_stylus_preset(options.device) && find_hand(options.hand);
+  const bool known =
+      find_stylus_preset(options.device) && (options.hand.empty() || find_hand(options.hand));
   if (!known || !(options.mm_per_unit > 0.0)) fail_usage();
   return options;
 }
@@ -114,12 +120,16 @@ struct Row {
 
 Result<ReplayStats> draw(const Options& options, const std::string& material, bool forces,
                          const std::optional<Person>& person = std::nullopt) {
-  ReplaySettings settings = replay_settings(*find_stylus_preset(options.device),
-                                            *find_hand(options.hand), forces, {}, {});
+  ReplaySettings settings =
+      replay_settings(*find_stylus_preset(options.device),
+                      *find_hand(options.hand.empty() ? "typical" : options.hand), forces, {}, {});
   settings.person = person;
   ReplayMachine machine(settings, Document(), {});
   if (Result<void> set = machine.set_option("pencil.medium", material); !set) {
     return tl::unexpected(set.error());
+  }
+  for (const auto& [id, text] : options.set) {
+    if (Result<void> set = machine.set_option(id, text); !set) return tl::unexpected(set.error());
   }
   const auto start = std::chrono::steady_clock::now();
   ScriptRun run(machine, options.mm_per_unit, 0);
@@ -235,9 +245,9 @@ Result<void> compare_people(const Options& options) {
 int run(int argc, char** argv) {
   const Options options = options_of(argc, argv);
   if (options.snapping) {
-    return check_snap_bars(options.files, options.all_hands ? "" : options.hand) ? 0 : 1;
+    return check_snap_bars(options.files, options.hand, options.people) ? 0 : 1;
   }
-  if (options.people > 0) {
+  if (options.hand.empty()) {
     const Result<void> compared = compare_people(options);
     if (!compared) fmt::print(stderr, "bench_feel: {}\n", compared.error().message);
     return compared ? 0 : 1;

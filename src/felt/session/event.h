@@ -128,9 +128,9 @@ struct LayerEvent {
 };
 
 /// The version of the tools' default options. A recording contains this version, because a
-/// recording leaves out options that have their default. Version 1 has the defaults of Feltline
-/// 0.1.0 (old_defaults.h).
-inline constexpr int kOptionDefaults = 2;
+/// recording leaves out options that have their default. old_defaults.h lists those of
+/// earlier versions.
+inline constexpr int kOptionDefaults = 3;
 
 /// Sets the device that samples come from and forces go to. Applies to all later events.
 /// {"event":"device","max_force_n":3.3,...} A gesture in progress is committed as if the pen had

@@ -7,18 +7,26 @@
 
 namespace felt {
 
-/// Returns the options whose defaults were different in Feltline 0.1.0, with the defaults of that
-/// version. A recording leaves out options that have their default, so a recording from that
-/// version needs these defaults to give the same drawing. The option pull.keep_offset did not exist
-/// in that version; the pull tool worked as if it were on.
+/// Returns the options that had other defaults in an earlier version of the defaults, with those
+/// defaults; empty for the current version. Version 1 is that of Feltline 0.1.0. A recording leaves
+/// out options that have their default, so a recording with older defaults needs these values to
+/// give the same drawing. The option pull.keep_offset did not exist in version 1; the pull tool
+/// worked as if it were on.
 ///
-/// If you change a default, increment kOptionDefaults and add a list of the previous defaults.
-inline std::vector<SetOption> defaults_of_version_1() {
+/// If you change a default, increment kOptionDefaults and add the previous default here.
+inline std::vector<SetOption> old_defaults(int version) {
   using namespace std::string_literals;
-  return {{"pencil.reach_mm", 8.0},     {"pencil.snap_radius_mm", 2.0},
-          {"pencil.attraction_n", 0.6}, {"pencil.keep_separate", false},
-          {"pull.keep_offset", true},   {"eraser.include_width", false},
-          {"lasso.take", "points"s}};
+  std::vector<SetOption> old;
+  if (version <= 1) {
+    old = {{"pencil.reach_mm", 8.0},     {"pencil.snap_radius_mm", 2.0},
+           {"pencil.attraction_n", 0.6}, {"pencil.keep_separate", false},
+           {"pull.keep_offset", true},   {"eraser.include_width", false},
+           {"lasso.take", "points"s}};
+  } else if (version == 2) {
+    old = {{"pencil.attraction_n", 0.2}};
+  }
+  if (version <= 2) old.push_back({"pencil.strength", 1.0});
+  return old;
 }
 
 }  // namespace felt

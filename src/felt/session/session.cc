@@ -248,8 +248,8 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
 }
 
 Result<void> Session::use_defaults(int version) {
-  if (std::exchange(option_defaults_, version) == version || version != 1) return {};
-  for (const SetOption& old : defaults_of_version_1()) {
+  if (std::exchange(option_defaults_, version) == version) return {};
+  for (const SetOption& old : old_defaults(version)) {
     const auto [owner, name] = split_id(old.id);
     const Result<std::size_t> found = find_tool(owner);
     if (!found) continue;

@@ -284,7 +284,7 @@ TEST(Session, ARecordingWithOlderDefaultsGetsThem) {
   EXPECT_EQ(old.option("pencil.reach_mm"), OptionValue(5.0)) << "was set, by --set of record";
   EXPECT_EQ(old.option("lasso.take"), OptionValue(std::string("points")));
   EXPECT_EQ(old.option("eraser.include_width"), OptionValue(false));
-  for (const SetOption& changed : defaults_of_version_1()) {
+  for (const SetOption& changed : old_defaults(1)) {
     EXPECT_TRUE(now.option(changed.id)) << changed.id;
     EXPECT_NE(now.option(changed.id), changed.value) << changed.id;
     if (changed.id == "pencil.reach_mm") continue;
@@ -294,6 +294,17 @@ TEST(Session, ARecordingWithOlderDefaultsGetsThem) {
   ASSERT_TRUE(old.apply({1, SetOption{"lasso.take", std::string("strokes")}}));
   ASSERT_TRUE(old.apply({1, UseDevice{{}, 1}}));
   EXPECT_EQ(old.option("lasso.take"), OptionValue(std::string("strokes")));
+}
+
+TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
+  for (int version = 1; version <= kOptionDefaults; ++version) {
+    Session session(make_tools(), {});
+    ASSERT_TRUE(session.apply({0, UseDevice{{}, version}}));
+    EXPECT_EQ(session.option("pencil.strength"), OptionValue(version < 3 ? 1.0 : 0.5));
+    EXPECT_EQ(session.option("pencil.attraction_n"), OptionValue(version == 1   ? 0.6
+                                                                 : version == 2 ? 0.2
+                                                                                : 0.4));
+  }
 }
 
 TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {

@@ -46,14 +46,14 @@ struct OptionSpec {
 };
 
 /// Returns the row that every tool has: the strength of its forces. `help` says which forces.
-constexpr OptionSpec strength_option(std::string_view help) noexcept {
+constexpr OptionSpec strength_option(std::string_view help, double fallback = 1.0) noexcept {
   return {.id = "strength",
           .label = "Strength of forces",
           .unit = "",
           .kind = OptionKind::kNumber,
           .min = 0.0,
           .max = 1.0,
-          .fallback = 1.0,
+          .fallback = fallback,
           .choices = {},
           .help = help,
           .when = {},

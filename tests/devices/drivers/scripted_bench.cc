@@ -247,9 +247,9 @@ class ScriptedBench final : public DriverBench {
   [[nodiscard]] std::string_view broken_rule() const noexcept override { return side_->rule(); }
   /// The driver reports the same values as the world, except for the rounding of two rotations:
   /// some 1e-15 N, which occasionally changes whether the hand goes one step of the sensor (0.055
-  /// mm) further. A step of the sensor may start another knot of the width, so the tolerance is
-  /// that of the pencil.
-  [[nodiscard]] double tolerance_mm() const noexcept override { return 0.15; }
+  /// mm) further. Then each fit may use the tolerance of the pencil, 0.15 mm, in another way; a
+  /// circle that closes differs most, by 0.19 mm.
+  [[nodiscard]] double tolerance_mm() const noexcept override { return 0.2; }
   [[nodiscard]] std::vector<std::string_view> other_models() const override {
     return {kPremiumModel};
   }

@@ -18,8 +18,9 @@ namespace felt::snap_test {
 
 Result<SnapCount> draw_lines(const std::string& ndjson, const SnapHand& hand,
                              const std::string& snap) {
-  const ReplaySettings settings =
+  ReplaySettings settings =
       replay_settings(*find_stylus_preset(hand.device), *find_hand(hand.name), hand.forces, {}, {});
+  settings.person = hand.person;
   ReplayMachine machine(settings, Document(), {});
   if (!snap.empty()) {
     if (Result<void> set = machine.set_option("pencil.snap", snap); !set) {
@@ -123,6 +124,21 @@ int shapes_meant(const std::vector<std::vector<Point>>& meant) {
   return static_cast<int>(std::count_if(meant.begin(), meant.end(), [](const auto& path) {
     return extent_of(box_of(path)) > kDrawnToMm && distance(path.front(), path.back()) <= kMeetMm;
   }));
+}
+
+int outlines_meant(const std::vector<std::vector<Point>>& meant) {
+  const auto is_outline = [](const std::vector<Point>& a, const std::vector<Point>& b) {
+    if (a.empty() || b.empty()) return false;
+    const auto meet = [](Point p, Point q) { return distance(p, q) <= kContinuedToMm; };
+    const bool same_ends = (meet(a.front(), b.front()) && meet(a.back(), b.back())) ||
+                           (meet(a.front(), b.back()) && meet(a.back(), b.front()));
+    return same_ends && distance(a[a.size() / 2], b[b.size() / 2]) > kDrawnToMm;
+  };
+  int pairs = 0;
+  for (std::size_t i = 0; i < meant.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) pairs += is_outline(meant[i], meant[k]) ? 1 : 0;
+  }
+  return pairs;
 }
 
 int shapes_closed(const SnapCount& count, int lines_per_shape) {

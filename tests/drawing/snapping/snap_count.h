@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "felt/base/result.h"
+#include "felt/devices/simulated/person.h"
 #include "felt/document/document.h"
 #include "tests/drawing/snapping/snap_scenes.h"
 
@@ -14,6 +16,8 @@ struct SnapHand {
   std::string device = "touch";
   bool forces = true;
   std::uint64_t tremor_seed = 0;  ///< 0 for only the tremor of WritingHand
+  /// If set, this person draws instead of the hand, and corrects what the pen does (FeedbackHand).
+  std::optional<Person> person = std::nullopt;
 };
 
 /// The result of a scene.
@@ -45,6 +49,10 @@ int shapes_drawn(const SnapCount& drawn, const std::vector<std::vector<Point>>& 
 /// Returns the number of single lines that are closed shapes as recorded: they end where they
 /// start.
 int shapes_meant(const std::vector<std::vector<Point>>& meant);
+
+/// Returns the number of pairs of lines that are an outline as recorded, like the two lids of an
+/// eye: both lines have the same ends, and their middles are apart.
+int outlines_meant(const std::vector<std::vector<Point>>& meant);
 
 /// Returns the number of closed shapes: closed strokes, or groups of four lines that share their
 /// ends.

@@ -118,15 +118,16 @@ void FeedbackHand::step() noexcept {
   correct(draws, motion);
   const double t_s = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
   const Vec wander = wander_.at(t_s) + tremor_.at(t_s);
-  const Vec off = motion.position + wander + offset_ - arm_;
+  const Vec known_load = draws ? expected_load(motion.velocity) : Vec{};
+  const double grip_n_per_mm = kMPerMm * person_.grip().stiffness_n_per_m;
+  const Vec off = motion.position + wander + offset_ - known_load / grip_n_per_mm - arm_;
   const Vec off_speed = motion.velocity + offset_speed_ - arm_velocity_;
   deviation_[tick_ & (deviation_.size() - 1)] = off;
 
   const Vec load = load_at_pen();
-  learn_load(load, motion.velocity);
+  if (draws) learn_load(load, motion.velocity);
   const Vec stiffness_n = kMPerMm * (person_.arm_n_per_m * off + person_.arm_n_s_per_m * off_speed);
-  const Vec plan_n =
-      kMPerMm * person_.arm_kg * motion.acceleration - expected_load(motion.velocity);
+  const Vec plan_n = kMPerMm * person_.arm_kg * motion.acceleration - known_load;
   const Vec late_n =
       kMPerMm * person_.reflex_n_per_m * deviation_[(tick_ - arm_delay_) & (deviation_.size() - 1)];
   const Vec noise_n = motor_noise(stiffness_n + plan_n + late_n);

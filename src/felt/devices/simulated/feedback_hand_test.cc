@@ -82,8 +82,8 @@ TEST(FeedbackHand, ReactsToAForceAtOnceAndCorrectsItLater) {
   // Grip and arm yield within milliseconds; the eye cannot act before its delay has passed.
   Person blind = calm_person();
   blind.eye_gain_per_s = 0.0;
-  const std::vector<Point> with = draw_line(calm_person(), {0.0, 0.3, 0.0}, 1100);
-  const std::vector<Point> without = draw_line(blind, {0.0, 0.3, 0.0}, 1100);
+  const std::vector<Point> with = draw_line(calm_person(), {0.0, 0.3, 0.0}, 1400);
+  const std::vector<Point> without = draw_line(blind, {0.0, 0.3, 0.0}, 1400);
   EXPECT_GT(with[50].y - 50.0, 1.0);
   // The error has a direction only when the plan begins to move.
   const Person person = calm_person();

@@ -98,7 +98,7 @@ TEST(EventReader, ReadsWhatIsDoneToLayers) {
 
 TEST(EventReader, ReadsDevices) {
   EXPECT_EQ(event_of(R"({"event":"device","t_ms":0})"), (Event{0, UseDevice{{}, 1}}));
-  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0,"defaults":2})"), (Event{0, UseDevice{{}, 2}}));
+  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0,"defaults":3})"), (Event{0, UseDevice{{}, 3}}));
   EXPECT_EQ(error_of(R"({"event":"device","t_ms":0,"defaults":99})"),
             "defaults: 99 is from a newer version of Feltline");
   EXPECT_THAT(error_of(R"({"event":"device","t_ms":0,"defaults":0})"), HasSubstr("at least 1"));

@@ -143,7 +143,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .unit = "N",
      .min = 0.0,
      .max = 1.0,
-     .fallback = 0.2,
+     .fallback = 0.4,
      .help = "Force that draws the pen to its target.",
      .when = "snap=force|both",
      .is_seldom = true},
@@ -182,7 +182,8 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .when = "stabiliser=towed",
      .is_seldom = true},
     strength_option("Force level of friction, grain, attraction and stabiliser. Does not affect "
-                    "the hardness of the surface."),
+                    "the hardness of the surface.",
+                    0.5),
 }};
 
 /// The options in the form that the tool uses.

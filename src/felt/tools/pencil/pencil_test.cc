@@ -451,7 +451,7 @@ TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
   EXPECT_EQ(id(), free);
   for (const auto& [option, value] :
        std::vector<std::pair<const char*, OptionValue>>{{"medium", std::string("chalk")},
-                                                        {"strength", 0.5},
+                                                        {"strength", 0.25},
                                                         {"stabiliser", std::string("inertia")},
                                                         {"stabiliser_mass_g", 70.0},
                                                         {"stabiliser", std::string("towed")},
@@ -612,7 +612,7 @@ TEST(Pencil, EveryOptionDoesSomething) {
                                         {{"keep_separate", false}},
                                         {{"stabiliser", std::string("inertia")}},
                                         {{"stabiliser", std::string("towed")}},
-                                        {{"strength", 0.5}}};
+                                        {{"strength", 0.25}}};
   for (const Options& o : changes) EXPECT_NE(fingerprint(o, false), plain) << o[0].first;
   const OptionValue inertia = std::string("inertia"), towed = std::string("towed");
   EXPECT_NE(fingerprint({{"stabiliser", inertia}}, false),
