@@ -146,7 +146,9 @@ class Scene {
     const auto rounded = [this](double x) {
       return tablet_.step_mm * std::round(x / tablet_.step_mm);
     };
-    drawing.ink.push_back({{rounded(ink.x), rounded(ink.y)}, drawing.duration_s});
+    drawing.ink.push_back({.time_ns = now_ns - began_ns_,
+                           .position = {rounded(ink.x), rounded(ink.y)},
+                           .contact = true});
   }
 
   Condition condition_;
@@ -167,9 +169,9 @@ double distance_to(std::span<const Point> line, Point p) {
 }
 
 // Returns the mean distance from ink to path and from path to ink.
-double error_of(const std::vector<Sample>& ink, std::span<const Point> path) {
+double error_of(const std::vector<TrialSample>& ink, std::span<const Point> path) {
   std::vector<Point> line, ideal;
-  for (const Sample& sample : ink) line.push_back(sample.position);
+  for (const TrialSample& sample : ink) line.push_back(sample.position);
   for (std::size_t i = 0; i < path.size(); i += 4) ideal.push_back(path[i]);
   double sum = 0.0;
   for (const Point p : line) sum += distance_to(ideal, p);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "felt/devices/simulated/person.h"
-#include "movement.h"
+#include "felt/trial/trial_metrics.h"
 
 namespace felt::bench {
 
@@ -26,9 +26,9 @@ struct Tablet {
 
 /// What a person drew.
 struct Drawing {
-  std::vector<Sample> ink;  ///< as the tablet reports it
-  double error_mm = 0.0;    ///< mean distance between ink and path, in both directions
-  double duration_s = 0.0;  ///< from the first contact to the last
+  std::vector<TrialSample> ink;  ///< as the tablet reports it
+  double error_mm = 0.0;         ///< mean distance between ink and path, in both directions
+  double duration_s = 0.0;       ///< from the first contact to the last
   double simulated_s = 0.0;
 };
 

@@ -22,7 +22,7 @@
 #include "apps/cli/text_table.h"
 #include "drawing.h"
 #include "felt/io/ndjson/ndjson_parser.h"
-#include "movement.h"
+#include "felt/trial/trial_metrics.h"
 #include "statistics.h"
 
 namespace felt::bench {
@@ -167,9 +167,24 @@ std::vector<Person> at_pace(std::vector<Person> people, double pace) {
 
 // --- Comparison with real people -----------------------------------------------------------------
 
+double seconds(const TrialSample& from, const TrialSample& to) {
+  return 1e-9 * static_cast<double>(to.time_ns - from.time_ns);
+}
+
 struct Real {
-  std::vector<Sample> samples;
+  std::vector<TrialSample> samples;
+  TrialMetrics metrics;
 };
+
+constexpr double kShortestS = 0.6;
+
+// Returns the metrics of a stroke, or nullopt if it is too short for the measures to compare.
+std::optional<TrialMetrics> measure(const std::vector<TrialSample>& stroke) {
+  if (stroke.empty() || seconds(stroke.front(), stroke.back()) < kShortestS) return std::nullopt;
+  TrialMetrics metrics = measure_trial(stroke, {});
+  if (!metrics.power_law_r2 || !metrics.log_dimensionless_jerk) return std::nullopt;
+  return metrics;
+}
 
 std::vector<Real> read_strokes(const Options& options) {
   std::ifstream file(options.strokes);
@@ -191,10 +206,12 @@ std::vector<Real> read_strokes(const Options& options) {
       for (const InkSample& s : raw.samples) {
         if (!s.time_ns) break;
         const Point p{options.mm_per_unit * s.position.x, options.mm_per_unit * s.position.y};
-        const double t_s = 1e-9 * static_cast<double>(*s.time_ns);
-        if (real.samples.empty() || t_s > real.samples.back().t_s) real.samples.push_back({p, t_s});
+        if (!real.samples.empty() && *s.time_ns <= real.samples.back().time_ns) continue;
+        real.samples.push_back({.time_ns = *s.time_ns, .position = p, .contact = true});
       }
-      if (!measure(real.samples) || number++ % options.every != options.from) continue;
+      const std::optional<TrialMetrics> metrics = measure(real.samples);
+      if (!metrics || number++ % options.every != options.from) continue;
+      real.metrics = *metrics;
       if (all.size() < options.limit) all.push_back(std::move(real));
     }
   }
@@ -221,7 +238,7 @@ Tablet tablet_of(const Real& real) {
   Tablet tablet{.interval_s = 0.0, .step_mm = 1e9};
   std::vector<double> intervals;
   for (std::size_t i = 1; i < real.samples.size(); ++i) {
-    intervals.push_back(real.samples[i].t_s - real.samples[i - 1].t_s);
+    intervals.push_back(seconds(real.samples[i - 1], real.samples[i]));
     const Vec step = real.samples[i].position - real.samples[i - 1].position;
     for (const double d : {std::abs(step.x), std::abs(step.y)}) {
       if (d > 1e-6) tablet.step_mm = std::min(tablet.step_mm, d);
@@ -237,20 +254,20 @@ void compare_with_people(const Options& options, const std::vector<Person>& peop
     fmt::print("No comparison with real people: no --strokes.\n\n");
     return;
   }
-  std::vector<Movement> real, simulated;
-  double simulated_s = 0.0;
-  const std::clock_t start = std::clock();  // CPU time, because other programs may run
+  std::vector<TrialMetrics> real, simulated;
+  double simulated_s = 0.0, cpu_s = 0.0;  // CPU time, because other programs may run
   std::size_t number = 0;
   for (const Real& stroke : read_strokes(options)) {
     const std::vector<Point> via = line_of(stroke);
     if (via.size() < 2) continue;
     const Person& person = people[number % people.size()];
+    const std::clock_t start = std::clock();
     const Drawing drawing = draw(person, via, {}, ++number, tablet_of(stroke));
+    cpu_s += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     simulated_s += drawing.simulated_s;
-    real.push_back(*measure(stroke.samples));
-    if (const std::optional<Movement> m = measure(drawing.ink)) simulated.push_back(*m);
+    real.push_back(stroke.metrics);
+    if (const std::optional<TrialMetrics> m = measure(drawing.ink)) simulated.push_back(*m);
   }
-  const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   if (real.empty() || simulated.empty()) {
     report.bar(false, options.strokes + ": no strokes with times that last 0.6 s or more\n");
     return;
@@ -260,10 +277,10 @@ void compare_with_people(const Options& options, const std::vector<Person>& peop
   cli::TextTable rows =
       table({"measure", "people 5 %", "50 %", "95 %", "simulated 5 %", "50 %", "95 %", "KS"});
   double largest = 0.0;
-  const auto add = [&](const char* name, double Movement::*member) {
+  const auto add = [&](const char* name, TrialMetrics::Value TrialMetrics::*member) {
     std::vector<double> a, b;
-    for (const Movement& m : real) a.push_back(m.*member);
-    for (const Movement& m : simulated) b.push_back(m.*member);
+    for (const TrialMetrics& m : real) a.push_back(*(m.*member));
+    for (const TrialMetrics& m : simulated) b.push_back(*(m.*member));
     const double ks = ks_distance(a, b);
     largest = std::max(largest, ks);
     std::vector<std::string> cells{name};
@@ -275,10 +292,10 @@ void compare_with_people(const Options& options, const std::vector<Person>& peop
     cells.push_back(fmt::format("{:.2f}", ks));
     rows.add_row(cells);
   };
-  add("exponent of the power law", &Movement::power);
-  add("R2 of the power law", &Movement::fit);
-  add("peaks of the speed per s", &Movement::peaks_hz);
-  add("log dimensionless jerk", &Movement::jerk);
+  add("exponent of the power law", &TrialMetrics::power_law_exponent);
+  add("R2 of the power law", &TrialMetrics::power_law_r2);
+  add("peaks of the speed per s", &TrialMetrics::velocity_peaks_per_s);
+  add("log dimensionless jerk", &TrialMetrics::log_dimensionless_jerk);
   print(rows);
   report.bar(largest <= 0.30, fmt::format("KS distance to people at most 0.30 ({:.2f})", largest));
   report.bar(simulated_s / cpu_s >= 100.0,

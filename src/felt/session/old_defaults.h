@@ -22,8 +22,6 @@ inline std::vector<SetOption> old_defaults(int version) {
            {"pencil.attraction_n", 0.6}, {"pencil.keep_separate", false},
            {"pull.keep_offset", true},   {"eraser.include_width", false},
            {"lasso.take", "points"s}};
-  } else if (version == 2) {
-    old = {{"pencil.attraction_n", 0.2}};
   }
   if (version <= 2) old.push_back({"pencil.strength", 1.0});
   return old;

@@ -301,9 +301,7 @@ TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
     Session session(make_tools(), {});
     ASSERT_TRUE(session.apply({0, UseDevice{{}, version}}));
     EXPECT_EQ(session.option("pencil.strength"), OptionValue(version < 3 ? 1.0 : 0.5));
-    EXPECT_EQ(session.option("pencil.attraction_n"), OptionValue(version == 1   ? 0.6
-                                                                 : version == 2 ? 0.2
-                                                                                : 0.4));
+    EXPECT_EQ(session.option("pencil.attraction_n"), OptionValue(version == 1 ? 0.6 : 0.2));
   }
 }
 

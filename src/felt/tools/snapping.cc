@@ -6,13 +6,12 @@ namespace felt {
 
 WellShape well_of(const SnapOptions& options, double strength) noexcept {
   const double quarter = 0.25 * options.reach_mm;
-  const double force_n = strength * options.force_n;
-  const double core = std::clamp(force_n / kWellSlopeNPerMm, quarter, 3.0 * quarter);
+  const double core = std::clamp(options.force_n / kWellSlopeNPerMm, quarter, 3.0 * quarter);
   WellShape shape{.radius_mm = options.reach_mm,
                   .core_mm = core,
                   .rim_mm = quarter,
-                  .force_n = std::min(force_n, kWellSlopeNPerMm * core)};
-  shape.damping_n_s_per_m *= std::min(1.0, force_n / kFullyDampedN);
+                  .force_n = strength * std::min(options.force_n, kWellSlopeNPerMm * core)};
+  shape.damping_n_s_per_m *= strength;
   return shape;
 }
 

@@ -33,13 +33,11 @@ struct SnapOptions {
 /// Maximum stiffness of an attraction, N/mm. Together with the 60 N/m of a dragged end, it stays
 /// within the limit of 300 N/m for edits.
 inline constexpr double kWellSlopeNPerMm = 0.24;
-/// A weaker attraction than this is damped less, in proportion, N.
-inline constexpr double kFullyDampedN = 0.2;
 
 /// Returns the shape of the attraction. The core, where the force grows with the distance, and the
 /// rim, where it fades to zero, are each a quarter of the reach wide. If the force is large, the
 /// core is wider, so that the stiffness stays below kWellSlopeNPerMm. If the reach is too small for
-/// that, the force is reduced. `strength` multiplies the force.
+/// that, the force is reduced. `strength` scales force and damping.
 WellShape well_of(const SnapOptions& options, double strength = 1.0) noexcept;
 
 /// A point that attracts the pen: an end of a stroke of the document, a point on a stroke, or the

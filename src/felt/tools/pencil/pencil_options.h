@@ -143,7 +143,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .unit = "N",
      .min = 0.0,
      .max = 1.0,
-     .fallback = 0.4,
+     .fallback = 0.2,
      .help = "Force that draws the pen to its target.",
      .when = "snap=force|both",
      .is_seldom = true},
