@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "felt/base/utf8.h"
@@ -86,8 +87,8 @@ class TomlEntries {
         }
       }
     }
-    std::stable_sort(entries_.begin(), entries_.end(), [](const TomlEntry& a, const TomlEntry& b) {
-      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    std::sort(entries_.begin(), entries_.end(), [](const TomlEntry& a, const TomlEntry& b) {
+      return std::tie(a.line, a.column, a.item) < std::tie(b.line, b.column, b.item);
     });
     return std::move(entries_);
   }

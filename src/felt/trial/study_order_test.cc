@@ -101,7 +101,7 @@ RC_GTEST_PROP(StudyOrder, HasEveryTrialOnceAndIsAlwaysTheSame, ()) {
     const PlannedTrial& trial = trials[i];
     RC_ASSERT(trial.number == static_cast<int>(i) + 1);
     RC_ASSERT(trial.is_practice == (trial.block == 0));
-    RC_ASSERT(i == 0 || trials[i - 1].block <= trial.block);
+    if (i > 0) RC_ASSERT(trials[i - 1].block <= trial.block);  // RC_ASSERT evaluates all of a || b
     seeds.insert(trial.seed);
     if (trial.is_practice) {
       ++practice;
