@@ -135,7 +135,8 @@ class Report {
   int missed_ = 0;
 };
 
-// A published finding is no bar: the model shows whether it comes out without being put in.
+// Prints whether a published finding comes out. Nothing fails if it does not, because the model was
+// not built to show it.
 void finding(bool comes_out, const std::string& what) {
   fmt::print("{}: {}\n", comes_out ? "comes out" : "does NOT come out", what);
 }

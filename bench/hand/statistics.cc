@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 
 namespace felt::bench {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "felt/base/constants.h"
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 
 namespace felt {
 namespace {

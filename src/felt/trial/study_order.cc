@@ -5,29 +5,21 @@
 #include <numeric>
 #include <utility>
 
+#include "felt/base/random.h"
+
 namespace felt {
 namespace {
 
-/// Random numbers that are the same on every computer. Source: Steele, Lea, Flood, "Fast splittable
-/// pseudorandom number generators", DOI 10.1145/2660193.2660195 (SplitMix64).
+/// The random numbers of one use in a study.
 class StudyRandom {
  public:
   /// What the numbers are for, so that different uses are independent.
   enum class Use : std::uint64_t { kLetters = 1, kBlind, kConditions, kShapes, kTrial };
 
   StudyRandom(const Study& study, Use use, std::initializer_list<std::uint64_t> parts)
-      : state_(study.seed) {
-    mix(static_cast<std::uint64_t>(use));
-    for (const std::uint64_t part : parts) mix(part);
-  }
+      : random_(seed_of(study.seed, use, parts)) {}
 
-  std::uint64_t next() noexcept {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t next() noexcept { return random_.bits(); }
 
   /// Returns a permutation of 0 to count - 1 (Fisher and Yates).
   std::vector<std::size_t> permutation(std::size_t count) {
@@ -38,9 +30,14 @@ class StudyRandom {
   }
 
  private:
-  void mix(std::uint64_t part) noexcept {
-    state_ ^= part * 0xd1342543de82ef95ULL;
-    state_ = next();
+  static std::uint64_t seed_of(std::uint64_t seed, Use use,
+                               std::initializer_list<std::uint64_t> parts) noexcept {
+    const auto mixed = [](std::uint64_t state, std::uint64_t part) {
+      return Random(state ^ part * 0xd1342543de82ef95ULL).bits();
+    };
+    seed = mixed(seed, static_cast<std::uint64_t>(use));
+    for (const std::uint64_t part : parts) seed = mixed(seed, part);
+    return seed;
   }
 
   /// Returns a number below `bound`. Numbers at the end of the range are drawn again, because they
@@ -52,7 +49,7 @@ class StudyRandom {
     return static_cast<std::size_t>(number % bound);
   }
 
-  std::uint64_t state_;
+  Random random_;
 };
 
 using Use = StudyRandom::Use;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "felt/base/constants.h"
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/tools/tool.h"
 
 namespace felt {

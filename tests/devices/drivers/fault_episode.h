@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "felt/base/hash.h"
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/rt/servo.h"
 #include "felt/session/session.h"
 #include "tests/devices/drivers/bench_device.h"

@@ -8,7 +8,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/base/hash.h"
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/driver/force_gate.h"
 
 namespace felt {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "tests/devices/safety/tick_record.h"
 
 namespace felt::safety {

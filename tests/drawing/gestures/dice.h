@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/geometry/point.h"
 
 namespace felt::gestures {

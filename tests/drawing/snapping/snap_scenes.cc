@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/devices/simulated/samples/drawings.h"
 
 namespace felt::snap_test {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "felt/base/constants.h"
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/rt/servo.h"
 

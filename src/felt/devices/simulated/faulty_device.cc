@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 
 namespace felt {
 namespace {

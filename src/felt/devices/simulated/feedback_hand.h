@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "felt/base/random.h"
 #include "felt/devices/simulated/person.h"
-#include "felt/devices/simulated/random.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/devices/simulated/tones.h"
 

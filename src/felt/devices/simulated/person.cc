@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "felt/base/constants.h"
+#include "felt/base/random.h"
 #include "felt/devices/simulated/hand_path.h"
-#include "felt/devices/simulated/random.h"
 
 namespace felt {
 namespace {

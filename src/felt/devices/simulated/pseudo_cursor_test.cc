@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 
 namespace felt::pseudo_cursor_test {
 namespace {

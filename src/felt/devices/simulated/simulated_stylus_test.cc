@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "felt/base/constants.h"
+#include "felt/base/random.h"
 #include "felt/devices/simulated/aim_track.h"
 #include "felt/devices/simulated/gliding_aim.h"
 #include "felt/devices/simulated/held_body.h"
-#include "felt/devices/simulated/random.h"
 
 namespace felt::simulated_stylus_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "felt/base/constants.h"
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/geometry/point.h"
 
 namespace felt {

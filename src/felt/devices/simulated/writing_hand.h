@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/devices/simulated/tones.h"
 #include "felt/geometry/point.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "felt/devices/simulated/random.h"
+#include "felt/base/random.h"
 #include "felt/devices/simulated/samples/drawings.h"
 
 namespace felt {
