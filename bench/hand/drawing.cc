@@ -7,6 +7,7 @@
 #include "felt/devices/simulated/feedback_hand.h"
 #include "felt/devices/simulated/hand_path.h"
 #include "felt/devices/simulated/held_body.h"
+#include "felt/devices/simulated/towed_plan.h"
 #include "felt/haptics/bricks/friction.h"
 #include "felt/haptics/bricks/plane.h"
 #include "felt/haptics/bricks/stabiliser.h"
@@ -47,37 +48,6 @@ class PathFollower {
   std::span<const Point> path_;
   std::size_t at_ = 0;
 };
-
-// Moves the plan of the pen ahead of that of the nib by the length of the rope. A nib that is
-// pulled along the tangent of the path stays on the path (the tractrix).
-RecordedPath ahead_by_rope(const RecordedPath& nib, const TowOptions& rope) {
-  RecordedPath pen;
-  const auto reach = static_cast<std::ptrdiff_t>(10);
-  const auto last = static_cast<std::ptrdiff_t>(nib.size()) - 1;
-  Vec along;
-  const auto at = [&](std::ptrdiff_t i) {
-    return nib[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))].position;
-  };
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    const Vec step = at(i + reach) - at(i - reach);
-    const double speed = norm(step) / (2.0 * static_cast<double>(reach) * kTickS);
-    if (norm(step) > 0.0) along = normalized(step);
-    const double length = rope.rope_mm + rope.time_constant_s * speed;
-    RecordedPoint point = nib[static_cast<std::size_t>(i)];
-    point.position = point.position + length * along;
-    if (i == 0) {  // first the pen pulls the rope taut
-      const int steps = 300;
-      for (int k = 0; k < steps; ++k) {
-        const double t = double(k) / steps;
-        const double part = t * t * t * (10.0 + t * (6.0 * t - 15.0));
-        pen.push_back({.position = at(0) + part * length * along, .time_ns = k * kMs});
-      }
-    }
-    point.time_ns = static_cast<std::int64_t>(pen.size()) * kMs;
-    pen.push_back(point);
-  }
-  return pen;
-}
 
 // The stylus in the hand of a person, and the forces of a condition.
 class Scene {
