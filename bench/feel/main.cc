@@ -11,6 +11,8 @@
 // time the simulation runs on this machine. Fails if a stroke is missing or is split.
 //   bench_feel --snapping [--file F]... [--hand NAME] [--people N]
 // Counts joined and closed strokes (snap_bars.h).
+//   bench_feel --pull [--people N] [--device NAME]
+// Simulated people pull a line to given points (pull_people.h).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,6 +29,7 @@
 #include "bench/hand/statistics.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
+#include "pull_people.h"
 #include "snap_bars.h"
 
 namespace felt::bench {
@@ -41,7 +44,7 @@ struct Options {
   std::string device = "touch", hand, csv;
   std::vector<std::pair<std::string, std::string>> set;
   std::size_t people = 20;
-  bool snapping = false;
+  bool snapping = false, pull = false;
 };
 
 [[noreturn]] void fail_usage() {
@@ -49,7 +52,8 @@ struct Options {
              "usage: bench_feel [--people N] [--file F]... [--mm-per-unit U] [--limit N] "
              "[--device NAME] [--set ID=VALUE]...\n"
              "       bench_feel --hand NAME [--csv F] [the options above]\n"
-             "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n");
+             "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n"
+             "       bench_feel --pull [--people N] [--device NAME]\n");
   std::exit(2);
 }
 
@@ -57,8 +61,8 @@ Options options_of(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
-    if (name == "--snapping") {
-      options.snapping = true;
+    if (name == "--snapping" || name == "--pull") {
+      (name == "--pull" ? options.pull : options.snapping) = true;
       --i;
       continue;
     }
@@ -248,7 +252,8 @@ int run(int argc, char** argv) {
     return check_snap_bars(options.files, options.hand, options.people) ? 0 : 1;
   }
   if (options.hand.empty()) {
-    const Result<void> compared = compare_people(options);
+    const Result<void> compared =
+        options.pull ? compare_pulls(options.device, options.people) : compare_people(options);
     if (!compared) fmt::print(stderr, "bench_feel: {}\n", compared.error().message);
     return compared ? 0 : 1;
   }

@@ -194,8 +194,8 @@ void FeedbackHand::correct(bool draws, const Motion& motion) noexcept {
   offset_ += tick_s_ * offset_speed_;
 }
 
-// Returns how far the pen is from the nearest planned position: only across the path, because a pen
-// that is early or late makes no error in the drawing.
+// Returns how far the pen is from the nearest planned position. While the plan moves, only across
+// the path, because a pen that is early or late makes no error in the drawing.
 Vec FeedbackHand::error_across() noexcept {
   const Point pen = on_page(stylus_.body().position());
   const std::size_t newest = preview_ - std::min(preview_ - 1, ticks(kSeenS, tick_s_));
@@ -212,9 +212,9 @@ Vec FeedbackHand::error_across() noexcept {
   for (std::size_t at = nearest; at > newest && try_to(at - 1);) --at;
   for (std::size_t at = nearest; at < oldest && try_to(at + 1);) ++at;
   match_ = nearest;
+  const Vec off = pen - planned_point(nearest);
   const Vec along = normalized(planned_point(nearest - 1) - planned_point(nearest + 1));
-  const Vec across = perp(along);
-  return dot(pen - planned_point(nearest), across) * across;
+  return along == Vec{} ? off : dot(off, perp(along)) * perp(along);
 }
 
 }  // namespace felt

@@ -85,9 +85,7 @@ TEST(FeedbackHand, ReactsToAForceAtOnceAndCorrectsItLater) {
   const std::vector<Point> with = draw_line(calm_person(), {0.0, 0.3, 0.0}, 1400);
   const std::vector<Point> without = draw_line(blind, {0.0, 0.3, 0.0}, 1400);
   EXPECT_GT(with[50].y - 50.0, 1.0);
-  // The error has a direction only when the plan begins to move.
-  const Person person = calm_person();
-  const auto seen = static_cast<std::size_t>(1000.0 * (person.preview_s + person.eye_delay_s));
+  const auto seen = static_cast<std::size_t>(1000.0 * calm_person().eye_delay_s);
   EXPECT_EQ(with[seen - 10].y, without[seen - 10].y);
   EXPECT_LT(std::abs(with.back().y - 50.0), 0.5 * std::abs(without.back().y - 50.0));
 }
@@ -124,6 +122,23 @@ TEST(FeedbackHand, MovesAwayFromAnErrorThatItIsShown) {
     ASSERT_TRUE(hand.read(i * kMs));
   }
   EXPECT_LT(hand.stylus().body().position().y, 49.5);
+}
+
+// Before, a person saw only errors across a movement, and a force at rest displaced the pen for
+// good.
+TEST(FeedbackHand, ComesBackToThePointWhereItRests) {
+  FeedbackHand hand(premium(), calm_person());
+  double soon = 0.0;
+  for (int i = 0; i < 3'000; ++i) {
+    const bool begins = i < 500;
+    hand.aim(begins ? moving_aim(i) : moving_aim(500));
+    ASSERT_TRUE(hand.read(i * kMs));
+    ASSERT_TRUE(hand.write({i > 1'000 ? 0.8 : 0.0, 0.0, 0.0}));
+    if (i == 1'100) soon = hand.stylus().body().position().x;
+  }
+  const double rests_at = moving_aim(500).target_mm.x;
+  EXPECT_GT(soon, rests_at + 1.0);
+  EXPECT_NEAR(hand.stylus().body().position().x, rests_at, 0.5);
 }
 
 TEST(FeedbackHand, DrawsWithAMouse) {
