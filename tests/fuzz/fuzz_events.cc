@@ -80,6 +80,7 @@ struct CheckWhat {
   void operator()(const UseMaterial& e) const {
     FELT_CHECK(!e.text.empty() && e.text.size() <= kMaxMaterialBytes);
   }
+  void operator()(const UseGuide& e) const { FELT_CHECK(check_guide(e.line).has_value()); }
 };
 
 void check_round_trip(const std::vector<Event>& events) {

@@ -76,6 +76,13 @@ struct Follower {
   bool is_set = false;
 };
 
+/// Whether a guide holds the pen (Guide).
+struct GuideHold {
+  std::uint32_t number = 0;  ///< GuidePiece::hold
+  bool is_held = false;
+  double share = 0.0;  ///< 0..1, of the force
+};
+
 /// The state of force bricks from tick to tick, and the data that the loop gives them for this
 /// tick. Each active model has its own ForceMemory. A model that replaces another starts with a
 /// copy of the previous model's memory, so that, for example, a bristle stays anchored. The type
@@ -103,6 +110,7 @@ struct ForceMemory {
   std::uint32_t turn_gesture = 0;
   bool turn_is_set = false;
   Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
+  GuideHold guide;
 
   ForceTerms terms;  ///< parts of the force on this tick
 

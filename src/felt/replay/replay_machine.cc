@@ -141,7 +141,8 @@ Result<void> ReplayMachine::add(const Event& event) {
     if (!strokes) return tl::unexpected(strokes.error());
   } else if (import || std::holds_alternative<SelectTool>(event.what) ||
              std::holds_alternative<SetOption>(event.what) ||
-             std::holds_alternative<UseMaterial>(event.what)) {
+             std::holds_alternative<UseMaterial>(event.what) ||
+             std::holds_alternative<UseGuide>(event.what)) {
     if (Result<void> known = probe_.apply(event); !known) return known;
   } else if (const auto* aim = std::get_if<HandEvent>(&event.what)) {
     add_aim(event.time_ns, *aim);

@@ -55,9 +55,9 @@ struct ReplayTick {
 /// Device, hand, loop, tools and document in one object. It plays events on a virtual clock and
 /// counts the results (ReplayStats). The same events give the same ticks and the same document.
 ///
-/// Adding a tool, option, material or import event fails if the session would refuse it; other
-/// events are checked when they are played. Added events are queued until `play`. Events that are
-/// added after a play are played on a new loop.
+/// Adding a tool, option, material, guide or import event fails if the session would refuse it;
+/// other events are checked when they are played. Added events are queued until `play`. Events that
+/// are added after a play are played on a new loop.
 class ReplayMachine {
  public:
   struct Observer {

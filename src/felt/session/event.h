@@ -9,6 +9,7 @@
 #include "felt/document/edit.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
+#include "felt/tools/guide_line.h"
 #include "felt/tools/tool_options.h"
 
 namespace felt {
@@ -154,13 +155,21 @@ struct UseMaterial {
   friend bool operator==(const UseMaterial&, const UseMaterial&) = default;
 };
 
+/// Guides the pen of the pencil along a path, instead of along the previous one. A guide of the
+/// kind "none" removes the guide. Forces change, but the ink depends only on the pen samples.
+/// {"event":"guide","kind":"groove","points":[[x,y],...],"closed":true,"strength":1}
+struct UseGuide {
+  GuideLine line;
+  friend bool operator==(const UseGuide&, const UseGuide&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, RestyleEvent, LayerEvent,
-               UseDevice, UseMaterial>
+               UseDevice, UseMaterial, UseGuide>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -15,6 +15,7 @@
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/guide_track.h"
 #include "felt/tools/selection_view.h"
 
 namespace felt {
@@ -91,6 +92,7 @@ struct Session::Apply {
     return session.use_defaults(e.defaults);
   }
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
+  Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -103,6 +105,8 @@ struct Session::Parts {
   Contact contact;
   SurfaceOptions surface;
   Rgba ink_color;
+  std::optional<GuideTrack> guide;
+  std::uint32_t guide_number = 0;  // the last number that a guide has used
 };
 
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
@@ -170,6 +174,7 @@ Result<void> Session::sample(const PenSample& reported) {
             PenEvent{sample.position, sample.pressure, sample.buttons, sample.tilt_deg}});
   }
 
+  if (parts_->guide) parts_->guide->update(sample);
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
   const Contact::Change contact = parts_->contact.update(sample);
   if (must_lift_ && parts_->contact.is_down()) return {};
@@ -269,6 +274,19 @@ Result<void> Session::use_material(const UseMaterial& event) {
   put(options_.materials, *std::move(material));
   parts_->surface.follow(options_.materials);
   return {};
+}
+
+Result<void> Session::use_guide(const UseGuide& event) {
+  if (Result<void> fine = check_guide(event.line); !fine) return fine;
+  if (parts_->guide) parts_->guide_number = parts_->guide->hold();
+  parts_->guide.reset();
+  if (event.line.kind != GuideKind::kNone)
+    parts_->guide.emplace(event.line, ++parts_->guide_number);
+  return {};
+}
+
+const GuideLine* Session::guide() const noexcept {
+  return parts_->guide ? &parts_->guide->line() : nullptr;
 }
 
 void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
@@ -392,8 +410,9 @@ Result<OptionValue> Session::option(std::string_view any_id) const {
 }
 
 Scene Session::scene() const {
-  return {document_, parts_->index,   selection_,  layer_,
-          surface(), options_.device, ink_color(), options_.materials};
+  return {document_,   parts_->index,      selection_,
+          layer_,      surface(),          options_.device,
+          ink_color(), options_.materials, parts_->guide ? &*parts_->guide : nullptr};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

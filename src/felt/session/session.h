@@ -81,8 +81,8 @@ class Session {
   /// Handles an event. Fails if the tool, option, layer or medium does not exist; if the option
   /// does not accept the value, or the layer cannot be used; for a HandEvent, which is for the
   /// Player; for an ImportEvent, because the caller must read its file for import(); or if
-  /// read_material refuses the text of a material. After a failure nothing has changed, and the
-  /// event is not recorded.
+  /// read_material refuses the text of a material, or check_guide a guide. After a failure nothing
+  /// has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& sample);
@@ -113,6 +113,8 @@ class Session {
   /// Returns the known surfaces and media. A UseMaterial may invalidate references to them.
   [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
   [[nodiscard]] const SurfaceMaterial& surface() const noexcept;
+  /// Returns the path along which the pencil guides the pen (UseGuide), or null.
+  [[nodiscard]] const GuideLine* guide() const noexcept;
   /// Returns the colour of new ink (option "ink.color").
   [[nodiscard]] Rgba ink_color() const noexcept;
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
@@ -150,6 +152,7 @@ class Session {
   Result<void> set_option(std::int64_t time_ns, const std::string& id, const OptionValue& value);
   Result<void> use_defaults(int version);
   Result<void> use_material(const UseMaterial& event);
+  Result<void> use_guide(const UseGuide& event);
   /// If an option names a material that is not built in, records the material before the option,
   /// but each material only once.
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);

@@ -582,5 +582,58 @@ TEST(Session, TheForceIsThatOfTheTool) {
   EXPECT_DOUBLE_EQ(fixture.session.force()(pressing, memory).z, 0.6);
 }
 
+/// Returns the guide's part of the session's force on a pen that has touched at `p` for 0.2 s.
+Vec guide_force(const Session& session, Point p) {
+  const ForceModel model = session.force();
+  ForceMemory memory;
+  PenSample sample;
+  sample.position = {p.x, p.y, -1.0};
+  for (int i = 0; i < 200; ++i) {
+    memory.begin_tick(0.001);
+    static_cast<void>(model(sample, memory));
+  }
+  for (const ForceTerms::Term& term : memory.terms) {
+    if (std::string_view(term.name) == "guide") return {term.force.x, term.force.y};
+  }
+  return {};
+}
+
+TEST(Session, GuidesThePencil) {
+  Fixture fixture;
+  fixture.session = Session(make_tools(), {.device = Capabilities{.max_force_n = 3.3}});
+  const Session& session = fixture.session;
+  fixture.put_down(20.0, 11.0);
+  const std::uint32_t free = session.force().fade_id();
+  EXPECT_EQ(guide_force(session, {20.0, 11.0}), Vec{});
+  GuideLine line{.kind = GuideKind::kGroove, .points = {{0.0, 10.0}, {50.0, 10.0}}};
+  fixture.must(UseGuide{line});
+  ASSERT_NE(session.guide(), nullptr);
+  EXPECT_EQ(*session.guide(), line);
+  fixture.pen(20.0, 11.0, -1.0);
+  EXPECT_NEAR(guide_force(session, {20.0, 11.0}).y, -0.3, 1e-6);
+  EXPECT_NEAR(guide_force(session, {20.0, 11.0}).x, 0.0, 1e-6);
+  const std::uint32_t guided = session.force().fade_id();
+  EXPECT_NE(guided, free);
+  fixture.pen(20.5, 11.0, -1.0);
+  EXPECT_EQ(session.force().fade_id(), guided) << "the piece moves without a cross-fade";
+
+  line.kind = GuideKind::kErrorAmplifying;
+  line.strength = 0.5;
+  fixture.must(UseGuide{line});
+  EXPECT_NE(session.force().fade_id(), guided);
+  fixture.pen(20.5, 11.0, -1.0);
+  EXPECT_NEAR(guide_force(session, {20.5, 11.0}).y, 0.05, 2e-3);
+  const Result<void> refused = fixture.apply(UseGuide{{.kind = GuideKind::kGroove}});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("points: "));
+  EXPECT_EQ(session.guide()->kind, GuideKind::kErrorAmplifying);
+  fixture.must(SelectTool{"eraser"});
+  EXPECT_EQ(guide_force(session, {20.5, 11.0}), Vec{}) << "only the pencil is guided";
+  fixture.must(SelectTool{"pencil"});
+  fixture.must(UseGuide{});
+  EXPECT_EQ(session.guide(), nullptr);
+  EXPECT_EQ(session.force().fade_id(), free);
+}
+
 }  // namespace
 }  // namespace felt::session_test

@@ -9,6 +9,7 @@
 
 namespace felt {
 
+class GuideTrack;
 class StrokeIndex;
 
 /// What a tool can read besides the pen samples: the document, the surface under the pen, and the
@@ -23,6 +24,7 @@ struct Scene {
   Rgba color{};  ///< colour of new ink
   /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
+  const GuideTrack* guide = nullptr;  ///< guides the pen while it draws; null: no guide
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

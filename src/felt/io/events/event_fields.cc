@@ -200,6 +200,50 @@ Result<void> parse_index(Value& value, EventFields& out) {
   return {};
 }
 
+/// Adds a point [x,y] of a guide.
+Result<void> parse_guide_point(Value& value, std::vector<Point>& out) {
+  if (out.size() == kMaxGuidePoints) return bad("a guide has at most 20000 points");
+  std::array<double, 2> xy{};
+  std::size_t count = 0;
+  const auto add = [&](Value& item) -> Result<void> {
+    const std::string_view token = token_of(item);
+    if (count == xy.size()) return bad("a point has only two numbers");
+    if (read_number(item, kCoordinateLimit, xy[count++])) return {};
+    return tl::unexpected(number_error(token, kCoordinateLimit));
+  };
+  if (Result<void> read = for_each_element(value, "point", add); !read) return read;
+  if (count < xy.size()) return bad("a point has two numbers");
+  out.push_back({xy[0], xy[1]});
+  return {};
+}
+
+Result<void> parse_guide_points(Value& value, EventFields& out) {
+  return for_each_element(
+      value, "points", [&out](Value& item) { return parse_guide_point(item, out.guide.points); });
+}
+
+Result<void> parse_guide_times(Value& value, EventFields& out) {
+  return for_each_element(value, "times_ms", [&out](Value& item) -> Result<void> {
+    const std::string_view token = token_of(item);
+    double ms = 0.0;
+    if (out.guide.times_ms.size() == kMaxGuidePoints) {
+      return bad("a guide has at most 20000 times");
+    }
+    if (!read_number(item, kEventTimeLimit, ms)) {
+      return tl::unexpected(number_error(token, kEventTimeLimit));
+    }
+    out.guide.times_ms.push_back(ms);
+    return {};
+  });
+}
+
+Result<void> parse_closed_guide(Value& value, EventFields& out) {
+  const Result<bool> closed = read_bool(value);
+  if (!closed) return tl::unexpected(with_context(closed.error(), "closed"));
+  out.guide.is_closed = *closed;
+  return {};
+}
+
 using EventField = Field<EventFields>;
 
 /// The key "event". It is parsed first, because its value decides which other keys apply.
@@ -318,6 +362,21 @@ constexpr std::array kDeviceFields = {
                }},
 };
 
+constexpr std::array kGuideFields = {
+    kEvent,
+    kTime,
+    EventField{
+        "kind", true,
+        [](Value& v, EventFields& e) { return parse_word(v, "kind", kGuideWords, e.guide.kind); }},
+    EventField{"points", false, parse_guide_points},
+    EventField{"closed", false, parse_closed_guide},
+    EventField{"strength", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "strength", kCoordinateLimit, e.guide.strength);
+               }},
+    EventField{"times_ms", false, parse_guide_times},
+};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -339,6 +398,7 @@ constexpr NamedEvent kEvents[] = {
     {"layer", EventName::kLayer, kLayerFields},
     {"device", EventName::kDevice, kDeviceFields},
     {"material", EventName::kMaterial, kMaterialFields},
+    {"guide", EventName::kGuide, kGuideFields},
 };
 
 }  // namespace

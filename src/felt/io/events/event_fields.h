@@ -36,6 +36,7 @@ struct EventFields {
   std::string text;
   std::string color;
   std::string medium;
+  GuideLine guide;
 };
 
 /// The kinds of events, by their name in the file.
@@ -54,7 +55,8 @@ enum class EventName {
   kRestyle,
   kLayer,
   kDevice,
-  kMaterial
+  kMaterial,
+  kGuide
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

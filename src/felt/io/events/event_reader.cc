@@ -81,6 +81,9 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kMaterial:
       event.what = UseMaterial{std::move(fields.text)};
       break;
+    case EventName::kGuide:
+      event.what = UseGuide{std::move(fields.guide)};
+      break;
   }
   return event;
 }
@@ -147,6 +150,7 @@ struct EventReader::State {
     if (read) read = fields.finish();
     if (read) read = check_pose(name, values);
     if (read) read = check_layer(name, values);
+    if (read && name == EventName::kGuide) read = check_guide(values.guide);
     if (!read) return tl::unexpected(read.error());
     if (values.time_ns < last_ns) {
       return json::bad("t_ms: " + milliseconds_text(values.time_ns) + " is before " +

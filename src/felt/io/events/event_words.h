@@ -15,14 +15,21 @@ inline constexpr std::array<std::string_view, 3> kSelectionWords = {"all", "none
 inline constexpr std::array<std::string_view, 11> kLayerWords = {
     "add", "remove", "rename", "show", "hide", "lock", "unlock", "raise", "lower", "use", "move"};
 
+inline constexpr std::array<std::string_view, 5> kGuideWords = {"none", "groove", "as-needed",
+                                                                "error-amplifying", "teacher"};
+
 constexpr std::string_view word_of(SelectStrokes::What what) {
   return kSelectionWords[static_cast<std::size_t>(what)];
 }
 constexpr std::string_view word_of(LayerEvent::Do what) {
   return kLayerWords[static_cast<std::size_t>(what)];
 }
+constexpr std::string_view word_of(GuideKind kind) {
+  return kGuideWords[static_cast<std::size_t>(kind)];
+}
 
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
 static_assert(word_of(LayerEvent::Do::kMove) == "move");
+static_assert(word_of(GuideKind::kTeacher) == "teacher");
 
 }  // namespace felt::json

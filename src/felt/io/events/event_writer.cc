@@ -1,6 +1,8 @@
 #include "felt/io/events/event_writer.h"
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "felt/io/events/event_words.h"
 #include "felt/io/ndjson/json_text.h"
@@ -89,6 +91,25 @@ struct AddWhat {
   void operator()(const UseMaterial& e) const {
     kind("material");
     out.add_text("text", e.text);
+  }
+  void operator()(const UseGuide& e) const {
+    const GuideLine& line = e.line;
+    kind("guide");
+    out.add_text("kind", json::word_of(line.kind));
+    if (!line.points.empty()) {
+      std::vector<std::string> points;
+      for (const Point p : line.points) {
+        points.push_back(json_array({json_number(p.x), json_number(p.y)}));
+      }
+      out.add_raw("points", json_array(points));
+    }
+    if (line.is_closed) out.add_bool("closed", true);
+    if (line.strength != 1.0) out.add_number("strength", line.strength);
+    if (!line.times_ms.empty()) {
+      std::vector<std::string> times;
+      for (const double ms : line.times_ms) times.push_back(json_number(ms));
+      out.add_raw("times_ms", json_array(times));
+    }
   }
 
  private:

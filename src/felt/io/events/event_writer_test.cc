@@ -56,6 +56,10 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
       "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
       "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
       "\"senses_pressure\":false,\"defaults\":3}\n");
+  EXPECT_EQ(line_of({0, UseGuide{}}), "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"none\"}\n");
+  EXPECT_EQ(line_of({0, UseGuide{{GuideKind::kTeacher, {{1, 2}, {3.5, 4}}, false, 0.5, {0, 7}}}}),
+            "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"teacher\",\"points\":[[1,2],[3.5,4]],"
+            "\"strength\":0.5,\"times_ms\":[0,7]}\n");
   EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kHide, {12}, ""}}),
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"hide\",\"id\":12}\n");
 }

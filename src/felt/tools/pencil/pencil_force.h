@@ -7,6 +7,7 @@
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
+#include "felt/tools/guide_track.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/scene.h"
 
@@ -36,9 +37,9 @@ class ScaledInertia {
 };
 
 /// Returns the force model of a pencil: the surface (plane, grain, friction between medium and
-/// surface), the attracting target, if any, and the stabiliser. The model is the same above and on
-/// the surface, so that it does not change at the touch; each part detects by itself whether the
-/// pen is down.
+/// surface), the attracting target, if any, the guide, if any, and the stabiliser. The model is the
+/// same above and on the surface, so that it does not change at the touch; each part detects by
+/// itself whether the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
   const Medium material =
@@ -55,22 +56,26 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
     id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
   }
+  if (scene.guide) id.with("guide").with(std::uint64_t{scene.guide->number()});
+  const auto model_with = [&](const auto&... stabiliser) {
+    if (!scene.guide) return ForceModel(Compose(surface, well, stabiliser...));
+    return ForceModel(Compose(surface, well, scene.guide->guide(), stabiliser...));
+  };
   ForceModel model;
   switch (settings.stabiliser.kind) {
     case StabiliserKind::kOff:
-      model = ForceModel(Compose(surface, well));
+      model = model_with();
       break;
     case StabiliserKind::kInertia:
       id.with("inertia").with(settings.stabiliser.mass_g);
-      model = ForceModel(Compose(
-          surface, well, ScaledInertia(inertia_of(settings.stabiliser), settings.strength)));
+      model = model_with(ScaledInertia(inertia_of(settings.stabiliser), settings.strength));
       break;
     case StabiliserKind::kTowed: {
       TowOptions tow = tow_of(settings.stabiliser);
       id.with("towed").with(tow.rope_mm);
       tow.law.gain *= settings.strength;
       tow.damping_n_s_per_m *= settings.strength;
-      model = ForceModel(Compose(surface, well, Towed(tow)));
+      model = model_with(Towed(tow));
       break;
     }
   }

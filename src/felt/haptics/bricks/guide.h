@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "felt/geometry/point.h"
+#include "felt/haptics/bricks/snap_well.h"
+#include "felt/haptics/force.h"
+#include "felt/haptics/force_memory.h"
+#include "felt/haptics/pen_sample.h"
+
+namespace felt {
+
+/// The force of a guide as a function of the distance D from its path
+/// (docs/design/forces.md#guides): the same function as that of a snap target.
+struct GuideLaw {
+  /// The size of the force: a spring up to `core_mm`, constant up to radius_mm - rim_mm (the
+  /// capture width), zero from radius_mm on. The damping acts only across the path.
+  WellShape well;
+  double dead_mm = 0.0;  ///< distance within which there is no force
+  /// If true, the force points away from the path.
+  bool pushes_away = false;
+  double blur_mm = 0.5;    ///< how far corners of the path are rounded
+  double window_mm = 9.5;  ///< how far along the path points count, from the position of the pen
+  double lead_n = 0.0;     ///< largest force along the path, towards its end
+  double lead_n_s_per_m = 0.0;  ///< that force divided by how much too slow the pen is
+
+  /// Returns the law of a groove: 300 N/m, at most 0.8 N, capture width 3 mm. `strength`, 0 to 1,
+  /// multiplies all forces.
+  static GuideLaw groove(double strength) noexcept;
+  /// Returns the law of a force away from the path: 100 N/m, at most 0.3 N, within 3 mm.
+  static GuideLaw error_amplifying(double strength) noexcept;
+  /// Returns the law of a groove that also leads the pen along the path, with at most 0.2 N.
+  static GuideLaw teacher(double strength) noexcept;
+
+  /// Returns the energy, mJ, that the force takes from the hand when the pen moves from the path to
+  /// a distance from it; negative if the force pushes away.
+  [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
+};
+
+/// The piece of a path near the pen: points at equal distances along the path.
+struct GuidePiece {
+  static constexpr std::size_t kPoints = 40;
+  static constexpr double kSpacingMm = 0.5;
+
+  std::array<Point, kPoints> points{};
+  std::array<float, kPoints> speeds_mm_per_s{};  ///< of the teacher; 0 without a teacher
+  std::size_t count = 0;                         ///< 0: no guide
+  double spacing_mm = kSpacingMm;
+  double at_mm = 0.0;  ///< position of the pen along the path, from points[0]
+  double gain = 1.0;   ///< 0..1, multiplies all forces; must change slowly
+  /// Changes when the piece belongs to another part of the path than before, or to another path.
+  /// Then the force starts again from zero.
+  std::uint32_t hold = 0;
+};
+
+/// Guides the pen along a path, or pushes it away from the path (docs/design/forces.md#guides).
+/// With the points p_i of the piece, their distances d_i from the pen, the blur s and the spacing
+/// c:
+///
+///   w_i = S(i) exp(-d_i^2 / (2 s^2)),   q = sum w_i p_i / sum w_i
+///   D^2 = -2 s^2 ln(sum w_i c / (s sqrt(2 pi)))
+///   F   = -f(D)/D (pen - q)             f: GuideLaw::well
+///
+/// Next to a straight path, D is the distance from it, q is its nearest point, and F has no
+/// component along the path. In corners, the nearest point would jump from one side to the other; q
+/// moves smoothly. F has the potential f integrated up to D. S is 1 around the pen and decreases to
+/// 0 at GuideLaw::window_mm along the path, so that the force is also continuous while the piece
+/// moves.
+///
+/// The force begins when the pen touches within the capture width, and grows from zero within 150
+/// ms. When the pen has left the guide (D > radius), there is no force until the pen is back within
+/// the capture width; then the force grows from zero again. So a guide never pulls suddenly, and
+/// leaving it costs more energy than coming back returns. A force that points away acts without
+/// this rule, because otherwise coming back would cost nothing, and a loop would gain energy.
+///
+/// The force of a teacher along the path, lead_n_s_per_m (v_teacher - v_pen), is never negative: a
+/// pen that is faster than the teacher is not braked.
+class Guide {
+ public:
+  static constexpr double kRiseS = 0.15;  ///< time in which the force grows from zero
+  static constexpr double kFallS = 0.03;  ///< time in which it ends after the pen is lifted
+
+  Guide(const GuideLaw& law, const GuidePiece& piece) noexcept : law_(law), piece_(piece) {}
+  /// Makes a guide without force.
+  Guide() noexcept = default;
+
+  Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
+  /// Returns the largest stiffness: that of the core, or, for a force that pushes away, that of the
+  /// rim and of the middle between two parts of the path.
+  [[nodiscard]] Slopes slopes() const noexcept;
+  /// Returns D at a point of the page, mm; infinity without a piece.
+  [[nodiscard]] double distance_mm(Point pen) const noexcept;
+
+  [[nodiscard]] const GuideLaw& law() const noexcept { return law_; }
+  [[nodiscard]] const GuidePiece& piece() const noexcept { return piece_; }
+
+ private:
+  /// The path as seen from the pen.
+  struct Near {
+    double distance_mm;           // D
+    Vec offset{};                 // pen - q
+    Vec along{};                  // mean direction of the path; shorter than 1 in corners
+    double speed_mm_per_s = 0.0;  // of the teacher
+  };
+
+  [[nodiscard]] Near near(Point pen) const noexcept;
+  [[nodiscard]] double window(std::size_t i) const noexcept;
+  [[nodiscard]] double held_share(bool is_down, double distance_mm,
+                                  ForceMemory& memory) const noexcept;
+  [[nodiscard]] Vec across_n(const Near& near, Vec velocity, double share) const noexcept;
+  [[nodiscard]] Vec lead_n(const Near& near, Vec velocity) const noexcept;
+
+  GuideLaw law_;
+  GuidePiece piece_;
+};
+
+}  // namespace felt
