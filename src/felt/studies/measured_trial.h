@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/store/felt_recording.h"
+#include "felt/studies/study_files.h"
+#include "felt/trial/study_order.h"
+#include "felt/trial/trial_metrics.h"
+
+namespace felt {
+
+class Session;
+
+/// The diameter of the targets of the task `connect`, at both ends of the path.
+inline constexpr double kConnectTargetMm = 5.0;
+
+/// The results of broken_rule(), apart from "".
+inline constexpr std::array<std::string_view, 5> kCatchRuleNames = {
+    "device_fault", "min_length_share", "max_lifts", "max_mm_per_s", "left_tunnel"};
+
+/// Returns the position of the nib behind a stabiliser while a stroke is drawn, or nullopt if the
+/// ink is at the pen.
+std::optional<Point> stabilised_nib(const Session& session);
+
+/// Returns the samples of a recording as those of a trial. Forces are in the page plane. If a
+/// stabiliser is on, the position of a sample in contact is that of the nib, because the user draws
+/// with the nib; the recording is then played into a session, which takes about as long as fitting
+/// the stroke. The ink from the nib to the pen, which is added when the pen lifts, is left out.
+std::vector<TrialSample> trial_samples(const FeltRecording& recording);
+
+/// Returns the path with which the ink of a trial is compared, and the geometry of its task. For
+/// the task `copy`, the path is moved so that the centre of its bounding box is that of the ink.
+StudyPath compared_path(const StudyFiles& files, const PlannedTrial& trial,
+                        std::span<const TrialSample> samples);
+TrialGeometry geometry_of(const StudyFiles& files, const PlannedTrial& trial);
+
+/// Returns the metrics of a trial. The same recording always gives the same metrics.
+TrialMetrics measure_recorded_trial(const StudyFiles& files, const PlannedTrial& trial,
+                                    std::span<const TrialSample> samples);
+
+/// Returns the first catch rule that a trial broke, as the name of its key in a study file
+/// ("min_length_share"), or "" if the trial is valid.
+std::string broken_rule(const CatchRules& rules, const TrialMetrics& metrics, double path_length_mm,
+                        bool had_device_fault);
+
+}  // namespace felt

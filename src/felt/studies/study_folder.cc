@@ -1,0 +1,227 @@
+#include "felt/studies/study_folder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
+#include "felt/store/felt_file.h"
+#include "felt/studies/session_file.h"
+
+namespace felt {
+namespace {
+
+constexpr const char* kSessionFile = "session.json";
+
+std::string padded(int number) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%04d", number);
+  return text.data();
+}
+
+/// Creates a folder, and writes its name to the disk. Succeeds if the folder exists.
+Result<void> make_folder(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::create_directory(path, error) && !std::filesystem::is_directory(path)) {
+    const std::string reason = error ? error.message() : "a file has this name";
+    return fail(ErrorCode::kIo, path + ": cannot create the folder: " + reason);
+  }
+  std::string parent = std::filesystem::path(path).parent_path().string();
+  if (parent.empty()) parent = ".";
+  const int folder = ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return {};
+  ::fsync(folder);
+  ::close(folder);
+  return {};
+}
+
+/// Returns the number of a folder "participant-0001", or nullopt for any other name. Fails if the
+/// name starts in this way but has no valid number.
+Result<std::optional<int>> participant_of(const std::string& name) {
+  if (!name.starts_with(kParticipantPrefix)) return std::optional<int>();
+  const std::string digits = name.substr(kParticipantPrefix.size());
+  const bool is_number = digits.size() == 4 && digits != "0000" &&
+                         digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) return invalid_data("the name must end in 0001 to 9999");
+  return std::optional(std::stoi(digits));
+}
+
+/// Returns the sorted numbers of the participants.
+Result<std::vector<int>> participants_in(const std::string& path) {
+  std::vector<int> participants;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(path, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const Result<std::optional<int>> participant =
+        participant_of(entry->path().filename().string());
+    if (!participant) {
+      return tl::unexpected(with_context(participant.error(), entry->path().string()));
+    }
+    if (*participant) participants.push_back(**participant);
+  }
+  if (error) return fail(ErrorCode::kIo, path + ": cannot read the folder: " + error.message());
+  std::sort(participants.begin(), participants.end());
+  return participants;
+}
+
+bool exists(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error);
+}
+
+}  // namespace
+
+StudyFolder::StudyFolder(std::string path, StudyFiles files)
+    : path_(std::move(path)), files_(std::move(files)) {
+  while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
+}
+
+Result<StudyFolder> StudyFolder::create(const std::string& path, StudyFiles files) {
+  std::error_code error;
+  if (exists(path) && !std::filesystem::is_empty(path, error)) {
+    return fail(ErrorCode::kIo, path + (error ? ": cannot read the folder: " + error.message()
+                                              : ": exists and is not empty"));
+  }
+  StudyFolder folder(path, std::move(files));
+  if (Result<void> made = make_folder(folder.path_); !made) return tl::unexpected(made.error());
+  folder.files_.sources.front().first = kStudyFileName;
+  // The study is written last: a folder with a study is complete.
+  for (auto source = folder.files_.sources.rbegin(); source != folder.files_.sources.rend();
+       ++source) {
+    Result<void> saved = save_file(folder.path_ + "/" + source->first, source->second);
+    if (!saved) return tl::unexpected(saved.error());
+  }
+  return folder;
+}
+
+Result<StudyFolder> StudyFolder::open(const std::string& path) {
+  StudyFolder folder(path, {});
+  const std::string study = folder.path_ + "/" + std::string(kStudyFileName);
+  if (!exists(study)) {
+    return fail(ErrorCode::kNotFound, path +
+                                          ": not a folder with the results of a study (it has no " +
+                                          std::string(kStudyFileName) + ")");
+  }
+  Result<StudyFiles> files = read_study_files(study);
+  if (!files) return tl::unexpected(files.error());
+  folder.files_ = *std::move(files);
+  return folder;
+}
+
+std::string StudyFolder::file_of(const SessionInfo& info, const std::string& name) const {
+  return path_ + "/" + std::string(kParticipantPrefix) + padded(info.participant) + "/" +
+         std::string(session_name(info.session)) + "/" + name;
+}
+
+Result<StudySession> StudyFolder::read_session(const SessionInfo& info) const {
+  const std::string file = file_of(info, kSessionFile);
+  Result<std::string> text = read_regular_file(file, kMaxSessionBytes);
+  if (!text) return tl::unexpected(text.error());
+  Result<StudySession> session = session_from_json(*text, files_.study, info);
+  if (!session) return tl::unexpected(with_context(session.error(), file));
+  return session;
+}
+
+Result<void> StudyFolder::write_session(const StudySession& session) const {
+  return save_file(file_of(session.info, kSessionFile), session_to_json(session, files_.study));
+}
+
+Result<StudySession> StudyFolder::begin_session(const SessionInfo& info) {
+  Result<std::vector<PlannedTrial>> plan =
+      plan_trials(files_.study, info.participant, info.session);
+  if (!plan) return tl::unexpected(plan.error());
+  if (exists(file_of(info, kSessionFile))) return read_session(info);
+  StudySession session{info, *std::move(plan), {}, {}};
+  if (Result<void> valid = check_session(session, files_.study); !valid) {
+    return tl::unexpected(valid.error());
+  }
+  const std::string folder = std::filesystem::path(file_of(info, kSessionFile)).parent_path();
+  for (const std::string& part : {std::filesystem::path(folder).parent_path().string(), folder}) {
+    if (Result<void> made = make_folder(part); !made) return tl::unexpected(made.error());
+  }
+  if (Result<void> saved = write_session(session); !saved) return tl::unexpected(saved.error());
+  return session;
+}
+
+Result<void> StudyFolder::check_begun(const SessionInfo& info) const {
+  if (exists(file_of(info, kSessionFile))) return {};
+  return fail(ErrorCode::kInvalidArgument, file_of(info, kSessionFile) + ": was not begun");
+}
+
+Result<void> StudyFolder::add_trial(StudySession& session, TrialResult result,
+                                    const Drawing& drawing) {
+  result.recording = recording_name(result);
+  const std::string file = file_of(session.info, result.recording);
+  StudySession changed = session;
+  changed.results.push_back(std::move(result));
+  if (Result<void> valid = check_session(changed, files_.study); !valid) {
+    return tl::unexpected(with_context(valid.error(), file));
+  }
+  if (Result<void> begun = check_begun(session.info); !begun) return begun;
+  if (Result<void> saved = write_felt(file, drawing); !saved) return saved;
+  if (Result<void> saved = write_session(changed); !saved) return saved;
+  session = std::move(changed);
+  return {};
+}
+
+Result<void> StudyFolder::add_answers(StudySession& session, QuestionAnswers answers) {
+  StudySession changed = session;
+  changed.answers.push_back(std::move(answers));
+  if (Result<void> valid = check_session(changed, files_.study); !valid) {
+    return tl::unexpected(with_context(valid.error(), file_of(session.info, kSessionFile)));
+  }
+  if (Result<void> begun = check_begun(session.info); !begun) return begun;
+  if (Result<void> saved = write_session(changed); !saved) return saved;
+  session = std::move(changed);
+  return {};
+}
+
+Result<std::vector<StudySession>> StudyFolder::sessions() const {
+  const Result<std::vector<int>> participants = participants_in(path_);
+  if (!participants) return tl::unexpected(participants.error());
+  std::vector<StudySession> sessions;
+  for (const int participant : *participants) {
+    for (std::size_t kind = 0; kind < kSessionKinds.size(); ++kind) {
+      SessionInfo info;
+      info.participant = participant;
+      info.session = static_cast<SessionKind>(kind);
+      if (!exists(file_of(info, kSessionFile))) continue;
+      Result<StudySession> session = read_session(info);
+      if (!session) return tl::unexpected(session.error());
+      sessions.push_back(*std::move(session));
+    }
+  }
+  const auto rank = [this](SessionKind kind) {
+    const auto& kinds = files_.study.sessions;
+    return std::find(kinds.begin(), kinds.end(), kind) - kinds.begin();
+  };
+  std::stable_sort(sessions.begin(), sessions.end(),
+                   [&rank](const StudySession& a, const StudySession& b) {
+                     return std::pair(a.info.participant, rank(a.info.session)) <
+                            std::pair(b.info.participant, rank(b.info.session));
+                   });
+  return sessions;
+}
+
+Result<FeltRecording> StudyFolder::recording(const SessionInfo& info,
+                                             const TrialResult& result) const {
+  const std::string file = file_of(info, result.recording);
+  const Result<Drawing> drawing = read_felt(file);
+  if (!drawing) return tl::unexpected(drawing.error());
+  const auto all = recordings_of(*drawing);
+  if (!all) return tl::unexpected(with_context(all.error(), file));
+  if (all->empty()) return invalid_data(file + ": has no recording");
+  Result<FeltRecording> recording = read_recording(*drawing, all->size() - 1);
+  if (!recording) return tl::unexpected(with_context(recording.error(), file));
+  return recording;
+}
+
+}  // namespace felt

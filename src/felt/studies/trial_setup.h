@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/haptics/capabilities.h"
+#include "felt/material/materials.h"
+#include "felt/session/event.h"
+#include "felt/studies/study_files.h"
+#include "felt/trial/study_order.h"
+
+namespace felt {
+
+/// Checks each condition of a study: that its settings exist and accept their values, and that the
+/// device can make it. A condition that needs forces, or that guides the pen, needs a device with
+/// forces. Fails with the first error, which names the file, the line and the key. `name` is the
+/// name of the study file.
+Result<void> check_conditions(const Study& study, const Materials& materials,
+                              const Capabilities& device, const std::string& name);
+
+/// Returns the events that set up a new session for a trial, at time 0: the device, the options of
+/// the condition, and the guide. Whether forces are on is not an event: StudyCondition::has_forces.
+/// Requires that check_conditions() succeeded.
+std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& trial,
+                                const Capabilities& device);
+
+}  // namespace felt
