@@ -1,0 +1,229 @@
+#include "felt/studies/simulate_study.h"
+
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <thread>
+#include <utility>
+
+#include "felt/base/random.h"
+#include "felt/replay/replay_drawing.h"
+#include "felt/replay/replay_machine.h"
+#include "felt/studies/measured_trial.h"
+#include "felt/studies/trial_setup.h"
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kRestNs = 250'000'000;  // after the pen was lifted
+constexpr double kCornerCosine = 0.87;         // of 30 degrees
+
+/// A trial of one attempt, ready to be saved.
+struct SimulatedAttempt {
+  TrialResult result;
+  Drawing drawing;
+};
+using SimulatedTrial = Result<std::vector<SimulatedAttempt>>;
+
+/// Returns the path with each corner given twice, as plan_movement() expects it. A closed path ends
+/// where it began.
+std::vector<Point> via_points(const StudyPath& path) {
+  std::vector<Point> points = path.points;
+  if (path.ends == TrialPathEnds::kClosed && points.front() != points.back()) {
+    points.push_back(points.front());
+  }
+  std::vector<Point> via;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    via.push_back(points[i]);
+    if (i == 0 || i + 1 == points.size()) continue;
+    const Vec in = points[i] - points[i - 1], out = points[i + 1] - points[i];
+    if (dot(in, out) < kCornerCosine * norm(in) * norm(out)) via.push_back(points[i]);
+  }
+  return via;
+}
+
+/// Draws one trial.
+class TrialRun {
+ public:
+  TrialRun(const StudyFiles& files, const PlannedTrial& trial, const Person& person,
+           const StylusPreset& device)
+      : files_(files), trial_(trial), person_(person), device_(device) {}
+
+  /// Returns all attempts: more than one if a catch rule was broken and the study repeats trials.
+  SimulatedTrial attempts() {
+    const CatchRules& rules = files_.study.catch_rules;
+    const int most = rules.action == CatchAction::kRepeat ? 1 + rules.max_repeats : 1;
+    std::vector<SimulatedAttempt> attempts;
+    for (int i = 1; i <= most; ++i) {
+      Result<SimulatedAttempt> drawn = draw(i);
+      if (!drawn) return tl::unexpected(drawn.error());
+      attempts.push_back(*std::move(drawn));
+      if (attempts.back().result.invalid.empty()) break;
+    }
+    return attempts;
+  }
+
+ private:
+  Result<SimulatedAttempt> draw(int attempt) {
+    const StudyCondition& condition = files_.study.conditions[trial_.condition];
+    const StudyShape& shape = files_.study.shapes[trial_.shape];
+    const std::uint64_t seed = Random(trial_.seed + static_cast<std::uint64_t>(attempt)).bits();
+    Person person = person_;
+    person.seed ^= seed;
+    if (!condition.has_vision || shape.task == StudyTask::kFind) person.eye_gain_per_s = 0.0;
+    ReplaySettings settings = replay_settings(device_, person.grip(), condition.has_forces, {}, {});
+    settings.person = person;
+    FeltRecorder recorder("simulated " + std::string(device_.name),
+                          settings.device.capabilities.period_ns);
+    ReplayMachine machine(settings, Document(), observer(recorder));
+    if (Result<void> begun = begin(machine, settings, recorder); !begun) {
+      return tl::unexpected(begun.error());
+    }
+    const std::vector<Point> via = via_points(files_.paths[trial_.shape]);
+    if (Result<void> drawn = play(machine, plan_movement(person, via, seed, shape.tunnel_mm));
+        !drawn) {
+      return tl::unexpected(drawn.error());
+    }
+    return finish(attempt, machine, recorder.take());
+  }
+
+  [[nodiscard]] ReplayMachine::Observer observer(FeltRecorder& recorder) const {
+    ReplayMachine::Observer observer;
+    observer.event = [&recorder](const Event& event) { recorder.event(event); };
+    if (!device_.capabilities.has_force()) return observer;
+    observer.tick = [&recorder](const ReplayTick& tick) -> Result<void> {
+      recorder.forces(tick.report.sample.time_ns, tick.report.asked, tick.report.sent);
+      return {};
+    };
+    return observer;
+  }
+
+  Result<void> begin(ReplayMachine& machine, const ReplaySettings& settings,
+                     FeltRecorder& recorder) const {
+    for (const Event& event : setup_events(files_, trial_, settings.device.capabilities)) {
+      if (std::holds_alternative<UseDevice>(event.what)) {  // the machine has its device
+        recorder.event(event);
+      } else if (Result<void> added = machine.add(event); !added) {
+        return added;
+      }
+    }
+    return {};
+  }
+
+  /// Lets the hand land, draw the plan, lift the pen and rest.
+  static Result<void> play(ReplayMachine& machine, const RecordedPath& plan) {
+    const std::vector<TimedAim> aims = script_hand(std::span(&plan, 1), machine.hand_options());
+    machine.begin_stroke();
+    std::int64_t time_ns = 0;
+    const auto add = [&machine, &time_ns](const TimedAim& aim) {
+      const HandEvent hand{
+          .target = aim.target_mm, .pressure = aim.pressure, .tilt_deg = aim.tilt_deg};
+      return machine.add({time_ns, hand});
+    };
+    for (const TimedAim& aim : aims) {
+      time_ns = aim.time_ns;
+      if (Result<void> added = add(aim); !added) return added;
+    }
+    machine.stroke_drawn({});
+    time_ns += kRestNs;
+    if (Result<void> rested = add(aims.back()); !rested) return rested;
+    return machine.play();
+  }
+
+  Result<SimulatedAttempt> finish(int attempt, ReplayMachine& machine, FeltRecording recording) {
+    const bool had_fault = machine.take_stats().hard_faults > 0;
+    const TrialMetrics metrics = measure_recorded_trial(files_, trial_, trial_samples(recording));
+    SimulatedAttempt drawn;
+    drawn.result.trial = trial_.number;
+    drawn.result.attempt = attempt;
+    drawn.result.invalid = broken_rule(files_.study.catch_rules, metrics,
+                                       metrics.path_length_mm.value_or(0.0), had_fault);
+    drawn.drawing = drawing_after(Drawing(), machine.session(), machine.session().document());
+    Result<void> added = add_recording(drawn.drawing, std::move(recording));
+    if (!added) return tl::unexpected(added.error());
+    return drawn;
+  }
+
+  const StudyFiles& files_;
+  const PlannedTrial& trial_;
+  Person person_;
+  const StylusPreset& device_;
+};
+
+/// Draws the trials of one session on all cores, and saves them in their order.
+class SessionRun {
+ public:
+  SessionRun(StudyFolder& folder, const SimulateOptions& options,
+             std::function<bool()> finished_trial)
+      : folder_(folder), options_(options), finished_trial_(std::move(finished_trial)) {}
+
+  /// Returns false if the simulation shall end.
+  Result<bool> run(StudySession session) {
+    const std::size_t ahead = std::max(1U, std::thread::hardware_concurrency()) + 1;
+    const Person person = person_of(*session.info.person_seed);
+    const std::vector<PlannedTrial> plan = session.plan;
+    std::deque<std::future<SimulatedTrial>> running;
+    for (std::size_t next = 0; next < plan.size() || !running.empty();) {
+      if (next < plan.size() && running.size() < ahead) {
+        const PlannedTrial& trial = plan[next++];
+        running.push_back(std::async(std::launch::async, [this, &trial, &person] {
+          return TrialRun(folder_.files(), trial, person, options_.device).attempts();
+        }));
+        continue;
+      }
+      SimulatedTrial drawn = running.front().get();
+      running.pop_front();
+      if (!drawn) return tl::unexpected(drawn.error());
+      for (SimulatedAttempt& attempt : *drawn) {
+        Result<void> saved = folder_.add_trial(session, std::move(attempt.result), attempt.drawing);
+        if (!saved) return tl::unexpected(saved.error());
+      }
+      if (!finished_trial_()) return false;
+    }
+    return true;
+  }
+
+ private:
+  StudyFolder& folder_;
+  const SimulateOptions& options_;
+  std::function<bool()> finished_trial_;
+};
+
+}  // namespace
+
+Result<void> simulate_study(StudyFolder& folder, const SimulateOptions& options,
+                            const std::function<bool(double)>& progress) {
+  const Study& study = folder.files().study;
+  if (options.people < 1 || options.people > static_cast<std::size_t>(kMaxParticipants)) {
+    return fail(ErrorCode::kInvalidArgument, "a study has 1 to 9999 simulated people");
+  }
+  const std::string name = folder.path() + "/" + folder.files().sources.front().first;
+  Result<void> possible =
+      check_conditions(study, Materials::built_in(), options.device.capabilities, name);
+  if (!possible) return possible;
+  std::size_t done = 0, all = 0;
+  for (const SessionKind kind : study.sessions) all += options.people * trial_count(study, kind);
+  SessionRun run(folder, options, [&] {
+    ++done;
+    return !progress || progress(static_cast<double>(done) / static_cast<double>(all));
+  });
+  Random seeds(options.seed);  // as in population()
+  for (std::size_t i = 0; i < options.people; ++i) {
+    const std::uint64_t person_seed = seeds.bits();
+    for (const SessionKind kind : study.sessions) {
+      Result<StudySession> session =
+          folder.begin_session({.participant = static_cast<int>(i) + 1,
+                                .session = kind,
+                                .device = "simulated " + std::string(options.device.name),
+                                .program = options.program,
+                                .person_seed = person_seed});
+      if (!session) return tl::unexpected(session.error());
+      const Result<bool> goes_on = run.run(*std::move(session));
+      if (!goes_on) return tl::unexpected(goes_on.error());
+      if (!*goes_on) return {};
+    }
+  }
+  return {};
+}
+
+}  // namespace felt
