@@ -50,6 +50,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_doctor_command(app, console);
   add_device_test_command(app, console);
   add_record_command(app, console);
+  add_trial_command(app, console);
   add_bench_command(app, console);
 }
 

@@ -1,0 +1,116 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "felt/studies/simulate_study.h"
+#include "felt/studies/trial_setup.h"
+#include "interrupt.h"
+#include "print.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr const char* kSimulateExamples =
+    "feltline trial simulate keefe.toml -o results\n"
+    "feltline trial simulate keefe.toml --people 40 --seed 7 --device inverse3 -o results";
+
+struct SimulateArguments {
+  std::string study, folder;
+  std::size_t people = 20;
+  std::uint64_t seed = 1;
+  std::string device = "premium";
+};
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const StylusPreset& preset : stylus_presets()) names.emplace_back(preset.name);
+  return names;
+}
+
+/// Reads and checks the study, and creates the folder for its results.
+Result<StudyFolder> create_folder(const SimulateArguments& args, const StylusPreset& device) {
+  Result<StudyFiles> files = read_study_files(args.study);
+  if (!files) return tl::unexpected(files.error());
+  const Result<void> possible = check_conditions(files->study, Materials::built_in(),
+                                                 device.capabilities, args.study);
+  if (!possible) return tl::unexpected(possible.error());
+  return StudyFolder::create(args.folder, *std::move(files));
+}
+
+struct TrialCounts {
+  std::size_t people = 0, trials = 0, invalid = 0;
+};
+
+Result<TrialCounts> count_trials(const StudyFolder& folder) {
+  const Result<std::vector<StudySession>> sessions = folder.sessions();
+  if (!sessions) return tl::unexpected(sessions.error());
+  TrialCounts counts;
+  int last = 0;
+  for (const StudySession& session : *sessions) {
+    if (std::exchange(last, session.info.participant) != session.info.participant) ++counts.people;
+    counts.trials += session.results.size();
+    for (const TrialResult& result : session.results) counts.invalid += !result.invalid.empty();
+  }
+  return counts;
+}
+
+void run_simulate(const SimulateArguments& args, Console& console) {
+  const StylusPreset& device = *find_stylus_preset(args.device);
+  Result<StudyFolder> folder = create_folder(args, device);
+  if (!folder) return console.error(folder.error().message);
+  const Interrupt interrupt;
+  const auto progress = [&console](double share) {
+    console.status(fmt::format("simulating {:.1f} %", 100.0 * share));
+    return !Interrupt::was_asked();
+  };
+  const Result<void> done =
+      simulate_study(*folder, {args.people, args.seed, device, "feltline " FELT_VERSION}, progress);
+  console.end_progress();
+  if (!done) return console.error(done.error().message);
+  const Result<TrialCounts> counts = count_trials(*folder);
+  if (!counts) return console.error(counts.error().message);
+  print("{}: {} people, {} trials, {} of them invalid\n", args.folder, counts->people,
+        counts->trials, counts->invalid);
+  if (Interrupt::was_asked()) {
+    console.error("interrupted; the folder has the trials that were finished");
+  }
+}
+
+void add_simulate(CLI::App& trial, Console& console) {
+  CLI::App* command =
+      trial.add_subcommand("simulate", "Let simulated people take part in a study");
+  const auto args = std::make_shared<SimulateArguments>();
+  command->add_option("STUDY", args->study, "The study, a .toml file")->required();
+  command
+      ->add_option("-o,--output", args->folder,
+                   "The folder for the results; it must be new or empty")
+      ->required();
+  command->add_option("--people", args->people, "Number of simulated people")
+      ->check(CLI::Range(1, kMaxParticipants))
+      ->capture_default_str();
+  command->add_option("--seed", args->seed, "Another seed gives other people")
+      ->check(whole_number())
+      ->capture_default_str();
+  command->add_option("--device", args->device, "The simulated device that they use")
+      ->check(CLI::IsMember(preset_names()))
+      ->capture_default_str();
+  command->footer(
+      "Simulated people do not learn and do not answer questionnaires. Ctrl-C ends early and keeps\n"
+      "the finished trials.\n" +
+      examples(kSimulateExamples));
+  command->callback([args, &console] { run_simulate(*args, console); });
+}
+
+}  // namespace
+
+void add_trial_command(CLI::App& app, Console& console) {
+  CLI::App* command = app.add_subcommand("trial", "Run a study and keep its results");
+  command->require_subcommand(1);
+  command->fallthrough();
+  add_simulate(*command, console);
+}
+
+}  // namespace felt::cli
