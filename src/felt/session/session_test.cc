@@ -622,7 +622,7 @@ TEST(Session, GuidesThePencil) {
   fixture.must(UseGuide{line});
   EXPECT_NE(session.force().fade_id(), guided);
   fixture.pen(20.5, 11.0, -1.0);
-  EXPECT_NEAR(guide_force(session, {20.5, 11.0}).y, 0.05, 2e-3);
+  EXPECT_NEAR(guide_force(session, {20.5, 11.0}).y, 0.1 / 3.0, 2e-3);
   const Result<void> refused = fixture.apply(UseGuide{{.kind = GuideKind::kGroove}});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("points: "));

@@ -43,7 +43,7 @@ GuideLaw GuideLaw::error_amplifying(double strength) noexcept {
   return {.well = {.radius_mm = 6.0,
                    .core_mm = 3.0,
                    .rim_mm = 3.0,
-                   .force_n = 0.3 * strength,
+                   .force_n = 0.2 * strength,
                    .damping_n_s_per_m = strength},
           .pushes_away = true,
           .blur_mm = 1.5,

@@ -29,7 +29,7 @@ struct GuideLaw {
   /// Returns the law of a groove: 300 N/m, at most 0.8 N, capture width 3 mm. `strength`, 0 to 1,
   /// multiplies all forces.
   static GuideLaw groove(double strength) noexcept;
-  /// Returns the law of a force away from the path: 100 N/m, at most 0.3 N, within 3 mm.
+  /// Returns the law of a force away from the path: 67 N/m, at most 0.2 N.
   static GuideLaw error_amplifying(double strength) noexcept;
   /// Returns the law of a groove that also leads the pen along the path, with at most 0.2 N.
   static GuideLaw teacher(double strength) noexcept;

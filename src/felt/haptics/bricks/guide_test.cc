@@ -72,9 +72,9 @@ TEST(GuideLaw, IsWithinItsBounds) {
   EXPECT_NEAR(groove.well.core_slope_n_per_m(), 300.0, 1e-9);
   EXPECT_EQ(groove.well.force_n, 0.8);
   EXPECT_EQ(groove.well.force_at_n(5.0), 0.0);
-  EXPECT_EQ(GuideLaw::error_amplifying(1.0).well.force_n, 0.3);
+  EXPECT_EQ(GuideLaw::error_amplifying(1.0).well.force_n, 0.2);
   EXPECT_EQ(GuideLaw::groove(0.5).well.force_n, 0.4);
-  EXPECT_LT(GuideLaw::error_amplifying(1.0).potential_mj(9.0), -0.8);
+  EXPECT_LT(GuideLaw::error_amplifying(1.0).potential_mj(9.0), -0.5);
   EXPECT_NEAR(groove.potential_mj(9.0), 0.5 * 0.8 * 0.8 / 0.3 + (3.0 - 0.8 / 0.3) * 0.8 + 0.8,
               1e-9);
 }

@@ -153,6 +153,42 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   }
 }
 
+TEST(EventReader, ReadsGuides) {
+  EXPECT_EQ(event_of(R"({"event":"guide","kind":"none","t_ms":0})"), (Event{0, UseGuide{}}));
+  EXPECT_EQ(
+      event_of(
+          R"({"event":"guide","kind":"groove","points":[[1,2],[3,4.5]],"closed":true,"t_ms":0})"),
+      (Event{0, UseGuide{{GuideKind::kGroove, {{1, 2}, {3, 4.5}}, true, 1.0, {}}}}));
+  EXPECT_EQ(event_of(R"({"times_ms":[0,9],"points":[[1,2],[3,4]],"strength":0.25,)"
+                     R"("kind":"teacher","event":"guide","t_ms":0})"),
+            (Event{0, UseGuide{{GuideKind::kTeacher, {{1, 2}, {3, 4}}, false, 0.25, {0, 9}}}}));
+  const auto error = [](const std::string& keys) {
+    return error_of(R"({"event":"guide","t_ms":0,)" + keys + "}");
+  };
+  EXPECT_EQ(error(R"("points":[])"), "key \"kind\" is missing");
+  EXPECT_EQ(error(R"("kind":"wall")"),
+            "kind: \"wall\" is not one of none, groove, as-needed, error-amplifying, teacher");
+  EXPECT_EQ(error(R"("kind":"groove")"), "points: a guide has 2 to 20000 points, but there are 0");
+  EXPECT_EQ(error(R"("kind":"groove","points":7)"), "points: 7 is not an array");
+  EXPECT_EQ(error(R"("kind":"groove","points":[[0,0],[1]])"), "points[1]: a point has two numbers");
+  EXPECT_EQ(error(R"("kind":"groove","points":[[0,0,0]])"),
+            "points[0]: point[2]: a point has only two numbers");
+  EXPECT_THAT(error(R"("kind":"groove","points":[[0,0],[1e10,0]])"),
+              HasSubstr("points[1]: point[0]: "));
+  EXPECT_EQ(error(R"("kind":"groove","points":[[0,0],[9,0]],"closed":1)"),
+            "closed: 1 is not true or false");
+  EXPECT_EQ(error(R"("kind":"groove","points":[[0,0],[9,0]],"strength":2)"),
+            "strength: is not from 0 to 1");
+  EXPECT_EQ(error(R"("kind":"teacher","points":[[0,0],[9,0]],"times_ms":[1,0])"),
+            "times_ms[1]: is before the time of the previous point");
+  EXPECT_THAT(error(R"("kind":"teacher","points":[[0,0],[9,0]],"times_ms":[1,1e10])"),
+              HasSubstr("times_ms[1]: "));
+  std::string many = "[0,0]";
+  for (std::size_t i = 0; i < kMaxGuidePoints; ++i) many += ",[1,0]";
+  EXPECT_EQ(error(R"("kind":"groove","points":[)" + many + "]"),
+            "points[20000]: a guide has at most 20000 points");
+}
+
 TEST(EventReader, KeysInAnyOrderAndOthersIgnored) {
   EXPECT_EQ(event_of(R"( { "z":-1 , "note":{"a":[1,null]}, "t_ms":7, "y":2, "id":[], "x":1,)"
                      R"( "\u0065vent":"p\u0065n" } )"),

@@ -135,9 +135,26 @@ UseDevice any_device() {
   return {can, *rc::gen::inRange(1, kOptionDefaults + 1)};
 }
 
+/// Generates a guide that check_guide accepts.
+GuideLine any_guide() {
+  GuideLine line{.kind = static_cast<GuideKind>(*rc::gen::inRange(0, 5))};
+  line.strength = *rc::gen::inRange(0, (1 << 20) + 1) / 1048576.0;
+  if (line.kind == GuideKind::kNone) return line;
+  const bool is_teacher = line.kind == GuideKind::kTeacher;
+  line.is_closed = !is_teacher && *rc::gen::arbitrary<bool>();
+  line.points = {{0.0, 0.0}, {1.5, 0.0}};
+  for (int i = *rc::gen::inRange(0, 20); i > 0; --i) {
+    line.points.push_back({std::fmod(*numbers(), 100.0), std::fmod(*numbers(), 100.0)});
+  }
+  for (std::size_t i = 0; is_teacher && i < line.points.size(); ++i) {
+    line.times_ms.push_back(0.1 * static_cast<double>(i));
+  }
+  return line;
+}
+
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 13)) {
+  switch (*rc::gen::inRange(0, 14)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -175,6 +192,9 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 11:
       event.what = any_device();
+      break;
+    case 12:
+      event.what = UseGuide{any_guide()};
       break;
     default:
       event.what = ImportEvent{*event_texts(), *rc::gen::arbitrary<bool>()};
