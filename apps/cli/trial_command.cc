@@ -34,8 +34,8 @@ std::vector<std::string> preset_names() {
 Result<StudyFolder> create_folder(const SimulateArguments& args, const StylusPreset& device) {
   Result<StudyFiles> files = read_study_files(args.study);
   if (!files) return tl::unexpected(files.error());
-  const Result<void> possible = check_conditions(files->study, Materials::built_in(),
-                                                 device.capabilities, args.study);
+  const Result<void> possible =
+      check_conditions(files->study, Materials::built_in(), device.capabilities, args.study);
   if (!possible) return tl::unexpected(possible.error());
   return StudyFolder::create(args.folder, *std::move(files));
 }
@@ -80,8 +80,7 @@ void run_simulate(const SimulateArguments& args, Console& console) {
 }
 
 void add_simulate(CLI::App& trial, Console& console) {
-  CLI::App* command =
-      trial.add_subcommand("simulate", "Let simulated people take part in a study");
+  CLI::App* command = trial.add_subcommand("simulate", "Let simulated people take part in a study");
   const auto args = std::make_shared<SimulateArguments>();
   command->add_option("STUDY", args->study, "The study, a .toml file")->required();
   command
@@ -98,7 +97,8 @@ void add_simulate(CLI::App& trial, Console& console) {
       ->check(CLI::IsMember(preset_names()))
       ->capture_default_str();
   command->footer(
-      "Simulated people do not learn and do not answer questionnaires. Ctrl-C ends early and keeps\n"
+      "Simulated people do not learn and do not answer questionnaires. Ctrl-C ends early and "
+      "keeps\n"
       "the finished trials.\n" +
       examples(kSimulateExamples));
   command->callback([args, &console] { run_simulate(*args, console); });

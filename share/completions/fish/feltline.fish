@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit render convert info formats replay recover demo tools materials devices doctor device-test record bench
+set -l commands fit render convert info formats replay recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -18,6 +18,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a doctor
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a device-test -d 'Test a device, level by level'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a record -d 'Draw with a real device, without a window'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a recover -d 'Recover unsaved drawings after a crash'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a trial -d 'Run a study and keep its results'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Measure the speed of the fitting'
 
 set -l makes_output fit render convert replay
@@ -81,6 +82,11 @@ complete -c feltline -n '__fish_seen_subcommand_from device-test' -l level -x -a
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l seed -x -d 'Seed of the order of axes in the checks that push'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l report -r -d 'Also write the report to this file'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l soak -x -d 'Duration of level 10, in seconds'
+complete -c feltline -n '__fish_seen_subcommand_from trial; and not __fish_seen_subcommand_from simulate' -f -a simulate -d 'Let simulated people take part in a study'
+complete -c feltline -n '__fish_seen_subcommand_from simulate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results'
+complete -c feltline -n '__fish_seen_subcommand_from simulate' -l people -x -d 'Number of simulated people'
+complete -c feltline -n '__fish_seen_subcommand_from simulate' -l seed -x -d 'Another seed gives other people'
+complete -c feltline -n '__fish_seen_subcommand_from simulate' -l device -x -a 'worst touch touch-x premium falcon omega inverse3 mouse tablet' -d 'Simulated device that they use'
 complete -c feltline -n '__fish_seen_subcommand_from record' -l device -x -d 'Id of the device'
 complete -c feltline -n '__fish_seen_subcommand_from record' -s o -l output -r -d 'Output file'
 complete -c feltline -n '__fish_seen_subcommand_from record' -l to -x -a 'felt svg ndjson pdf png' -d 'Format of the output'

@@ -1,0 +1,128 @@
+#include "felt/studies/simulate_study.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "felt/base/read_file.h"
+#include "felt/replay/apply_recording.h"
+#include "felt/session/session.h"
+#include "felt/store/felt_file.h"
+#include "felt/studies/measured_trial.h"
+#include "felt/studies/testing/study_fixture.h"
+
+namespace felt::simulate_study_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+SimulateOptions options(std::size_t people = 2, const char* device = "premium") {
+  return {.people = people, .seed = 1, .device = *find_stylus_preset(device), .program = "test 1"};
+}
+
+class SimulateStudyTest : public felt::testing::StudyFixture {
+ protected:
+  StudyFolder simulate(const std::string& name, const SimulateOptions& with) const {
+    StudyFolder folder = StudyFolder::create(path(name), small_study()).value();
+    const Result<void> done = simulate_study(folder, with);
+    EXPECT_TRUE(done) << done.error().message;
+    return folder;
+  }
+};
+
+TEST_F(SimulateStudyTest, EveryPersonDrawsEveryTrial) {
+  const StudyFolder folder = simulate("out", options());
+  const std::vector<StudySession> sessions = folder.sessions().value();
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_NE(sessions[0].info.person_seed, sessions[1].info.person_seed);
+  EXPECT_EQ(sessions[0].info.device, "simulated premium");
+  EXPECT_EQ(sessions[0].info.started, "");
+  for (const StudySession& session : sessions) {
+    ASSERT_EQ(session.results.size(), session.plan.size());
+    for (const TrialResult& result : session.results) {
+      EXPECT_EQ(result.invalid, "");
+      const auto recording = folder.recording(session.info, result).value();
+      const PlannedTrial& trial = session.plan[static_cast<std::size_t>(result.trial - 1)];
+      const TrialMetrics metrics =
+          measure_recorded_trial(folder.files(), trial, trial_samples(recording));
+      EXPECT_LT(*metrics.err_mean_mm, 3.0);
+      const bool has_forces = folder.files().study.conditions[trial.condition].has_forces;
+      EXPECT_GT(*metrics.coverage, has_forces ? 0.05 : 0.6);
+      EXPECT_EQ(*metrics.force_mean_n > 0.0, has_forces);
+    }
+  }
+}
+
+TEST_F(SimulateStudyTest, ARecordingGivesTheSameDrawing) {
+  const StudyFolder folder = simulate("out", options(1));
+  const StudySession session = folder.sessions().value().at(0);
+  for (const TrialResult& result : session.results) {
+    const Drawing drawing = read_felt(folder.file_of(session.info, result.recording)).value();
+    EXPECT_EQ(drawing.document.stroke_count(), 1U);
+    Session played(make_tools(), {});
+    ASSERT_TRUE(apply_recording(drawing, {}, played));
+    EXPECT_EQ(played.document(), drawing.document) << result.recording;
+  }
+}
+
+TEST_F(SimulateStudyTest, TheSameOptionsGiveTheSameBytes) {
+  const StudyFolder a = simulate("a", options()), b = simulate("b", options());
+  SimulateOptions other = options();
+  other.seed = 2;
+  const StudyFolder c = simulate("c", other);
+  int files = 0, changed = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(a.path())) {
+    if (!entry.is_regular_file()) continue;
+    const std::string name = entry.path().string().substr(a.path().size());
+    const std::string bytes = read_file(entry.path(), 1 << 24).value();
+    EXPECT_EQ(bytes, read_file(b.path() + name, 1 << 24).value()) << name;
+    if (name.ends_with(".felt")) ++files;
+    if (name.ends_with(".felt")) changed += bytes != read_file(c.path() + name, 1 << 24).value();
+  }
+  EXPECT_EQ(files, 8);
+  EXPECT_EQ(changed, 8) << "other people draw other lines";
+}
+
+TEST_F(SimulateStudyTest, EndsEarlyAndKeepsWhatIsFinished) {
+  StudyFolder folder = StudyFolder::create(path("out"), small_study()).value();
+  double last = 0.0;
+  const auto progress = [&last](double share) {
+    EXPECT_GT(share, last);
+    last = share;
+    return share < 0.6;
+  };
+  EXPECT_TRUE(simulate_study(folder, options(), progress));
+  EXPECT_DOUBLE_EQ(last, 0.625) << "five of eight trials";
+  const std::vector<StudySession> sessions = folder.sessions().value();
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions[0].results.size(), 4U);
+  EXPECT_EQ(sessions[1].results.size(), 1U);
+}
+
+TEST_F(SimulateStudyTest, RepeatsAnInvalidTrialWithOtherNoise) {
+  std::string text = felt::testing::kSmallStudy;
+  text.replace(text.find("min_length_share = 0.5"), 22, "max_mm_per_s = 1");  // nobody is so slow
+  write("slow.toml", text);
+  StudyFolder folder =
+      StudyFolder::create(path("out"), read_study_files(path("slow.toml")).value()).value();
+  ASSERT_TRUE(simulate_study(folder, options(1)));
+  const StudySession session = folder.sessions().value().at(0);
+  ASSERT_EQ(session.results.size(), 3 * session.plan.size()) << "two repeats";
+  EXPECT_EQ(session.results[0].invalid, "max_mm_per_s");
+  EXPECT_EQ(session.results[2].attempt, 3);
+  EXPECT_NE(folder.recording(session.info, session.results[0]).value(),
+            folder.recording(session.info, session.results[1]).value());
+}
+
+TEST_F(SimulateStudyTest, RefusesAConditionThatTheDeviceCannotMake) {
+  StudyFolder folder = StudyFolder::create(path("out"), small_study()).value();
+  const Result<void> done = simulate_study(folder, options(1, "mouse"));
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, HasSubstr("condition.needs"));
+  EXPECT_FALSE(simulate_study(folder, options(0)));
+  EXPECT_FALSE(simulate_study(folder, options(10'000)));
+  EXPECT_TRUE(folder.sessions().value().empty());
+}
+
+}  // namespace
+}  // namespace felt::simulate_study_test

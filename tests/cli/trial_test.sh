@@ -1,0 +1,97 @@
+# 'trial simulate': a study, its folder, errors, and an interruption.
+. "$(dirname "$0")/helpers.sh"
+
+cat >small.toml <<'END'
+id = "small"
+[[condition]]
+name = "free"
+forces = false
+settings = { "pencil.snap" = "off" }
+[[condition]]
+name = "rough"
+needs = "force"
+settings = { "surface.material" = "rough-paper" }
+[[shape]]
+name = "circle"
+kind = "circle"
+size_mm = 30
+END
+
+run 0 "$feltline" trial simulate small.toml --people 2 -o results
+has out "results: 2 people, 4 trials, 0 of them invalid"
+is_empty err
+same small.toml results/study.toml
+session=results/participant-0002/train/session.json
+has $session '"device":"simulated premium"'
+has $session '"recording":"trial-0002.felt"'
+[ "$(find results -name '*.felt' | wc -l)" = 4 ] || fail "not four recordings"
+
+# A recording gives the drawing in the same file again.
+trial=results/participant-0001/train/trial-0002.felt
+run 0 "$feltline" convert $trial -o stored.ndjson
+run 0 "$feltline" replay $trial --as-recorded -o played.ndjson
+same stored.ndjson played.ndjson
+
+# The same seed gives the same bytes; another one gives other people.
+run 0 "$feltline" trial simulate small.toml --people 2 -o again
+diff -r results again >/dev/null || fail "the same seed gives other bytes"
+run 0 "$feltline" trial simulate small.toml --people 2 --seed 2 -o other
+cmp -s $trial "other/${trial#*/}" && fail "another seed gives the same line"
+
+# A folder with files is not overwritten.
+run 1 "$feltline" trial simulate small.toml --people 1 -o results
+has err "results: exists and is not empty"
+diff -r results again >/dev/null || fail "the folder changed"
+
+# Errors in a study name the line and the key, and no folder is made.
+sed 's/forces = false/forces = "no"/' small.toml >bad.toml
+run 1 "$feltline" trial simulate bad.toml -o bad
+has err "bad.toml:4: condition.forces"
+sed 's/pencil.snap/pencil.snip/' small.toml >bad.toml
+run 1 "$feltline" trial simulate bad.toml -o bad
+has err "bad.toml:5: condition.settings: pencil.snip"
+run 1 "$feltline" trial simulate small.toml --device mouse -o bad
+has err "condition.needs is \"force\""
+run 1 "$feltline" trial simulate none.toml -o bad
+has err "none.toml"
+[ ! -e bad ] || fail "a folder was made"
+run 1 "$feltline" trial simulate small.toml -o no/such/folder
+has err "no/such/folder"
+
+run 2 "$feltline" trial
+run 2 "$feltline" trial simulate small.toml
+run 2 "$feltline" trial simulate small.toml --people 0 -o bad
+run 2 "$feltline" trial simulate small.toml --people 10000 -o bad
+run 2 "$feltline" trial simulate small.toml --device nonsense -o bad
+run 2 "$feltline" trial simulate small.toml --seed -1 -o bad
+
+# wait_for FOLDER: waits until the first trial is saved.
+wait_for() {
+  for _ in $(seq 300); do
+    [ -e "$1/participant-0001/train/trial-0001.felt" ] && return
+    sleep 0.1
+  done
+  fail "no trial in $1"
+}
+
+# Ctrl-C keeps the finished trials, and so does a kill. A trial that is listed has its recording.
+sed 's/^id.*/&\nrepetitions = 100/' small.toml >long.toml
+for signal in INT KILL; do
+  "$feltline" trial simulate long.toml --people 9999 -o "$signal" >stopped.out 2>stopped.err &
+  wait_for "$signal"
+  kill -s "$signal" $!
+  code=0
+  wait $! 2>/dev/null || code=$?
+  if [ "$signal" = INT ]; then
+    [ "$code" = 1 ] || fail "exit code $code after Ctrl-C"
+    has stopped.err "interrupted; the folder has the trials that were finished"
+    has stopped.out "INT: 1 people"
+  fi
+  sed -n 's/.*"recording":"\([^"]*\)".*/\1/p' "$signal/participant-0001/train/session.json" >listed
+  [ -s listed ] || [ "$signal" = KILL ] || fail "no trial is listed"
+  while read -r name; do
+    run 0 "$feltline" info "$signal/participant-0001/train/$name"
+  done <listed
+done
+
+finish
