@@ -70,7 +70,14 @@ TEST(GuidedDrawing, AGrooveHelpsPeopleAndErrorAmplifyingDoesNot) {
     EXPECT_GT(amplified.mean_mm, 1.1 * free.mean_mm);
     EXPECT_LE(amplified.max_n, 0.2);
     EXPECT_LT(groove.energy_mj, 1.0);
-    EXPECT_EQ(groove.faults + amplified.faults, 0);
+    GuideLine teacher = circle(GuideKind::kTeacher);  // takes 4 s
+    for (std::size_t i = 0; i < teacher.points.size(); ++i) {
+      teacher.times_ms.push_back(20.0 * static_cast<double>(i));
+    }
+    const GuidedDrawing led = draw_guided(person, teacher);
+    EXPECT_LT(led.mean_mm, free.mean_mm);
+    EXPECT_LE(led.max_n, 0.8);
+    EXPECT_EQ(groove.faults + amplified.faults + led.faults, 0);
   }
 }
 

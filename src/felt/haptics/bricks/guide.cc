@@ -122,7 +122,7 @@ Vec Guide::across_n(const Near& near, Vec velocity, double share) const noexcept
   const Vec normal = perp(near.along);
   const double damping =
       1e-3 * share * well.damping_n_s_per_m * well.damped_share(near.distance_mm);
-  return at_most(-pull * near.offset - damping * dot(velocity, normal) * normal, well.force_n);
+  return -pull * near.offset - damping * dot(velocity, normal) * normal;
 }
 
 Vec Guide::lead_n(const Near& near, Vec velocity) const noexcept {
@@ -137,9 +137,9 @@ Force Guide::operator()(const PenSample& sample, ForceMemory& memory) const noex
   const double share = piece_.gain * held_share(in_contact(sample), near.distance_mm, memory);
   if (share > 0.0 && near.distance_mm < law_.well.radius_mm) {
     const Vec velocity = known_velocity(sample);
-    const Vec sum =
-        share * (across_n(near, velocity, memory.scale.lateral) + lead_n(near, velocity));
-    force = {sum.x, sum.y, 0.0};
+    const Vec sum = across_n(near, velocity, memory.scale.lateral) + lead_n(near, velocity);
+    const Vec bounded = share * at_most(sum, law_.well.force_n);
+    force = {bounded.x, bounded.y, 0.0};
   }
   memory.terms.add("guide", force);
   return force;
