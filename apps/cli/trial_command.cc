@@ -35,7 +35,7 @@ Result<StudyFolder> create_folder(const SimulateArguments& args, const StylusPre
   Result<StudyFiles> files = read_study_files(args.study);
   if (!files) return tl::unexpected(files.error());
   const Result<void> possible =
-      check_conditions(files->study, Materials::built_in(), device.capabilities, args.study);
+      check_conditions(*files, Materials::built_in(), device.capabilities, args.study);
   if (!possible) return tl::unexpected(possible.error());
   return StudyFolder::create(args.folder, *std::move(files));
 }

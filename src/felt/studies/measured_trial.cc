@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "felt/geometry/rect.h"
-#include "felt/session/session.h"
+#include "felt/session/event.h"
+#include "felt/tools/line_stabiliser.h"
 
 namespace felt {
 namespace {
-
-/// Returns true if an event switches a stabiliser on, so that the ink is not at the pen.
-bool starts_stabiliser(const RecordedEvent& recorded) {
-  const auto* option = std::get_if<SetOption>(&recorded.event.what);
-  return option && option->id.ends_with(".stabiliser") && option->value != OptionValue("off");
-}
 
 TrialSample trial_sample(const RecordedSample& sample) {
   const PenSample pen = sample_of(sample.time_ns, sample.pen);
@@ -24,35 +19,62 @@ TrialSample trial_sample(const RecordedSample& sample) {
   return result;
 }
 
-}  // namespace
+/// Moves samples in contact from the pen to the nib behind the stabiliser of a recording.
+class NibTrack {
+ public:
+  void set(const SetOption& option) {
+    if (option.id == "pencil.stabiliser") {
+      options_.kind = option.value == OptionValue("towed")     ? StabiliserKind::kTowed
+                      : option.value == OptionValue("inertia") ? StabiliserKind::kInertia
+                                                               : StabiliserKind::kOff;
+    } else if (option.id == "pencil.stabiliser_length_mm") {
+      options_.length_mm = std::get<double>(option.value);
+    } else if (option.id == "pencil.stabiliser_mass_g") {
+      options_.mass_g = std::get<double>(option.value);
+    }
+  }
 
-std::optional<Point> stabilised_nib(const Session& session) {
-  if (session.tool().info().kind != ToolKind::kDraws) return std::nullopt;
-  Overlay overlay;
-  session.draw(overlay);
-  const auto tether =
-      std::find_if(overlay.lines.begin(), overlay.lines.end(),
-                   [](const Overlay::Line& line) { return line.role == Overlay::Role::kTether; });
-  return tether == overlay.lines.end() ? std::nullopt : std::optional(tether->to);
-}
+  /// Appends a sample to `samples`; before the first sample out of contact, also the ink that is
+  /// completed when the pen lifts.
+  void add(TrialSample sample, std::vector<TrialSample>& samples) {
+    const bool lands = sample.contact && (samples.empty() || !samples.back().contact);
+    if (lands) {
+      nib_ = Stabiliser(options_);
+      nib_.begin(sample.position, sample.time_ns);
+    } else if (sample.contact) {
+      sample.position = nib_.update(sample.position, sample.time_ns);
+    } else if (!samples.empty() && samples.back().contact) {
+      nib_.finish(rest_);
+      TrialSample last = samples.back();
+      for (const Stabiliser::Step& step : rest_) {
+        last.position = step.nib;
+        last.time_ns = step.time_ns;
+        samples.push_back(last);
+      }
+    }
+    samples.push_back(sample);
+  }
+
+ private:
+  StabiliserOptions options_;
+  Stabiliser nib_;
+  std::vector<Stabiliser::Step> rest_;
+};
+
+}  // namespace
 
 std::vector<TrialSample> trial_samples(const FeltRecording& recording) {
   std::vector<TrialSample> samples;
   samples.reserve(recording.samples.size());
-  for (const RecordedSample& sample : recording.samples) samples.push_back(trial_sample(sample));
-  const bool is_stabilised =
-      std::any_of(recording.events.begin(), recording.events.end(), starts_stabiliser);
-  if (!is_stabilised) return samples;
-  Session session(make_tools(), {});
-  std::size_t at = 0;
-  (void)play_recording(recording, [&](const Event& event) -> Result<void> {
-    // Events that the session refuses, such as imports, do not move the nib.
-    (void)session.apply(event);
-    if (!std::holds_alternative<PenEvent>(event.what)) return {};
-    TrialSample& sample = samples[at++];
-    if (sample.contact) sample.position = stabilised_nib(session).value_or(sample.position);
-    return {};
-  });
+  NibTrack nib;
+  std::size_t next = 0;  // event
+  for (std::size_t i = 0; i < recording.samples.size(); ++i) {
+    for (; next < recording.events.size() && recording.events[next].before_sample <= i; ++next) {
+      const auto* option = std::get_if<SetOption>(&recording.events[next].event.what);
+      if (option) nib.set(*option);
+    }
+    nib.add(trial_sample(recording.samples[i]), samples);
+  }
   return samples;
 }
 

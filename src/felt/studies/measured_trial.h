@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,8 +13,6 @@
 
 namespace felt {
 
-class Session;
-
 /// The diameter of the targets of the task `connect`, at both ends of the path.
 inline constexpr double kConnectTargetMm = 5.0;
 
@@ -23,14 +20,11 @@ inline constexpr double kConnectTargetMm = 5.0;
 inline constexpr std::array<std::string_view, 5> kCatchRuleNames = {
     "device_fault", "min_length_share", "max_lifts", "max_mm_per_s", "left_tunnel"};
 
-/// Returns the position of the nib behind a stabiliser while a stroke is drawn, or nullopt if the
-/// ink is at the pen.
-std::optional<Point> stabilised_nib(const Session& session);
-
-/// Returns the samples of a recording as those of a trial. Forces are in the page plane. If a
-/// stabiliser is on, the position of a sample in contact is that of the nib, because the user draws
-/// with the nib; the recording is then played into a session, which takes about as long as fitting
-/// the stroke. The ink from the nib to the pen, which is added when the pen lifts, is left out.
+/// Returns the samples of a recording as those of a trial. Forces are in the page plane. The
+/// position of a sample in contact is that of the nib, which a stabiliser keeps away from the pen.
+/// The ink from the nib to the pen, which is added when the pen lifts, has samples of its own;
+/// those of the pen may then not be in order of time, and measure_trial() ignores them until they
+/// are.
 std::vector<TrialSample> trial_samples(const FeltRecording& recording);
 
 /// Returns the path with which the ink of a trial is compared, and the geometry of its task. For

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "felt/document/visible_strokes.h"
+#include "felt/geometry/nearest.h"
 #include "felt/geometry/polyline.h"
 #include "felt/session/session.h"
 #include "felt/studies/testing/study_fixture.h"
@@ -47,21 +51,33 @@ TEST(MeasuredTrial, APenThatTowsTheNibDrawsBehindIt) {
   EXPECT_GT(behind_mm, 3.0) << "the rope is 4 mm long";
   EXPECT_LT(behind_mm, 8.0);
   EXPECT_NEAR(samples[500].position.y, 50.0, 1e-6);
-  EXPECT_NEAR(samples[1000].position.x, 100.0, 1e-9) << "a hover sample is where the pen is";
+  EXPECT_NEAR(samples.back().position.x, 100.0, 1e-9) << "a hover sample is where the pen is";
+  ASSERT_GT(samples.size(), 1001U) << "the ink is completed up to the pen";
+  const TrialSample& end = samples[samples.size() - 2];
+  EXPECT_TRUE(end.contact);
+  EXPECT_NEAR(end.position.x, 40.0 + 0.06 * 999, 1e-9);
 }
 
-TEST(MeasuredTrial, TheNibOfASessionIsThatOfAStabiliser) {
-  Session session(make_tools(), {});
-  EXPECT_FALSE(stabilised_nib(session));
-  ASSERT_TRUE(session.apply({0, SetOption{"pencil.stabiliser", std::string("towed")}}));
-  for (int i = 0; i < 200; ++i) {
-    ASSERT_TRUE(session.sample({.time_ns = i * kTickNs,
-                                .position = {40.0 + 0.1 * i, 50.0, -0.2},
-                                .velocity = {},
-                                .pressure = 0.5}));
+// The ink of the session and the samples are two results of the same recording.
+TEST(MeasuredTrial, TheSamplesAreWhereTheInkIs) {
+  for (const char* kind : {"towed", "inertia"}) {
+    FeltRecording recording = line_recording(kind);
+    for (std::size_t i = 0; i < recording.samples.size(); ++i) {
+      recording.samples[i].pen.position.y = 50.0 + 5.0 * std::sin(0.02 * static_cast<double>(i));
+    }
+    Session session(make_tools(), {});
+    ASSERT_TRUE(play_recording(recording, [&](const Event& e) { return session.apply(e); }));
+    const std::vector<StrokePtr> ink = visible_strokes(session.document());
+    ASSERT_EQ(ink.size(), 1U);
+    for (const TrialSample& sample : trial_samples(recording)) {
+      double away = sample.contact ? 1e9 : 0.0;
+      for (int i = 0; sample.contact && i < ink[0]->segment_count(); ++i) {
+        away = std::min(away,
+                        std::sqrt(nearest(ink[0]->segment(i), sample.position).distance_squared));
+      }
+      ASSERT_LT(away, 0.15) << kind << " at " << sample.time_ns;
+    }
   }
-  ASSERT_TRUE(stabilised_nib(session));
-  EXPECT_LT(stabilised_nib(session)->x, 57.0);
 }
 
 class MeasuredTrialTest : public felt::testing::StudyFixture {

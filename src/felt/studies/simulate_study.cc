@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <optional>
 #include <thread>
 #include <utility>
 
+#include "felt/base/constants.h"
 #include "felt/base/random.h"
+#include "felt/devices/simulated/towed_plan.h"
 #include "felt/replay/replay_drawing.h"
 #include "felt/replay/replay_machine.h"
 #include "felt/studies/measured_trial.h"
@@ -16,6 +19,7 @@ namespace felt {
 namespace {
 
 constexpr std::int64_t kRestNs = 250'000'000;  // after the pen was lifted
+constexpr int kStopMs = 200;                   // to reach the end of the path while towing
 constexpr double kCornerCosine = 0.87;         // of 30 degrees
 
 /// A trial of one attempt, ready to be saved.
@@ -40,6 +44,39 @@ std::vector<Point> via_points(const StudyPath& path) {
     if (dot(in, out) < kCornerCosine * norm(in) * norm(out)) via.push_back(points[i]);
   }
   return via;
+}
+
+/// Returns the rope if the pen tows the nib in a condition.
+std::optional<TowOptions> rope_of(const StudyCondition& condition) {
+  TowOptions rope;
+  bool is_towed = false;
+  for (const StudySetting& setting : condition.settings) {
+    if (setting.id == "pencil.stabiliser") {
+      is_towed = setting.value == std::variant<double, bool, std::string>("towed");
+    } else if (setting.id == "pencil.stabiliser_length_mm") {
+      rope.rope_mm = std::get<double>(setting.value);
+    }
+  }
+  return is_towed ? std::optional(rope) : std::nullopt;
+}
+
+/// Returns the movement of a pen that tows the nib along a plan. The pen stops at the end of the
+/// path, because the ink is completed up to the pen when it lifts.
+RecordedPath towing_plan(const RecordedPath& nib, const TowOptions& rope) {
+  RecordedPath pen = ahead_by_rope(nib, rope);
+  double left_mm = 0.0;
+  for (std::size_t i = nib.size() - 1; i > 0 && left_mm < rope.rope_mm; --i) {
+    left_mm += distance(nib[i].position, nib[i - 1].position);
+    pen.pop_back();
+  }
+  const Point from = pen.back().position, to = nib.back().position;
+  const std::int64_t start_ns = *pen.back().time_ns;
+  for (int i = 1; i <= kStopMs; ++i) {
+    const double t = static_cast<double>(i) / kStopMs;
+    pen.push_back(
+        {.position = lerp(from, to, t * t * (3.0 - 2.0 * t)), .time_ns = start_ns + i * kMs});
+  }
+  return pen;
 }
 
 /// Draws one trial.
@@ -80,10 +117,9 @@ class TrialRun {
       return tl::unexpected(begun.error());
     }
     const std::vector<Point> via = via_points(files_.paths[trial_.shape]);
-    if (Result<void> drawn = play(machine, plan_movement(person, via, seed, shape.tunnel_mm));
-        !drawn) {
-      return tl::unexpected(drawn.error());
-    }
+    RecordedPath plan = plan_movement(person, via, seed, shape.tunnel_mm);
+    if (const auto rope = rope_of(condition)) plan = towing_plan(plan, *rope);
+    if (Result<void> drawn = play(machine, plan); !drawn) return tl::unexpected(drawn.error());
     return finish(attempt, machine, recorder.take());
   }
 
@@ -199,7 +235,7 @@ Result<void> simulate_study(StudyFolder& folder, const SimulateOptions& options,
   }
   const std::string name = folder.path() + "/" + folder.files().sources.front().first;
   Result<void> possible =
-      check_conditions(study, Materials::built_in(), options.device.capabilities, name);
+      check_conditions(folder.files(), Materials::built_in(), options.device.capabilities, name);
   if (!possible) return possible;
   std::size_t done = 0, all = 0;
   for (const SessionKind kind : study.sessions) all += options.people * trial_count(study, kind);

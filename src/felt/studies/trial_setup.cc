@@ -1,8 +1,11 @@
 #include "felt/studies/trial_setup.h"
 
+#include <span>
 #include <string>
+#include <utility>
 
 #include "felt/session/session.h"
+#include "felt/tools/guide_line.h"
 
 namespace felt {
 namespace {
@@ -24,15 +27,59 @@ Result<void> check_settings(const StudyCondition& condition, const Materials& ma
   return {};
 }
 
+/// Adds the pen of the teacher while it touched the surface: at most kMaxGuidePoints points, each
+/// later than the one before.
+void add_teacher(std::span<const TrialSample> teacher, GuideLine& line) {
+  std::vector<TrialSample> touching;
+  for (const TrialSample& sample : teacher) {
+    const bool is_later = touching.empty() || sample.time_ns > touching.back().time_ns;
+    if (sample.contact && is_later) touching.push_back(sample);
+  }
+  const std::size_t step = touching.size() / kMaxGuidePoints + 1;
+  for (std::size_t i = 0; i < touching.size(); i += step) {
+    line.points.push_back(touching[i].position);
+    line.times_ms.push_back(1e-6 * static_cast<double>(touching[i].time_ns - touching[0].time_ns));
+  }
+}
+
+GuideLine guide_of(const StudyFiles& files, const PlannedTrial& trial) {
+  const StudyCondition& condition = files.study.conditions[trial.condition];
+  const StudyPath& path = files.paths[trial.shape];
+  GuideLine line{.strength = condition.strength};
+  switch (condition.guidance) {
+    case StudyGuidance::kNone:
+      return {};
+    case StudyGuidance::kReplayedTeacher:
+      line.kind = GuideKind::kTeacher;
+      add_teacher(files.teachers[trial.condition], line);
+      return line;
+    case StudyGuidance::kGroove:
+      line.kind = GuideKind::kGroove;
+      break;
+    case StudyGuidance::kAsNeeded:
+      line.kind = GuideKind::kAsNeeded;
+      break;
+    case StudyGuidance::kErrorAmplifying:
+      line.kind = GuideKind::kErrorAmplifying;
+      break;
+  }
+  line.points = path.points;
+  line.is_closed = path.ends == TrialPathEnds::kClosed;
+  return line;
+}
+
 }  // namespace
 
-Result<void> check_conditions(const Study& study, const Materials& materials,
+Result<void> check_conditions(const StudyFiles& files, const Materials& materials,
                               const Capabilities& device, const std::string& name) {
-  for (const StudyCondition& condition : study.conditions) {
+  for (std::size_t i = 0; i < files.study.conditions.size(); ++i) {
+    const StudyCondition& condition = files.study.conditions[i];
     const std::string place = name + ":" + std::to_string(condition.line) + ": ";
-    if (condition.guidance != StudyGuidance::kNone) {
+    if (condition.guidance != StudyGuidance::kNone && !device.has_force()) {
       return fail(ErrorCode::kUnsupported,
-                  place + "condition.guidance: this version cannot guide the pen yet");
+                  place + "condition.guidance is \"" +
+                      std::string(kStudyGuidances[static_cast<std::size_t>(condition.guidance)]) +
+                      "\", but the device has no forces");
     }
     if (condition.needs == DeviceNeed::kForce && !device.has_force()) {
       return fail(ErrorCode::kUnsupported,
@@ -40,6 +87,14 @@ Result<void> check_conditions(const Study& study, const Materials& materials,
     }
     Result<void> set = check_settings(condition, materials, device, name);
     if (!set) return set;
+    for (std::size_t shape = 0; shape < files.paths.size(); ++shape) {
+      const PlannedTrial trial{.condition = i, .shape = shape};
+      const Result<void> guided = check_guide(guide_of(files, trial));
+      if (guided) continue;
+      return tl::unexpected(with_context(
+          guided.error(),
+          place + "condition.guidance of the shape \"" + files.study.shapes[shape].name + "\""));
+    }
   }
   return {};
 }
@@ -50,6 +105,8 @@ std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& tri
   for (const StudySetting& setting : files.study.conditions[trial.condition].settings) {
     events.push_back({0, option_of(setting)});
   }
+  GuideLine guide = guide_of(files, trial);
+  if (guide.kind != GuideKind::kNone) events.push_back({0, UseGuide{std::move(guide)}});
   return events;
 }
 

@@ -14,9 +14,9 @@ namespace felt {
 
 /// Checks each condition of a study: that its settings exist and accept their values, and that the
 /// device can make it. A condition that needs forces, or that guides the pen, needs a device with
-/// forces. Fails with the first error, which names the file, the line and the key. `name` is the
-/// name of the study file.
-Result<void> check_conditions(const Study& study, const Materials& materials,
+/// forces, and a path of a possible length (check_guide()). Fails with the first error, which names
+/// the file, the line and the key. `name` is the name of the study file.
+Result<void> check_conditions(const StudyFiles& files, const Materials& materials,
                               const Capabilities& device, const std::string& name);
 
 /// Returns the events that set up a new session for a trial, at time 0: the device, the options of

@@ -25,7 +25,7 @@ struct PlannedTrial {
   double rest_before_s = 0.0;   ///< the shortest rest before this trial; 0: none
   bool asks_questions = false;  ///< true: the questionnaires are shown after this trial
   /// The condition as the participant may see it: its label, or "A", "B", ... in a blind study.
-  std::string shown_condition;
+  std::string shown_condition = {};
   std::uint64_t seed = 0;  ///< for everything random in this trial; differs between trials
   friend bool operator==(const PlannedTrial&, const PlannedTrial&) = default;
 };

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "felt/stroke/fit/ink_fitter.h"
-#include "felt/tools/pencil/line_stabiliser.h"
+#include "felt/tools/line_stabiliser.h"
 #include "felt/tools/snapping.h"
 #include "felt/tools/tool_options.h"
 

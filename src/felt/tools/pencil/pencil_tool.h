@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "felt/tools/gesture_tool.h"
+#include "felt/tools/line_stabiliser.h"
 #include "felt/tools/pencil/connect_ink.h"
 #include "felt/tools/pencil/ink_snap.h"
-#include "felt/tools/pencil/line_stabiliser.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/pencil/wet_ink.h"
 

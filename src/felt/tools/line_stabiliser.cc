@@ -1,4 +1,4 @@
-#include "felt/tools/pencil/line_stabiliser.h"
+#include "felt/tools/line_stabiliser.h"
 
 #include <algorithm>
 #include <cmath>
