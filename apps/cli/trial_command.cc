@@ -111,6 +111,7 @@ void add_trial_command(CLI::App& app, Console& console) {
   command->require_subcommand(1);
   command->fallthrough();
   add_simulate(*command, console);
+  add_trial_export_command(*command, console);
 }
 
 }  // namespace felt::cli

@@ -18,7 +18,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a doctor
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a device-test -d 'Test a device, level by level'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a record -d 'Draw with a real device, without a window'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a recover -d 'Recover unsaved drawings after a crash'
-complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a trial -d 'Run a study and keep its results'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a trial -d 'Run a study and export its results'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Measure the speed of the fitting'
 
 set -l makes_output fit render convert replay
@@ -82,8 +82,10 @@ complete -c feltline -n '__fish_seen_subcommand_from device-test' -l level -x -a
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l seed -x -d 'Seed of the order of axes in the checks that push'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l report -r -d 'Also write the report to this file'
 complete -c feltline -n '__fish_seen_subcommand_from device-test' -l soak -x -d 'Duration of level 10, in seconds'
-complete -c feltline -n '__fish_seen_subcommand_from trial; and not __fish_seen_subcommand_from simulate' -f -a simulate -d 'Let simulated people take part in a study'
-complete -c feltline -n '__fish_seen_subcommand_from simulate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results'
+complete -c feltline -n '__fish_seen_subcommand_from trial; and not __fish_seen_subcommand_from simulate export' -f -a simulate -d 'Let simulated people take part in a study'
+complete -c feltline -n '__fish_seen_subcommand_from trial; and not __fish_seen_subcommand_from simulate export' -f -a export -d 'Export the results of a study'
+complete -c feltline -n '__fish_seen_subcommand_from trial; and __fish_seen_subcommand_from export' -f -a '(__fish_complete_directories)'
+complete -c feltline -n '__fish_seen_subcommand_from simulate export' -s o -l output -x -a '(__fish_complete_directories)' -d 'New folder'
 complete -c feltline -n '__fish_seen_subcommand_from simulate' -l people -x -d 'Number of simulated people'
 complete -c feltline -n '__fish_seen_subcommand_from simulate' -l seed -x -d 'Another seed gives other people'
 complete -c feltline -n '__fish_seen_subcommand_from simulate' -l device -x -a 'worst touch touch-x premium falcon omega inverse3 mouse tablet' -d 'Simulated device that they use'

@@ -46,7 +46,8 @@ std::optional<MeanInterval> mean_interval(std::span<const double> values, double
   const Moments all = moments_of(values);
   if (!std::isfinite(all.mean) || !std::isfinite(all.deviation)) return {};
   // Equal values may differ from their rounded mean in the last digits.
-  if (all.deviation <= 1e-12 * std::abs(all.mean)) return MeanInterval{all.mean, all.mean, all.mean};
+  if (all.deviation <= 1e-12 * std::abs(all.mean))
+    return MeanInterval{all.mean, all.mean, all.mean};
 
   Random random(seed);
   std::vector<double> resample(values.size()), ratios;

@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// The mean of values, one for each participant, with an interval for the mean of all people. For the
-/// difference between two conditions, the values are the differences within each participant.
+/// The mean of values, one for each participant, with an interval for the mean of all people. For
+/// the difference between two conditions, the values are the differences within each participant.
 struct MeanInterval {
   double mean = 0.0, low = 0.0, high = 0.0;
   friend bool operator==(const MeanInterval&, const MeanInterval&) = default;

@@ -84,8 +84,8 @@ std::vector<double> modelled_differences(Random& random, double effect) {
 
 // 400 studies: the standard deviation of a share of 95 % is 1.1 %, so these bounds are 3 of them.
 TEST(MeanInterval, CoversAPlantedEffectOfTwentyPercent) {
-  const double mean_error = 0.5 * std::exp(0.5 * (0.09 + 0.0625)) *
-                            (std::exp(-0.2) + 1.0 + std::exp(0.2)) / 3.0;
+  const double mean_error =
+      0.5 * std::exp(0.5 * (0.09 + 0.0625)) * (std::exp(-0.2) + 1.0 + std::exp(0.2)) / 3.0;
   for (const double effect : {0.8, 1.0}) {
     Random random(17);
     int covered = 0;
