@@ -14,6 +14,7 @@
 #include "desktop/engine/recording_file.h"
 #include "desktop/files/instance.h"
 #include "desktop/help/examples.h"
+#include "desktop/trial/trial_start.h"
 #include "desktop/window/language.h"
 #include "desktop/window/picture.h"
 #include "desktop/window/signal_watch.h"
@@ -137,6 +138,14 @@ int run(const StartOptions& options) {
   return code;
 }
 
+/// Runs a session of a study. It looks the same for all participants, whatever theme was chosen.
+int run_study(const TrialRequest& request) {
+  apply_theme(Theme::kLight);
+  const SignalWatch signals;
+  QObject::connect(&signals, &SignalWatch::asked, qApp, [] { QApplication::exit(0); });
+  return run_trials(request);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -170,6 +179,7 @@ int main(int argc, char** argv) {
   use_language(options.language);
   dress();
   if (!options.picture.path.isEmpty()) return make_picture(options.picture);
+  if (!options.trial.study.isEmpty()) return run_study(options.trial);
   follow_theme_setting();
   return run(options);
 }

@@ -56,6 +56,8 @@ class Canvas : public QWidget {
   /// Sets the translated message about the pen's pressure. The canvas shows it while the drawing is
   /// empty. If `status` is empty, the canvas derives the message from the samples.
   void set_pen_status(const QString& status);
+  /// Hides the hints for a new user, which otherwise appear while the drawing is empty.
+  void hide_first_hints();
   /// Sets the name of the right mouse button's action, which the hint shows; "" if the button has
   /// no action.
   void set_right_button(const QString& what);
@@ -127,6 +129,7 @@ class Canvas : public QWidget {
   bool pressure_seen_ = false;
   bool keeps_page_fitted_ = true;
   bool focus_by_key_ = false;
+  bool has_first_hints_ = true;
 };
 
 }  // namespace felt::desktop

@@ -164,6 +164,7 @@ void HapticLoop::start() {
   ServoOptions options;
   options.period_ns = device.capabilities().period_ns;
   options.limits = limits_for(device.capabilities(), force_limit_n_);
+  options.queues_forces = options_.reads_forces;
   start_ns_ = now_ns();
   servo_ = std::make_unique<Servo>(device, options);
   servo_->set_strength(strength_);
@@ -233,6 +234,18 @@ void HapticLoop::publish(const ForceModel& force) {
   servo_->heartbeat(now_ns() - start_ns_);
 }
 
+void HapticLoop::read_forces() {
+  Servo::ForceRing* ring = servo_->for_recorder();
+  if (!ring) return;
+  std::array<TickForces, 256> batch;
+  for (std::size_t n = 0; (n = ring->pop(batch)) > 0;) {
+    for (TickForces& forces : std::span(batch).first(n)) {
+      forces.time_ns += start_ns_;
+      Q_EMIT forces_read(forces);
+    }
+  }
+}
+
 bool HapticLoop::read_samples(const std::function<void(PenSample&)>& handle) {
   if (!servo_) return false;
   std::array<PenSample, 256> batch;
@@ -243,6 +256,7 @@ bool HapticLoop::read_samples(const std::function<void(PenSample&)>& handle) {
       handle(sample);
     }
   }
+  read_forces();
   // A device that fails delivers no samples, but the change of the safety state must still be
   // reported.
   const TickReport& tick = servo_->latest();

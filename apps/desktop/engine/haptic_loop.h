@@ -42,6 +42,8 @@ class HapticLoop : public QObject {
     /// Time from the last event until a live loop pauses. A loop with a device that has forces, or
     /// that the user holds, never pauses.
     std::int64_t rest_ns = 3'000'000'000;
+    /// If true, `forces_read` reports the forces of every tick.
+    bool reads_forces = false;
   };
   /// The activity of the pen, for schedule().
   enum class PenActivity {
@@ -148,6 +150,10 @@ class HapticLoop : public QObject {
   /// Emitted for plots, in order, with each tick report that the main thread reads. The main thread
   /// does not read the report of every tick.
   void ticked(const felt::TickReport& report);
+  /// Emitted for recorders, in order, with the forces of each tick, if Options::reads_forces is
+  /// set. The time is on the clock of now_ns(). The sample of the tick may be reported earlier or
+  /// later.
+  void forces_read(const felt::TickForces& forces);
   /// Emitted while no loop runs, after the device or its profile was replaced. used_device()
   /// returns the new device.
   void device_replaced();
@@ -164,6 +170,7 @@ class HapticLoop : public QObject {
 
  private:
   void restart_with_device();
+  void read_forces();
   void disconnect_device(std::unique_ptr<RealtimeThread> thread);
   [[nodiscard]] bool may_pause(std::int64_t now, PenActivity activity) const;
   void pause();

@@ -28,9 +28,9 @@ double absent_pressure(const Session& session) {
 Studio::Studio(StudioOptions options, QObject* parent)
     : QObject(parent),
       options_(std::move(options)),
-      loop_({options_.device, options_.live, options_.rest_ns}) {
+      loop_({options_.device, options_.live, options_.rest_ns, options_.reads_forces}) {
   if (options_.connect_early) options_.connect_early(*this);
-  make_session(Document{}, {});
+  make_session(Document{}, {}, InitialOptions::kFirst);
   connect_loop();
   loop_.start();
   loop_.schedule(true, pen_activity());
@@ -62,7 +62,8 @@ void Studio::connect_loop() {
   connect(&loop_, &HapticLoop::refused, this, &Studio::refused);
 }
 
-void Studio::make_session(Document document, std::span<const std::string> materials) {
+void Studio::make_session(Document document, std::span<const std::string> materials,
+                          InitialOptions from) {
   Q_EMIT session_began(document);
   SessionOptions options;
   options.document = std::move(document);
@@ -81,7 +82,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
   add_materials_of_drawing(materials);  // must precede the options, which may name one of the
                                         // materials
   const std::int64_t now_ns = event_time_ns();
-  if (before) {
+  if (before && from == InitialOptions::kOfLastSession) {
     copy_options(*before, *session_, now_ns);
   } else if (options_.first_options) {
     apply_first_options(now_ns);
@@ -109,12 +110,22 @@ void Studio::apply_first_options(std::int64_t now_ns) {
 
 void Studio::open(Document document, const Page& page, std::span<const std::string> materials,
                   std::optional<Rgba> ink) {
+  open(std::move(document), page, materials, ink, InitialOptions::kOfLastSession);
+}
+
+void Studio::start_over(const Page& page) {
+  open(Document{}, page, {}, {}, InitialOptions::kFirst);
+  Q_EMIT tool_changed();
+}
+
+void Studio::open(Document document, const Page& page, std::span<const std::string> materials,
+                  std::optional<Rgba> ink, InitialOptions options) {
   loop_.wake();
   drain();
   static_cast<void>(session_->finish());
   edits_.clear();
   const SurfaceMaterial surface = session_->surface();
-  make_session(std::move(document), materials);
+  make_session(std::move(document), materials, options);
   apply_page(page);
   if (ink) {
     static_cast<void>(

@@ -71,6 +71,9 @@ class Studio : public QObject {
   /// not emitted for this colour, because it comes with the drawing and the user did not choose it.
   void open(Document document, const Page& page, std::span<const std::string> materials = {},
             std::optional<Rgba> ink = {});
+  /// Replaces the drawing by an empty one, as open() does, and gives all options the values of a new
+  /// studio.
+  void start_over(const Page& page);
   /// Returns true if the drawing has unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
@@ -160,7 +163,11 @@ class Studio : public QObject {
 
  private:
   void connect_loop();
-  void make_session(Document document, std::span<const std::string> materials);
+  enum class InitialOptions { kFirst, kOfLastSession };
+  void make_session(Document document, std::span<const std::string> materials,
+                    InitialOptions options);
+  void open(Document document, const Page& page, std::span<const std::string> materials,
+            std::optional<Rgba> ink, InitialOptions options);
   void apply_first_options(std::int64_t now_ns);
   void update_modified();
   void report_modified(bool modified);

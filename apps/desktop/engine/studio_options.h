@@ -26,6 +26,8 @@ struct StudioOptions {
   /// Time from the last event until a live studio pauses its loop and its timer. The next event
   /// resumes them. With a device that has forces, or that the user holds, they never pause.
   std::int64_t rest_ns = 3'000'000'000;
+  /// If true, HapticLoop::forces_read reports the forces of every tick, for a recorder.
+  bool reads_forces = false;
   /// Called before the first session begins, so that a recorder can connect to session_began and
   /// event_applied without missing an event.
   std::function<void(Studio&)> connect_early = {};

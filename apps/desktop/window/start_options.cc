@@ -21,6 +21,16 @@ constexpr Row kRows[] = {
      QT_TRANSLATE_NOOP(
          "Arguments",
          "Record everything that happens to the drawing, for feltline replay --as-recorded.")},
+    {"trial", "STUDY",
+     QT_TRANSLATE_NOOP("Arguments",
+                       "Run a session of a study with a participant, on the whole screen.")},
+    {"output", "FOLDER",
+     QT_TRANSLATE_NOOP("Arguments", "The folder for the results of --trial (also -o).")},
+    {"participant", "NUMBER",
+     QT_TRANSLATE_NOOP("Arguments", "The number of the participant, from 1 to 9999.")},
+    {"session", "NAME",
+     QT_TRANSLATE_NOOP("Arguments",
+                       "The session: pre, train (if not given), post, retention or transfer.")},
     {"measure-start", "", nullptr},
     {"screenshot", "PNG", nullptr},
     {"size", "WxH", nullptr},
@@ -43,7 +53,9 @@ void add_options(QCommandLineParser& parser) {
   parser.addHelpOption();
   parser.addVersionOption();
   for (const Row& row : kRows) {
-    QCommandLineOption option(QString::fromLatin1(row.name),
+    QStringList names{QString::fromLatin1(row.name)};
+    if (names.front() == QStringLiteral("output")) names.push_front(QStringLiteral("o"));
+    QCommandLineOption option(names,
                               row.help ? option_text(row.help) : QString(),
                               QString::fromLatin1(row.value));
     if (!row.help) option.setFlags(QCommandLineOption::HiddenFromHelp);
@@ -53,6 +65,31 @@ void add_options(QCommandLineParser& parser) {
       QStringLiteral("FILE"),
       option_text(QT_TRANSLATE_NOOP("Arguments", "Drawings to open: .felt, .svg, .ndjson.")),
       QStringLiteral("[FILE...]"));
+}
+
+/// Sets the request from the arguments. Returns an error message or nullopt.
+std::optional<QString> read_trial(const QCommandLineParser& parser, TrialRequest& trial) {
+  trial.study = parser.value(QStringLiteral("trial"));
+  trial.folder = parser.value(QStringLiteral("output"));
+  trial.participant = parser.value(QStringLiteral("participant")).toInt();
+  if (parser.isSet(QStringLiteral("session"))) {
+    trial.session = parser.value(QStringLiteral("session"));
+  }
+  const bool is_wanted = parser.isSet(QStringLiteral("trial"));
+  for (const char* name : {"output", "participant", "session"}) {
+    if (is_wanted || !parser.isSet(QString::fromLatin1(name))) continue;
+    return option_text(QT_TRANSLATE_NOOP("Arguments", "--%1 needs --trial"))
+        .arg(QString::fromLatin1(name));
+  }
+  if (!is_wanted) return std::nullopt;
+  if (trial.study.isEmpty() || trial.folder.isEmpty() || trial.participant < 1) {
+    return option_text(QT_TRANSLATE_NOOP(
+        "Arguments", "--trial needs a study, -o FOLDER and --participant NUMBER (from 1)"));
+  }
+  if (!parser.positionalArguments().isEmpty()) {
+    return option_text(QT_TRANSLATE_NOOP("Arguments", "--trial opens no drawings"));
+  }
+  return std::nullopt;
 }
 
 PictureRequest picture_of(const QCommandLineParser& parser) {
@@ -84,6 +121,7 @@ std::optional<QString> read_arguments(const QStringList& arguments, StartOptions
   options.measure_start = parser.isSet(QStringLiteral("measure-start"));
   options.language = parser.value(QStringLiteral("language"));
   options.record = parser.value(QStringLiteral("record"));
+  if (const auto wrong = read_trial(parser, options.trial)) return wrong;
   options.picture = picture_of(parser);
   const QSize size = options.picture.size;
   if (size.width() < 100 || size.height() < 100 || size.width() > 8000 || size.height() > 8000) {
@@ -103,7 +141,8 @@ QString help_text() {
              "  feltline-desktop\n"
              "  feltline-desktop cat.felt\n"
              "  feltline-desktop --language nl drawing.svg\n"
-             "  feltline-desktop --record session.ndjson\n");
+             "  feltline-desktop --record session.ndjson\n"
+             "  feltline-desktop --trial study.toml -o results --participant 3\n");
 }
 
 }  // namespace felt::desktop

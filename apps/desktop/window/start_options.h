@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <optional>
 
+#include "desktop/trial/trial_request.h"
+
 namespace felt::desktop {
 
 /// A request for a picture of a window, for the documents. To make the picture, the program uses
@@ -28,6 +30,7 @@ struct StartOptions {
   bool measure_start = false;
   QString language;
   QString record;
+  TrialRequest trial;
   PictureRequest picture;
 };
 

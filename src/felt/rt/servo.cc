@@ -164,6 +164,9 @@ Force Servo::force_of(const ForceModel& model, const PenSample& sample, const St
 }
 
 void Servo::hand_over() noexcept {
+  if (force_ring_ && report_.sample_ok) {
+    force_ring_->push({report_.sample.time_ns, report_.asked, report_.sent});
+  }
   reports_.publish(report_);
 }
 

@@ -40,6 +40,14 @@ struct ServoOptions {
   double cross_fade_s = 0.020;
   /// Usually limits_for(the device). Its period is replaced by `period_ns`.
   SafetyLimits limits;
+  /// True: the forces of every tick are queued for a recorder (Servo::for_recorder).
+  bool queues_forces = false;
+};
+
+/// The forces of one tick, for a recorder.
+struct TickForces {
+  std::int64_t time_ns = 0;  ///< of the sample
+  Force asked, sent;         ///< as in TickReport
 };
 
 /// The body of the haptic loop (docs/design/loop.md#data-flow): reads a sample from the device,
@@ -58,6 +66,7 @@ class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
+  using ForceRing = SpscRing<TickForces, kRingSamples>;
   static constexpr int kMaxBetween = 32;           ///< samples between two ticks (Device::between)
   static constexpr double kStrengthRampS = 0.050;  ///< time for a change from 0 to 1
 
@@ -101,6 +110,9 @@ class Servo {
   /// device is an arm, jumps are not accepted; a stroke may end at a jump (LeapFilter).
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
   [[nodiscard]] Ring& for_autosave() noexcept FELT_NOT_HAPTIC { return autosave_ring_; }
+  /// Returns the queue of the forces of all ticks that read an accepted sample, or null without
+  /// ServoOptions::queues_forces.
+  [[nodiscard]] ForceRing* for_recorder() noexcept FELT_NOT_HAPTIC { return force_ring_.get(); }
   /// Returns the report of the newest tick, for display. It is valid until the next call of
   /// latest(). Edit thread only.
   [[nodiscard]] const TickReport& latest() noexcept FELT_NOT_HAPTIC;
@@ -158,6 +170,7 @@ class Servo {
   LatestValue<TickReport> reports_;
   Ring edit_ring_;
   Ring autosave_ring_;
+  const std::unique_ptr<ForceRing> force_ring_;
 };
 
 }  // namespace felt

@@ -26,7 +26,8 @@ Servo::Servo(Device& device, const ServoOptions& options)
       has_force_(device.capabilities().has_force()),
       is_arm_(device.is_arm()),
       chain_(options_.limits),
-      leaps_(std::make_unique<LeapFilter>(options_.limits)) {}
+      leaps_(std::make_unique<LeapFilter>(options_.limits)),
+      force_ring_(options_.queues_forces ? std::make_unique<ForceRing>() : nullptr) {}
 
 Servo::~Servo() = default;
 
