@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDateTime>
 #include <QEventLoop>
+#include <QScreen>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
@@ -98,6 +99,7 @@ int show_session(TrialSetup setup, std::unique_ptr<PenDevice> device) {
   TrialRun run(std::move(setup.folder), std::move(setup.session), studio);
   TrialWindow window(run, studio);
   QObject::connect(&window, &TrialWindow::ended, qApp, &QApplication::quit, Qt::QueuedConnection);
+  window.setGeometry(window.screen()->geometry());  // for screens without a window manager
   window.showFullScreen();
   QApplication::exec();
   window.stop();  // if a signal ended the program
