@@ -123,7 +123,7 @@ Result<TrialSetup> prepare_trials(const TrialRequest& request, const QString& de
   if (const auto plan = plan_trials(files->study, request.participant, *kind); !plan) {
     return tl::unexpected(with_context(plan.error(), study));
   }
-  if (auto done = check_conditions(files->study, Materials::built_in(), device, study); !done) {
+  if (auto done = check_conditions(*files, Materials::built_in(), device, study); !done) {
     Error error = done.error();
     error.message += " (device: " + device_label.toStdString() + ")";
     return tl::unexpected(std::move(error));
