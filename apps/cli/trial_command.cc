@@ -1,5 +1,9 @@
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -104,12 +108,72 @@ void add_simulate(CLI::App& trial, Console& console) {
   command->callback([args, &console] { run_simulate(*args, console); });
 }
 
+constexpr const char* kDesktop = "feltline-desktop";
+
+struct RunArguments {
+  std::string study, folder, session = "train", language;
+  int participant = 1;
+};
+
+/// Replaces this process by the desktop program, which is beside this program or in PATH. Returns
+/// only if that fails.
+void become_desktop(const std::vector<std::string>& options) {
+  std::vector<std::string> all{kDesktop};
+  all.insert(all.end(), options.begin(), options.end());
+  std::vector<char*> words;
+  words.reserve(all.size() + 1);
+  for (std::string& word : all) words.push_back(word.data());
+  words.push_back(nullptr);
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) ::execv((self.parent_path() / kDesktop).c_str(), words.data());
+  ::execvp(kDesktop, words.data());
+}
+
+void run_session(const RunArguments& args, Console& console) {
+  std::vector<std::string> options{"--trial",   args.study,      "--output",
+                                   args.folder, "--participant", std::to_string(args.participant),
+                                   "--session", args.session};
+  if (!args.language.empty()) options.insert(options.end(), {"--language", args.language});
+  become_desktop(options);
+  if (errno != ENOENT) {
+    return console.error(fmt::format("{} cannot be started: {}", kDesktop, std::strerror(errno)));
+  }
+  console.error(
+      fmt::format("{} is not installed: it is neither beside feltline nor in PATH", kDesktop));
+}
+
+void add_run(CLI::App& trial, Console& console) {
+  CLI::App* command = trial.add_subcommand("run", "Seat a participant: a session on the screen");
+  const auto args = std::make_shared<RunArguments>();
+  command->add_option("STUDY", args->study, "The study, a .toml file")->required();
+  command
+      ->add_option("-o,--output", args->folder,
+                   "The folder for the results of all participants of this study")
+      ->required();
+  command->add_option("--participant", args->participant, "The number of the participant")
+      ->check(CLI::Range(1, kMaxParticipants))
+      ->required();
+  command->add_option("--session", args->session, "The session of the participant")
+      ->check(CLI::IsMember(std::vector<std::string>(kSessionKinds.begin(), kSessionKinds.end())))
+      ->capture_default_str();
+  command->add_option("--language", args->language, "The language of the texts: en, de, nl")
+      ->check(CLI::IsMember({"en", "de", "nl"}));
+  command->footer(
+      "Starts feltline-desktop with the pen device of its preferences. The same command continues\n"
+      "a session that was stopped or interrupted.\n" +
+      examples("feltline trial run keefe.toml -o results --participant 3\n"
+               "feltline trial run keefe.toml -o results --participant 3 --session post"));
+  command->callback([args, &console] { run_session(*args, console); });
+}
+
 }  // namespace
 
 void add_trial_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("trial", "Run a study and keep its results");
   command->require_subcommand(1);
   command->fallthrough();
+  add_run(*command, console);
   add_simulate(*command, console);
   add_trial_export_command(*command, console);
 }

@@ -94,4 +94,19 @@ for signal in INT KILL; do
   done <listed
 done
 
+# 'trial run' starts the desktop program, which is beside the program or in PATH.
+mkdir bin
+cp "$feltline" bin/alone
+run 1 env PATH=/nowhere bin/alone trial run small.toml -o real --participant 3
+has err "feltline-desktop is not installed"
+printf '#!/bin/sh\nprintf "%%s\\n" "$@"\n' >bin/feltline-desktop
+chmod +x bin/feltline-desktop
+run 0 env PATH=/nowhere:/bin:/usr/bin bin/alone trial run small.toml -o real --participant 3 --session post
+printf '%s\n' --trial small.toml --output real --participant 3 --session post >wanted
+cmp -s out wanted || fail "other arguments: $(cat out)"
+run 2 "$feltline" trial run small.toml -o real
+run 2 "$feltline" trial run small.toml -o real --participant 0
+run 2 "$feltline" trial run small.toml -o real --participant 3 --session later
+run 2 "$feltline" trial run small.toml --participant 3
+
 finish

@@ -153,8 +153,8 @@ QString Canvas::view_text() const {
 
 bool Canvas::shows_first_minute() const {
   const Session& session = studio_.session();
-  return has_first_hints_ && session.document().stroke_count() == 0 && !session.gesture_in_progress() &&
-         shown_->overlay.ink.empty() && !shown_->wet.is_drying();
+  return has_first_hints_ && session.document().stroke_count() == 0 &&
+         !session.gesture_in_progress() && shown_->overlay.ink.empty() && !shown_->wet.is_drying();
 }
 
 void Canvas::hide_first_hints() {

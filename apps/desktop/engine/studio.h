@@ -71,8 +71,8 @@ class Studio : public QObject {
   /// not emitted for this colour, because it comes with the drawing and the user did not choose it.
   void open(Document document, const Page& page, std::span<const std::string> materials = {},
             std::optional<Rgba> ink = {});
-  /// Replaces the drawing by an empty one, as open() does, and gives all options the values of a new
-  /// studio.
+  /// Replaces the drawing by an empty one, as open() does, and gives all options the values of a
+  /// new studio.
   void start_over(const Page& page);
   /// Returns true if the drawing has unsaved changes.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }

@@ -38,6 +38,34 @@
         <source>Examples:</source>
         <translation>Beispiele:</translation>
     </message>
+    <message>
+        <source>Run a session of a study with a participant, on the whole screen.</source>
+        <translation>Eine Sitzung einer Studie mit einer Versuchsperson durchführen, auf dem ganzen Bildschirm.</translation>
+    </message>
+    <message>
+        <source>The folder for the results of --trial (also -o).</source>
+        <translation>Der Ordner für die Ergebnisse von --trial (auch -o).</translation>
+    </message>
+    <message>
+        <source>The number of the participant, from 1 to 9999.</source>
+        <translation>Die Nummer der Versuchsperson, von 1 bis 9999.</translation>
+    </message>
+    <message>
+        <source>The session: pre, train (if not given), post, retention or transfer.</source>
+        <translation>Die Sitzung: pre, train (ohne Angabe), post, retention oder transfer.</translation>
+    </message>
+    <message>
+        <source>--%1 needs --trial</source>
+        <translation>--%1 braucht --trial</translation>
+    </message>
+    <message>
+        <source>--trial needs a study, -o FOLDER and --participant NUMBER (from 1)</source>
+        <translation>--trial braucht eine Studie, -o FOLDER und --participant NUMBER (ab 1)</translation>
+    </message>
+    <message>
+        <source>--trial opens no drawings</source>
+        <translation>--trial öffnet keine Zeichnungen</translation>
+    </message>
 </context>
 <context>
     <name>ButtonRole</name>
@@ -943,6 +971,137 @@
     </message>
 </context>
 <context>
+    <name>QuestionScreen</name>
+    <message>
+        <source>Mental demand</source>
+        <translation>Geistige Anforderung</translation>
+    </message>
+    <message>
+        <source>How mentally demanding was the task?</source>
+        <translation>Wie hoch waren die geistigen Anforderungen der Aufgabe?</translation>
+    </message>
+    <message>
+        <source>Very low</source>
+        <translation>Sehr gering</translation>
+    </message>
+    <message>
+        <source>Very high</source>
+        <translation>Sehr hoch</translation>
+    </message>
+    <message>
+        <source>Physical demand</source>
+        <translation>Körperliche Anforderung</translation>
+    </message>
+    <message>
+        <source>How physically demanding was the task?</source>
+        <translation>Wie hoch waren die körperlichen Anforderungen der Aufgabe?</translation>
+    </message>
+    <message>
+        <source>Temporal demand</source>
+        <translation>Zeitliche Anforderung</translation>
+    </message>
+    <message>
+        <source>How hurried or rushed was the pace of the task?</source>
+        <translation>Wie hoch war das Tempo, mit dem die Aufgabe zu erledigen war?</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>How successful were you in accomplishing what you were asked to do?</source>
+        <translation>Wie erfolgreich haben Sie die gestellte Aufgabe Ihrer Meinung nach ausgeführt?</translation>
+    </message>
+    <message>
+        <source>Perfect</source>
+        <translation>Perfekt</translation>
+    </message>
+    <message>
+        <source>Failure</source>
+        <translation>Misserfolg</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>Anstrengung</translation>
+    </message>
+    <message>
+        <source>How hard did you have to work to accomplish your level of performance?</source>
+        <translation>Wie sehr mussten Sie sich anstrengen, um Ihre Leistung zu erreichen?</translation>
+    </message>
+    <message>
+        <source>Frustration</source>
+        <translation>Frustration</translation>
+    </message>
+    <message>
+        <source>How insecure, discouraged, irritated, stressed and annoyed were you?</source>
+        <translation>Wie verunsichert, entmutigt, gereizt, gestresst und verärgert waren Sie?</translation>
+    </message>
+    <message>
+        <source>obstructive</source>
+        <translation>behindernd</translation>
+    </message>
+    <message>
+        <source>supportive</source>
+        <translation>unterstützend</translation>
+    </message>
+    <message>
+        <source>complicated</source>
+        <translation>kompliziert</translation>
+    </message>
+    <message>
+        <source>easy</source>
+        <translation>einfach</translation>
+    </message>
+    <message>
+        <source>inefficient</source>
+        <translation>ineffizient</translation>
+    </message>
+    <message>
+        <source>efficient</source>
+        <translation>effizient</translation>
+    </message>
+    <message>
+        <source>confusing</source>
+        <translation>verwirrend</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>übersichtlich</translation>
+    </message>
+    <message>
+        <source>boring</source>
+        <translation>langweilig</translation>
+    </message>
+    <message>
+        <source>exciting</source>
+        <translation>spannend</translation>
+    </message>
+    <message>
+        <source>not interesting</source>
+        <translation>uninteressant</translation>
+    </message>
+    <message>
+        <source>interesting</source>
+        <translation>interessant</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>konventionell</translation>
+    </message>
+    <message>
+        <source>inventive</source>
+        <translation>originell</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>herkömmlich</translation>
+    </message>
+    <message>
+        <source>leading edge</source>
+        <translation>neuartig</translation>
+    </message>
+</context>
+<context>
     <name>SafetyWords</name>
     <message>
         <source>the force limit</source>
@@ -1517,6 +1676,13 @@
     <message>
         <source>Free software under the Apache License 2.0. It comes without any warranty.</source>
         <translation>Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewährleistung.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::AnswerScale</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -2263,29 +2429,6 @@
     <message>
         <source>Edit surfaces and media</source>
         <translation>Untergründe und Zeichenmittel bearbeiten</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::ProbePlot</name>
-    <message>
-        <source>Plot of the force along a stroke of 40 mm</source>
-        <translation>Diagramm der Kraft entlang eines Strichs von 40 mm</translation>
-    </message>
-    <message>
-        <source>%1 N of friction; the grain changes it by up to %2 N, which can be felt.</source>
-        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was spürbar ist.</translation>
-    </message>
-    <message>
-        <source>%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.</source>
-        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was zu wenig zum Spüren ist.</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -3154,53 +3297,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::MaterialEditorModel</name>
-    <message>
-        <source>Values of %1</source>
-        <translation>Werte von %1</translation>
-    </message>
-    <message>
-        <source>Relief of a picture</source>
-        <translation>Relief eines Bildes</translation>
-    </message>
-    <message>
-        <source>Friction of a pair</source>
-        <translation>Reibung eines Paares</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>%1 (custom)</source>
-        <translation>%1 (eigenes)</translation>
-    </message>
-    <message>
-        <source>Copy of %1</source>
-        <translation>Kopie von %1</translation>
-    </message>
-    <message>
-        <source>Copy %1 to %2</source>
-        <translation>%1 nach %2 kopieren</translation>
-    </message>
-    <message>
-        <source>Save as %1</source>
-        <translation>Speichern als %1</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message>
-        <source>Delete %1</source>
-        <translation>%1 löschen</translation>
-    </message>
-    <message>
-        <source>Import %1</source>
-        <translation>%1 importieren</translation>
-    </message>
-</context>
-<context>
     <name>felt::desktop::MaterialEditor</name>
     <message>
         <source>Materials</source>
@@ -3420,6 +3516,53 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::MaterialEditorModel</name>
+    <message>
+        <source>Values of %1</source>
+        <translation>Werte von %1</translation>
+    </message>
+    <message>
+        <source>Relief of a picture</source>
+        <translation>Relief eines Bildes</translation>
+    </message>
+    <message>
+        <source>Friction of a pair</source>
+        <translation>Reibung eines Paares</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 (custom)</source>
+        <translation>%1 (eigenes)</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Kopie von %1</translation>
+    </message>
+    <message>
+        <source>Copy %1 to %2</source>
+        <translation>%1 nach %2 kopieren</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Speichern als %1</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::MaterialFieldsView</name>
     <message>
         <source>New seed</source>
@@ -3497,6 +3640,13 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MessageScreen</name>
+    <message>
+        <source>or press Space</source>
+        <translation>oder Leertaste drücken</translation>
     </message>
 </context>
 <context>
@@ -3621,25 +3771,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>“%1” was exported.</source>
         <translation>„%1“ wurde exportiert.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::UserMaterials</name>
-    <message>
-        <source>not saved</source>
-        <translation>nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program and was not overwritten. Save your material under another name; you can import the file.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und nicht überschrieben. Speichern Sie Ihr Material unter einem anderen Namen; die Datei können Sie importieren.</translation>
-    </message>
-    <message>
-        <source>It is installed for all users of this computer and cannot be deleted here: %1</source>
-        <translation>Es ist für alle Benutzer dieses Computers installiert und kann hier nicht gelöscht werden: %1</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program and was not deleted. To remove it, delete the file.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und nicht gelöscht. Um es zu entfernen, löschen Sie die Datei.</translation>
     </message>
 </context>
 <context>
@@ -3961,6 +4092,52 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Drag the two handles. Higher is wider.</source>
         <translation>Ziehen Sie die beiden Griffe. Höher ist breiter.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ProbePlot</name>
+    <message>
+        <source>Plot of the force along a stroke of 40 mm</source>
+        <translation>Diagramm der Kraft entlang eines Strichs von 40 mm</translation>
+    </message>
+    <message>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which can be felt.</source>
+        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was spürbar ist.</translation>
+    </message>
+    <message>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.</source>
+        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was zu wenig zum Spüren ist.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::QuestionScreen</name>
+    <message>
+        <source>Your opinion on this session</source>
+        <translation>Ihre Meinung zu dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>Your opinion on %1</source>
+        <translation>Ihre Meinung zu %1</translation>
+    </message>
+    <message>
+        <source>For each question, choose the mark that matches your experience best.</source>
+        <translation>Wählen Sie bei jeder Frage den Strich, der am besten zu Ihrer Erfahrung passt.</translation>
+    </message>
+    <message>
+        <source>For each line, choose the circle that matches your impression best.</source>
+        <translation>Wählen Sie in jeder Zeile den Kreis, der am besten zu Ihrem Eindruck passt.</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
     </message>
 </context>
 <context>
@@ -4418,6 +4595,147 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>&amp;Try it yourself</source>
         <translation>Selbst &amp;versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TrialScreen</name>
+    <message>
+        <source>Draw along the line. Begin at the dot and go in the direction of the arrow.</source>
+        <translation>Zeichnen Sie die Linie nach. Beginnen Sie am Punkt, in Richtung des Pfeils.</translation>
+    </message>
+    <message>
+        <source>Draw between the walls without touching them. Begin at the dot and go in the direction of the arrow.</source>
+        <translation>Zeichnen Sie zwischen den Wänden, ohne sie zu berühren. Beginnen Sie am Punkt, in Richtung des Pfeils.</translation>
+    </message>
+    <message>
+        <source>Draw the same shape in the empty half on the right.</source>
+        <translation>Zeichnen Sie dieselbe Form in die leere rechte Hälfte.</translation>
+    </message>
+    <message>
+        <source>Draw from target to target in the order of the numbers.</source>
+        <translation>Zeichnen Sie von Ziel zu Ziel, in der Reihenfolge der Zahlen.</translation>
+    </message>
+    <message>
+        <source>Move the pen over the page until you feel a line in it, and follow this line.</source>
+        <translation>Bewegen Sie den Stift über die Seite, bis Sie darin eine Linie fühlen, und folgen Sie dieser Linie.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>You will not see what you draw.</source>
+        <translation>Sie sehen nicht, was Sie zeichnen.</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>practice</source>
+        <translation>Übung</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TrialWindow</name>
+    <message>
+        <source>The line was much shorter than the shape. Please draw the whole shape.</source>
+        <translation>Die Linie war viel kürzer als die Form. Bitte zeichnen Sie die ganze Form.</translation>
+    </message>
+    <message>
+        <source>The pen was lifted often. Please keep it on the page.</source>
+        <translation>Der Stift wurde oft abgehoben. Bitte lassen Sie ihn auf der Seite.</translation>
+    </message>
+    <message>
+        <source>The pen left the tunnel. Please stay between the walls.</source>
+        <translation>Der Stift hat den Tunnel verlassen. Bitte bleiben Sie zwischen den Wänden.</translation>
+    </message>
+    <message>
+        <source>That was very fast. Please draw a little more slowly.</source>
+        <translation>Das war sehr schnell. Bitte zeichnen Sie etwas langsamer.</translation>
+    </message>
+    <message>
+        <source>The device had a problem. It was not your fault.</source>
+        <translation>Das Gerät hatte eine Störung. Es lag nicht an Ihnen.</translation>
+    </message>
+    <message>
+        <source>After each drawing, press Space or the button “Done”.</source>
+        <translation>Drücken Sie nach jeder Zeichnung die Leertaste oder den Knopf „Fertig“.</translation>
+    </message>
+    <message>
+        <source>You may feel forces in the pen. Hold it before you begin.</source>
+        <translation>Der Stift kann Kräfte ausüben. Nehmen Sie ihn in die Hand, bevor Sie beginnen.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Thank you!</source>
+        <translation>Vielen Dank!</translation>
+    </message>
+    <message>
+        <source>You have finished. Please tell the researcher.</source>
+        <translation>Sie sind fertig. Bitte sagen Sie der Versuchsleitung Bescheid.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Please draw this one again</source>
+        <translation>Bitte noch einmal zeichnen</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Please rest a little</source>
+        <translation>Bitte ruhen Sie sich etwas aus</translation>
+    </message>
+    <message>
+        <source>Relax your hand and your arm.</source>
+        <translation>Entspannen Sie Hand und Arm.</translation>
+    </message>
+    <message>
+        <source>This cannot be saved: %1</source>
+        <translation>Das kann nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Stop the session? Finished trials are saved.</source>
+        <translation>Die Sitzung beenden? Fertige Durchgänge sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weitermachen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::UserMaterials</name>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and was not overwritten. Save your material under another name; you can import the file.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und nicht überschrieben. Speichern Sie Ihr Material unter einem anderen Namen; die Datei können Sie importieren.</translation>
+    </message>
+    <message>
+        <source>It is installed for all users of this computer and cannot be deleted here: %1</source>
+        <translation>Es ist für alle Benutzer dieses Computers installiert und kann hier nicht gelöscht werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and was not deleted. To remove it, delete the file.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und nicht gelöscht. Um es zu entfernen, löschen Sie die Datei.</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,34 @@
         <source>Examples:</source>
         <translation>Voorbeelden:</translation>
     </message>
+    <message>
+        <source>Run a session of a study with a participant, on the whole screen.</source>
+        <translation>Een sessie van een onderzoek met een deelnemer uitvoeren, op het hele scherm.</translation>
+    </message>
+    <message>
+        <source>The folder for the results of --trial (also -o).</source>
+        <translation>De map voor de resultaten van --trial (ook -o).</translation>
+    </message>
+    <message>
+        <source>The number of the participant, from 1 to 9999.</source>
+        <translation>Het nummer van de deelnemer, van 1 tot 9999.</translation>
+    </message>
+    <message>
+        <source>The session: pre, train (if not given), post, retention or transfer.</source>
+        <translation>De sessie: pre, train (zonder opgave), post, retention of transfer.</translation>
+    </message>
+    <message>
+        <source>--%1 needs --trial</source>
+        <translation>--%1 vereist --trial</translation>
+    </message>
+    <message>
+        <source>--trial needs a study, -o FOLDER and --participant NUMBER (from 1)</source>
+        <translation>--trial vereist een onderzoek, -o FOLDER en --participant NUMBER (vanaf 1)</translation>
+    </message>
+    <message>
+        <source>--trial opens no drawings</source>
+        <translation>--trial opent geen tekeningen</translation>
+    </message>
 </context>
 <context>
     <name>ButtonRole</name>
@@ -943,6 +971,137 @@
     </message>
 </context>
 <context>
+    <name>QuestionScreen</name>
+    <message>
+        <source>Mental demand</source>
+        <translation>Mentale belasting</translation>
+    </message>
+    <message>
+        <source>How mentally demanding was the task?</source>
+        <translation>Hoe mentaal belastend was de taak?</translation>
+    </message>
+    <message>
+        <source>Very low</source>
+        <translation>Zeer laag</translation>
+    </message>
+    <message>
+        <source>Very high</source>
+        <translation>Zeer hoog</translation>
+    </message>
+    <message>
+        <source>Physical demand</source>
+        <translation>Fysieke belasting</translation>
+    </message>
+    <message>
+        <source>How physically demanding was the task?</source>
+        <translation>Hoe fysiek belastend was de taak?</translation>
+    </message>
+    <message>
+        <source>Temporal demand</source>
+        <translation>Tijdsdruk</translation>
+    </message>
+    <message>
+        <source>How hurried or rushed was the pace of the task?</source>
+        <translation>Hoe gehaast of gejaagd was het tempo van de taak?</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Prestatie</translation>
+    </message>
+    <message>
+        <source>How successful were you in accomplishing what you were asked to do?</source>
+        <translation>Hoe succesvol was u in het uitvoeren van wat u gevraagd werd?</translation>
+    </message>
+    <message>
+        <source>Perfect</source>
+        <translation>Perfect</translation>
+    </message>
+    <message>
+        <source>Failure</source>
+        <translation>Mislukt</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>Inspanning</translation>
+    </message>
+    <message>
+        <source>How hard did you have to work to accomplish your level of performance?</source>
+        <translation>Hoe hard moest u werken om uw prestatieniveau te bereiken?</translation>
+    </message>
+    <message>
+        <source>Frustration</source>
+        <translation>Frustratie</translation>
+    </message>
+    <message>
+        <source>How insecure, discouraged, irritated, stressed and annoyed were you?</source>
+        <translation>Hoe onzeker, ontmoedigd, geïrriteerd, gestrest en geërgerd was u?</translation>
+    </message>
+    <message>
+        <source>obstructive</source>
+        <translation>belemmerend</translation>
+    </message>
+    <message>
+        <source>supportive</source>
+        <translation>ondersteunend</translation>
+    </message>
+    <message>
+        <source>complicated</source>
+        <translation>ingewikkeld</translation>
+    </message>
+    <message>
+        <source>easy</source>
+        <translation>gemakkelijk</translation>
+    </message>
+    <message>
+        <source>inefficient</source>
+        <translation>inefficiënt</translation>
+    </message>
+    <message>
+        <source>efficient</source>
+        <translation>efficiënt</translation>
+    </message>
+    <message>
+        <source>confusing</source>
+        <translation>verwarrend</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>overzichtelijk</translation>
+    </message>
+    <message>
+        <source>boring</source>
+        <translation>saai</translation>
+    </message>
+    <message>
+        <source>exciting</source>
+        <translation>spannend</translation>
+    </message>
+    <message>
+        <source>not interesting</source>
+        <translation>oninteressant</translation>
+    </message>
+    <message>
+        <source>interesting</source>
+        <translation>interessant</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>conventioneel</translation>
+    </message>
+    <message>
+        <source>inventive</source>
+        <translation>origineel</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>gebruikelijk</translation>
+    </message>
+    <message>
+        <source>leading edge</source>
+        <translation>nieuw</translation>
+    </message>
+</context>
+<context>
     <name>SafetyWords</name>
     <message>
         <source>the force limit</source>
@@ -1517,6 +1676,13 @@
     <message>
         <source>Free software under the Apache License 2.0. It comes without any warranty.</source>
         <translation>Vrije software onder de Apache-licentie 2.0, zonder enige garantie.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::AnswerScale</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 van %2</translation>
     </message>
 </context>
 <context>
@@ -2263,29 +2429,6 @@
     <message>
         <source>Edit surfaces and media</source>
         <translation>Ondergronden en tekenmiddelen bewerken</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::ProbePlot</name>
-    <message>
-        <source>Plot of the force along a stroke of 40 mm</source>
-        <translation>Grafiek van de kracht langs een streek van 40 mm</translation>
-    </message>
-    <message>
-        <source>%1 N of friction; the grain changes it by up to %2 N, which can be felt.</source>
-        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, wat voelbaar is.</translation>
-    </message>
-    <message>
-        <source>%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.</source>
-        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, te weinig om te voelen.</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -3154,53 +3297,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::MaterialEditorModel</name>
-    <message>
-        <source>Values of %1</source>
-        <translation>Waarden van %1</translation>
-    </message>
-    <message>
-        <source>Relief of a picture</source>
-        <translation>Reliëf van een afbeelding</translation>
-    </message>
-    <message>
-        <source>Friction of a pair</source>
-        <translation>Wrijving van een paar</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Terugzetten</translation>
-    </message>
-    <message>
-        <source>%1 (custom)</source>
-        <translation>%1 (eigen)</translation>
-    </message>
-    <message>
-        <source>Copy of %1</source>
-        <translation>Kopie van %1</translation>
-    </message>
-    <message>
-        <source>Copy %1 to %2</source>
-        <translation>%1 naar %2 kopiëren</translation>
-    </message>
-    <message>
-        <source>Save as %1</source>
-        <translation>Opslaan als %1</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Hernoemen</translation>
-    </message>
-    <message>
-        <source>Delete %1</source>
-        <translation>%1 verwijderen</translation>
-    </message>
-    <message>
-        <source>Import %1</source>
-        <translation>%1 importeren</translation>
-    </message>
-</context>
-<context>
     <name>felt::desktop::MaterialEditor</name>
     <message>
         <source>Materials</source>
@@ -3420,6 +3516,53 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::MaterialEditorModel</name>
+    <message>
+        <source>Values of %1</source>
+        <translation>Waarden van %1</translation>
+    </message>
+    <message>
+        <source>Relief of a picture</source>
+        <translation>Reliëf van een afbeelding</translation>
+    </message>
+    <message>
+        <source>Friction of a pair</source>
+        <translation>Wrijving van een paar</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Terugzetten</translation>
+    </message>
+    <message>
+        <source>%1 (custom)</source>
+        <translation>%1 (eigen)</translation>
+    </message>
+    <message>
+        <source>Copy of %1</source>
+        <translation>Kopie van %1</translation>
+    </message>
+    <message>
+        <source>Copy %1 to %2</source>
+        <translation>%1 naar %2 kopiëren</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Opslaan als %1</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 verwijderen</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importeren</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::MaterialFieldsView</name>
     <message>
         <source>New seed</source>
@@ -3497,6 +3640,13 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Close this message</source>
         <translation>Deze melding sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MessageScreen</name>
+    <message>
+        <source>or press Space</source>
+        <translation>of druk op de spatiebalk</translation>
     </message>
 </context>
 <context>
@@ -3621,25 +3771,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>“%1” was exported.</source>
         <translation>‘%1’ is geëxporteerd.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::UserMaterials</name>
-    <message>
-        <source>not saved</source>
-        <translation>niet opgeslagen</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program and was not overwritten. Save your material under another name; you can import the file.</source>
-        <translation>%1 is door een ander programma gewijzigd en niet overschreven. Sla je materiaal onder een andere naam op; het bestand kun je importeren.</translation>
-    </message>
-    <message>
-        <source>It is installed for all users of this computer and cannot be deleted here: %1</source>
-        <translation>Het is voor alle gebruikers van deze computer geïnstalleerd en kan hier niet worden verwijderd: %1</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program and was not deleted. To remove it, delete the file.</source>
-        <translation>%1 is door een ander programma gewijzigd en niet verwijderd. Verwijder het bestand om het te verwijderen.</translation>
     </message>
 </context>
 <context>
@@ -3961,6 +4092,52 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Drag the two handles. Higher is wider.</source>
         <translation>Sleep de twee grepen. Hoger is breder.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ProbePlot</name>
+    <message>
+        <source>Plot of the force along a stroke of 40 mm</source>
+        <translation>Grafiek van de kracht langs een streek van 40 mm</translation>
+    </message>
+    <message>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which can be felt.</source>
+        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, wat voelbaar is.</translation>
+    </message>
+    <message>
+        <source>%1 N of friction; the grain changes it by up to %2 N, which is too little to feel.</source>
+        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, te weinig om te voelen.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::QuestionScreen</name>
+    <message>
+        <source>Your opinion on this session</source>
+        <translation>Uw mening over deze sessie</translation>
+    </message>
+    <message>
+        <source>Your opinion on %1</source>
+        <translation>Uw mening over %1</translation>
+    </message>
+    <message>
+        <source>For each question, choose the mark that matches your experience best.</source>
+        <translation>Kies bij elke vraag het streepje dat het best bij uw ervaring past.</translation>
+    </message>
+    <message>
+        <source>For each line, choose the circle that matches your impression best.</source>
+        <translation>Kies op elke regel het rondje dat het best bij uw indruk past.</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Volgende</translation>
     </message>
 </context>
 <context>
@@ -4418,6 +4595,147 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>&amp;Try it yourself</source>
         <translation>Zelf &amp;proberen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TrialScreen</name>
+    <message>
+        <source>Draw along the line. Begin at the dot and go in the direction of the arrow.</source>
+        <translation>Teken langs de lijn. Begin bij de stip en ga in de richting van de pijl.</translation>
+    </message>
+    <message>
+        <source>Draw between the walls without touching them. Begin at the dot and go in the direction of the arrow.</source>
+        <translation>Teken tussen de wanden zonder ze te raken. Begin bij de stip en ga in de richting van de pijl.</translation>
+    </message>
+    <message>
+        <source>Draw the same shape in the empty half on the right.</source>
+        <translation>Teken dezelfde vorm in de lege rechterhelft.</translation>
+    </message>
+    <message>
+        <source>Draw from target to target in the order of the numbers.</source>
+        <translation>Teken van doel naar doel in de volgorde van de cijfers.</translation>
+    </message>
+    <message>
+        <source>Move the pen over the page until you feel a line in it, and follow this line.</source>
+        <translation>Beweeg de pen over de pagina tot u er een lijn in voelt, en volg deze lijn.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>You will not see what you draw.</source>
+        <translation>U ziet niet wat u tekent.</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Ronde %1 van %2</translation>
+    </message>
+    <message>
+        <source>practice</source>
+        <translation>oefening</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TrialWindow</name>
+    <message>
+        <source>The line was much shorter than the shape. Please draw the whole shape.</source>
+        <translation>De lijn was veel korter dan de vorm. Teken de hele vorm, alstublieft.</translation>
+    </message>
+    <message>
+        <source>The pen was lifted often. Please keep it on the page.</source>
+        <translation>De pen werd vaak opgetild. Houd hem op de pagina, alstublieft.</translation>
+    </message>
+    <message>
+        <source>The pen left the tunnel. Please stay between the walls.</source>
+        <translation>De pen verliet de tunnel. Blijf tussen de wanden, alstublieft.</translation>
+    </message>
+    <message>
+        <source>That was very fast. Please draw a little more slowly.</source>
+        <translation>Dat was erg snel. Teken iets langzamer, alstublieft.</translation>
+    </message>
+    <message>
+        <source>The device had a problem. It was not your fault.</source>
+        <translation>Het apparaat had een storing. Het lag niet aan u.</translation>
+    </message>
+    <message>
+        <source>After each drawing, press Space or the button “Done”.</source>
+        <translation>Druk na elke tekening op de spatiebalk of op de knop ‘Klaar’.</translation>
+    </message>
+    <message>
+        <source>You may feel forces in the pen. Hold it before you begin.</source>
+        <translation>U kunt krachten in de pen voelen. Houd hem vast voordat u begint.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Doorgaan</translation>
+    </message>
+    <message>
+        <source>Thank you!</source>
+        <translation>Dank u wel!</translation>
+    </message>
+    <message>
+        <source>You have finished. Please tell the researcher.</source>
+        <translation>U bent klaar. Zeg het alstublieft tegen de onderzoeker.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Please draw this one again</source>
+        <translation>Teken deze nog een keer, alstublieft</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Nog een keer</translation>
+    </message>
+    <message>
+        <source>Please rest a little</source>
+        <translation>Rust even uit, alstublieft</translation>
+    </message>
+    <message>
+        <source>Relax your hand and your arm.</source>
+        <translation>Ontspan uw hand en uw arm.</translation>
+    </message>
+    <message>
+        <source>This cannot be saved: %1</source>
+        <translation>Dit kan niet worden opgeslagen: %1</translation>
+    </message>
+    <message>
+        <source>Stop the session? Finished trials are saved.</source>
+        <translation>De sessie stoppen? Voltooide rondes zijn opgeslagen.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Doorgaan</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::UserMaterials</name>
+    <message>
+        <source>not saved</source>
+        <translation>niet opgeslagen</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and was not overwritten. Save your material under another name; you can import the file.</source>
+        <translation>%1 is door een ander programma gewijzigd en niet overschreven. Sla je materiaal onder een andere naam op; het bestand kun je importeren.</translation>
+    </message>
+    <message>
+        <source>It is installed for all users of this computer and cannot be deleted here: %1</source>
+        <translation>Het is voor alle gebruikers van deze computer geïnstalleerd en kan hier niet worden verwijderd: %1</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and was not deleted. To remove it, delete the file.</source>
+        <translation>%1 is door een ander programma gewijzigd en niet verwijderd. Verwijder het bestand om het te verwijderen.</translation>
     </message>
 </context>
 <context>

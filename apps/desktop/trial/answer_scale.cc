@@ -10,7 +10,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kMarginPx = 16.0;
-constexpr int kStepPx = 21;    // between two lines
+constexpr int kStepPx = 21;      // between two lines
 constexpr int kWideStepPx = 52;  // between two circles
 constexpr int kHeightPx = 44;
 
@@ -41,8 +41,7 @@ void AnswerScale::choose(int mark) {
 }
 
 void AnswerScale::choose_at(double x) {
-  choose(static_cast<int>(
-      std::lround((x - kMarginPx) / (width() - 2 * kMarginPx) * (marks_ - 1))));
+  choose(static_cast<int>(std::lround((x - kMarginPx) / (width() - 2 * kMarginPx) * (marks_ - 1))));
 }
 
 void AnswerScale::mousePressEvent(QMouseEvent* event) {

@@ -57,6 +57,9 @@ void MessageScreen::show_rest(const QString& title, const QString& text, const Q
                               double seconds) {
   title_->setText(title);
   text_->setText(text);
+  for (QLabel* label : {title_, text_}) {
+    label->setFixedHeight(label->heightForWidth(kMaxTextPx));  // the layout ignores wrapped lines
+  }
   text_->setVisible(!text.isEmpty());
   button_->setText(button);
   hint_->setText(tr("or press Space"));

@@ -28,8 +28,8 @@ void PlainPen::pass_tablet(const QTabletEvent& event) {
   if (event.pointerType() == QPointingDevice::PointerType::Eraser) return;
   const bool is_tip = event.button() == Qt::LeftButton;
   if (event.type() != QEvent::TabletMove && !is_tip) return;
-  QTabletEvent plain(event.type(), event.pointingDevice(), event.position(),
-                     event.globalPosition(), event.pressure(), static_cast<float>(event.xTilt()),
+  QTabletEvent plain(event.type(), event.pointingDevice(), event.position(), event.globalPosition(),
+                     event.pressure(), static_cast<float>(event.xTilt()),
                      static_cast<float>(event.yTilt()),
                      static_cast<float>(event.tangentialPressure()), event.rotation(),
                      static_cast<float>(event.z()), Qt::NoModifier, event.button(),

@@ -127,17 +127,17 @@ void QuestionScreen::add_items() {
   for (const QuestionItem& item : items_of(form_)) {
     const QString left = item_text(item.left), right = item_text(item.right);
     if (*item.question) {
-      auto* question =
-          new QLabel(QStringLiteral("<b>%1</b>&nbsp;&nbsp; %2")
-                         .arg(item_text(item.name).toHtmlEscaped(),
-                              item_text(item.question).toHtmlEscaped()));
+      auto* question = new QLabel(
+          QStringLiteral("<b>%1</b>&nbsp;&nbsp; %2")
+              .arg(item_text(item.name).toHtmlEscaped(), item_text(item.question).toHtmlEscaped()));
       question->setFont(larger_font(*this, 1.1));
       question->setContentsMargins(0, 12, 0, 0);
       grid->addWidget(question, row++, 0, 1, 3, Qt::AlignHCenter);
     }
     auto* scale = is_tlx ? new AnswerScale(kTlxMarks, AnswerScale::Look::kLines)
                          : new AnswerScale(kUeqMarks, AnswerScale::Look::kCircles);
-    scale->setAccessibleName(*item.name ? item_text(item.name) : left + QStringLiteral(" – ") + right);
+    scale->setAccessibleName(*item.name ? item_text(item.name)
+                                        : left + QStringLiteral(" – ") + right);
     for (const auto& [text, column] : {std::pair{left, 0}, {right, 2}}) {
       auto* label = new QLabel(text);
       label->setFont(larger_font(*this, 1.1));

@@ -10,8 +10,8 @@
 namespace felt::desktop {
 
 /// Shows the task of a trial over a canvas: the line with its start and direction, the walls of a
-/// tunnel, the model of a copy, or targets. Everything is multiplied with the colours of the canvas,
-/// so that ink appears above it. Passes all events of the pointer to the canvas.
+/// tunnel, the model of a copy, or targets. Everything is multiplied with the colours of the
+/// canvas, so that ink appears above it. Passes all events of the pointer to the canvas.
 class ShapeView : public QWidget {
   Q_OBJECT
 

@@ -37,29 +37,30 @@ Result<SessionKind> session_of(const TrialRequest& request) {
 /// Compares two studies, byte for byte. The name of the study itself may differ.
 bool are_equal(const StudyFiles& a, const StudyFiles& b) {
   return a.sources.front().second == b.sources.front().second &&
-         std::equal(a.sources.begin() + 1, a.sources.end(), b.sources.begin() + 1,
-                    b.sources.end());
+         std::equal(a.sources.begin() + 1, a.sources.end(), b.sources.begin() + 1, b.sources.end());
 }
 
 Result<StudyFolder> open_results(const std::string& path, const std::string& study,
                                  StudyFiles files) {
   std::error_code error;
-  const bool is_new = !std::filesystem::exists(path, error) ||
-                      (std::filesystem::is_directory(path, error) &&
-                       std::filesystem::is_empty(path, error));
+  const bool is_new =
+      !std::filesystem::exists(path, error) ||
+      (std::filesystem::is_directory(path, error) && std::filesystem::is_empty(path, error));
   if (is_new) return StudyFolder::create(path, std::move(files));
   Result<StudyFolder> folder = StudyFolder::open(path);
   if (!folder || are_equal(folder->files(), files)) return folder;
   return fail(ErrorCode::kInvalidArgument,
-              path + ": has the results of another study: its study.toml, or a file that it names, "
-                     "differs from " + study + ". Use another folder.");
+              path +
+                  ": has the results of another study: its study.toml, or a file that it names, "
+                  "differs from " +
+                  study + ". Use another folder.");
 }
 
 tl::unexpected<Error> finished(const TrialRequest& request) {
-  return fail(ErrorCode::kInvalidArgument,
-              request.folder.toStdString() + ": participant " +
-                  std::to_string(request.participant) + " has already finished the session " +
-                  request.session.toStdString());
+  return fail(ErrorCode::kInvalidArgument, request.folder.toStdString() + ": participant " +
+                                               std::to_string(request.participant) +
+                                               " has already finished the session " +
+                                               request.session.toStdString());
 }
 
 /// Searches for the connected devices.
@@ -79,12 +80,12 @@ Result<PenDeviceInfo> find_device(DriverWatch& watch) {
   for (PenDeviceInfo& info : pen_devices()) {
     if (info.id == chosen) return std::move(info);
   }
-  return fail(ErrorCode::kNotFound,
-              "the pen device '" +
-                  Settings::the().text(QString::fromLatin1(kPenDeviceLabelKey), chosen)
-                      .toStdString() +
-                  "' is not connected. Connect it, or choose another one in the preferences of "
-                  "feltline-desktop.");
+  return fail(
+      ErrorCode::kNotFound,
+      "the pen device '" +
+          Settings::the().text(QString::fromLatin1(kPenDeviceLabelKey), chosen).toStdString() +
+          "' is not connected. Connect it, or choose another one in the preferences of "
+          "feltline-desktop.");
 }
 
 int complain(const Error& error) {
@@ -128,8 +129,7 @@ Result<TrialSetup> prepare_trials(const TrialRequest& request, const QString& de
     error.message += " (device: " + device_label.toStdString() + ")";
     return tl::unexpected(std::move(error));
   }
-  Result<StudyFolder> folder =
-      open_results(request.folder.toStdString(), study, *std::move(files));
+  Result<StudyFolder> folder = open_results(request.folder.toStdString(), study, *std::move(files));
   if (!folder) return tl::unexpected(folder.error());
   Result<FolderLock> lock = FolderLock::take(folder->path());
   if (!lock) return tl::unexpected(lock.error());

@@ -13,7 +13,8 @@ namespace {
 /// Returns the reason for a repeat, for the participant.
 QString repeat_text(const std::string& rule) {
   if (rule == "min_length_share") {
-    return TrialWindow::tr("The line was much shorter than the shape. Please draw the whole shape.");
+    return TrialWindow::tr(
+        "The line was much shorter than the shape. Please draw the whole shape.");
   }
   if (rule == "max_lifts") {
     return TrialWindow::tr("The pen was lifted often. Please keep it on the page.");
@@ -175,6 +176,7 @@ void TrialWindow::ask_to_stop() {
   box.setDefaultButton(stay);
   box.setEscapeButton(stay);
   box.exec();
+  activateWindow();
   if (box.clickedButton() == stop_button) stop();
 }
 

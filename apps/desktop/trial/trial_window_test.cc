@@ -76,7 +76,8 @@ class TrialWindowTest : public ::testing::Test {
                       .live = false,
                       .reads_forces = true});
     lock_.emplace(std::move(setup->lock));
-    run_ = std::make_unique<TrialRun>(std::move(setup->folder), std::move(setup->session), *studio_);
+    run_ =
+        std::make_unique<TrialRun>(std::move(setup->folder), std::move(setup->session), *studio_);
     window_ = std::make_unique<TrialWindow>(*run_, *studio_);
     window_->resize(1000, 750);
     window_->show();
@@ -301,9 +302,7 @@ TEST_F(TrialWindowTest, AnInterruptedTrialIsRecovered) {
   EXPECT_EQ(session.results[0].invalid, "interrupted");
   const auto samples = trial_samples(recording(session.results[0]));
   EXPECT_EQ(std::count_if(samples.begin() + 1, samples.end(),
-                          [](const TrialSample& s) {
-                            return s.contact && !(&s - 1)->contact;
-                          }),
+                          [](const TrialSample& s) { return s.contact && !(&s - 1)->contact; }),
             2)
       << "both lines are there";
   EXPECT_FALSE(QFile::exists(request().folder +
@@ -315,8 +314,9 @@ TEST_F(TrialWindowTest, AnInterruptedTrialIsRecovered) {
 TEST_F(TrialWindowTest, RefusalsSayWhatIsWrong) {
   write_study(std::string("blocks = 0\n") + kOneTrial);
   EXPECT_THAT(prepare().error().message, HasSubstr("my-study.toml:1: blocks"));
-  write_study("id = \"x\"\n[[condition]]\nname = \"felt\"\nneeds = \"force\"\n"
-              "[[shape]]\nname = \"line\"\nkind = \"line\"\n");
+  write_study(
+      "id = \"x\"\n[[condition]]\nname = \"felt\"\nneeds = \"force\"\n"
+      "[[shape]]\nname = \"line\"\nkind = \"line\"\n");
   const Result<TrialSetup> mouse = prepare("tablet");
   ASSERT_FALSE(mouse);
   EXPECT_THAT(mouse.error().message, HasSubstr("felt"));
@@ -362,8 +362,9 @@ TEST_F(TrialWindowTest, TheParticipantCannotChangeToolOrView) {
 }
 
 TEST_F(TrialWindowTest, WithoutVisionThePageIsBlankWhileThePenDraws) {
-  write_study("id = \"x\"\n[[condition]]\nname = \"dark\"\nvision = false\n"
-              "[[shape]]\nname = \"line\"\nkind = \"line\"\n");
+  write_study(
+      "id = \"x\"\n[[condition]]\nname = \"dark\"\nvision = false\n"
+      "[[shape]]\nname = \"line\"\nkind = \"line\"\n");
   open();
   person_->press(Qt::Key_Space);
   person_->draw(path());

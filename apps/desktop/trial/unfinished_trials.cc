@@ -84,10 +84,9 @@ Result<int> recover_unfinished_trials(StudyFolder& folder, StudySession& session
   int count = 0;
   const fs::path inside = folder.file_of(session.info, unfinished_name(1, 1));
   for (const UnfinishedTrial& one : find_unfinished(inside.parent_path())) {
-    const bool is_saved =
-        std::any_of(session.results.begin(), session.results.end(), [&](const TrialResult& r) {
-          return r.trial == one.trial && r.attempt == one.attempt;
-        });
+    const bool is_saved = std::any_of(
+        session.results.begin(), session.results.end(),
+        [&](const TrialResult& r) { return r.trial == one.trial && r.attempt == one.attempt; });
     if (!is_saved) {
       const Result<std::vector<Event>> events = read_unfinished(one.path);
       if (!events) return tl::unexpected(events.error());

@@ -55,8 +55,7 @@ void add_options(QCommandLineParser& parser) {
   for (const Row& row : kRows) {
     QStringList names{QString::fromLatin1(row.name)};
     if (names.front() == QStringLiteral("output")) names.push_front(QStringLiteral("o"));
-    QCommandLineOption option(names,
-                              row.help ? option_text(row.help) : QString(),
+    QCommandLineOption option(names, row.help ? option_text(row.help) : QString(),
                               QString::fromLatin1(row.value));
     if (!row.help) option.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOption(option);

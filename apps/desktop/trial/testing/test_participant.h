@@ -26,11 +26,11 @@ class TestParticipant {
   }
 
   void pen(QEvent::Type type, Point mm, bool down) {
-    static const auto* device = new QPointingDevice(
-        QStringLiteral("test pen"), 21, QInputDevice::DeviceType::Stylus,
-        QPointingDevice::PointerType::Pen,
-        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3, {},
-        QPointingDeviceUniqueId::fromNumericId(2), qApp);
+    static const auto* device =
+        new QPointingDevice(QStringLiteral("test pen"), 21, QInputDevice::DeviceType::Stylus,
+                            QPointingDevice::PointerType::Pen,
+                            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure,
+                            1, 3, {}, QPointingDeviceUniqueId::fromNumericId(2), qApp);
     Canvas& canvas = window_.trial_screen().canvas();
     const QPointF at = canvas.view().to_px(mm);
     const bool changes = type != QEvent::TabletMove;
