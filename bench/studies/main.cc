@@ -77,13 +77,12 @@ StudyErrors simulate(const StudyOptions& options, std::size_t study) {
 std::vector<StudyErrors> simulate_all(const StudyOptions& options) {
   std::vector<StudyErrors> all(options.studies);
   std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < all.size(); i = next++) all[i] = simulate(options, i);
+  };
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
-    workers.emplace_back([&] {
-      for (std::size_t study = next++; study < all.size(); study = next++) {
-        all[study] = simulate(options, study);
-      }
-    });
+    workers.emplace_back(work);
   }
   workers.clear();
   return all;

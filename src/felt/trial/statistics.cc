@@ -20,7 +20,7 @@ Moments moments_of(std::span<const double> values) noexcept {
   const double mean = mean_of(values);
   double squares = 0.0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  const double count = static_cast<double>(values.size());
+  const auto count = static_cast<double>(values.size());
   return {mean, count > 1.0 ? std::sqrt(squares / (count - 1.0)) : 0.0};
 }
 

@@ -1,5 +1,6 @@
 #include "felt/studies/export/bids_files.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -50,12 +51,20 @@ std::string tsv_line(const std::vector<std::string>& values) {
   return line + "\n";
 }
 
-/// Returns a number with a fixed number of decimals.
+/// Appends a number with a fixed number of decimals.
 void append_fixed(std::string& out, double value, int digits) {
   std::array<char, 64> text{};
   out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value,
                                         std::chars_format::fixed, digits)
                               .ptr);
+}
+
+/// Appends three values, each after a tab.
+void append_three(std::string& out, double x, double y, double z) {
+  for (const double value : {x, y, z}) {
+    out += '\t';
+    append_fixed(out, value, 4);
+  }
 }
 
 std::string with_zeros(std::size_t number, std::size_t digits) {
@@ -73,10 +82,7 @@ std::string motion_text(const FeltRecording& recording) {
   for (const RecordedSample& sample : recording.samples) {
     const Vec3 position = sample.pen.position;
     append_fixed(out, static_cast<double>(sample.time_ns - start) / kNanosecondsPerSecond, 6);
-    for (const double value : {position.x, position.y, position.z}) {
-      out += '\t';
-      append_fixed(out, value, 4);
-    }
+    append_three(out, position.x, position.y, position.z);
     out += in_contact(sample_of(sample.time_ns, sample.pen)) ? "\t1\t" : "\t0\t";
     if (sample.pen.pressure) {
       append_fixed(out, *sample.pen.pressure, 4);
@@ -85,10 +91,7 @@ std::string motion_text(const FeltRecording& recording) {
     }
     if (sample.forces) {
       const Force force = sample.forces->sent;
-      for (const double value : {force.x, force.y, force.z}) {
-        out += '\t';
-        append_fixed(out, value, 4);
-      }
+      append_three(out, force.x, force.y, force.z);
     } else {
       out += "\tn/a\tn/a\tn/a";
     }
@@ -149,10 +152,9 @@ std::string event_name(std::string_view column) {
 
 std::vector<DataColumn<MeasuredTrial>> event_columns(const StudyResults& results) {
   std::vector<DataColumn<MeasuredTrial>> columns;
-  for (DataColumn<MeasuredTrial>& column : trial_columns(results)) {
-    for (const std::string_view name : kEventColumns) {
-      if (column.info.name == name) columns.push_back(std::move(column));
-    }
+  for (const DataColumn<MeasuredTrial>& column : trial_columns(results)) {
+    const auto found = std::find(kEventColumns.begin(), kEventColumns.end(), column.info.name);
+    if (found != kEventColumns.end()) columns.push_back(column);
   }
   for (DataColumn<MeasuredTrial>& column : columns) column.info.name = event_name(column.info.name);
   return columns;

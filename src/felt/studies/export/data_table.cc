@@ -28,6 +28,14 @@ std::string setting_text(const StudySetting& setting) {
   return std::get<std::string>(setting.value);
 }
 
+/// Returns the value of an option in a condition; empty if the condition does not set it.
+std::string option_text(const StudyCondition& condition, const std::string& option) {
+  for (const StudySetting& setting : condition.settings) {
+    if (setting.id == option) return setting_text(setting);
+  }
+  return "";
+}
+
 /// Returns a fingerprint of the study and of the files that it names, as 16 hexadecimal digits
 /// after "fnv1a-".
 std::string study_hash(const StudyFiles& files) {
@@ -39,7 +47,7 @@ std::string study_hash(const StudyFiles& files) {
     }
   }
   std::array<char, 17> digits{};
-  const auto end =
+  auto* const end =
       std::to_chars(digits.data(), digits.data() + digits.size(), hash.value(), 16).ptr;
   const std::string text(digits.data(), end);
   return "fnv1a-" + std::string(16 - text.size(), '0') + text;
@@ -129,10 +137,7 @@ void add_factor_columns(const StudyResults& results, TrialColumns& columns) {
   for (const std::string& option : options) {
     columns.push_back({{option, "Option of the program; empty if the condition does not set it."},
                        [&results, option](const auto& t) {
-                         for (const StudySetting& setting : results.condition_of(t.plan).settings) {
-                           if (setting.id == option) return setting_text(setting);
-                         }
-                         return std::string();
+                         return option_text(results.condition_of(t.plan), option);
                        }});
   }
 }
@@ -287,21 +292,27 @@ void append_csv_value(std::string& out, std::string_view value) {
   out += '"';
 }
 
+namespace {
+
+std::string info_text(const ColumnInfo& column) {
+  JsonObject object;
+  object.add_text("Description", column.description);
+  if (!column.unit.empty()) object.add_text("Units", column.unit);
+  std::string levels;
+  for (const auto& [value, meaning] : column.levels) {
+    levels += (levels.empty() ? "{" : ",") + json_string(value) + ":" + json_string(meaning);
+  }
+  if (!levels.empty()) object.add_raw("Levels", levels + "}");
+  if (!column.source.empty()) object.add_text("TermURL", "https://doi.org/" + column.source);
+  return object.text();
+}
+
+}  // namespace
+
 std::string dictionary_text(std::span<const ColumnInfo> columns) {
   std::string out = "{";
   for (const ColumnInfo& column : columns) {
-    JsonObject object;
-    object.add_text("Description", column.description);
-    if (!column.unit.empty()) object.add_text("Units", column.unit);
-    if (!column.levels.empty()) {
-      std::string levels;
-      for (const auto& [value, meaning] : column.levels) {
-        levels += (levels.empty() ? "{" : ",") + json_string(value) + ":" + json_string(meaning);
-      }
-      object.add_raw("Levels", levels + "}");
-    }
-    if (!column.source.empty()) object.add_text("TermURL", "https://doi.org/" + column.source);
-    out += (out.size() > 1 ? ",\n" : "\n") + json_string(column.name) + ": " + object.text();
+    out += (out.size() > 1 ? ",\n" : "\n") + json_string(column.name) + ": " + info_text(column);
   }
   return out + "\n}\n";
 }

@@ -60,6 +60,7 @@ std::string csv_text(const std::vector<DataColumn<Row>>& columns, const std::vec
 template <class Row>
 std::vector<ColumnInfo> infos_of(const std::vector<DataColumn<Row>>& columns) {
   std::vector<ColumnInfo> infos;
+  infos.reserve(columns.size());
   for (const DataColumn<Row>& column : columns) infos.push_back(column.info);
   return infos;
 }

@@ -125,7 +125,7 @@ TEST(TrialsTable, AnotherStudyHasAnotherHash) {
 TEST(DataDictionary, DescribesEveryColumn) {
   const StudyResults results = made_results({.people = 1});
   const auto check = [](const auto& columns) {
-    const auto dictionary = nlohmann::ordered_json::parse(dictionary_text(infos_of(columns)));
+    auto dictionary = nlohmann::ordered_json::parse(dictionary_text(infos_of(columns)));
     EXPECT_EQ(dictionary.size(), columns.size());
     for (const auto& column : columns) {
       const auto found = dictionary.find(column.info.name);

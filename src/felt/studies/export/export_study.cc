@@ -106,13 +106,17 @@ void keep_ink(std::span<const TrialSample> samples, MeasuredTrial& trial) {
   }
 }
 
+auto find_planned(const StudySession& session, int number) {
+  return std::find_if(session.plan.begin(), session.plan.end(),
+                      [number](const PlannedTrial& p) { return p.number == number; });
+}
+
 /// Reads a trial, measures it, and writes its recording and its part of the BIDS data set.
 Result<MeasuredTrial> export_trial(const StudyFolder& folder, const StudyResults& results,
                                    const StudySession& session, std::size_t index,
                                    const FolderInProgress& out) {
   const TrialResult& result = session.results[index];
-  const auto planned = std::find_if(session.plan.begin(), session.plan.end(),
-                                    [&](const auto& p) { return p.number == result.trial; });
+  const auto planned = find_planned(session, result.trial);
   const std::string file = folder.file_of(session.info, result.recording);
   if (planned == session.plan.end()) {
     return invalid_data(file + ": the study has no trial " + std::to_string(result.trial));
@@ -154,10 +158,9 @@ Result<void> export_session(const StudyFolder& folder, const StudySession& sessi
     if (!progress()) return fail(ErrorCode::kIo, "interrupted: nothing was exported");
   }
   for (const QuestionAnswers& answers : session.answers) {
-    for (const PlannedTrial& plan : session.plan) {
-      if (plan.number == answers.after_trial) {
-        results.answers.push_back({session.info, plan, answers});
-      }
+    const auto planned = find_planned(session, answers.after_trial);
+    if (planned != session.plan.end()) {
+      results.answers.push_back({session.info, *planned, answers});
     }
   }
   return {};

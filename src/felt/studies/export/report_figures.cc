@@ -59,11 +59,11 @@ void add_vertical_axis(ReportFigure& figure, const ReportAxis& y, double left, d
   for (std::size_t i = 0; i < tick_count(y); ++i) {
     const double value = y.low + static_cast<double>(i) * y.step;
     const double at = y.at(value);
-    figure.marks.push_back(ReportLine{{{left, at}, {right, at}}, kFaintInk, 0.5});
-    figure.marks.push_back(ReportWords{
+    figure.marks.emplace_back(ReportLine{{{left, at}, {right, at}}, kFaintInk, 0.5});
+    figure.marks.emplace_back(ReportWords{
         {left - 5.0, at + 3.0}, tick_text(value, y.step), ReportAlign::kRight, kQuietInk});
   }
-  figure.marks.push_back(
+  figure.marks.emplace_back(
       ReportWords{{left - 5.0, y.end - 9.0}, unit, ReportAlign::kRight, kQuietInk});
 }
 
@@ -84,24 +84,26 @@ void extend(double& low, double& high, double value) {
   high = std::max(high, value);
 }
 
-/// Adds the mean and its interval as a dot on a bar, upright if `is_upright`.
+/// Adds the mean and its interval as a dot on a bar. An axis that points up gives an upright bar.
 void add_mean(ReportFigure& figure, const PeopleMean& mean, const ReportAxis& axis, double across,
-              ReportInk ink, bool is_upright) {
+              ReportInk ink) {
   if (mean.people == 0) return;
+  const bool is_upright = axis.begin > axis.end;
   const auto place = [&](double value) {
     return is_upright ? Point{across, axis.at(value)} : Point{axis.at(value), across};
   };
   if (mean.interval) {
-    figure.marks.push_back(
+    figure.marks.emplace_back(
         ReportLine{{place(mean.interval->low), place(mean.interval->high)}, ink, 2.5});
   }
-  figure.marks.push_back(ReportDot{place(mean.mean), 4.0, ink});
+  figure.marks.emplace_back(ReportDot{place(mean.mean), 4.0, ink});
 }
 
 std::vector<PersonValues> values_by_condition(const StudyResults& results, SessionKind session,
                                               const std::vector<std::size_t>& conditions,
                                               TrialMetric metric) {
   std::vector<PersonValues> all;
+  all.reserve(conditions.size());
   for (const std::size_t condition : conditions) {
     all.push_back(person_means(results, session, condition, metric));
   }
@@ -137,15 +139,15 @@ ReportFigure condition_figure(const StudyResults& results, SessionKind session, 
   for (auto& [person, line] : lines) {
     line.ink = kPersonInk;
     line.width = 0.6;
-    for (const Point p : line.points) figure.marks.push_back(ReportDot{p, 1.2, kPersonInk});
-    if (line.points.size() > 1) figure.marks.push_back(line);
+    for (const Point p : line.points) figure.marks.emplace_back(ReportDot{p, 1.2, kPersonInk});
+    if (line.points.size() > 1) figure.marks.emplace_back(line);
   }
   figure.description = "Thin lines are participants, dots with bars are means with 95 % intervals.";
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PeopleMean mean = people_mean(values[i]);
     const StudyCondition& condition = results.files.study.conditions[conditions[i]];
-    add_mean(figure, mean, y, x_of(i), {ReportInk::kCondition, conditions[i]}, true);
-    figure.marks.push_back(ReportWords{
+    add_mean(figure, mean, y, x_of(i), {ReportInk::kCondition, conditions[i]});
+    figure.marks.emplace_back(ReportWords{
         {x_of(i), 211.0}, shortened(condition.label, pitch - 6.0), ReportAlign::kMiddle});
     figure.description += " " + condition.label + ": " + report_number(mean.mean) + " mm.";
   }
@@ -175,12 +177,12 @@ ReportFigure difference_figure(const StudyResults& results, SessionKind session,
   for (std::size_t i = 0; i < tick_count(x); ++i) {
     const double value = x.low + static_cast<double>(i) * x.step, at = x.at(value);
     const bool is_zero = std::abs(value) < 0.5 * x.step;
-    figure.marks.push_back(ReportLine{
+    figure.marks.emplace_back(ReportLine{
         {{at, 4.0}, {at, bottom}}, is_zero ? ReportInk{} : kFaintInk, is_zero ? 0.9 : 0.5});
-    figure.marks.push_back(ReportWords{
+    figure.marks.emplace_back(ReportWords{
         {at, bottom + 11.0}, tick_text(value, x.step), ReportAlign::kMiddle, kQuietInk});
   }
-  figure.marks.push_back(ReportWords{
+  figure.marks.emplace_back(ReportWords{
       {0.5 * (x.begin + x.end), bottom + 23.0},
       "mm; left of 0: more accurate than " + results.files.study.conditions[conditions[0]].label,
       ReportAlign::kMiddle,
@@ -191,11 +193,11 @@ ReportFigure difference_figure(const StudyResults& results, SessionKind session,
     const PersonDifference& difference = differences[i - 1];
     const double y = 4.0 + kRow * (static_cast<double>(i) - 0.5);
     const StudyCondition& condition = results.files.study.conditions[conditions[i]];
-    figure.marks.push_back(ReportWords{{0.0, y + 3.0}, shortened(condition.label, kLabels)});
+    figure.marks.emplace_back(ReportWords{{0.0, y + 3.0}, shortened(condition.label, kLabels)});
     for (const auto& [person, value] : difference.differences) {
-      figure.marks.push_back(ReportDot{{x.at(value), y + 9.0}, 1.5, kPersonInk});
+      figure.marks.emplace_back(ReportDot{{x.at(value), y + 9.0}, 1.5, kPersonInk});
     }
-    add_mean(figure, difference.mean, x, y, {ReportInk::kCondition, conditions[i]}, false);
+    add_mean(figure, difference.mean, x, y, {ReportInk::kCondition, conditions[i]});
     figure.description +=
         " " + condition.label + ": " + report_number(difference.mean.mean) + " mm.";
   }
@@ -235,13 +237,11 @@ LearningData learning_data(const StudyResults& results, TrialMetric metric) {
   return data;
 }
 
-/// Draws the lines of one condition, and returns the means of the steps for the description.
+/// Draws the lines of one condition. `x` counts the steps.
 void add_learning_panel(ReportFigure& figure, const LearningData& data, std::size_t condition,
-                        const ReportAxis& y, double left, double width) {
-  const double count = static_cast<double>(std::max<std::size_t>(data.steps.size(), 2) - 1);
+                        const ReportAxis& x, const ReportAxis& y) {
   const auto x_of = [&](const LearningStep& step) {
-    const auto index = std::distance(data.steps.begin(), data.steps.find(step));
-    return left + 8.0 + (width - 16.0) * static_cast<double>(index) / count;
+    return x.at(static_cast<double>(std::distance(data.steps.begin(), data.steps.find(step))));
   };
   const auto found = data.values.find(condition);
   if (found == data.values.end()) return;
@@ -252,12 +252,12 @@ void add_learning_panel(ReportFigure& figure, const LearningData& data, std::siz
       line.points.push_back({x_of(step), y.at(mean_of(values))});
       all[step].push_back(mean_of(values));
     }
-    if (line.points.size() > 1) figure.marks.push_back(std::move(line));
+    if (line.points.size() > 1) figure.marks.emplace_back(std::move(line));
   }
   ReportLine mean{{}, {ReportInk::kCondition, condition}, 2.0};
   for (const auto& [step, values] : all) mean.points.push_back({x_of(step), y.at(mean_of(values))});
-  for (const Point p : mean.points) figure.marks.push_back(ReportDot{p, 2.4, mean.ink});
-  if (mean.points.size() > 1) figure.marks.push_back(std::move(mean));
+  for (const Point p : mean.points) figure.marks.emplace_back(ReportDot{p, 2.4, mean.ink});
+  if (mean.points.size() > 1) figure.marks.emplace_back(std::move(mean));
 }
 
 }  // namespace
@@ -280,18 +280,21 @@ ReportFigure learning_figure(const StudyResults& results, TrialMetric metric,
   ReportFigure figure{title, "", kPanel * static_cast<double>(rows) + 16.0, {}};
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const double left = kLeft + (width + 24.0) * static_cast<double>(i % columns);
-    const double top = kPanel * static_cast<double>(i / columns);
+    const std::size_t row = i / columns;
+    const double top = kPanel * static_cast<double>(row);
     const ReportAxis y = axis_for(0.0, high, top + kPanel - 14.0, top + 24.0);
     add_vertical_axis(figure, y, left, left + width, "mm");
-    figure.marks.push_back(ReportWords{{left, top + 9.0}, shortened(conditions[i].label, width)});
-    add_learning_panel(figure, data, i, y, left, width);
+    figure.marks.emplace_back(
+        ReportWords{{left, top + 9.0}, shortened(conditions[i].label, width)});
+    const double last = static_cast<double>(std::max<std::size_t>(data.steps.size(), 2) - 1);
+    add_learning_panel(figure, data, i, {0.0, last, 1.0, left + 8.0, left + width - 8.0}, y);
   }
-  figure.marks.push_back(ReportWords{{0.5 * kReportWidth, figure.height - 4.0},
-                                     data.is_by_block
-                                         ? "blocks of all sessions, from the first to the last"
-                                         : "trials of the condition, from the first to the last",
-                                     ReportAlign::kMiddle,
-                                     kQuietInk});
+  figure.marks.emplace_back(ReportWords{{0.5 * kReportWidth, figure.height - 4.0},
+                                        data.is_by_block
+                                            ? "blocks of all sessions, from the first to the last"
+                                            : "trials of the condition, from the first to the last",
+                                        ReportAlign::kMiddle,
+                                        kQuietInk});
   figure.description =
       "One panel for each condition. Thin lines are participants, the thick line is their mean.";
   return figure;
@@ -318,30 +321,44 @@ Rect extent_of(std::span<const Point> points) {
   return box;
 }
 
-/// Draws the lines of one shape in one condition around a point of the figure.
+/// Where the lines of one shape in one condition are drawn.
+struct DrawnCell {
+  Point center;
+  double scale = 1.0;
+};
+
+/// Draws the line of a trial, and returns its path on the figure.
+std::vector<Point> add_drawn_line(ReportFigure& figure, const MeasuredTrial& trial,
+                                  const DrawnCell& cell, ReportInk color) {
+  // The path of the task `copy` is moved to the ink, so each trial has its own place.
+  const Rect own = extent_of(trial.path);
+  const Point middle{0.5 * (own.x0 + own.x1), 0.5 * (own.y0 + own.y1)};
+  const auto placed = [&](std::span<const Point> points) {
+    std::vector<Point> result;
+    result.reserve(points.size());
+    for (const Point p : points) result.push_back(cell.center + cell.scale * (p - middle));
+    return result;
+  };
+  for (std::size_t touch = 0; touch < trial.touches.size(); ++touch) {
+    const std::size_t begin = trial.touches[touch];
+    const bool is_last = touch + 1 == trial.touches.size();
+    const std::size_t end = is_last ? trial.ink.size() : trial.touches[touch + 1];
+    if (end < begin + 2) continue;
+    figure.marks.emplace_back(
+        ReportLine{placed(std::span(trial.ink).subspan(begin, end - begin)), color, 0.4});
+  }
+  std::vector<Point> path = placed(trial.path);
+  if (trial.is_closed) path.push_back(path.front());
+  return path;
+}
+
 void add_drawn_lines(ReportFigure& figure, const std::map<int, const MeasuredTrial*>& trials,
-                     Point center, double scale, ReportInk color) {
+                     const DrawnCell& cell, ReportInk color) {
   ReportLine path{{}, {}, 0.8, true};
   for (const auto& [person, trial] : trials) {
-    // The path of the task `copy` is moved to the ink, so each trial has its own place.
-    const Rect own = extent_of(trial->path);
-    if (own.empty()) continue;
-    const Point middle{0.5 * (own.x0 + own.x1), 0.5 * (own.y0 + own.y1)};
-    const auto place = [&](Point p) { return center + scale * (p - middle); };
-    for (std::size_t touch = 0; touch < trial->touches.size(); ++touch) {
-      const bool is_last = touch + 1 == trial->touches.size();
-      const std::size_t end = is_last ? trial->ink.size() : trial->touches[touch + 1];
-      ReportLine ink{{}, color, 0.4};
-      for (std::size_t i = trial->touches[touch]; i < end; ++i) {
-        ink.points.push_back(place(trial->ink[i]));
-      }
-      if (ink.points.size() > 1) figure.marks.push_back(std::move(ink));
-    }
-    path.points.clear();
-    for (const Point p : trial->path) path.points.push_back(place(p));
-    if (trial->is_closed) path.points.push_back(path.points.front());
+    if (!trial->path.empty()) path.points = add_drawn_line(figure, *trial, cell, color);
   }
-  if (path.points.size() > 1) figure.marks.push_back(std::move(path));
+  if (path.points.size() > 1) figure.marks.emplace_back(std::move(path));
 }
 
 }  // namespace
@@ -362,7 +379,7 @@ ReportFigure drawn_figure(const StudyResults& results, SessionKind session,
   };
   for (std::size_t column = 0; column < conditions.size(); ++column) {
     const std::string& label = study.conditions[conditions[column]].label;
-    figure.marks.push_back(
+    figure.marks.emplace_back(
         ReportWords{{x_of(column), 9.0}, shortened(label, width - 6.0), ReportAlign::kMiddle});
   }
   for (const std::size_t shape : shapes) {
@@ -373,7 +390,7 @@ ReportFigure drawn_figure(const StudyResults& results, SessionKind session,
     const double height = scale * box.height() + kGap;
     for (std::size_t column = 0; column < conditions.size(); ++column) {
       add_drawn_lines(figure, last_trials(results, session, shape, conditions[column]),
-                      {x_of(column), figure.height + 0.5 * height}, scale,
+                      {{x_of(column), figure.height + 0.5 * height}, scale},
                       {ReportInk::kCondition, conditions[column]});
     }
     figure.height += height;

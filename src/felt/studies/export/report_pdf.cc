@@ -117,8 +117,12 @@ class PdfPages {
       need(kLeading);
       for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
         const ReportAlign align = i == 0 ? ReportAlign::kLeft : ReportAlign::kRight;
-        words({i == 0 ? 0.0 : ends[i], y_ + kLeading - 4.0}, table.rows[row][i], align, table_size_,
-              row == 0 ? kBold : kPlain, {});
+        words({{i == 0 ? 0.0 : ends[i], y_ + kLeading - 4.0},
+               table.rows[row][i],
+               align,
+               {},
+               table_size_},
+              row == 0 ? kBold : kPlain);
       }
       y_ += kLeading;
       line({{{0.0, y_}, {ends.back(), y_}}, {ReportInk::kFaint}, 0.5});
@@ -146,9 +150,7 @@ class PdfPages {
              at(-1, -kHandle) + at(-kHandle, -1) + at(0, -1) + "c " + at(kHandle, -1) +
              at(1, -kHandle) + at(1, 0) + "c f\n";
   }
-  void operator()(const ReportWords& mark) {
-    words(mark.at, mark.text, mark.align, mark.size, kPlain, mark.ink);
-  }
+  void operator()(const ReportWords& mark) { words(mark, kPlain); }
 
  private:
   enum Font : std::uint8_t { kPlain, kBold };
@@ -176,15 +178,15 @@ class PdfPages {
     out() += "S\n";
   }
 
-  void words(Point at, std::string_view text, ReportAlign align, double size, Font font,
-             const ReportInk& ink) {
-    const std::string latin = latin_text(text);
+  void words(const ReportWords& mark, Font font) {
+    const std::string latin = latin_text(mark.text);
     // Helvetica-Bold is about 6 % wider.
-    const double width = size * width_of(latin) * (font == kBold ? 1.06 : 1.0);
-    if (align == ReportAlign::kMiddle) at.x -= 0.5 * width;
-    if (align == ReportAlign::kRight) at.x -= width;
-    out() += "BT " + rgb_text(rgb_of(ink)) + "rg /F" + std::to_string(font + 1) + " " +
-             pdf_number(size) + " Tf " + place(at) + " Td " + pdf_string(latin) + " Tj ET\n";
+    const double width = mark.size * width_of(latin) * (font == kBold ? 1.06 : 1.0);
+    Point at = mark.at;
+    if (mark.align == ReportAlign::kMiddle) at.x -= 0.5 * width;
+    if (mark.align == ReportAlign::kRight) at.x -= width;
+    out() += "BT " + rgb_text(rgb_of(mark.ink)) + "rg /F" + std::to_string(font + 1) + " " +
+             pdf_number(mark.size) + " Tf " + place(at) + " Td " + pdf_string(latin) + " Tj ET\n";
   }
 
   /// Breaks a text into lines. A word that is wider than the page gets a line of its own.
@@ -192,7 +194,7 @@ class PdfPages {
     std::string row;
     const auto flush = [&] {
       need(leading);
-      words({0.0, y_ + size}, row, ReportAlign::kLeft, size, font, {});
+      words({{0.0, y_ + size}, row, ReportAlign::kLeft, {}, size}, font);
       y_ += leading;
       row.clear();
     };

@@ -84,12 +84,6 @@ ReportTable means_table(const StudyResults& results, SessionKind session) {
   return table;
 }
 
-PersonDifference difference_in(const StudyResults& results, SessionKind session, std::size_t first,
-                               std::size_t other, TrialMetric metric, TrialChoice choice) {
-  return difference_of(person_means(results, session, first, metric, choice),
-                       person_means(results, session, other, metric, choice));
-}
-
 ReportTable differences_table(const StudyResults& results, SessionKind session) {
   const std::vector<std::size_t> conditions = conditions_in(results.files.study, session);
   const Study& study = results.files.study;
@@ -99,7 +93,8 @@ ReportTable differences_table(const StudyResults& results, SessionKind session) 
       {{"Condition", "People", "Error, mm", "d_z", "Ratio", "Time, s", "Error, all trials, mm"}}};
   for (std::size_t i = 1; i < conditions.size(); ++i) {
     const auto of = [&](TrialMetric metric, TrialChoice choice) {
-      return difference_in(results, session, conditions[0], conditions[i], metric, choice);
+      return difference_of(person_means(results, session, conditions[0], metric, choice),
+                           person_means(results, session, conditions[i], metric, choice));
     };
     const PersonDifference error = of(kError, TrialChoice::kValid);
     table.rows.push_back({study.conditions[conditions[i]].label, std::to_string(error.mean.people),
