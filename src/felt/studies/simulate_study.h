@@ -20,8 +20,7 @@ struct SimulateOptions {
 /// Simulated people take part in all sessions of a study: person i of the population is participant
 /// i. Each trial is drawn by a FeedbackHand in a haptic loop on a virtual clock, and recorded like
 /// a trial of a real participant. Simulated people do not learn, and do not answer questions. They
-/// look at the pen, not at the nib behind a stabiliser, so with a towed nib they cut corners that
-/// real people would not.
+/// plan the movement of a towed nib, but look at the pen, and do not correct the nib.
 ///
 /// The same study, options and machine give the same files. `progress` receives the finished share,
 /// 0..1, after each trial; if it returns false, the simulation ends early, and the folder keeps the

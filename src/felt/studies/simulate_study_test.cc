@@ -47,7 +47,7 @@ TEST_F(SimulateStudyTest, EveryPersonDrawsEveryTrial) {
           measure_recorded_trial(folder.files(), trial, trial_samples(recording));
       EXPECT_LT(*metrics.err_mean_mm, 3.0);
       const bool has_forces = folder.files().study.conditions[trial.condition].has_forces;
-      EXPECT_GT(*metrics.coverage, has_forces ? 0.05 : 0.6);
+      EXPECT_GT(*metrics.coverage, 0.6);  // also with a towed nib, for which people plan ahead
       EXPECT_EQ(*metrics.force_mean_n > 0.0, has_forces);
     }
   }

@@ -153,7 +153,8 @@ std::string event_name(std::string_view column) {
 std::vector<DataColumn<MeasuredTrial>> event_columns(const StudyResults& results) {
   std::vector<DataColumn<MeasuredTrial>> columns;
   for (const DataColumn<MeasuredTrial>& column : trial_columns(results)) {
-    const auto found = std::find(kEventColumns.begin(), kEventColumns.end(), column.info.name);
+    const auto* const found =
+        std::find(kEventColumns.begin(), kEventColumns.end(), column.info.name);
     if (found != kEventColumns.end()) columns.push_back(column);
   }
   for (DataColumn<MeasuredTrial>& column : columns) column.info.name = event_name(column.info.name);

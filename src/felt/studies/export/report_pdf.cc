@@ -51,7 +51,7 @@ double width_of(std::string_view latin) {
 std::string pdf_number(double value) {
   std::array<char, 32> text{};
   const double rounded = std::round(value * 100.0) / 100.0 + 0.0;
-  const auto end =
+  auto* const end =
       std::to_chars(text.data(), text.data() + text.size(), rounded, std::chars_format::fixed).ptr;
   return {text.data(), end};
 }
