@@ -49,6 +49,24 @@ TEST(EraserGesture, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
   EXPECT_FALSE(after.find(line));
 }
 
+TEST(EraserGesture, ALineOfManyKilometresIsCutWithFewPlaces) {
+  Fixture fixture;
+  const StrokeId line = fixture.add(testing::straight_stroke({0, 0}, {4e6, 0}, 1, 1));
+  EraserGesture erasing({}, EraserMode::kTouched);
+  erasing.begin({1e6, 0}, 0, fixture.scene());
+  erasing.move({1e6, 10}, 1'000'000'000, fixture.scene());
+  EXPECT_LE(erasing.cut_places(), 10U) << "a touch";
+  erasing.move({2e6, 10}, 2'000'000'000, fixture.scene());
+  erasing.move({2e6, 0}, 3'000'000'000, fixture.scene());
+  erasing.move({3e6, 0}, 4'000'000'000, fixture.scene());
+  EXPECT_LE(erasing.cut_places(), 100'000U) << "a kilometre";
+  erasing.finish(fixture.scene());
+  Document after = fixture.document;
+  ASSERT_TRUE(after.apply(erasing.edit(fixture.scene())));
+  EXPECT_FALSE(after.find(line));
+  EXPECT_EQ(after.stroke_count(), 3U);
+}
+
 TEST(EraserGesture, AShortLineIsCutAsOftenAsItIsShown) {
   Fixture fixture;
   fixture.add(testing::straight_stroke({0, 0}, {60, 0}, 1, 1));

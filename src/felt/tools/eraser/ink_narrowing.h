@@ -71,8 +71,10 @@ class InkNarrowing {
     bool free_end = false;
   };
   using Run = std::pair<std::size_t, std::size_t>;  // indices of places, both inclusive
+  using Sample = std::pair<int, double>;            // segment and parameter on it, in [0, 1]
 
   [[nodiscard]] int steps_of(int segment) const noexcept;
+  bool add_sample(Sample at, const Cubic& curve, const Capsule& capsule);
   [[nodiscard]] Place place_at(double u, double clear_mm) const noexcept;
   [[nodiscard]] std::vector<Part> parts() const;
   [[nodiscard]] Part part_between(double from, double to) const;
@@ -87,7 +89,7 @@ class InkNarrowing {
   std::shared_ptr<const Stroke> stroke_;
   double step_mm_;
   ParameterSet touched_;
-  std::map<std::pair<int, int>, double> clear_;  // by segment and step
+  std::map<Sample, double> clear_;
 };
 
 }  // namespace felt
