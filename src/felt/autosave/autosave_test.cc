@@ -166,6 +166,38 @@ TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
   }
 }
 
+/// An event ends a line, the edit thread hangs during the rest of the contact until the pen touches
+/// again, and then resumes. It reports the rest of the contact after the autosave has started to
+/// save the next gesture.
+TEST(Autosave, TheRestOfALineIsNoOtherGestureIfItIsReportedLate) {
+  for (const char* tool : {"pencil", "pull", "width"}) {
+    for (int late_steps = 1; late_steps <= 60; late_steps += 7) {
+      const TestFolder folder;
+      AutosaveFixture fixture({.roots = {folder.path}});
+      fixture.autosave->process();
+      fixture.steps(20);
+      fixture.apply(SelectTool{"eraser"});
+      fixture.apply(SelectTool{tool});
+      fixture.hangs = true;
+      fixture.steps(70);
+      fixture.autosave->process();
+      for (int i = 0; i < late_steps; ++i) {
+        PenSample late = AutosaveFixture::sample(20 + i);
+        late.time_ns += AutosaveFixture::kOffsetNs;
+        ASSERT_TRUE(fixture.session->sample(late));
+      }
+      fixture.autosave->process();
+      const Recovered recovered = fixture.crashed();
+      for (int i = late_steps; i < 70; ++i) {
+        PenSample late = AutosaveFixture::sample(20 + i);
+        late.time_ns += AutosaveFixture::kOffsetNs;
+        ASSERT_TRUE(fixture.session->sample(late));
+      }
+      EXPECT_TRUE(recovered.drawing.document == fixture.ended()) << tool << ' ' << late_steps;
+    }
+  }
+}
+
 TEST(Autosave, ANewBaseTakesTheOldOnesPlaceAndLosesNothing) {
   const TestFolder folder;
   AutosaveFixture fixture({.roots = {folder.path}, .max_log_bytes = 6'000});

@@ -59,6 +59,7 @@ void LiveInk::clear() {
   hover_.clear();
   overhang_.clear();
   contact_ = {};
+  has_ended_ = false;
 }
 
 void LiveInk::add_context(const Event& event) {
@@ -77,22 +78,23 @@ void LiveInk::add_context(const Event& event) {
 }
 
 void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
-  session_ns_ = std::max(session_ns_, event.time_ns);
-  while (!overhang_.empty() && overhang_.front().time_ns <= session_ns_) overhang_.pop_front();
   const auto* pen = std::get_if<PenEvent>(&event.what);
-  if (!pen) {
+  if (!pen) {  // may be newer than samples that the session has not received yet
     add_context(event);
     if (open_) append_event_line(events_, event);
     return;
   }
+  session_ns_ = std::max(session_ns_, event.time_ns);
+  while (!overhang_.empty() && overhang_.front().time_ns <= session_ns_) overhang_.pop_front();
   const PenSample sample = sample_of(event.time_ns, *pen);
   const bool touches = contact_.update(sample) == Contact::Change::kTouched;
   if (touches && !open_) open();
   if (in_contact(sample)) last_contact_ns_ = event.time_ns;
+  // The rest of a contact whose gesture has ended draws nothing and must not be saved as another
+  // gesture, not even if the overhang has started the next stretch already.
+  has_ended_ = has_ended_ && contact_.is_down();
+  if (has_ended_) return hover_.clear();
   if (!open_) {
-    // The stretch has ended. If the pen is still down, the rest of this contact draws nothing and
-    // must not be saved as another gesture.
-    if (contact_.is_down()) return hover_.clear();
     hover_.push_back(event);
     if (hover_.size() > kHoverSamples) hover_.pop_front();
     return;
@@ -103,6 +105,7 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
 
 void LiveInk::edit_applied() {
   close();
+  has_ended_ = contact_.is_down();
   hover_.clear();
 }
 
@@ -145,7 +148,7 @@ void LiveInk::open() {
     out.u64(id.value);
     out.text({reinterpret_cast<const char*>(marks.data()), marks.size()});
   }
-  // If the stretch has no contact yet, kNoEditNs counts from the session's last event.
+  // If the stretch has no contact yet, kNoEditNs counts from the session's last sample.
   last_contact_ns_ = std::max(last_contact_ns_, session_ns_);
 }
 

@@ -27,7 +27,7 @@ struct LiveChunk {
 /// two sources:
 ///   - the events that the session accepted, in order, from the edit thread;
 ///   - the samples of the haptic loop, from the autosave's own ring, even if the session has not
-///     received them yet. The samples after the session's last event are the *overhang*. It grows
+///     received them yet. The samples after the session's last sample are the *overhang*. It grows
 ///     while the edit thread hangs. Recovery draws the ink of these samples, too.
 /// The chunks of one gesture are a *stretch*. It begins when the pen touches the surface. It ends
 /// with the edit of the gesture, or when it is clear that the gesture makes no edit (kNoEditNs).
@@ -86,7 +86,8 @@ class LiveInk {
   std::deque<Event> hover_;         // the last hover samples that the session received
   std::deque<PenSample> overhang_;  // may begin with hover samples
   std::int64_t session_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
-  Contact contact_;  // contact state after the session's last sample
+  Contact contact_;         // contact state after the session's last sample
+  bool has_ended_ = false;  // the gesture of this contact has ended, although the pen is still down
   bool open_ = false, clear_ = false;
   std::string context_, events_;  // not in chunks_ yet
   std::vector<LiveChunk> chunks_;

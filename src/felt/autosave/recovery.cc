@@ -288,7 +288,8 @@ class Assembly {
     std::int64_t reported_ns = INT64_MIN;
     ScriptSink sink;
     sink.event = [&](const Event& event) {
-      reported_ns = std::max(reported_ns, event.time_ns);
+      const bool is_sample = std::holds_alternative<PenEvent>(event.what);
+      if (is_sample) reported_ns = std::max(reported_ns, event.time_ns);
       Result<void> done = session.apply(event);
       // The last edit may have removed the active layer before the new active layer was saved. The
       // session then uses the highest layer, as the original session did.

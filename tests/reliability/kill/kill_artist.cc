@@ -7,6 +7,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <random>
 #include <thread>
 
 #include "felt/autosave/autosave.h"
@@ -28,6 +29,14 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
   x ^= x >> 31;
   x *= 0xbf58476d1ce4e5b9ULL;
   return x ^ x >> 29;
+}
+
+/// Pauses this thread once in eight calls, as on a machine with too little memory or a slow disk.
+void stall(int longest_ms) {
+  thread_local std::minstd_rand random(static_cast<unsigned>(monotonic_ns()));
+  if (random() % 8 != 0) return;
+  const auto pause_ms = std::uniform_int_distribution<int>(0, longest_ms)(random);
+  std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
 }
 
 /// Records each sample of a device in shared memory before the haptic loop receives it.
@@ -84,6 +93,7 @@ class Artist {
     std::thread loop([this, &testimony] { tick(testimony); });
     for (;;) {
       turn();
+      if (picture_.stalls) stall(300);
       std::this_thread::sleep_for(std::chrono::milliseconds(4));
     }
   }
@@ -98,9 +108,10 @@ class Artist {
     AutosaveOptions options;
     options.roots = {picture_.root};
     options.max_log_bytes = 3'000;  // so that a new base is written every few strokes
-    options.on_commit = [&testimony](std::int64_t until_ns) {
+    options.on_commit = [&testimony, stalls = picture_.stalls](std::int64_t until_ns) {
       testimony.committed_ns.store(until_ns, std::memory_order_release);
       testimony.has_store.store(true, std::memory_order_release);
+      if (stalls) stall(400);
     };
     return options;
   }

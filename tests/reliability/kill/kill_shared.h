@@ -46,6 +46,7 @@ struct Picture {
   int base_strokes = 0;
   bool with_forces = false;
   std::uint32_t hangs_at = UINT32_MAX;  ///< number of the sample at which the edit thread hangs
+  bool stalls = false;                  ///< the edit thread and the autosave often pause for long
   std::string root;                     ///< folder of the autosaves
   std::string base_path;                ///< the file that was opened, "" for a new drawing
   std::string save_path;                ///< the file to which the drawing is saved periodically

@@ -10,8 +10,8 @@
 namespace felt {
 namespace {
 
-// Bounds the memory and the time of a segment. With the finest step, 0.02 mm, samples are farther apart
-// than that only in segments longer than 0.4 m.
+// Bounds the memory and the time of a segment. With the finest step, 0.02 mm, samples are farther
+// apart than that only in segments longer than 0.4 m.
 constexpr int kMaxSteps = 1 << 16;
 
 /// Appends breakpoints that follow the narrowed widths of places[first..last] within kWidthErrorMm
