@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 
@@ -62,6 +63,11 @@ Side side_of(Trial trial, double t_s) noexcept {
       side.pull_n = kEditLaw.force_n(side.way_mm);
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
+    case Trial::kGuide:
+      side.way_mm = 1.0 + 2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+      side.pull_n = t_s < kLandedS ? 0.0 : GuideLaw::groove(1.0).well.force_at_n(side.way_mm);
+      side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
+      break;
   }
   return side;
 }
@@ -73,7 +79,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
     const double release_s = trial == Trial::kTap ? 0.9 : 2.0;
     return {.measure_from_s = 3.5,
             .measure_until_s = 4.5,
-            .energy_from_s = trial == Trial::kWell ? kMoveS : 0.0,
+            .energy_from_s = (trial == Trial::kWell || trial == Trial::kGuide) ? kMoveS : 0.0,
             .release_s = release_s,
             .end_s = 4.5};
   }
@@ -89,6 +95,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
       times = {.measure_from_s = 3.5, .measure_until_s = 3.5};
       break;
     case Trial::kWell:
+    case Trial::kGuide:
       times = {
           .measure_from_s = 1.9, .measure_until_s = 2.9, .energy_from_s = kMoveS, .end_s = 4.6};
       break;

@@ -8,6 +8,7 @@
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
@@ -26,7 +27,7 @@ constexpr double kPressBeforeLettingGoN = 0.15;
 
 double press_of(const StabilityCell& cell) {
   if (cell.hand == nullptr) return kPressBeforeLettingGoN;
-  const bool other_forces = cell.trial == Trial::kWell || cell.trial == Trial::kEdit;
+  const bool other_forces = cell.trial >= Trial::kWell;
   return other_forces ? kPressBesidesN : kPressN;
 }
 
@@ -38,6 +39,18 @@ StylusPreset device_of(const StabilityCell& cell) {
   return device;
 }
 
+// Returns a straight path along y through kTrialPlace.
+GuidePiece straight_path() {
+  GuidePiece piece;
+  piece.count = GuidePiece::kPoints;
+  piece.at_mm = 0.5 * piece.spacing_mm * static_cast<double>(piece.count - 1);
+  for (std::size_t i = 0; i < piece.count; ++i) {
+    const double along_mm = piece.spacing_mm * static_cast<double>(i) - piece.at_mm;
+    piece.points[i] = kTrialPlace + Vec{0.0, along_mm};
+  }
+  return piece;
+}
+
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   // Grain is tested at rest only: there it must add no force. It may be felt while the pen moves.
   const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
@@ -47,6 +60,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, SnapWells(kTrialPlace)));
     case Trial::kEdit:
       return ForceModel(Compose(surface, EditSpring(kTrialPlace)));
+    case Trial::kGuide:
+      return ForceModel(Compose(surface, Guide(GuideLaw::groove(1.0), straight_path())));
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -156,6 +171,8 @@ std::string_view name_of(Trial trial) noexcept {
       return "well";
     case Trial::kEdit:
       return "edit";
+    case Trial::kGuide:
+      return "guide";
   }
   return "";
 }

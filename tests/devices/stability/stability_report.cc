@@ -84,8 +84,9 @@ Every cell is a trial: the simulated stylus in a simulated hand, the loop with i
 the tools' force terms, in virtual time. *rest*: land, press 0.8 N, hold still. *slow*: press and
 move at 20 mm/s (smooth surface: grain is meant to be felt). *tap*: eight taps. *well*: rest 1 mm
 beside a snap target, then out to its plateau and back. *edit*: an edit spring, 20 mm out and back.
-*let go*: a typical hand lands lightly and lets go; measured after the pen has come to rest; for
-*tap*, after it has fallen and bounced.
+*guide*: rest 1 mm beside a straight groove, then to 3 mm and back. *let go*: a typical hand lands
+lightly and lets go; measured after the pen has come to rest; for *tap*, after it has fallen and
+bounced.
 
 Pencil and eraser in every loop; all other media at 1 kHz with a delay of one tick.
 
@@ -102,9 +103,10 @@ that fail.
 constexpr const char* kWhatFails = R"(
 Why, by kind:
 
-* **worst, well or edit, 1 kHz with 1 or 2 ticks of delay, light hand or none: 0.03 to 0.07 N.**
+* **worst; well, edit or guide; 1 kHz with 1 or 2 ticks of delay; light hand or none: 0.03 to 0.07
+  N.**
   This simulated device has no friction. The pen is held by two springs in the surface, the
-  friction's bristle and the target or the edit, which together use the whole budget of [the
+  friction's bristle and the target, edit or guide, which together use the whole budget of [the
   design](design/limits.md#stiffness-budget) (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in
   the surface do not act below 6 mm/s, because one step of this sensor looks like 12 mm/s. A swing
   of about 0.1 mm at about 25 Hz is therefore not damped by the loop, and a light hand or no hand
