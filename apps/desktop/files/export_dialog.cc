@@ -171,7 +171,9 @@ void ExportDialog::accept() {
 void ExportDialog::show_result() {
   const ExportOptions chosen = options();
   const bool is_picture = traits_of(chosen.format).picture;
-  kept_->setText(format_kept(chosen.format));
+  kept_->setText(chosen.compact
+                     ? tr("The picture, for browsers. Feltline does not read the lines back.")
+                     : format_kept(chosen.format));
   format_->setAccessibleDescription(kept_->text());
   const bool is_png = chosen.format == FileFormat::kPng;
   dpi_->setEnabled(is_png || (is_picture && chosen.grain && !chosen.compact));

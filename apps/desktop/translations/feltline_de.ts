@@ -2419,6 +2419,10 @@
         <source>The selected strokes, exactly</source>
         <translation>Die ausgewählten Striche, exakt</translation>
     </message>
+    <message>
+        <source>The picture, for browsers. Feltline does not read the lines back.</source>
+        <translation>Das Bild, für Browser. Feltline liest die Linien nicht zurück.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>

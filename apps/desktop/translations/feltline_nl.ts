@@ -2419,6 +2419,10 @@
         <source>The selected strokes, exactly</source>
         <translation>De geselecteerde streken, exact</translation>
     </message>
+    <message>
+        <source>The picture, for browsers. Feltline does not read the lines back.</source>
+        <translation>De afbeelding, voor browsers. Feltline leest de lijnen niet terug.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
