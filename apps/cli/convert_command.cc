@@ -20,6 +20,7 @@ struct ConvertArguments {
   std::string to;
   std::string layers;
   bool salvage = false;
+  bool compact = false;
   PictureArguments picture;
 };
 
@@ -39,6 +40,12 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
       ->check(not_empty());
   command.add_flag("--salvage", args.salvage,
                    "Recover the readable parts of a damaged .felt, and report what is missing");
+  command
+      .add_flag("--compact", args.compact,
+                "Make a small .svg for web pages: only the visible ink, as outlines rounded to\n"
+                "0.01 mm, without layers and without the data with which Feltline and Inkscape\n"
+                "edit the lines")
+      ->group("Pictures (.svg, .pdf, .png)");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);
 }
@@ -104,14 +111,17 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
 
 void convert(const ConvertArguments& args, Format format, Console& console) {
   check_no_overwrite({args.input}, {{"-o", args.output}}, console);
-  const Result<PictureOptions> picture = args.picture.parse(console);
+  Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error());
+  if (args.compact && format != Format::kSvg) throw UsageError("--compact is only for .svg");
+  if (args.compact && args.picture.grain) throw UsageError("--compact excludes --grain");
+  picture->compact = args.compact;
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
-  // Compressed output, and output that shows the drawing's surface, cannot be written stroke by
-  // stroke.
-  const bool is_stream =
-      input->is_lines() && !is_compressed_name(args.output) && !picture->wants_grain;
+  // Compressed output, compact output, and output that shows the drawing's surface, cannot be
+  // written stroke by stroke.
+  const bool is_stream = input->is_lines() && !is_compressed_name(args.output) &&
+                         !picture->wants_grain && !args.compact;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);
   convert_whole(*input, args, format, *picture, console);
 }
@@ -150,6 +160,7 @@ void add_convert_command(CLI::App& app, Console& console) {
   command->footer(
       examples("feltline convert sketch.ndjson -o sketch.svg\n"
                "feltline convert drawing.felt -o drawing.svg --layers visible\n"
+               "feltline convert drawing.felt -o web.svg --compact\n"
                "feltline convert sketch.ndjson -o - | wc -l"));
   command->callback([args, &console] { convert(*args, wanted_format(*args), console); });
 }

@@ -58,6 +58,7 @@ Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptio
   if (picture.wants_grain) options.grain_print = GrainPrint{picture.grain, picture.grain_dpi};
   options.dpi = picture.dpi;
   options.grain = picture.grain;
+  options.compact = picture.compact;
   const bool came_with_page = drawing.has_page;
   const Result<std::optional<Rect>> area = shown_area(drawing, format, picture);
   if (!area) return tl::unexpected(area.error());

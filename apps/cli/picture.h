@@ -37,6 +37,7 @@ struct PictureOptions {
   bool wants_grain = false;  ///< --grain was given: grain is also shown in .svg and .pdf, and for
                              ///< the drawing's own surface
   double grain_dpi = 200.0;  ///< resolution of the grain in an .svg or .pdf
+  bool compact = false;      ///< --compact was given: an .svg is small, for web pages
   /// The known materials; includes user-defined ones if grain is shown.
   Materials materials = Materials::built_in();
 };

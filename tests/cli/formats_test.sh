@@ -76,6 +76,16 @@ has err "the drawing's surface 'moon dust' is unknown; choose another with --sur
 run 0 "$feltline" convert on_moon.svg -o moon_back.svg
 has moon_back.svg 'felt:surface="moon dust"'
 
+# A compact .svg is a small picture of the visible ink.
+run 0 "$feltline" convert page.felt -o small.svg --compact
+[ "$(grep -c '<path' small.svg)" = 21 ] || fail "20 strokes and the paper make 21 paths"
+! grep -q 'felt:\|inkscape' small.svg || fail "a compact .svg has data of ours"
+[ $((2 * $(stat -c %s small.svg))) -lt "$(stat -c %s solid.svg)" ] || fail "a compact .svg is not small"
+run 0 "$feltline" convert a.ndjson -o small2.svg --compact --page A4 --paper white
+same small2.svg small.svg
+run 2 "$feltline" convert page.felt -o r.pdf --compact
+run 2 "$feltline" convert page.felt -o r.svg --compact --grain
+
 # Each of our formats stores the name of the medium and the tones of the lines. If ink has no medium,
 # its tones follow from its widths and are not stored.
 run 0 "$feltline" fit in.ndjson --material charcoal --max-width 2.5 -o toned.ndjson

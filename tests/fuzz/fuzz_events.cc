@@ -55,6 +55,9 @@ struct CheckWhat {
   void operator()(const RestyleEvent& e) const {
     if (!e.color.empty()) check_text(e.color);
     if (!e.medium.empty()) check_text(e.medium);
+    FELT_CHECK(!e.opacity || (*e.opacity >= 0.0 && *e.opacity <= 1.0));
+    FELT_CHECK(!e.width_factor || (*e.width_factor >= RestyleEvent::kMinWidthFactor &&
+                                   *e.width_factor <= RestyleEvent::kMaxWidthFactor));
   }
   void operator()(const LayerEvent& e) const {
     using Do = LayerEvent::Do;

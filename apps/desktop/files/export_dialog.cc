@@ -62,15 +62,17 @@ QPixmap on_squares(const QImage& picture, double ratio) {
 
 }  // namespace
 
-ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
+ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, QWidget* parent)
     : QDialog(parent),
       strokes_(visible_strokes(drawing.document)),
+      selected_(visible_strokes(selected_only(drawing, selection).document)),
       page_(drawing.page),
       format_(new QComboBox(this)),
       area_(new QComboBox(this)),
       dpi_(new QDoubleSpinBox(this)),
       background_(new QCheckBox(tr("With the &paper’s colour"), this)),
       grain_(new QCheckBox(tr("&Grain of the surface in dry media"), this)),
+      compact_(new QCheckBox(tr("Small file for &web pages"), this)),
       picture_(new QLabel(this)),
       size_(new QLabel(this)),
       kept_(new QLabel(this)),
@@ -84,6 +86,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   format_->setCurrentIndex(
       std::max(0, format_->findData(settings.text(files_keys::kExportFormat))));
   area_->addItems({tr("The page"), tr("The ink only")});
+  if (!selected_.empty()) area_->addItem(tr("The selected lines"));
   area_->setCurrentIndex(settings.flag(files_keys::kExportInkOnly, false) ? 1 : 0);
   dpi_->setRange(10.0, 2400.0);
   dpi_->setDecimals(0);
@@ -93,6 +96,14 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   if (const Result<Grain> grain = grain_of(drawing)) surface_grain_ = *grain;
   grain_->setChecked(surface_grain_ && settings.flag(kShowsGrain, kShowsGrainDefault));
   grain_->setToolTip(tr("As on the screen. Lines stay editable; the grain is added as a picture"));
+  compact_->setChecked(settings.flag(files_keys::kExportCompact, false));
+  compact_->setToolTip(
+      tr("Only the visible ink, which other programs show but cannot edit as lines"));
+  build();
+  follow_choices();
+}
+
+void ExportDialog::build() {
   picture_->setFixedSize(kPreviewSize);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("Preview"));
@@ -104,6 +115,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   form_->addRow(tr("&Resolution:"), dpi_);
   form_->addRow(QString(), background_);
   form_->addRow(QString(), grain_);
+  form_->addRow(QString(), compact_);
   form_->addRow(tr("Size:"), size_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(18);
@@ -117,30 +129,40 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   auto* all = new QVBoxLayout(this);
   all->addLayout(columns);
   all->addWidget(buttons);
-  follow_choices();
 }
 
 void ExportDialog::follow_choices() {
-  if (strokes_.size() > kMaxPreviewStrokes) {
-    strokes_.erase(strokes_.begin(), strokes_.end() - kMaxPreviewStrokes);
+  for (std::vector<StrokePtr>* strokes : {&strokes_, &selected_}) {
+    if (strokes->size() <= kMaxPreviewStrokes) continue;
+    strokes->erase(strokes->begin(), strokes->end() - kMaxPreviewStrokes);
   }
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(area_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(dpi_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_result);
   connect(background_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   connect(grain_, &QCheckBox::toggled, this, &ExportDialog::show_result);
+  connect(compact_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   show_result();
 }
 
 ExportOptions ExportDialog::options() const {
-  return {export_formats()[static_cast<std::size_t>(format_->currentIndex())]->format,
-          dpi_->value(), background_->isChecked(), area_->currentIndex() == 1, grain_->isChecked()};
+  const FileFormat format =
+      export_formats()[static_cast<std::size_t>(format_->currentIndex())]->format;
+  return {format,
+          dpi_->value(),
+          background_->isChecked(),
+          static_cast<ExportPart>(area_->currentIndex()),
+          grain_->isChecked(),
+          format == FileFormat::kSvg && compact_->isChecked()};
 }
 
 void ExportDialog::accept() {
   Settings& settings = Settings::the();
   settings.set(files_keys::kExportFormat, format_->currentData());
   settings.set(files_keys::kExportInkOnly, area_->currentIndex() == 1);
+  if (options().format == FileFormat::kSvg) {
+    settings.set(files_keys::kExportCompact, compact_->isChecked());
+  }
   settings.set(files_keys::kExportDpi, dpi_->value());
   settings.set(files_keys::kExportBackground, background_->isChecked());
   QDialog::accept();
@@ -149,19 +171,24 @@ void ExportDialog::accept() {
 void ExportDialog::show_result() {
   const ExportOptions chosen = options();
   const bool is_picture = traits_of(chosen.format).picture;
-  kept_->setText(format_kept(chosen.format));
+  kept_->setText(chosen.compact
+                     ? tr("The picture, for browsers. Feltline does not read the lines back.")
+                     : format_kept(chosen.format));
   format_->setAccessibleDescription(kept_->text());
   const bool is_png = chosen.format == FileFormat::kPng;
-  dpi_->setEnabled(is_png || (is_picture && chosen.grain));
-  grain_->setEnabled(is_picture && surface_grain_);
-  area_->setEnabled(is_picture);
+  dpi_->setEnabled(is_png || (is_picture && chosen.grain && !chosen.compact));
+  grain_->setEnabled(is_picture && surface_grain_ && !chosen.compact);
+  compact_->setEnabled(chosen.format == FileFormat::kSvg);
+  area_->setEnabled(is_picture || !selected_.empty());
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);
-  const Rect area = export_area(ink_bounds(strokes_), page_, chosen);
+  const bool is_part = chosen.part == ExportPart::kSelection;
+  const std::vector<StrokePtr>& strokes = is_part ? selected_ : strokes_;
+  const Rect area = export_area(ink_bounds(strokes), page_, chosen);
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
-  const bool is_grained = is_picture && chosen.grain && surface_grain_;
-  const QImage picture = page_thumbnail(strokes_, area, kPreviewSize * ratio, paper,
+  const bool is_grained = is_picture && chosen.grain && surface_grain_ && !chosen.compact;
+  const QImage picture = page_thumbnail(strokes, area, kPreviewSize * ratio, paper,
                                         is_grained ? *surface_grain_ : Grain());
   picture_->setPixmap(on_squares(picture, ratio));
   const QLocale locale;
@@ -174,7 +201,9 @@ void ExportDialog::show_result() {
                                     .arg(locale.toString(std::ceil(area.width() * scale), 'f', 0),
                                          locale.toString(std::ceil(area.height() * scale), 'f', 0));
   }
-  if (!is_picture && !traits_of(chosen.format).page) text = tr("All strokes, exactly");
+  if (!is_picture && !traits_of(chosen.format).page) {
+    text = is_part ? tr("The selected strokes, exactly") : tr("All strokes, exactly");
+  }
   size_->setText(text);
 }
 

@@ -21,16 +21,19 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  ExportDialog(const Drawing& drawing, QWidget* parent);
+  /// If lines are selected, the dialog offers to export only these.
+  ExportDialog(const Drawing& drawing, const Selection& selection, QWidget* parent);
 
   [[nodiscard]] ExportOptions options() const;
   void accept() override;
 
  private:
+  void build();
   void follow_choices();
   void show_result();
 
   std::vector<StrokePtr> strokes_;
+  std::vector<StrokePtr> selected_;
   Page page_;
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
                                         // unknown
@@ -39,6 +42,7 @@ class ExportDialog : public QDialog {
   QDoubleSpinBox* dpi_;
   QCheckBox* background_;
   QCheckBox* grain_;
+  QCheckBox* compact_;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

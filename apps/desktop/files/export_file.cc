@@ -1,24 +1,43 @@
 #include "desktop/files/export_file.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "desktop/files/clipboard.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
+#include "felt/io/drawing_builder.h"
 
 namespace felt::desktop {
 
+Drawing selected_only(Drawing drawing, const Selection& selection) {
+  DrawingBuilder builder;
+  for (const Layer& layer : drawing.document.layers()) {
+    std::optional<std::size_t> kept;
+    for (const StrokeId id : layer.strokes) {
+      if (!selection.find(id)) continue;
+      if (!kept) kept = builder.add_layer({layer.name, layer.visible, layer.locked});
+      builder.add(*kept, drawing.document.find(id), id);
+    }
+  }
+  drawing.document = std::move(builder).build().document;
+  drawing.layer = {};
+  return drawing;
+}
+
 Rect export_area(const Rect& ink, const Page& page, const ExportOptions& options) {
-  return options.ink_only && !ink.empty() ? ink_area(ink) : page.area();
+  return options.part != ExportPart::kPage && !ink.empty() ? ink_area(ink) : page.area();
 }
 
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
                             const ExportOptions& options) {
   WriteOptions how;
   how.dpi = options.dpi;
-  if (options.grain && traits_of(options.format).picture) {
+  how.compact = options.compact;
+  if (options.grain && !options.compact && traits_of(options.format).picture) {
     Result<Grain> grain = grain_of(drawing);
     if (!grain) return tl::unexpected(grain.error());
     how.grain = *grain;
@@ -26,7 +45,7 @@ Result<void> export_drawing(const QString& path, const Drawing& drawing,
         GrainPrint{*grain, std::clamp(options.dpi, GrainPrint::kMinDpi, GrainPrint::kMaxDpi)};
   }
   if (!options.background) how.paper = Rgba{255, 255, 255, 0};
-  if (options.ink_only) {
+  if (options.part != ExportPart::kPage) {
     how.area = export_area(ink_bounds(drawing.document), drawing.page, options);
   }
   return felt::write_drawing(path.toStdString(), drawing, options.format, how);

@@ -21,6 +21,7 @@
 #include "desktop/files/files_setting_keys.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
+#include "desktop/files/recent_pictures.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/session/session_medium.h"
@@ -73,8 +74,12 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   add_file_actions(actions);
   auto* clipboard = new ClipboardActions(studio, actions, *dialogs_, window);
   connect(clipboard, &ClipboardActions::taken, this, &FileActions::taken);
-  new OutputActions(*this, studio, actions, window);
+  auto* output = new OutputActions(*this, studio, actions, window);
+  connect(output, &OutputActions::exported, this, [this](const QString& path, bool done) {
+    if (done) Q_EMIT exported(path);
+  });
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
+  show_large_icons(*recent_menu_);
   fill_recent_menu();
   connect(&studio, &Studio::opened, this, &FileActions::receive_opened);
   if (studio.loop().thread()) {
@@ -421,8 +426,14 @@ void FileActions::remember(const QString& path) {
   QStringList recent = settings.value(files_keys::kRecent).toStringList();
   recent.removeAll(path);
   recent.prepend(path);
-  settings.set(files_keys::kRecent, QStringList(recent.mid(0, files_keys::kRecentCount)));
+  recent = recent.mid(0, files_keys::kRecentCount);
+  settings.set(files_keys::kRecent, recent);
   fill_recent_menu();
+  worker_.start([path, recent, shown = drawing()]() -> FileWorker::Answer {
+    write_recent_picture(path, shown);
+    keep_recent_pictures(recent);
+    return {};
+  });
 }
 
 void FileActions::fill_recent_menu() {
@@ -439,6 +450,7 @@ void FileActions::fill_recent_menu() {
     const QString mark = ++number < 10 ? QStringLiteral("&%1  ").arg(number) : QString();
     QAction* action = recent_menu_->addAction(mark + name);
     action->setStatusTip(path);
+    action->setIcon(recent_picture(path));
     // Queued, because opening a file fills this menu again and deletes the action.
     connect(
         action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
@@ -450,6 +462,7 @@ void FileActions::fill_recent_menu() {
   recent_menu_->addSeparator();
   const auto clear = [this] {
     Settings::the().set(files_keys::kRecent, QStringList());
+    keep_recent_pictures({});
     fill_recent_menu();
   };
   connect(recent_menu_->addAction(tr("&Clear this list")), &QAction::triggered, this, clear,

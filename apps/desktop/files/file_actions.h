@@ -102,6 +102,8 @@ class FileActions : public QObject {
   void path_changed(const QString& path);
   /// The save to `path()` has ended; `done` is true if it succeeded.
   void saved(bool done);
+  /// The drawing was exported to this file.
+  void exported(const QString& path);
   /// Emitted after Studio::opened when another drawing is shown: opened, new or recovered.
   void drawing_changed();
   /// A file was opened or imported, or strokes were pasted. `report` lists the unsupported content

@@ -12,12 +12,13 @@ inline const QString kRecent = QStringLiteral("files/recent");
 inline constexpr int kRecentCount = 10;
 
 /// The last choices in the export dialog: the format such as "svg", the resolution, whether the
-/// background is exported (true by default), and whether only the area of the ink is exported
-/// (false by default).
+/// background is exported (true by default), whether only the area of the ink is exported, and
+/// whether an .svg is made small (both false by default).
 inline const QString kExportFormat = QStringLiteral("files/export_format");
 inline const QString kExportDpi = QStringLiteral("files/export_dpi");
 inline constexpr double kExportDpiDefault = 300.0;
 inline const QString kExportBackground = QStringLiteral("files/export_background");
 inline const QString kExportInkOnly = QStringLiteral("files/export_ink_only");
+inline const QString kExportCompact = QStringLiteral("files/export_compact");
 
 }  // namespace felt::desktop::files_keys

@@ -70,7 +70,7 @@ TEST(Looks, EveryControlOfEveryDialogHasAName) {
   if (!folder.isEmpty()) QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   for (const bool is_dark : {false, true}) {
     QApplication::setPalette(is_dark ? dark() : light);
-    ExportDialog export_dialog(fixture.files->drawing(), nullptr);
+    ExportDialog export_dialog(fixture.files->drawing(), {}, nullptr);
     PageDialog page_dialog(fixture.studio.page(), nullptr);
     std::vector<RecoveryOffer> offers = offers_like(fixture);
     RecoveryDialog recovery_dialog(std::move(offers), nullptr);

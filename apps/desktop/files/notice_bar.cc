@@ -1,9 +1,14 @@
 #include "desktop/files/notice_bar.h"
 
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QLocale>
+#include <QPushButton>
 #include <QStyle>
 #include <QTreeWidget>
+#include <QUrl>
 #include <algorithm>
 
 #include "desktop/engine/text_of.h"
@@ -19,7 +24,16 @@ constexpr int kIconPx = 16;
 NoticeBar::NoticeBar(QWidget* parent) : NoticeBar(new QTreeWidget, parent) {}
 
 NoticeBar::NoticeBar(QTreeWidget* list, QWidget* parent)
-    : MessageBar(list, tr("Unsupported content, and its line"), parent), list_(list) {
+    : MessageBar(list, tr("Unsupported content, and its line"), parent),
+      list_(list),
+      folder_(new QPushButton(tr("&Open the folder"), this)) {
+  extras().addWidget(folder_);
+  folder_->hide();
+  connect(folder_, &QPushButton::clicked, this, [this] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path_).absolutePath()));
+  });
+  until_.setSingleShot(true);
+  connect(&until_, &QTimer::timeout, this, &QWidget::hide);
   set_icon(style()->standardIcon(QStyle::SP_MessageBoxInformation).pixmap(kIconPx));
   list_->setRootIsDecorated(false);
   list_->setHeaderLabels({tr("Line"), tr("Element"), tr("Result"), tr("Count")});
@@ -32,7 +46,7 @@ NoticeBar::NoticeBar(QTreeWidget* list, QWidget* parent)
 }
 
 void NoticeBar::show_report(const QString& name, const ImportReport& report) {
-  list_->clear();
+  clear();
   if (report.empty()) return hide();
   const QLocale locale;
   int count = 0;
@@ -56,8 +70,26 @@ void NoticeBar::forget_report() {
 }
 
 void NoticeBar::show_words(const QString& words) {
-  list_->clear();
+  clear();
   say(words, false);
+}
+
+void NoticeBar::show_written(const QString& path) {
+  clear();
+  path_ = path;
+  folder_->setToolTip(QDir::toNativeSeparators(QFileInfo(path).absolutePath()));
+  folder_->show();
+  until_.start(kWrittenMs);
+  const QFileInfo file(path);
+  say(tr("“%1” was exported to “%2”.")
+          .arg(file.fileName(), QDir::toNativeSeparators(file.absolutePath())),
+      false);
+}
+
+void NoticeBar::clear() {
+  list_->clear();
+  folder_->hide();
+  until_.stop();
 }
 
 /// Sets the height so that the rows fit, but at most kRowsShown of them.

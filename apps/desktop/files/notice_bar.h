@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QTimer>
+
 #include "desktop/engine/message_bar.h"
 #include "felt/io/import.h"
 
+class QPushButton;
 class QTreeWidget;
 
 namespace felt::desktop {
@@ -21,12 +24,19 @@ class NoticeBar : public MessageBar {
   void forget_report();
   /// Shows another message to the user until it is closed.
   void show_words(const QString& words);
+  /// Says for kWrittenMs that a file was written, with a button that opens its folder.
+  static constexpr int kWrittenMs = 15'000;
+  void show_written(const QString& path);
 
  private:
   NoticeBar(QTreeWidget* list, QWidget* parent);
   void fit_list();
+  void clear();
 
   QTreeWidget* list_;
+  QPushButton* folder_;
+  QTimer until_;
+  QString path_;
 };
 
 }  // namespace felt::desktop

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPushButton>
 #include <QSet>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -37,6 +38,18 @@ TEST(NoticeBar, TellsHowMuchAndOnDemandWhere) {
   EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("text 'title'"));
   EXPECT_EQ(list->topLevelItem(0)->text(3), QStringLiteral("2"));
   EXPECT_EQ(list->topLevelItem(1)->text(0), QString());
+}
+
+TEST(NoticeBar, AWrittenFileHasAButtonForItsFolder) {
+  NoticeBar bar;
+  auto* folder = bar.findChild<QPushButton*>();
+  bar.show_written(QStringLiteral("/some/where/a.svg"));
+  EXPECT_FALSE(bar.isHidden());
+  EXPECT_FALSE(folder->isHidden());
+  EXPECT_TRUE(bar.accessibleName().contains(QStringLiteral("a.svg")));
+  EXPECT_EQ(folder->toolTip(), QStringLiteral("/some/where"));
+  bar.show_words(QStringLiteral("something else"));
+  EXPECT_TRUE(folder->isHidden());
 }
 
 TEST(NoticeBar, AFileWithoutNoticesAndTheCrossPutItAway) {

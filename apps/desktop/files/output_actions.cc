@@ -145,7 +145,7 @@ OutputActions::OutputActions(FileActions& files, Studio& studio, Actions& action
 }
 
 void OutputActions::ask_export() {
-  ExportDialog dialog(files_.drawing(), window_);
+  ExportDialog dialog(files_.drawing(), studio_.session().selection(), window_);
   if (dialog.exec() != QDialog::Accepted) return;
   const ExportOptions options = dialog.options();
   const QString suffix = suffix_of(options.format);
@@ -156,17 +156,20 @@ void OutputActions::ask_export() {
 }
 
 void OutputActions::export_to(const QString& path, const ExportOptions& options) {
-  files_.worker().start([this, path, options, drawing = files_.drawing()]() -> FileWorker::Answer {
-    const Result<void> done = export_drawing(path, drawing, options);
-    return [this, path, done] { report_exported(path, done); };
-  });
+  Drawing drawing = files_.drawing();
+  if (options.part == ExportPart::kSelection) {
+    drawing = selected_only(std::move(drawing), studio_.session().selection());
+  }
+  files_.worker().start(
+      [this, path, options, drawing = std::move(drawing)]() -> FileWorker::Answer {
+        const Result<void> done = export_drawing(path, drawing, options);
+        return [this, path, done] { report_exported(path, done); };
+      });
 }
 
 void OutputActions::report_exported(const QString& path, const Result<void>& done) {
   const QString name = QFileInfo(path).fileName();
-  if (done) {
-    Q_EMIT studio_.refused(tr("“%1” was exported.").arg(name));
-  } else {
+  if (!done) {
     files_.dialogs().show_error(window_, tr("“%1” was not exported").arg(name),
                                 error_words(done.error()),
                                 QString::fromStdString(done.error().message));

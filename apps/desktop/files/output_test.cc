@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QImageReader>
 #include <QLabel>
 #include <QPainter>
@@ -37,17 +38,52 @@ TEST(Export, EveryFormatIsWritten) {
   EXPECT_EQ(QImageReader(fixture.at("a.png")).size(), QSize(2970, 2100));
   ASSERT_TRUE(export_drawing(
       fixture.at("b.png"), drawing,
-      {.format = FileFormat::kPng, .dpi = 254.0, .background = false, .ink_only = true}));
+      {.format = FileFormat::kPng, .dpi = 254.0, .background = false, .part = ExportPart::kInk}));
   const QImage ink(fixture.at("b.png"));
   EXPECT_LT(ink.width(), 2970);
   EXPECT_EQ(ink.pixelColor(0, 0).alpha(), 0);
   EXPECT_FALSE(export_drawing(fixture.at("no/a.pdf"), drawing, {.format = FileFormat::kPdf}));
 }
 
+TEST(Export, TheSelectionOnlyAndASmallSvg) {
+  StudioFixture fixture;
+  fixture.draw(1, 4);
+  const Drawing drawing = fixture.files->drawing();
+  const std::vector<StrokeId>& ids = drawing.document.layers().front().strokes;
+  ASSERT_EQ(ids.size(), 4u);
+  Selection selection;
+  selection.set_whole(ids[1], drawing.document.find(ids[1])->data().points.size());
+  const Drawing part = selected_only(drawing, selection);
+  ASSERT_EQ(part.document.stroke_count(), 1u);
+  EXPECT_EQ(visible_strokes(part.document).front(), drawing.document.find(ids[1]));
+  const ExportOptions options{.format = FileFormat::kSvg, .part = ExportPart::kSelection};
+  const Rect area = export_area(ink_bounds(part.document), part.page, options);
+  EXPECT_LT(area.width(), drawing.page.area().width());
+  ASSERT_TRUE(export_drawing(fixture.at("part.svg"), part, options));
+  EXPECT_EQ(read_drawing(fixture.at("part.svg")).value().document.stroke_count(), 1u);
+  ASSERT_TRUE(export_drawing(fixture.at("all.svg"), drawing, {.format = FileFormat::kSvg}));
+  ASSERT_TRUE(export_drawing(fixture.at("small.svg"), drawing,
+                             {.format = FileFormat::kSvg, .grain = true, .compact = true}));
+  EXPECT_LT(2 * QFileInfo(fixture.at("small.svg")).size(), QFileInfo(fixture.at("all.svg")).size());
+}
+
+TEST(Export, TheDialogOffersTheSelectedLinesIfThereAreAny) {
+  StudioFixture fixture;
+  fixture.draw(1, 2);
+  const Drawing drawing = fixture.files->drawing();
+  const auto parts = [](ExportDialog& dialog) { return dialog.findChildren<QComboBox*>()[1]; };
+  ExportDialog none(drawing, {}, nullptr);
+  EXPECT_EQ(parts(none)->count(), 2);
+  ExportDialog some(drawing, select_all(drawing.document), nullptr);
+  ASSERT_EQ(parts(some)->count(), 3);
+  parts(some)->setCurrentIndex(2);
+  EXPECT_EQ(some.options().part, ExportPart::kSelection);
+}
+
 TEST(Export, TheDialogSaysWhatComesOut) {
   StudioFixture fixture;
   fixture.draw(1, 4);
-  ExportDialog dialog(fixture.files->drawing(), nullptr);
+  ExportDialog dialog(fixture.files->drawing(), {}, nullptr);
   const auto combos = dialog.findChildren<QComboBox*>();
   const auto shows = [&dialog](const QString& text) {
     for (const QLabel* label : dialog.findChildren<QLabel*>()) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "desktop/engine/tool_texts.h"
+#include "desktop/engine/usual_color.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/materials/media_picker.h"
 #include "felt/base/atomic_file.h"
@@ -13,6 +14,7 @@
 #include "felt/material/material_fields.h"
 #include "felt/material/material_library.h"
 #include "felt/session/session_medium.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
 namespace {
@@ -143,14 +145,16 @@ void MaterialEditorModel::report_now() {
   }
   reported_ = known;
   studio_.set_user_materials(known);
-  // The tool copied the widths of the medium, and the colour of new ink is that of the medium,
-  // since the medium was selected. Therefore both must be updated if the medium's widths or colour
-  // have changed.
+  // The tool copied the widths of the medium when the medium was selected, so they must be updated
+  // if the medium's widths have changed. If new ink has the medium's colour, it gets the colour
+  // that the user has just chosen in the editor.
   const Medium* after = studio_.materials().find_medium(drawing_medium(studio_.session()));
   if (!before || !after) return;
-  const std::uint32_t color = after->color_rgb;
+  const Rgba ink = studio_.session().ink_color();
+  const Rgba own = usual_color({}, {}, medium.color_rgb, {});
+  const Rgba wanted = usual_color(ink, medium.color_rgb, after->color_rgb, own);
   if (after->line != medium.line) take_medium(studio_, after->id);
-  if (color != medium.color_rgb) take_usual_color(studio_, medium.color_rgb, color);
+  if (wanted != ink) studio_.apply(SetOption{kInkColorId, color_to_text(wanted)});
 }
 
 /// Updates the selection and the list of user-defined materials after another drawing was opened. A

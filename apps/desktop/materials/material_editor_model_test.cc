@@ -454,7 +454,12 @@ TEST(MaterialEditorModel, TheColourOfWhatIsWorkedOnIsThatOfPageAndInk) {
   EXPECT_EQ(paper(), (Rgba{0x34, 0x46, 0x3e, 255}));
   bench.fixture.select({false, "chalk"});
   const auto ink = [&] { return bench.studio.session().ink_color(); };
-  EXPECT_EQ(ink(), (Rgba{0xf4, 0xf1, 0xe6, 255}));
+  const Rgba before = ink();
+  EXPECT_NE(before, (Rgba{0xf4, 0xf1, 0xe6, 255})) << "a medium does not change the colour";
+  bench.fixture.set("color", 0xffff10);
+  bench.fixture.report_now();
+  EXPECT_EQ(ink(), before) << "it is not the colour of the medium";
+  bench.studio.apply(SetOption{"ink.color", std::string("#ffff10")});
   bench.fixture.set("color", 0xffff00);
   bench.fixture.report_now();
   EXPECT_EQ(ink(), (Rgba{0xff, 0xff, 0x00, 255}));

@@ -1,17 +1,14 @@
 #include "desktop/materials/media_picker.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QResizeEvent>
 #include <QToolButton>
 #include <algorithm>
 #include <utility>
 
-#include "desktop/engine/usual_color.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
 #include "felt/session/session_medium.h"
-#include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
 namespace {
@@ -19,7 +16,6 @@ namespace {
 constexpr int kRoomPx = 8;  // margin around picture and text
 constexpr int kGapPx = 3;
 constexpr int kMinColumns = 2;
-constexpr auto kColor = "ink.color";
 
 std::vector<Medium> drawing_media(const Materials& materials) {
   std::vector<Medium> all;
@@ -35,38 +31,18 @@ bool take_medium(Studio& studio, const std::string& id) {
   const Medium* known = studio.materials().find_medium(id);
   if (!known || !known->draws) return false;
   const std::vector<SetOption> wanted = options_for_medium(studio.session(), *known);
-  const std::uint32_t color = known->color_rgb;
-  const std::string last_id = drawing_medium(studio.session());
-  const Medium* last = studio.materials().find_medium(last_id);
-  const auto last_color = last ? std::optional(last->color_rgb) : std::nullopt;
   for (const SetOption& option : wanted) {
     const Result<OptionValue> now = studio.session().option(option.id);
     if (now && *now == option.value) continue;
     if (!studio.apply(option)) return false;
   }
-  return id == last_id || take_usual_color(studio, last_color, color);
-}
-
-bool choose_medium(Studio& studio, const std::string& id) {
-  const Rgba before = studio.session().ink_color();
-  const bool is_taken = take_medium(studio, id);
-  if (!is_taken) return false;
-  const Medium* medium = studio.materials().find_medium(id);
-  const QString label = medium ? medium_label(*medium) : QString::fromStdString(id);
-  if (!studio.session().selection().empty()) studio.apply(RestyleEvent{.medium = id});
-  const Rgba now = studio.session().ink_color();
-  if (now != before) {
-    Q_EMIT studio.refused(
-        QCoreApplication::translate("MediaPicker", "%1 draws in its own colour, %2.")
-            .arg(label, QString::fromStdString(color_to_text(now))));
-  }
   return true;
 }
 
-bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now) {
-  const Rgba ink = studio.session().ink_color();
-  const Rgba wanted = usual_color(ink, before, now, Rgba{});
-  return wanted == ink || studio.apply(SetOption{kColor, color_to_text(wanted)});
+bool choose_medium(Studio& studio, const std::string& id) {
+  if (!take_medium(studio, id)) return false;
+  if (!studio.session().selection().empty()) studio.apply(RestyleEvent{.medium = id});
+  return true;
 }
 
 MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget* parent)

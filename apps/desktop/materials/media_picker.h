@@ -2,8 +2,6 @@
 
 #include <QButtonGroup>
 #include <QWidget>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,19 +11,13 @@
 namespace felt::desktop {
 
 /// Sets the medium of new lines, and the line widths and the pressure curve of this medium. Each
-/// value is set by an event, so that a replay of a recording gives the same lines. Calls
-/// take_usual_color() if the medium differs from the previous one. Returns false if no medium for
-/// drawing has that id, or if an event was refused; in the second case `refused` says why.
+/// value is set by an event, so that a replay of a recording gives the same lines. The colour of
+/// new ink stays. Returns false if no medium for drawing has that id, or if an event was refused;
+/// in the second case `refused` says why.
 bool take_medium(Studio& studio, const std::string& id);
 /// Handles a click on a medium: calls take_medium(), and also applies the medium to the selected
-/// lines. Reports to the user if the colour of new ink changed.
+/// lines.
 bool choose_medium(Studio& studio, const std::string& id);
-
-/// Sets the colour of new ink to `now`, the usual colour of the current medium (0xRRGGBB). Does so
-/// only if the present colour is `before` (the usual colour of the previous medium) or black (the
-/// colour in a new drawing). Any other colour was chosen by the user and stays. Returns false if
-/// the session refused the new colour; then `refused` says why.
-bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
 /// Shows the media for drawing as pictures: for each medium a stroke from light to strong pressure
 /// on the current surface, rendered with its grain. A click or the arrow keys choose a medium. The

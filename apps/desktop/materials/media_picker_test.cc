@@ -73,23 +73,14 @@ std::string ink(const Studio& studio) {
   return std::get<std::string>(studio.session().option("ink.color").value());
 }
 
-TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
+TEST(MediaPicker, AMediumNeverChangesTheColour) {
   Fixture fixture;
-  ASSERT_EQ(ink(fixture.studio), "#000000");
-  ASSERT_TRUE(take_medium(fixture.studio, "pencil"));
-  EXPECT_EQ(ink(fixture.studio), "#000000") << "it was in hand already";
-  ASSERT_TRUE(take_medium(fixture.studio, "chalk"));
-  EXPECT_EQ(ink(fixture.studio), "#f4f1e6");
-  ASSERT_TRUE(take_medium(fixture.studio, "crayon"));
-  EXPECT_EQ(ink(fixture.studio), "#c0402f");
-  // A transparent version of a colour counts as the same colour.
-  fixture.studio.apply(SetOption{"ink.color", std::string("#c0402f80")});
-  ASSERT_TRUE(take_medium(fixture.studio, "pencil"));
-  EXPECT_EQ(ink(fixture.studio), "#33353b80");
-  fixture.studio.apply(SetOption{"ink.color", std::string("#20a040")});
-  for (const char* medium : {"chalk", "felt-tip", "pencil"}) {
-    ASSERT_TRUE(take_medium(fixture.studio, medium));
-    EXPECT_EQ(ink(fixture.studio), "#20a040") << medium;
+  for (const char* color : {"#000000", "#33353b", "#20a040", "#c0402f80"}) {
+    fixture.studio.apply(SetOption{"ink.color", std::string(color)});
+    for (const char* medium : {"chalk", "crayon", "felt-tip", "pencil"}) {
+      ASSERT_TRUE(choose_medium(fixture.studio, medium));
+      EXPECT_EQ(ink(fixture.studio), color) << medium;
+    }
   }
   EXPECT_FALSE(fixture.studio.is_modified()) << "nothing is drawn yet";
 }
@@ -159,19 +150,16 @@ TEST(MediumPicture, InkIsSeenOnAnyPaper) {
   EXPECT_GT(qGray(readable_ink(Qt::black, QColor(40, 40, 40)).rgb()), 200);
 }
 
-TEST(MediaPicker, AClickIsForTheSelectedLinesTooAndSaysTheColour) {
+TEST(MediaPicker, AClickIsForTheSelectedLinesToo) {
   Studio studio({.live = false});
   studio.import(QStringLiteral("test"),
                 std::vector{std::make_shared<const Stroke>(
                     felt::testing::straight_stroke({10, 10}, {90, 40}, 1, 2))});
   studio.apply(SelectStrokes{SelectStrokes::What::kAll});
-  QSignalSpy said(&studio, &Studio::refused);
   const std::size_t steps = studio.session().history().undo_count();
   ASSERT_TRUE(choose_medium(studio, "crayon"));
   EXPECT_EQ(visible_strokes(studio.session().document()).front()->medium(), "crayon");
   EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
-  ASSERT_EQ(said.count(), 1);
-  EXPECT_TRUE(said[0][0].toString().contains(QLatin1Char('#')));
 }
 
 }  // namespace

@@ -109,20 +109,29 @@ void ShadeField::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons().testFlag(Qt::LeftButton)) take(event->position());
 }
 
+void ShadeField::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) Q_EMIT settled();
+}
+
 void ShadeField::keyPressEvent(QKeyEvent* event) {
   const double step = step_of(*event);
   switch (event->key()) {
     case Qt::Key_Left:
-      return choose(saturation_ - step, brightness_);
+      choose(saturation_ - step, brightness_);
+      break;
     case Qt::Key_Right:
-      return choose(saturation_ + step, brightness_);
+      choose(saturation_ + step, brightness_);
+      break;
     case Qt::Key_Up:
-      return choose(saturation_, brightness_ + step);
+      choose(saturation_, brightness_ + step);
+      break;
     case Qt::Key_Down:
-      return choose(saturation_, brightness_ - step);
+      choose(saturation_, brightness_ - step);
+      break;
     default:
-      QWidget::keyPressEvent(event);
+      return QWidget::keyPressEvent(event);
   }
+  Q_EMIT settled();
 }
 
 HueStrip::HueStrip(QWidget* parent) : QWidget(parent) {
@@ -174,11 +183,20 @@ void HueStrip::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
+void HueStrip::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) Q_EMIT settled();
+}
+
 void HueStrip::keyPressEvent(QKeyEvent* event) {
   const double step = step_of(*event);
-  if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Left) return choose(hue_ - step);
-  if (event->key() == Qt::Key_Down || event->key() == Qt::Key_Right) return choose(hue_ + step);
-  QWidget::keyPressEvent(event);
+  if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Left) {
+    choose(hue_ - step);
+  } else if (event->key() == Qt::Key_Down || event->key() == Qt::Key_Right) {
+    choose(hue_ + step);
+  } else {
+    return QWidget::keyPressEvent(event);
+  }
+  Q_EMIT settled();
 }
 
 ColorField::ColorField(QWidget* parent)
@@ -198,6 +216,8 @@ ColorField::ColorField(QWidget* parent)
     show_all();
     Q_EMIT chosen(color());
   });
+  connect(shade_, &ShadeField::settled, this, &ColorField::settled);
+  connect(strip_, &HueStrip::settled, this, &ColorField::settled);
   show_all();
 }
 

@@ -20,11 +20,14 @@ class ShadeField : public QWidget {
 
  Q_SIGNALS:
   void chosen(double saturation, double brightness);
+  /// The user has released the mouse, or has pressed a key.
+  void settled();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -49,11 +52,14 @@ class HueStrip : public QWidget {
 
  Q_SIGNALS:
   void chosen(double hue);
+  /// The user has released the mouse, or has pressed a key.
+  void settled();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -76,6 +82,8 @@ class ColorField : public QWidget {
 
  Q_SIGNALS:
   void chosen(const QColor& color);
+  /// The colour is chosen: the user has released the mouse, or has pressed a key.
+  void settled();
 
  private:
   void show_all();

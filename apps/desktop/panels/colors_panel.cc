@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "desktop/engine/settings.h"
+#include "desktop/panels/color_contrast.h"
 #include "desktop/panels/panel_setting_keys.h"
 #include "desktop/panels/tool_icons.h"
 #include "felt/stroke/color_text.h"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr std::size_t kMaxRecent = 16;
 constexpr std::size_t kMaxOwn = 500;
-constexpr double kFaint = 3.0;  // a lower contrast is hard to see (WCAG 2.2, 1.4.11)
 constexpr int kSamplePx = 28;
 const char* const kColor = "ink.color";
 
@@ -61,14 +61,6 @@ QString palette_of(const QMimeData* data) {
   return {};
 }
 
-double luminance_of(Rgba color) {
-  const auto linear = [](std::uint8_t part) {
-    const double c = part / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
-}
-
 QPixmap sample_of(Rgba color, double ratio) {
   QPixmap pixmap(QSize(kSamplePx, kSamplePx) * ratio);
   pixmap.setDevicePixelRatio(ratio);
@@ -88,19 +80,6 @@ QPixmap sample_of(Rgba color, double ratio) {
 }
 
 }  // namespace
-
-double contrast_of(Rgba a, Rgba b) {
-  const double one = luminance_of(a), two = luminance_of(b);
-  return (std::max(one, two) + 0.05) / (std::min(one, two) + 0.05);
-}
-
-Rgba seen_on(Rgba color, Rgba ground) {
-  const auto mix = [&color](std::uint8_t over, std::uint8_t under) {
-    const double share = color.a / 255.0;
-    return static_cast<std::uint8_t>(std::lround(share * over + (1.0 - share) * under));
-  };
-  return {mix(color.r, ground.r), mix(color.g, ground.g), mix(color.b, ground.b)};
-}
 
 ColorsPanel::ColorsPanel(Studio& studio, QWidget* parent)
     : QWidget(parent),
@@ -143,6 +122,7 @@ QWidget* ColorsPanel::make_numbers() {
   sample_->setAccessibleName(tr("Colour of new lines"));
   number_->setAccessibleName(tr("Colour code"));
   number_->setToolTip(tr("The colour as #rrggbb, #rgb or #rrggbbaa"));
+  number_->setObjectName(QStringLiteral("color_number"));
   number_->setMaxLength(9);
   number_->setMinimumWidth(number_->fontMetrics().averageCharWidth() * 9);
   static const QRegularExpression kNumber(
@@ -198,11 +178,15 @@ QWidget* ColorsPanel::make_palette_row() {
 void ColorsPanel::connect_all() {
   connect(field_, &ColorField::chosen, this,
           [this](const QColor& shade) { choose_opaque(rgba(shade)); });
+  connect(field_, &ColorField::settled, this, &ColorsPanel::recolor_selected);
   connect(number_, &QLineEdit::editingFinished, this, &ColorsPanel::take_number);
   connect(opacity_, &QSpinBox::valueChanged, this, [this](int percent) {
     Rgba with = color();
     with.a = static_cast<std::uint8_t>(std::lround(percent * 2.55));
     choose(with);
+    if (!studio_.session().selection().empty()) {
+      studio_.apply(RestyleEvent{.opacity = with.a / 255.0});
+    }
   });
   connect(recent_, &SwatchView::chosen, this, [this](Rgba wanted) {
     choose(wanted);
@@ -229,8 +213,8 @@ void ColorsPanel::choose(Rgba wanted) {
   if (wanted != color()) studio_.apply(SetOption{kColor, color_to_text(wanted)});
 }
 
-/// Sets the colour of the selected lines to the current colour. Called when the user has clicked a
-/// swatch.
+/// Sets the colour of the selected lines to the current colour. Called when the user has chosen a
+/// colour.
 void ColorsPanel::recolor_selected() {
   if (studio_.session().selection().empty()) return;
   studio_.apply(RestyleEvent{.color = color_to_text(color())});
@@ -246,11 +230,14 @@ void ColorsPanel::take_number() {
   QString text = number_->text();
   if (!text.startsWith(QLatin1Char('#'))) text.prepend(QLatin1Char('#'));
   const auto wanted = color_from_text(text.toStdString());
+  const bool is_typed = number_->isModified();
   if (wanted && text.size() > 7) {
     choose(*wanted);
   } else if (wanted) {
     choose_opaque(*wanted);
   }
+  if (wanted && is_typed) recolor_selected();
+  number_->setModified(false);
   follow();
 }
 
@@ -265,12 +252,11 @@ void ColorsPanel::follow() {
   opacity_->setValue(static_cast<int>(std::lround(now.a / 2.55)));
   recent_->mark(now);
   swatches_->mark({now.r, now.g, now.b});
-  Rgba paper = studio_.page().paper;
-  if (paper.a == 0) paper = {255, 255, 255};
+  const Rgba paper = seen_paper(studio_.page().paper);
   const double contrast = contrast_of(seen_on(now, paper), paper);
   const QString ratio = locale().toString(contrast, 'f', 1);
-  contrast_->setText(contrast < kFaint ? tr("Low contrast with the paper: %1:1").arg(ratio)
-                                       : tr("Contrast with the paper: %1:1").arg(ratio));
+  contrast_->setText(contrast < kFaintContrast ? tr("Low contrast with the paper: %1:1").arg(ratio)
+                                               : tr("Contrast with the paper: %1:1").arg(ratio));
 }
 
 /// Adds the colours of new strokes to the list of recently used colours.

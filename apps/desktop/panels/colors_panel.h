@@ -15,15 +15,11 @@
 
 namespace felt::desktop {
 
-/// Returns the contrast ratio of two opaque colours, 1..21, as defined by WCAG 2.2.
-double contrast_of(Rgba a, Rgba b);
-/// Returns the colour that results from `color` over the opaque `ground`.
-Rgba seen_on(Rgba color, Rgba ground);
-
 /// Shows the colour of new ink: a field of shades, the colour code and the opacity. Also shows
 /// recently used colours, palettes, and the contrast to the paper. Palettes are built in, or are
 /// .gpl files that the user opens with a button or drops here. When the user chooses a colour, the
-/// panel sets the option ink.color; it also shows changes of this option by other code.
+/// panel sets the option ink.color, and gives the colour to the selected lines (RestyleEvent); it
+/// also shows changes of this option by other code.
 class ColorsPanel : public QWidget {
   Q_OBJECT
 

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QUrl>
 #include <random>
+#include <set>
 
 #include "desktop/engine/settings.h"
 #include "desktop/panels/panel_setting_keys.h"
@@ -245,13 +246,6 @@ TEST_F(ColorsPanelTest, NamesEveryControl) {
   EXPECT_EQ(testing::nameless(*panel), std::vector<std::string>{});
 }
 
-TEST(Contrast, IsThatOfTheStandard) {
-  EXPECT_NEAR(contrast_of({0, 0, 0}, {255, 255, 255}), 21.0, 1e-9);
-  EXPECT_NEAR(contrast_of({119, 119, 119}, {255, 255, 255}), 4.48, 0.01);
-  EXPECT_EQ(seen_on({0, 0, 0, 0}, {1, 2, 3}), (Rgba{1, 2, 3}));
-  EXPECT_EQ(seen_on({200, 100, 50, 255}, {1, 2, 3}), (Rgba{200, 100, 50}));
-}
-
 TEST(Palettes, OursHaveColoursAndNamesAndCanBeWritten) {
   for (const PaletteSource& source : built_in_palettes()) {
     SCOPED_TRACE(source.title.toStdString());
@@ -275,6 +269,41 @@ TEST(ColorsPanel, ASwatchIsForTheSelectedLinesToo) {
   }
   EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
   EXPECT_EQ(studio.session().ink_color(), wanted);
+}
+
+TEST(ColorsPanel, ADragAnOpacityAndANumberAreForTheSelectedLinesToo) {
+  Studio studio(still());
+  ColorsPanel panel(studio);
+  panel.resize(260, 420);
+  panel.show();
+  testing::draw_lines(studio, 2);
+  studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  const auto steps = [&] { return studio.session().history().undo_count(); };
+  const auto colors = [&] {
+    std::set<std::string> all;
+    for (const StrokePtr& stroke : visible_strokes(studio.session().document())) {
+      all.insert(color_to_text(stroke->color()));
+    }
+    return all;
+  };
+  const std::size_t first = steps();
+  auto* field = panel.findChild<ShadeField*>();
+  QTest::mousePress(field, Qt::LeftButton, {}, {20, 20});
+  for (int x = 25; x < 100; x += 5) QTest::mouseMove(field, {x, 30});
+  EXPECT_EQ(steps(), first) << "not while the mouse is pressed";
+  QTest::mouseRelease(field, Qt::LeftButton, {}, {100, 30});
+  EXPECT_EQ(steps(), first + 1);
+  EXPECT_EQ(colors(), std::set{color_to_text(studio.session().ink_color())});
+  panel.findChild<QSpinBox*>()->setValue(50);
+  EXPECT_EQ(steps(), first + 2);
+  EXPECT_EQ(colors(), std::set{color_to_text(studio.session().ink_color())});
+  auto* number = panel.findChild<QLineEdit*>(QStringLiteral("color_number"));
+  number->setFocus();
+  number->clear();
+  QTest::keyClicks(number, QStringLiteral("204060"));
+  QTest::keyClick(number, Qt::Key_Return);
+  EXPECT_EQ(steps(), first + 3);
+  EXPECT_EQ(colors(), std::set<std::string>{"#2040607f"});
 }
 
 }  // namespace

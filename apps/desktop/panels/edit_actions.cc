@@ -8,6 +8,8 @@
 namespace felt::desktop {
 namespace {
 
+constexpr double kWidthStep = 1.25;  // factor on the widths of the selected lines
+
 QString menu_text(const char* english) {
   return QCoreApplication::translate("EditActions", english);
 }
@@ -103,10 +105,19 @@ void add_selected(Actions& actions, Studio& studio) {
       menu_text(QT_TRANSLATE_NOOP("EditActions", "Copies the selected lines, slightly offset.")),
       [&studio] { studio.apply(DuplicateEvent{}); });
   copy->setIcon(icon_of("duplicate"));
-  const auto follow = [remove, copy, &studio] {
+  QAction* broader = actions.add(
+      QStringLiteral("edit.broader"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Broader lines")),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B)},
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Makes the selected lines broader by a quarter.")),
+      [&studio] { studio.apply(RestyleEvent{.width_factor = kWidthStep}); });
+  QAction* thinner = actions.add(
+      QStringLiteral("edit.thinner"), menu_text(QT_TRANSLATE_NOOP("EditActions", "T&hinner lines")),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T)},
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Makes the selected lines thinner by a fifth.")),
+      [&studio] { studio.apply(RestyleEvent{.width_factor = 1.0 / kWidthStep}); });
+  const auto follow = [all = QList{remove, copy, broader, thinner}, &studio] {
     const bool any = !studio.session().selection().empty();
-    remove->setEnabled(any);
-    copy->setEnabled(any);
+    for (QAction* action : all) action->setEnabled(any);
   };
   QObject::connect(&studio, &Studio::selection_changed, remove, follow);
   follow();

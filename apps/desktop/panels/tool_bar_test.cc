@@ -11,6 +11,7 @@
 #include "desktop/panels/edit_actions.h"
 #include "desktop/panels/testing/panels_fixture.h"
 #include "desktop/panels/tool_size.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop::tool_bar_test {
 namespace {
@@ -236,6 +237,24 @@ TEST(EditActions, SelectDeleteAndDuplicateByKeys) {
   QTest::keyClick(&fixture.window, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(fixture.studio.session().selection().empty());
   EXPECT_FALSE(fixture.find("edit.delete")->isEnabled());
+}
+
+TEST(EditActions, SelectedLinesBecomeBroaderAndThinner) {
+  ToolBarFixture fixture;
+  testing::draw_lines(fixture.studio, 2);
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
+  EXPECT_FALSE(fixture.find("edit.broader")->isEnabled());
+  const auto width = [&] {
+    return visible_strokes(fixture.studio.session().document()).front()->widths()[0].width_mm;
+  };
+  const double before = width();
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  fixture.find("edit.broader")->trigger();
+  EXPECT_DOUBLE_EQ(width(), 1.25 * before);
+  fixture.find("edit.thinner")->trigger();
+  EXPECT_DOUBLE_EQ(width(), before);
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_DOUBLE_EQ(width(), 1.25 * before) << "each is one step";
 }
 
 }  // namespace

@@ -286,6 +286,22 @@
         <source>Cancels the current gesture, or clears the selection.</source>
         <translation>Bricht die laufende Aktion ab oder hebt die Auswahl auf.</translation>
     </message>
+    <message>
+        <source>&amp;Broader lines</source>
+        <translation>&amp;Breitere Linien</translation>
+    </message>
+    <message>
+        <source>Makes the selected lines broader by a quarter.</source>
+        <translation>Macht die ausgewählten Linien um ein Viertel breiter.</translation>
+    </message>
+    <message>
+        <source>T&amp;hinner lines</source>
+        <translation>D&amp;ünnere Linien</translation>
+    </message>
+    <message>
+        <source>Makes the selected lines thinner by a fifth.</source>
+        <translation>Macht die ausgewählten Linien um ein Fünftel dünner.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -710,13 +726,6 @@
     <message>
         <source>%1, %2, lines of %3.</source>
         <translation>%1, %2, Linien von %3.</translation>
-    </message>
-</context>
-<context>
-    <name>MediaPicker</name>
-    <message>
-        <source>%1 draws in its own colour, %2.</source>
-        <translation>%1 zeichnet in seiner eigenen Farbe, %2.</translation>
     </message>
 </context>
 <context>
@@ -1650,6 +1659,10 @@
         <source>Restyle</source>
         <translation>Farbe oder Zeichenmittel ändern</translation>
     </message>
+    <message>
+        <source>Recolour</source>
+        <translation>Umfärben</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1875,6 +1888,21 @@
     <message>
         <source>the clipboard</source>
         <translation>die Zwischenablage</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ColorNotice</name>
+    <message>
+        <source>&amp;Use %1</source>
+        <translation>%1 &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Use the colour %1</source>
+        <translation>Die Farbe %1 verwenden</translation>
+    </message>
+    <message>
+        <source>The colour of the ink can hardly be seen on this page.</source>
+        <translation>Die Farbe der Tinte ist auf dieser Seite kaum zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -2374,6 +2402,53 @@
     <message>
         <source>As on the screen. Lines stay editable; the grain is added as a picture</source>
         <translation>Wie auf dem Bildschirm. Linien bleiben Linien; die Körnung kommt als Bild dazu</translation>
+    </message>
+    <message>
+        <source>Small file for &amp;web pages</source>
+        <translation>Kleine Datei für &amp;Webseiten</translation>
+    </message>
+    <message>
+        <source>The selected lines</source>
+        <translation>Die ausgewählten Linien</translation>
+    </message>
+    <message>
+        <source>Only the visible ink, which other programs show but cannot edit as lines</source>
+        <translation>Nur die sichtbare Tinte: Andere Programme zeigen sie, können sie aber nicht als Linien bearbeiten</translation>
+    </message>
+    <message>
+        <source>The selected strokes, exactly</source>
+        <translation>Die ausgewählten Striche, exakt</translation>
+    </message>
+    <message>
+        <source>The picture, for browsers. Feltline does not read the lines back.</source>
+        <translation>Das Bild, für Browser. Feltline liest die Linien nicht zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::Eyedropper</name>
+    <message>
+        <source>&amp;Pick a colour</source>
+        <translation>Farbe &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>Uses the colour of the line under the pen, or of the line that you click</source>
+        <translation>Verwendet die Farbe der Linie unter dem Stift oder der Linie, die Sie anklicken</translation>
+    </message>
+    <message>
+        <source>Pick colour, &amp;medium and width</source>
+        <translation>Farbe, &amp;Medium und Breite aufnehmen</translation>
+    </message>
+    <message>
+        <source>Draws on as the line under the pen, or as the line that you click</source>
+        <translation>Zeichnet weiter wie die Linie unter dem Stift oder die Linie, die Sie anklicken</translation>
+    </message>
+    <message>
+        <source>There is no line under the pen.</source>
+        <translation>Unter dem Stift ist keine Linie.</translation>
+    </message>
+    <message>
+        <source>Click a line to use its colour. Escape ends this.</source>
+        <translation>Klicken Sie eine Linie an, um ihre Farbe zu verwenden. Escape beendet dies.</translation>
     </message>
 </context>
 <context>
@@ -3675,6 +3750,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Some content of “%1” is not supported. Skipped or changed: %2. The file itself is unchanged.</source>
         <translation>Einige Inhalte von „%1“ werden nicht unterstützt. Übersprungen oder geändert: %2. Die Datei selbst ist unverändert.</translation>
     </message>
+    <message>
+        <source>&amp;Open the folder</source>
+        <translation>Ordner &amp;öffnen</translation>
+    </message>
+    <message>
+        <source>“%1” was exported to “%2”.</source>
+        <translation>„%1“ wurde nach „%2“ exportiert.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OptionRow</name>
@@ -3767,10 +3850,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Export the drawing as SVG, PDF, PNG or ink for other programs</source>
         <translation>Die Zeichnung als SVG, PDF, PNG oder Tinte für andere Programme exportieren</translation>
-    </message>
-    <message>
-        <source>“%1” was exported.</source>
-        <translation>„%1“ wurde exportiert.</translation>
     </message>
 </context>
 <context>
@@ -4434,6 +4513,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>%1, %L2 Hz</source>
         <translation>%1, %L2 Hz</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Gespeichert in %1</translation>
     </message>
 </context>
 <context>
@@ -5879,6 +5962,42 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>How much of the surface&apos;s relief the hand feels through it.</source>
         <translation>Wie viel vom Relief des Untergrunds die Hand hindurch spürt.</translation>
+    </message>
+    <message>
+        <source>Gives</source>
+        <translation>Überträgt</translation>
+    </message>
+    <message>
+        <source>Gives lines that are already drawn the current colour or medium.</source>
+        <translation>Gibt gezeichneten Linien die aktuelle Farbe oder das aktuelle Medium.</translation>
+    </message>
+    <message>
+        <source>Lines whose ink is within this distance of the pen are changed.</source>
+        <translation>Linien, deren Tinte höchstens so weit vom Stift entfernt ist, werden geändert.</translation>
+    </message>
+    <message>
+        <source>Recolour</source>
+        <translation>Umfärben</translation>
+    </message>
+    <message>
+        <source>Tap a line, or drag across several, to give them the current colour.</source>
+        <translation>Tippen Sie eine Linie an oder ziehen Sie über mehrere, um ihnen die aktuelle Farbe zu geben.</translation>
+    </message>
+    <message>
+        <source>The lines get the current colour with its opacity, the current medium, or both.</source>
+        <translation>Die Linien erhalten die aktuelle Farbe mit ihrer Deckkraft, das aktuelle Medium oder beides.</translation>
+    </message>
+    <message>
+        <source>colour and medium</source>
+        <translation>Farbe und Medium</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>Medium</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
     </message>
 </context>
 </TS>

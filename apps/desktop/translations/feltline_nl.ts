@@ -286,6 +286,22 @@
         <source>Cancels the current gesture, or clears the selection.</source>
         <translation>Breekt de huidige handeling af, of heft de selectie op.</translation>
     </message>
+    <message>
+        <source>&amp;Broader lines</source>
+        <translation>&amp;Bredere lijnen</translation>
+    </message>
+    <message>
+        <source>Makes the selected lines broader by a quarter.</source>
+        <translation>Maakt de geselecteerde lijnen een kwart breder.</translation>
+    </message>
+    <message>
+        <source>T&amp;hinner lines</source>
+        <translation>&amp;Dunnere lijnen</translation>
+    </message>
+    <message>
+        <source>Makes the selected lines thinner by a fifth.</source>
+        <translation>Maakt de geselecteerde lijnen een vijfde dunner.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -710,13 +726,6 @@
     <message>
         <source>%1, %2, lines of %3.</source>
         <translation>%1, %2, lijnen van %3.</translation>
-    </message>
-</context>
-<context>
-    <name>MediaPicker</name>
-    <message>
-        <source>%1 draws in its own colour, %2.</source>
-        <translation>%1 tekent in zijn eigen kleur, %2.</translation>
     </message>
 </context>
 <context>
@@ -1650,6 +1659,10 @@
         <source>Restyle</source>
         <translation>Kleur of tekenmiddel wijzigen</translation>
     </message>
+    <message>
+        <source>Recolour</source>
+        <translation>Herkleuren</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1875,6 +1888,21 @@
     <message>
         <source>the clipboard</source>
         <translation>het klembord</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ColorNotice</name>
+    <message>
+        <source>&amp;Use %1</source>
+        <translation>%1 &amp;gebruiken</translation>
+    </message>
+    <message>
+        <source>Use the colour %1</source>
+        <translation>De kleur %1 gebruiken</translation>
+    </message>
+    <message>
+        <source>The colour of the ink can hardly be seen on this page.</source>
+        <translation>De kleur van de inkt is op deze pagina nauwelijks te zien.</translation>
     </message>
 </context>
 <context>
@@ -2374,6 +2402,53 @@
     <message>
         <source>As on the screen. Lines stay editable; the grain is added as a picture</source>
         <translation>Zoals op het scherm. Lijnen blijven lijnen; de korrel wordt als afbeelding toegevoegd</translation>
+    </message>
+    <message>
+        <source>Small file for &amp;web pages</source>
+        <translation>Klein bestand voor &amp;webpagina’s</translation>
+    </message>
+    <message>
+        <source>The selected lines</source>
+        <translation>De geselecteerde lijnen</translation>
+    </message>
+    <message>
+        <source>Only the visible ink, which other programs show but cannot edit as lines</source>
+        <translation>Alleen de zichtbare inkt: andere programma’s tonen die, maar kunnen er geen lijnen van bewerken</translation>
+    </message>
+    <message>
+        <source>The selected strokes, exactly</source>
+        <translation>De geselecteerde streken, exact</translation>
+    </message>
+    <message>
+        <source>The picture, for browsers. Feltline does not read the lines back.</source>
+        <translation>De afbeelding, voor browsers. Feltline leest de lijnen niet terug.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::Eyedropper</name>
+    <message>
+        <source>&amp;Pick a colour</source>
+        <translation>Kleur &amp;overnemen</translation>
+    </message>
+    <message>
+        <source>Uses the colour of the line under the pen, or of the line that you click</source>
+        <translation>Gebruikt de kleur van de lijn onder de pen, of van de lijn die u aanklikt</translation>
+    </message>
+    <message>
+        <source>Pick colour, &amp;medium and width</source>
+        <translation>Kleur, &amp;tekenmiddel en breedte overnemen</translation>
+    </message>
+    <message>
+        <source>Draws on as the line under the pen, or as the line that you click</source>
+        <translation>Tekent verder zoals de lijn onder de pen, of zoals de lijn die u aanklikt</translation>
+    </message>
+    <message>
+        <source>There is no line under the pen.</source>
+        <translation>Er is geen lijn onder de pen.</translation>
+    </message>
+    <message>
+        <source>Click a line to use its colour. Escape ends this.</source>
+        <translation>Klik op een lijn om de kleur ervan te gebruiken. Met Escape stopt u.</translation>
     </message>
 </context>
 <context>
@@ -3675,6 +3750,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Some content of “%1” is not supported. Skipped or changed: %2. The file itself is unchanged.</source>
         <translation>Sommige inhoud van ‘%1’ wordt niet ondersteund. Overgeslagen of gewijzigd: %2. Het bestand zelf is ongewijzigd.</translation>
     </message>
+    <message>
+        <source>&amp;Open the folder</source>
+        <translation>Map &amp;openen</translation>
+    </message>
+    <message>
+        <source>“%1” was exported to “%2”.</source>
+        <translation>‘%1’ is geëxporteerd naar ‘%2’.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OptionRow</name>
@@ -3767,10 +3850,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Export the drawing as SVG, PDF, PNG or ink for other programs</source>
         <translation>De tekening als SVG, PDF, PNG of inkt voor andere programma’s exporteren</translation>
-    </message>
-    <message>
-        <source>“%1” was exported.</source>
-        <translation>‘%1’ is geëxporteerd.</translation>
     </message>
 </context>
 <context>
@@ -4434,6 +4513,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>%1, %L2 Hz</source>
         <translation>%1, %L2 Hz</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Opgeslagen in %1</translation>
     </message>
 </context>
 <context>
@@ -5879,6 +5962,42 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>How much of the surface&apos;s relief the hand feels through it.</source>
         <translation>Hoeveel van het reliëf van de ondergrond de hand erdoorheen voelt.</translation>
+    </message>
+    <message>
+        <source>Gives</source>
+        <translation>Geeft</translation>
+    </message>
+    <message>
+        <source>Gives lines that are already drawn the current colour or medium.</source>
+        <translation>Geeft lijnen die al getekend zijn de huidige kleur of het huidige tekenmiddel.</translation>
+    </message>
+    <message>
+        <source>Lines whose ink is within this distance of the pen are changed.</source>
+        <translation>Lijnen waarvan de inkt binnen deze afstand van de pen ligt, worden gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Recolour</source>
+        <translation>Herkleuren</translation>
+    </message>
+    <message>
+        <source>Tap a line, or drag across several, to give them the current colour.</source>
+        <translation>Tik op een lijn, of sleep over meerdere, om ze de huidige kleur te geven.</translation>
+    </message>
+    <message>
+        <source>The lines get the current colour with its opacity, the current medium, or both.</source>
+        <translation>De lijnen krijgen de huidige kleur met haar dekking, het huidige tekenmiddel, of beide.</translation>
+    </message>
+    <message>
+        <source>colour and medium</source>
+        <translation>kleur en tekenmiddel</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>tekenmiddel</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>kleur</translation>
     </message>
 </context>
 </TS>

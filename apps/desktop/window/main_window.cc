@@ -26,6 +26,8 @@
 #include "desktop/panels/tool_bar.h"
 #include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
+#include "desktop/window/color_notice.h"
+#include "desktop/window/eyedropper.h"
 #include "desktop/window/menus.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/status_line.h"
@@ -118,6 +120,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   add_edit_actions(*actions_, *studio_);
   add_tool_actions(*actions_, *studio_);
   add_view_actions(*actions_, *canvas_);
+  new Eyedropper(*actions_, *canvas_);
   add_pen_actions(*actions_, *pens);
   add_feel_actions(*actions_, *studio_, this);
   auto* help = new HelpActions(*actions_, this);
@@ -129,7 +132,11 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   set_action_icons(*actions_);
   addToolBar(Qt::TopToolBarArea, new TopBar(*actions_, *canvas_, *media_pictures_, this));
   addToolBar(Qt::LeftToolBarArea, new ToolBar(*studio_, *actions_, this));
-  setStatusBar(new StatusLine(*studio_, *canvas_, this));
+  auto* status = new StatusLine(*studio_, *canvas_, this);
+  setStatusBar(status);
+  connect(files_, &FileActions::path_changed, status, &StatusLine::set_file);
+  connect(files_, &FileActions::saved, status,
+          [this, status] { status->set_file(files_->path()); });
   make_menus(*this, *actions_, files_->recent_menu());
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
@@ -150,7 +157,8 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   canvas_->setFocus();
 }
 
-/// Returns the canvas with the messages about the device and about unsupported content above it.
+/// Returns the canvas with the messages about the device, unsupported content and the colour above
+/// it.
 QWidget* MainWindow::canvas_with_notices() {
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
@@ -160,10 +168,12 @@ QWidget* MainWindow::canvas_with_notices() {
   device_notice_ = new DeviceNotice(middle);
   column->addWidget(device_notice_);
   column->addWidget(notices);
+  column->addWidget(new ColorNotice(*studio_, middle));
   care_ = new DeviceCare(*studio_, *device_notice_, this);
   column->addWidget(canvas_, 1);
   connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
   connect(files_, &FileActions::drawing_changed, notices, &NoticeBar::forget_report);
+  connect(files_, &FileActions::exported, notices, &NoticeBar::show_written);
   if (const QStringList wrong = UserMaterials::the().take_problems(); !wrong.isEmpty()) {
     notices->show_words(tr("Some of your materials could not be read:") + QLatin1Char('\n') +
                         wrong.join(QLatin1Char('\n')));

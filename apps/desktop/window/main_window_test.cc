@@ -102,12 +102,12 @@ TEST(MainWindow, NoTwoActionsShareAKey) {
 TEST(MainWindow, TheKeysOfThePeersDoWhatPeopleExpect) {
   MainWindow window(still());
   const std::pair<const char*, const char*> expected[] = {
-      {"P", "tool.pencil"},       {"E", "tool.eraser"},          {"V", "tool.lasso"},
-      {"A", "tool.pull"},         {"W", "tool.width"},           {"S", "tool.smooth"},
-      {"C", "tool.connect"},      {"T", "tool.transform"},       {"Ctrl+Z", "edit.undo"},
-      {"Ctrl+Y", "edit.redo"},    {"Ctrl+Shift+Z", "edit.redo"}, {"Esc", "edit.cancel"},
-      {"X", "tool.swap"},         {"?", "help.shortcuts"},       {"Tab", "view.hide_panels"},
-      {"F11", "view.full_screen"}};
+      {"P", "tool.pencil"},        {"E", "tool.eraser"},          {"V", "tool.lasso"},
+      {"A", "tool.pull"},          {"W", "tool.width"},           {"S", "tool.smooth"},
+      {"C", "tool.connect"},       {"T", "tool.transform"},       {"Ctrl+Z", "edit.undo"},
+      {"Ctrl+Y", "edit.redo"},     {"Ctrl+Shift+Z", "edit.redo"}, {"Esc", "edit.cancel"},
+      {"X", "tool.swap"},          {"?", "help.shortcuts"},       {"Tab", "view.hide_panels"},
+      {"F11", "view.full_screen"}, {"R", "tool.recolor"},         {"I", "edit.pick_color"}};
   for (const auto& [key, name] : expected) {
     const QAction* owner = window.actions().owner_of(QKeySequence(QString::fromLatin1(key)));
     ASSERT_TRUE(owner) << key;

@@ -34,7 +34,8 @@ constexpr std::array kMenus{
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
         "edit.undo edit.redo - edit.cut edit.copy edit.copy* edit.paste edit.duplicate "
-        "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.palette_* - "
+        "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.pick_color "
+        "edit.pick_all edit.broader edit.thinner - edit.palette_* - "
         "edit.* - edit.cancel - edit.preferences"},
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
             "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
@@ -74,9 +75,9 @@ struct IconRow {
 };
 /// The commands whose icons have other names.
 constexpr std::array kIcons{
-    IconRow{"view.fit_page", "fit"},
-    IconRow{"view.hide_panels", "panels"},
-    IconRow{"file.save_as", "save"},
+    IconRow{"view.fit_page", "fit"},      IconRow{"view.hide_panels", "panels"},
+    IconRow{"file.save_as", "save"},      IconRow{"edit.broader", "size-up"},
+    IconRow{"edit.thinner", "size-down"},
 };
 
 class MenuFiller {

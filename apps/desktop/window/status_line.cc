@@ -1,7 +1,11 @@
 #include "desktop/window/status_line.h"
 
+#include <QDesktopServices>
+#include <QDir>
 #include <QEvent>
+#include <QFileInfo>
 #include <QLocale>
+#include <QUrl>
 #include <cmath>
 
 #include "desktop/engine/device_words.h"
@@ -31,6 +35,9 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   angle_ = field(tr("Rotation of the view"), QStringLiteral("-888\u00b0"));
   device_ = field(tr("Device"), QString());
   saved_ = field(tr("State of the file"), QString());
+  saved_->setTextFormat(Qt::RichText);
+  connect(saved_, &QLabel::linkActivated, this,
+          [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
   connect(&canvas, &Canvas::hint_changed, this, &StatusLine::show_tool);
   connect(&studio, &Studio::shown, this, &StatusLine::show_pen);
   connect(&studio.loop(), &HapticLoop::device_changed, this, &StatusLine::show_device);
@@ -117,7 +124,26 @@ void StatusLine::show_device() {
 }
 
 void StatusLine::show_saved() {
-  saved_->setText(studio_.is_modified() ? tr("Not saved") : QString());
+  const QFileInfo file(file_);
+  QString text;
+  if (studio_.is_modified()) {
+    text = tr("Not saved");
+  } else if (!file_.isEmpty()) {
+    const QUrl folder = QUrl::fromLocalFile(file.absolutePath());
+    const QString name = file.absoluteDir().dirName();
+    text = tr("Saved in %1")
+               .arg(QStringLiteral("<a href=\"%1\">%2</a>")
+                        .arg(folder.toString(QUrl::FullyEncoded).toHtmlEscaped(),
+                             (name.isEmpty() ? file.absolutePath() : name).toHtmlEscaped()));
+  }
+  saved_->setText(text);
+  saved_->setToolTip(file_.isEmpty() ? tr("State of the file")
+                                     : QDir::toNativeSeparators(file.absoluteFilePath()));
+}
+
+void StatusLine::set_file(const QString& path) {
+  file_ = path;
+  show_saved();
 }
 
 }  // namespace felt::desktop

@@ -9,13 +9,18 @@
 namespace felt::desktop {
 
 /// The status bar. The left part describes the current tool's effect and modifiers. The right part
-/// shows the pen position, zoom, rotation, pressure and device, and whether the drawing is saved.
+/// shows the pen position, zoom, rotation, pressure and device, and whether and where the drawing
+/// is saved.
 /// Messages of Studio::refused are shown for some seconds, without moving the focus.
 class StatusLine : public QStatusBar {
   Q_OBJECT
 
  public:
   StatusLine(Studio& studio, Canvas& canvas, QWidget* parent = nullptr);
+
+  /// Sets the file of the drawing, or "" if it has none. While the drawing is saved, the status bar
+  /// shows the name of its folder as a link that opens the folder.
+  void set_file(const QString& path);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -32,6 +37,7 @@ class StatusLine : public QStatusBar {
   Studio& studio_;
   Canvas& canvas_;
   QString hint_text_;
+  QString file_;
   QLabel* hint_;
   QLabel* place_;
   QLabel* pressure_;

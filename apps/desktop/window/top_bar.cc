@@ -55,6 +55,7 @@ TopBar::TopBar(const Actions& actions, Canvas& canvas, const MediaPictures& pict
   addWidget(gap);
   add_media(pictures);
   addWidget(new ColorWell(studio_, this));
+  add_named(actions, "edit.pick_color");
   add_size();
   add_surfaces();
   addSeparator();

@@ -9,6 +9,7 @@
 #include "felt/io/inkml/inkml_writer.h"
 #include "felt/io/picture/pdf_writer.h"
 #include "felt/io/picture/png.h"
+#include "felt/io/svg/svg_compact.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/xopp/xopp_writer.h"
 #include "felt/render/page_painter.h"
@@ -64,6 +65,11 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, File
     case FileFormat::kNdjson:
       return line_parts(drawing);
     case FileFormat::kSvg:
+      if (options.compact) {
+        return whole([&drawing, area = options.area, paper] {
+          return svg_compact_text(drawing, {.area = area, .paper = paper});
+        });
+      }
       return svg_parts(drawing,
                        {.area = options.area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPdf:

@@ -26,6 +26,9 @@ struct WriteOptions {
   /// How the surface shows in the ink of .svg and .pdf files. Their strokes are outlines with or
   /// without the grain (GrainPrint). If absent, the grain is not shown.
   std::optional<GrainPrint> grain_print{};
+  /// Write an .svg file for web pages: only the visible ink as outlines, without grain
+  /// (svg_compact_text).
+  bool compact = false;
 };
 
 /// Returns the content of a file in parts, so that several threads can make the parts and only a

@@ -96,12 +96,17 @@ struct DuplicateEvent {
   friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
 };
 
-/// Changes the colour, the medium or both of all strokes that are selected wholly or in part, as
-/// one undo step. Shapes and widths do not change.
-/// {"event":"restyle","color":"#b02020","medium":"chalk"}
+/// Changes the colour, the opacity, the medium or the width of all strokes that are selected wholly
+/// or in part, as one undo step. Their curves do not change.
+/// {"event":"restyle","color":"#b02020","medium":"chalk","opacity":0.5,"width":1.25}
 struct RestyleEvent {
-  std::string color = {};   ///< in the form of "ink.color"; "" does not change it
-  std::string medium = {};  ///< id of a known medium that draws; "" does not change it
+  static constexpr double kMinWidthFactor = 0.01, kMaxWidthFactor = 100.0;
+
+  std::string color = {};              ///< in the form of "ink.color"; "" does not change it
+  std::string medium = {};             ///< id of a known medium that draws; "" does not change it
+  std::optional<double> opacity = {};  ///< 0..1; applied after the colour
+  /// Factor on the widths, kMinWidthFactor..kMaxWidthFactor.
+  std::optional<double> width_factor = {};
   friend bool operator==(const RestyleEvent&, const RestyleEvent&) = default;
 };
 

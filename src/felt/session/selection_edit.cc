@@ -1,10 +1,54 @@
 #include "felt/session/selection_edit.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "felt/document/edit_builder.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt {
+namespace {
+
+/// What a restyle event says, parsed.
+struct RestyledInk {
+  std::optional<Rgba> color;
+  std::string medium;
+  std::optional<std::uint8_t> alpha;
+  std::optional<double> width_factor;
+
+  void apply(StrokeData& data) const {
+    if (color) data.color = *color;
+    if (alpha) data.color.a = *alpha;
+    if (!medium.empty()) data.medium = medium;
+    if (!width_factor) return;
+    for (WidthKnot& knot : data.widths) {
+      const double broadest_mm = std::max(kMaxRestyledWidthMm, knot.width_mm);
+      knot.width_mm = std::clamp(*width_factor * knot.width_mm, kMinWidthMm, broadest_mm);
+    }
+  }
+};
+
+Result<RestyledInk> restyled_ink(const RestyleEvent& event) {
+  RestyledInk ink{color_from_text(event.color), event.medium, {}, event.width_factor};
+  if (!event.color.empty() && !ink.color) {
+    return fail(ErrorCode::kInvalidArgument,
+                "color: \"" + event.color + "\" is not a colour like #1f2933");
+  }
+  if (event.opacity) {
+    if (!(*event.opacity >= 0.0 && *event.opacity <= 1.0)) {
+      return fail(ErrorCode::kInvalidArgument, "opacity: is not a number from 0 to 1");
+    }
+    ink.alpha = static_cast<std::uint8_t>(std::lround(255.0 * *event.opacity));
+  }
+  const double factor = event.width_factor.value_or(1.0);
+  if (!(factor >= RestyleEvent::kMinWidthFactor && factor <= RestyleEvent::kMaxWidthFactor)) {
+    return fail(ErrorCode::kInvalidArgument, "width: is not a factor from 0.01 to 100");
+  }
+  return ink;
+}
+
+}  // namespace
 
 Selection selected(const Document& document, const Selection& before, SelectStrokes::What what) {
   using What = SelectStrokes::What;
@@ -47,17 +91,16 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
 }
 
 Result<Edit> restyle_edit(const Document& document, const Selection& selection,
-                          std::optional<Rgba> color, const std::string& medium) {
+                          const RestyleEvent& event) {
+  const Result<RestyledInk> ink = restyled_ink(event);
+  if (!ink) return tl::unexpected(with_context(ink.error(), "restyle"));
   EditBuilder builder(document);
   for (const auto& [id, marks] : selection.strokes()) {
     const StrokePtr stroke = document.find(id);
     if (!stroke) continue;
-    const bool is_so =
-        (!color || stroke->color() == *color) && (medium.empty() || stroke->medium() == medium);
-    if (is_so) continue;
     StrokeData data = stroke->data();
-    if (color) data.color = *color;
-    if (!medium.empty()) data.medium = medium;
+    ink->apply(data);
+    if (data == stroke->data()) continue;
     Result<Stroke> changed = Stroke::create(std::move(data));
     if (!changed) return tl::unexpected(with_context(changed.error(), "restyle"));
     builder.replace(id, std::make_shared<const Stroke>(*std::move(changed)));

@@ -28,10 +28,15 @@ Edit delete_edit(const Document& document, const Selection& selection);
 /// points invalid. The message names the stroke.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
-/// Sets the colour (nullopt keeps it) and the medium ("" keeps it) of the strokes that are selected
-/// wholly or in part. The edit is empty if nothing changes.
+/// Limit to which restyle_edit() broadens a stroke. Strokes that are already broader keep their
+/// width.
+inline constexpr double kMaxRestyledWidthMm = 50.0;
+
+/// Changes the strokes that are selected wholly or in part as the event says. The edit is empty if
+/// nothing changes. Fails if the event's colour, opacity or width factor is invalid; does not check
+/// its medium.
 Result<Edit> restyle_edit(const Document& document, const Selection& selection,
-                          std::optional<Rgba> color, const std::string& medium);
+                          const RestyleEvent& event);
 
 /// Returns a selection in which all strokes that the edit adds are wholly selected.
 Selection made_by(const Edit& edit);

@@ -12,6 +12,7 @@
 #include "felt/session/layer_edit.h"
 #include "felt/session/old_defaults.h"
 #include "felt/session/selection_edit.h"
+#include "felt/session/session_medium.h"
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
@@ -105,6 +106,7 @@ struct Session::Parts {
   Contact contact;
   SurfaceOptions surface;
   Rgba ink_color;
+  std::string ink_medium = "pencil";
   std::optional<GuideTrack> guide;
   std::uint32_t guide_number = 0;  // the last number that a guide has used
 };
@@ -123,6 +125,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
   const auto first = std::find_if(tools_.begin(), tools_.end(), draws);
   if (first != tools_.end()) active_ = static_cast<std::size_t>(first - tools_.begin());
   parts_->surface.follow(options_.materials);
+  parts_->ink_medium = drawing_medium(*this);
   if (!highest_open_layer(document_)) {
     const Edit edit = add_layer_on_top(document_);
     FELT_CHECK(document_.apply(edit).has_value());
@@ -248,6 +251,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
     }
   }
   if (Result<void> done = tool.set_option(name, value); !done) return in_context(done.error());
+  parts_->ink_medium = drawing_medium(*this);
   report_material(time_ns, open, value);
   return {};
 }
@@ -410,9 +414,16 @@ Result<OptionValue> Session::option(std::string_view any_id) const {
 }
 
 Scene Session::scene() const {
-  return {document_,   parts_->index,      selection_,
-          layer_,      surface(),          options_.device,
-          ink_color(), options_.materials, parts_->guide ? &*parts_->guide : nullptr};
+  return {document_,
+          parts_->index,
+          selection_,
+          layer_,
+          surface(),
+          options_.device,
+          ink_color(),
+          options_.materials,
+          parts_->guide ? &*parts_->guide : nullptr,
+          parts_->ink_medium};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

@@ -4,7 +4,6 @@
 #include "felt/session/layer_edit.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
-#include "felt/stroke/color_text.h"
 
 namespace felt {
 
@@ -63,19 +62,16 @@ Result<void> Session::duplicate_selected() {
 }
 
 Result<void> Session::restyle_selected(const RestyleEvent& event) {
-  const std::optional<Rgba> color = color_from_text(event.color);
-  if (!event.color.empty() && !color) {
-    return fail(ErrorCode::kInvalidArgument,
-                "restyle: color: \"" + event.color + "\" is not a colour like #1f2933");
-  }
   const Medium* medium = options_.materials.find_medium(event.medium);
   if (!event.medium.empty() && (!medium || !medium->draws)) {
     return fail(ErrorCode::kNotFound,
                 "restyle: medium: there is no medium \"" + event.medium + "\" for drawing");
   }
+  // Reports an invalid value before anything changes.
+  if (Result<Edit> edit = restyle_edit({}, {}, event); !edit) return tl::unexpected(edit.error());
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  Result<Edit> edit = restyle_edit(document_, selection_, color, event.medium);
+  Result<Edit> edit = restyle_edit(document_, selection_, event);
   if (!edit) return tl::unexpected(edit.error());
   return commit(*std::move(edit));
 }

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <deque>
 #include <random>
 
 #include "felt/document/visible_strokes.h"
+#include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
 #include "felt/session/testing/fake_tools.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -549,6 +551,36 @@ TEST(SessionCommands, RestyleIsOneStepOfAllThatIsSelected) {
   EXPECT_EQ(fixture.session.document(), before);
   EXPECT_FALSE(fixture.apply(RestyleEvent{.color = "red"}));
   EXPECT_FALSE(fixture.apply(RestyleEvent{.medium = "eraser"}));
+}
+
+TEST(SessionCommands, RestyleChangesOpacityAndWidth) {
+  CommandFixture fixture;
+  fixture.line(0, 0);
+  fixture.must(SelectStrokes{What::kAll});
+  fixture.must(RestyleEvent{.color = "#b02020"});
+  const StrokeData before = fixture.session.document().find({1})->data();
+  const std::size_t steps = fixture.session.history().undo_count();
+  fixture.must(RestyleEvent{.opacity = 0.5, .width_factor = 2.0});
+  EXPECT_EQ(fixture.session.history().undo_count(), steps + 1);
+  const StrokeData after = fixture.session.document().find({1})->data();
+  EXPECT_EQ(after.color, (Rgba{0xb0, 0x20, 0x20, 128}));
+  EXPECT_EQ(after.points, before.points);
+  ASSERT_EQ(after.widths.size(), before.widths.size());
+  for (std::size_t i = 0; i < after.widths.size(); ++i) {
+    EXPECT_EQ(after.widths[i].width_mm, 2.0 * before.widths[i].width_mm);
+    EXPECT_EQ(after.widths[i].tone, before.widths[i].tone);
+  }
+  fixture.must(RestyleEvent{.width_factor = 100.0});
+  EXPECT_EQ(fixture.session.document().find({1})->widths()[0].width_mm, kMaxRestyledWidthMm);
+  fixture.must(RestyleEvent{.width_factor = 0.01});
+  fixture.must(RestyleEvent{.width_factor = 0.01});
+  EXPECT_EQ(fixture.session.document().find({1})->widths()[0].width_mm, kMinWidthMm);
+  for (const double opacity : {-0.1, 1.1, std::nan("")}) {
+    EXPECT_FALSE(fixture.apply(RestyleEvent{.opacity = opacity}));
+  }
+  for (const double factor : {0.0, 101.0, std::nan("")}) {
+    EXPECT_FALSE(fixture.apply(RestyleEvent{.width_factor = factor}));
+  }
 }
 
 }  // namespace

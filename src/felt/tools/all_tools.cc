@@ -5,6 +5,7 @@
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/pull/pull_tool.h"
+#include "felt/tools/recolor/recolor_tool.h"
 #include "felt/tools/smooth/smooth_tool.h"
 #include "felt/tools/tool.h"
 #include "felt/tools/transform/transform_tool.h"
@@ -22,6 +23,7 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   tools.push_back(make_lasso());
   tools.push_back(make_transform());
   tools.push_back(make_connect());
+  tools.push_back(make_recolor());
   return tools;
 }
 

@@ -24,7 +24,8 @@ struct Scene {
   Rgba color{};  ///< colour of new ink
   /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
-  const GuideTrack* guide = nullptr;  ///< guides the pen while it draws; null: no guide
+  const GuideTrack* guide = nullptr;   ///< guides the pen while it draws; null: no guide
+  std::string_view medium = "pencil";  ///< id of the medium of new ink
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

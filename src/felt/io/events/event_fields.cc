@@ -71,6 +71,28 @@ Result<void> parse_tilt(Value& value, EventFields& out) {
   return {};
 }
 
+Result<void> parse_opacity(Value& value, EventFields& out) {
+  double opacity = 0.0;
+  if (Result<void> read = parse_number(value, "opacity", kCoordinateLimit, opacity); !read) {
+    return read;
+  }
+  if (opacity < 0.0 || opacity > 1.0) return bad("opacity: is not a number from 0 to 1");
+  out.opacity = opacity;
+  return {};
+}
+
+Result<void> parse_width_factor(Value& value, EventFields& out) {
+  double factor = 0.0;
+  if (Result<void> read = parse_number(value, "width", kCoordinateLimit, factor); !read) {
+    return read;
+  }
+  if (factor < RestyleEvent::kMinWidthFactor || factor > RestyleEvent::kMaxWidthFactor) {
+    return bad("width: is not a factor from 0.01 to 100");
+  }
+  out.width_factor = factor;
+  return {};
+}
+
 Result<void> parse_text(Value& value, const char* key, std::string& out,
                         std::size_t max_bytes = limits::kMaxNameBytes) {
   Result<std::string> text = read_name(value, max_bytes);
@@ -305,6 +327,8 @@ constexpr std::array kRestyleFields = {
                [](Value& v, EventFields& e) { return parse_text(v, "color", e.color); }},
     EventField{"medium", false,
                [](Value& v, EventFields& e) { return parse_text(v, "medium", e.medium); }},
+    EventField{"opacity", false, parse_opacity},
+    EventField{"width", false, parse_width_factor},
 };
 
 constexpr std::array kDeviceFields = {

@@ -36,6 +36,8 @@ struct EventFields {
   std::string text;
   std::string color;
   std::string medium;
+  std::optional<double> opacity;
+  std::optional<double> width_factor;
   GuideLine guide;
 };
 

@@ -70,7 +70,8 @@ Event event_of(EventName name, EventFields&& fields) {
       event.what = DuplicateEvent{};
       break;
     case EventName::kRestyle:
-      event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium)};
+      event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium), fields.opacity,
+                                fields.width_factor};
       break;
     case EventName::kLayer:
       event.what = layer_event(std::move(fields));

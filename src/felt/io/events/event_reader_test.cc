@@ -67,6 +67,8 @@ TEST(EventReader, ReadsEveryKind) {
   EXPECT_EQ(event_of(R"({"event":"duplicate","t_ms":3})"), (Event{3'000'000, DuplicateEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"restyle","medium":"chalk","t_ms":3})"),
             (Event{3'000'000, RestyleEvent{.medium = "chalk"}}));
+  EXPECT_EQ(event_of(R"({"event":"restyle","opacity":0,"width":1.25,"t_ms":3})"),
+            (Event{3'000'000, RestyleEvent{.opacity = 0.0, .width_factor = 1.25}}));
   EXPECT_EQ(event_of(R"({"event":"select","what":"invert","t_ms":3})"),
             (Event{3'000'000, SelectStrokes{SelectStrokes::What::kInvert}}));
 }

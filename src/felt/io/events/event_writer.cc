@@ -62,6 +62,8 @@ struct AddWhat {
     kind("restyle");
     if (!e.color.empty()) out.add_text("color", e.color);
     if (!e.medium.empty()) out.add_text("medium", e.medium);
+    if (e.opacity) out.add_number("opacity", *e.opacity);
+    if (e.width_factor) out.add_number("width", *e.width_factor);
   }
   void operator()(const LayerEvent& e) const {
     kind("layer");

@@ -48,6 +48,8 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, DuplicateEvent{}}), "{\"t_ms\":0,\"event\":\"duplicate\"}\n");
   EXPECT_EQ(line_of({0, RestyleEvent{"#b02020", "chalk"}}),
             "{\"t_ms\":0,\"event\":\"restyle\",\"color\":\"#b02020\",\"medium\":\"chalk\"}\n");
+  EXPECT_EQ(line_of({0, RestyleEvent{.opacity = 0.5, .width_factor = 1.25}}),
+            "{\"t_ms\":0,\"event\":\"restyle\",\"opacity\":0.5,\"width\":1.25}\n");
   EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas"}}),
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"add\",\"name\":\"Ideas\"}\n");
   EXPECT_EQ(
