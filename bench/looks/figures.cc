@@ -54,12 +54,14 @@ Band band_of(const std::vector<double>& profile, double share) {
   std::vector<double> sorted = profile;
   std::sort(sorted.begin(), sorted.end());
   const double level = share * sorted[sorted.size() - 2];
-  const auto first = std::find_if(profile.begin() + 1, profile.end(),
-                                  [&](double v) { return v >= level; });
-  const auto last = std::find_if(profile.rbegin() + 1, profile.rend(),
-                                 [&](double v) { return v >= level; });
+  const auto first =
+      std::find_if(profile.begin() + 1, profile.end(), [&](double v) { return v >= level; });
+  const auto last =
+      std::find_if(profile.rbegin() + 1, profile.rend(), [&](double v) { return v >= level; });
   if (first == profile.end() || last == profile.rend() || level <= 0.0) return {};
-  const auto between = [&](double out, double in) { return in > out ? (level - out) / (in - out) : 0.0; };
+  const auto between = [&](double out, double in) {
+    return in > out ? (level - out) / (in - out) : 0.0;
+  };
   const auto i = first - profile.begin(), j = profile.rend() - last - 1;
   const auto value = [&](std::ptrdiff_t k) { return profile[static_cast<std::size_t>(k)]; };
   return {static_cast<double>(i) - 1.0 + between(value(i - 1), value(i)),
@@ -143,8 +145,7 @@ void measure_grain(const Darkness& picture, LookFigures& figures) {
   int lag = 1;
   while (lag < lags && correlation(lag) > std::exp(-1.0)) ++lag;
   const double before = correlation(lag - 1), after = correlation(lag);
-  figures.grain_mm =
-      (lag - 1 + (before - std::exp(-1.0)) / (before - after)) / picture.px_per_mm();
+  figures.grain_mm = (lag - 1 + (before - std::exp(-1.0)) / (before - after)) / picture.px_per_mm();
   for (int k = std::max(lag, picture.px(1.0)); k <= lags; ++k) {
     if (correlation(k) <= figures.second_peak) continue;
     figures.second_peak = correlation(k);
@@ -170,9 +171,8 @@ void measure_edge(const Darkness& picture, LookFigures& figures) {
 Result<LookFigures> measure(const Artist& artist, double dpi) {
   LookFigures figures;
   const auto drawn = [&](const TestPage& page) {
-    return artist.draw(page, dpi).map([&](const Image& image) {
-      return Darkness(image, artist.ink(), dpi);
-    });
+    return artist.draw(page, dpi).map(
+        [&](const Image& image) { return Darkness(image, artist.ink(), dpi); });
   };
   const auto ramp_picture = drawn(ramp());
   const auto once = drawn(even_lines(0.5, 1)), twice = drawn(even_lines(0.5, 2));

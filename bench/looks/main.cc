@@ -35,7 +35,8 @@ std::vector<Row> rows() {
 
 void print_heading() {
   std::puts(
-      "| medium | mid | full | tone at 0.1 0.3 0.5 0.7 0.9 | width mm | times | grain mm | second peak "
+      "| medium | mid | full | tone at 0.1 0.3 0.5 0.7 0.9 | width mm | times | grain mm | second "
+      "peak "
       "| edge mm | twice over |");
   std::puts("|---|---|---|---|---|---|---|---|---|---|");
 }
@@ -50,9 +51,9 @@ bool print(const Artist& artist) {
   const LookFigures& f = *made;
   std::printf("| %s | %.2f | %.2f |", artist.name().c_str(), f.mid_share, f.full_share);
   for (const double tone : f.tones) std::printf(" %.2f", tone);
-  std::printf(" | %.2f to %.2f | %.1f | %.2f | %.2f at %.1f mm | %.2f | %.2f to %.2f |\n", f.thin_mm,
-              f.broad_mm, f.broad_mm / f.thin_mm, f.grain_mm, f.second_peak, f.second_mm, f.edge_mm,
-              f.once, f.twice);
+  std::printf(" | %.2f to %.2f | %.1f | %.2f | %.2f at %.1f mm | %.2f | %.2f to %.2f |\n",
+              f.thin_mm, f.broad_mm, f.broad_mm / f.thin_mm, f.grain_mm, f.second_peak, f.second_mm,
+              f.edge_mm, f.once, f.twice);
   return true;
 }
 
@@ -88,8 +89,8 @@ Result<int> draw_cell(const Artist& artist, Pixels sheet, int x, int y) {
   if (!large) return tl::unexpected(large.error());
   copy(*usual, sheet, x, y + kHeadPx);
   copy(*large, sheet, x + usual->width() + kGapPx, y + kHeadPx);
-  PlotCanvas(sheet, 1.0).text({x + 20.0, y + 16.0}, artist.name(),
-                              {.size = 10.0, .color = {70, 74, 82, 255}});
+  PlotCanvas(sheet, 1.0)
+      .text({x + 20.0, y + 16.0}, artist.name(), {.size = 10.0, .color = {70, 74, 82, 255}});
   return usual->width() + large->width() + 3 * kGapPx;
 }
 

@@ -53,7 +53,11 @@ TestPage sheet_cell() {
   page.strokes.push_back(line_of({4, 5}, {82, 5}, kRampFrom, kRampTo));
   const auto swell = [](double t) { return 0.9 * std::sin(std::numbers::pi * t); };
   page.strokes.push_back(sampled(
-      44, [](double t) { return Point{4 + 36 * t, 14 + 3.5 * std::sin(9 * t)}; }, swell));
+      44,
+      [](double t) {
+        return Point{4 + 36 * t, 14 + 3.5 * std::sin(9 * t)};
+      },
+      swell));
   for (int i = 0; i < 7; ++i) {
     page.strokes.push_back(line_of({4 + 2.2 * i, 31}, {14 + 2.2 * i, 22}, 0.45, 0.3));
     page.strokes.push_back(line_of({2 + 2.2 * i, 22}, {12 + 2.2 * i, 31}, 0.45, 0.3));

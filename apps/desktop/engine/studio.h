@@ -187,6 +187,7 @@ class Studio : public QObject {
   [[nodiscard]] bool is_drawn_with(const AnyMaterial& material) const;
   bool apply_page(const Page& page);
   void set_surface_of_page();
+  void update_ink(Rgba before, Rgba now);
 
   StudioOptions options_;
   HapticLoop loop_;

@@ -164,12 +164,27 @@ bool Studio::apply_page(const Page& page) {
   return false;
 }
 
+/// Changes the colour of new ink if it is the usual one of the medium on the old paper, and the
+/// usual one on the new paper is another.
+void Studio::update_ink(Rgba before, Rgba now) {
+  const Medium* medium = session_->materials().find_medium(drawing_medium(*session_));
+  if (!medium) return;
+  const Rgba ink = session_->ink_color();
+  const Rgba wanted = with_rgb(ink, ink_color_on(medium->color_rgb, rgb_of(now)));
+  if (ink != with_rgb(ink, ink_color_on(medium->color_rgb, rgb_of(before))) || ink == wanted)
+    return;
+  if (session_->apply({event_time_ns(), SetOption{"ink.color", color_to_text(wanted)}})) {
+    Q_EMIT option_changed(QStringLiteral("ink.color"));
+  }
+}
+
 /// Stores the surface that the user has chosen, and its colour, in the page.
 void Studio::set_surface_of_page() {
   const SurfaceMaterial& surface = session_->surface();
   const std::string before = std::exchange(page_.surface, surface.id);
   if (before == page_.surface) return;
   const Rgba paper = paper_on(surface, page_.paper, session_->materials().find_surface(before));
+  update_ink(page_.paper, paper);
   const bool has_other_paper = std::exchange(page_.paper, paper) != paper;
   const bool is_other = !before.empty() || has_other_paper;
   if (is_other && session_->document().stroke_count() > 0) set_modified(true);

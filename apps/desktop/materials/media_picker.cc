@@ -65,7 +65,9 @@ bool choose_medium(Studio& studio, const std::string& id) {
 
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now) {
   const Rgba ink = studio.session().ink_color();
-  const Rgba wanted = usual_color(ink, before, now, Rgba{});
+  const std::uint32_t paper = rgb_of(studio.page().paper);
+  if (before && with_rgb(ink, *before) != ink) before = ink_color_on(*before, paper);
+  const Rgba wanted = usual_color(ink, before, ink_color_on(now, paper), Rgba{});
   return wanted == ink || studio.apply(SetOption{kColor, color_to_text(wanted)});
 }
 

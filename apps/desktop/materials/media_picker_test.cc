@@ -79,7 +79,11 @@ TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
   ASSERT_TRUE(take_medium(fixture.studio, "pencil"));
   EXPECT_EQ(ink(fixture.studio), "#000000") << "it was in hand already";
   ASSERT_TRUE(take_medium(fixture.studio, "chalk"));
+  EXPECT_EQ(ink(fixture.studio), "#3c66a0") << "white chalk is invisible on white paper";
+  fixture.studio.apply(SetOption{"surface.material", std::string("blackboard")});
   EXPECT_EQ(ink(fixture.studio), "#f4f1e6");
+  fixture.studio.apply(SetOption{"surface.material", std::string("paper")});
+  EXPECT_EQ(ink(fixture.studio), "#3c66a0");
   ASSERT_TRUE(take_medium(fixture.studio, "crayon"));
   EXPECT_EQ(ink(fixture.studio), "#c0402f");
   // A transparent version of a colour counts as the same colour.

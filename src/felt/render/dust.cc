@@ -122,12 +122,12 @@ double height(Point place) {
   const double u = kPerCrumb * (kTurn.x * place.x + kTurn.y * place.y);
   const double v = kPerCrumb * (kTurn.x * place.y - kTurn.y * place.x);
   if (!(std::abs(u) < 1e9 && std::abs(v) < 1e9)) return 0.0;
-  const auto x = static_cast<std::int64_t>(std::floor(u)), y = static_cast<std::int64_t>(std::floor(v));
+  const auto x = static_cast<std::int64_t>(std::floor(u)),
+             y = static_cast<std::int64_t>(std::floor(v));
   const double fx = u - static_cast<double>(x), fy = v - static_cast<double>(y);
   const auto at = [&](std::int64_t right, std::int64_t down) {
-    return static_cast<double>(
-        finest.texels[static_cast<std::size_t>((((y + down) & (kSide - 1)) << kLog2Side) +
-                                               ((x + right) & (kSide - 1)))]);
+    return static_cast<double>(finest.texels[static_cast<std::size_t>(
+        (((y + down) & (kSide - 1)) << kLog2Side) + ((x + right) & (kSide - 1)))]);
   };
   return std::lerp(std::lerp(at(0, 0), at(1, 0), fx), std::lerp(at(0, 1), at(1, 1), fx), fy) /
          ReliefLevel::kPerRms;

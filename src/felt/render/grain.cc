@@ -117,7 +117,8 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view medium, double px_pe
   const auto surface = state_->field && weights.surface > 0.0
                            ? state_->texture.level(px_per_mm * state_->field->spec().wavelength_mm)
                            : nullptr;
-  const auto crumb = weights.crumb > 0.0 ? dust::level(px_per_mm * dust::kWavesPerTile * crumb_mm) : nullptr;
+  const auto crumb =
+      weights.crumb > 0.0 ? dust::level(px_per_mm * dust::kWavesPerTile * crumb_mm) : nullptr;
   const std::lock_guard lock(state_->mutex);
   for (const State::Made& m : state_->made) {
     if (m.medium == medium_index && m.surface == surface.get() && m.crumb == crumb.get())

@@ -48,8 +48,8 @@ ReliefSquare base_of(const HeightField& field) {
 /// heights. This is accurate, because a wavelength contains at least 13 heights.
 ReliefSquare doubled(const ReliefSquare& from) {
   const int side = 2 * from.side;
-  ReliefSquare wide{side,
-              std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
+  ReliefSquare wide{
+      side, std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
   const auto between = [](float a, float b, float c, float d) {
     return 0.5625F * (b + c) - 0.0625F * (a + d);
   };
