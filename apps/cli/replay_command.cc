@@ -263,7 +263,8 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
     for (const SetOption& option : options_for_medium(machine.session(), medium)) {
       set("--medium", option.id, text_of(option.value));
     }
-    set("--medium", "ink.color", color_to_text(usual_color(medium.color_rgb)));
+    const std::uint32_t ink = ink_color_on(medium.color_rgb, machine.session().surface().color_rgb);
+    set("--medium", "ink.color", color_to_text(usual_color(ink)));
   }
   for (const std::string& option : args.options) {
     const std::size_t equals = option.find('=');

@@ -31,14 +31,6 @@ Rgba color_of(std::uint32_t rgb) {
           static_cast<std::uint8_t>(rgb), 255};
 }
 
-/// Returns the medium's usual colour, or another one if it is hardly visible on the colour `area`.
-Rgba color_on(const Medium& medium, Rgba paper) {
-  const Rgba usual = color_of(medium.color_rgb);
-  const double r = usual.r - paper.r, g = usual.g - paper.g, b = usual.b - paper.b;
-  if (r * r + g * g + b * b > 80.0 * 80.0) return usual;
-  return paper.g < 128 ? Rgba{214, 212, 204, 255} : Rgba{112, 74, 132, 255};
-}
-
 void add(std::vector<Event>& events, double t_s, decltype(Event::what) what) {
   events.push_back({std::llround(1e9 * t_s), std::move(what)});
 }
@@ -85,7 +77,7 @@ Result<Document> draw_row(const SurfaceMaterial& surface, std::span<const Medium
   double t_s = 0.6;
   double left = kMarginMm;
   for (const Medium* medium : media) {
-    take(events, t_s, *medium, color_on(*medium, color_of(surface.color_rgb)));
+    take(events, t_s, *medium, color_of(ink_color_on(medium->color_rgb, surface.color_rgb)));
     double y = 5.0;
     for (const double force_n : kForcesN) {
       const double depth = 1e3 * force_n * (1.0 / area + 1.0 / typical_hand().stiffness_n_per_m);

@@ -57,6 +57,21 @@ const Medium* find_medium(std::string_view id) noexcept {
   return Materials::built_in().find_medium(id);
 }
 
+std::uint32_t ink_color_on(std::uint32_t ink_rgb, std::uint32_t surface_rgb) noexcept {
+  constexpr int kVisible = 80;  // distance in RGB
+  constexpr std::uint32_t kOnLight = 0x3C66A0, kOnDark = 0xD6D4CC;
+  const auto part = [](std::uint32_t rgb, unsigned shift) {
+    return static_cast<int>(rgb >> shift & 0xFFU);
+  };
+  int squares = 0;
+  for (const unsigned shift : {0U, 8U, 16U}) {
+    const int difference = part(ink_rgb, shift) - part(surface_rgb, shift);
+    squares += difference * difference;
+  }
+  if (squares > kVisible * kVisible) return ink_rgb;
+  return part(surface_rgb, 8U) < 128 ? kOnDark : kOnLight;
+}
+
 double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept {
   for (const PairFriction& pair : medium.pairs) {
     if (pair.surface == surface.id) return pair.coefficient;

@@ -164,6 +164,11 @@ std::span<const Medium> media() noexcept;
 const SurfaceMaterial* find_surface(std::string_view id) noexcept;
 const Medium* find_medium(std::string_view id) noexcept;
 
+/// Returns the colour of new ink on a surface (0xRRGGBB). This is `ink_rgb`, the usual colour of
+/// the medium, unless it is hardly visible on the surface, like white chalk on white paper. Then it
+/// is blue on a light surface, and nearly white on a dark one.
+std::uint32_t ink_color_on(std::uint32_t ink_rgb, std::uint32_t surface_rgb) noexcept;
+
 /// Returns the friction coefficient of a pair: the medium's entry for that surface if it has one,
 /// otherwise mu_medium mu_surface / mu_paper (the `friction` of the medium, of the surface and of
 /// the surface "paper"), at most kMaxFriction (docs/design/forces.md#surfaces).

@@ -64,6 +64,27 @@ TEST(Materials, TheRuleForPairsKeepsToWhatATextMaySay) {
   EXPECT_EQ(friction_of(glue, rubber), 0.0);
 }
 
+TEST(Materials, EveryMediumIsVisibleOnEverySurface) {
+  const auto is_visible = [](std::uint32_t ink, std::uint32_t surface) {
+    int squares = 0;
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const int off =
+          static_cast<int>(ink >> shift & 0xFFU) - static_cast<int>(surface >> shift & 0xFFU);
+      squares += off * off;
+    }
+    return squares > 60 * 60;
+  };
+  const std::uint32_t chalk = find_medium("chalk")->color_rgb;
+  EXPECT_EQ(ink_color_on(chalk, find_surface("blackboard")->color_rgb), chalk);
+  EXPECT_FALSE(is_visible(chalk, 0xFFFFFF));
+  for (const Medium& medium : media()) {
+    for (const SurfaceMaterial& surface : surface_materials()) {
+      EXPECT_TRUE(is_visible(ink_color_on(medium.color_rgb, surface.color_rgb), surface.color_rgb))
+          << medium.id << " on " << surface.id;
+    }
+  }
+}
+
 TEST(Materials, OnlyWhatTiltsFartherThanAHandAtRestCounts) {
   EXPECT_EQ(tilt_share(0.0), 0.0);
   EXPECT_EQ(tilt_share(kFreeTiltDeg), 0.0);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "felt/render/dust.h"
 #include "felt/render/ink_look.h"
 #include "felt/render/relief_texture.h"
 
@@ -12,28 +13,13 @@ namespace felt {
 namespace {
 
 /// A surface of this RMS height shows half as much grain as the coarsest.
-constexpr double kHalfDepthUm = 2.0;
+constexpr double kHalfDepthUm = 12.0;
 
 /// The cache of looks is emptied when it has this many: ten media at six scales.
 constexpr std::size_t kMaxLooks = 64;
 
-/// The dust of all media, with wavelength 1. Its hills have several sizes, because hills of one
-/// size, as in even grain, look like a weave.
-const HeightField& dust() {
-  static const HeightField field(
-      {.wavelength_mm = 1.0, .rms_um = 1.0, .seed = 77, .character = HeightCharacter::kRough});
-  return field;
-}
-
-ReliefTexture& dust_texture() {
-  static ReliefTexture& texture = *new ReliefTexture(&dust());  // outlives every thread
-  return texture;
-}
-
-/// Converts to the wavelength of the dust's map: its hills are 1.3 and 2.7 wavelengths long
-/// (height_characters.cc).
 double crumb_mm_of(const MediumLook& look) noexcept {
-  return 0.55 * (look.crumb_mm > 1e-3 ? look.crumb_mm : 1e-3);
+  return look.crumb_mm > 1e-3 ? look.crumb_mm : 1e-3;
 }
 
 /// Returns true if the medium is solid at any tone and anywhere in the line.
@@ -116,7 +102,7 @@ double Grain::alpha(Point place, double tone, std::string_view medium) const noe
   if (weights.surface > 0.0) r += weights.surface * state_->depth * relief(place);
   if (weights.crumb > 0.0) {
     const double crumb_mm = crumb_mm_of(of.look);
-    r += weights.crumb * seen_relief(dust(), {place.x / crumb_mm, place.y / crumb_mm});
+    r += weights.crumb * dust::height({place.x / crumb_mm, place.y / crumb_mm});
   }
   return ink_alpha(of.look, of.wear, tone, r, 0.0);
 }
@@ -131,7 +117,8 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view medium, double px_pe
   const auto surface = state_->field && weights.surface > 0.0
                            ? state_->texture.level(px_per_mm * state_->field->spec().wavelength_mm)
                            : nullptr;
-  const auto crumb = weights.crumb > 0.0 ? dust_texture().level(px_per_mm * crumb_mm) : nullptr;
+  const auto crumb =
+      weights.crumb > 0.0 ? dust::level(px_per_mm * dust::kWavesPerTile * crumb_mm) : nullptr;
   const std::lock_guard lock(state_->mutex);
   for (const State::Made& m : state_->made) {
     if (m.medium == medium_index && m.surface == surface.get() && m.crumb == crumb.get())
@@ -143,7 +130,7 @@ std::shared_ptr<const InkLook> Grain::look(std::string_view medium, double px_pe
   made->surface = surface;
   made->crumb = crumb;
   if (state_->field) made->surface_tile_mm = state_->field->tile_mm();
-  made->crumb_tile_mm = HeightField::kWavesPerTile * crumb_mm;
+  made->crumb_tile_mm = dust::kWavesPerTile * crumb_mm;
   if (state_->made.size() >= kMaxLooks) state_->made.clear();
   state_->made.push_back({medium_index, surface.get(), crumb.get(), made});
   return made;

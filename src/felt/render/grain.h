@@ -28,8 +28,8 @@ struct InkLook;
 ///    for wood) rotated. The tooth is drawn, but not felt, because in a loop of 1 kHz, grain
 ///    shorter than 1 mm cannot be both stable and strong enough to feel
 ///    (docs/design/forces.md#texture). s is in units of its own RMS;
-/// d  = R / (R + 2 um) for the relief's RMS height R: fine paper is less grainy than canvas;
-/// c  the medium's own dust: a separate map with the wavelength crumb_mm, fixed to the page;
+/// d  = R / (R + 12 um) for the relief's RMS height R: fine paper is less grainy than canvas;
+/// c  the medium's own dust: noise of several octaves without cells, fixed to the page (dust.h);
 /// b  the single hairs of a dry brush, by the position y across the line.
 /// Within `edge` radii of the rim, alpha fades to 0 and q falls to -1/3. At this q the ink reaches
 /// no part of the relief, so the edge of a dusty line frays. Wet ink dries darker at the rim: alpha

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "felt/render/dust.h"
+
 namespace felt {
 namespace {
 
@@ -122,7 +124,7 @@ InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
 
 InkShade::InkShade(const InkLook& look, const View& view) : look_(&look) {
   if (look.surface) surface_ = ReliefPlane(*look.surface, look.surface_tile_mm, view);
-  if (look.crumb) crumb_ = ReliefPlane(*look.crumb, look.crumb_tile_mm, view);
+  if (look.crumb) crumb_ = ReliefPlane(*look.crumb, look.crumb_tile_mm, view, dust::kTurn);
 }
 
 void InkShade::row(const PressureMap& pressure, int x, int y, int count,

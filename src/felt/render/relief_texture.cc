@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "felt/render/relief_square.h"
+
 namespace felt {
 namespace {
 
@@ -29,20 +31,8 @@ Tooth tooth_of(HeightCharacter character) noexcept {
   return {finer, finest, character == HeightCharacter::kWeave ? 0.3 : 0.75};
 }
 
-/// A square of heights that repeats.
-struct Square {
-  int side = 0;
-  std::vector<float> heights;
-
-  [[nodiscard]] float at(int x, int y) const noexcept {
-    const auto mask = static_cast<unsigned>(side - 1);
-    return heights[(static_cast<unsigned>(y) & mask) * static_cast<unsigned>(side) +
-                   (static_cast<unsigned>(x) & mask)];
-  }
-};
-
-Square base_of(const HeightField& field) {
-  Square base{512, std::vector<float>(std::size_t{512} * 512)};
+ReliefSquare base_of(const HeightField& field) {
+  ReliefSquare base{512, std::vector<float>(std::size_t{512} * 512)};
   const double step = field.tile_mm() / base.side;
   const double per_rms = 1.0 / (1e-3 * field.spec().rms_um);
   for (int y = 0; y < base.side; ++y) {
@@ -56,10 +46,10 @@ Square base_of(const HeightField& field) {
 
 /// Doubles the resolution. A new height is interpolated by a cubic through the four nearest
 /// heights. This is accurate, because a wavelength contains at least 13 heights.
-Square doubled(const Square& from) {
+ReliefSquare doubled(const ReliefSquare& from) {
   const int side = 2 * from.side;
-  Square wide{side,
-              std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
+  ReliefSquare wide{
+      side, std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side))};
   const auto between = [](float a, float b, float c, float d) {
     return 0.5625F * (b + c) - 0.0625F * (a + d);
   };
@@ -83,11 +73,11 @@ Square doubled(const Square& from) {
   return wide;
 }
 
-Square with_tooth(const Square& base, HeightCharacter character) {
+ReliefSquare with_tooth(const ReliefSquare& base, HeightCharacter character) {
   const Tooth tooth = tooth_of(character);
   const auto share = static_cast<float>(tooth.share);
   const auto norm = static_cast<float>(1.0 / std::sqrt(1.0 + 2.0 * tooth.share * tooth.share));
-  Square seen{base.side, std::vector<float>(base.heights.size())};
+  ReliefSquare seen{base.side, std::vector<float>(base.heights.size())};
   const auto turned = [&](const Turning& t, int x, int y) {
     return base.at(t.a * x - t.b * y + static_cast<int>(t.shift_x * base.side),
                    t.b * x + t.a * y + static_cast<int>(t.shift_y * base.side));
@@ -102,9 +92,16 @@ Square with_tooth(const Square& base, HeightCharacter character) {
   return seen;
 }
 
-Square halved(const Square& from) {
+std::uint64_t fixed(double texels) noexcept {
+  const double scale = static_cast<double>(std::uint64_t{1} << kFraction);
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(texels * scale + 0.5)));
+}
+
+}  // namespace
+
+ReliefSquare halved(const ReliefSquare& from) {
   const int side = from.side / 2;
-  Square half{side, {}};
+  ReliefSquare half{side, {}};
   half.heights.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
@@ -115,7 +112,7 @@ Square halved(const Square& from) {
   return half;
 }
 
-std::shared_ptr<const ReliefLevel> level_of(const Square& square) {
+std::shared_ptr<const ReliefLevel> level_of(const ReliefSquare& square) {
   auto level = std::make_shared<ReliefLevel>();
   while ((1 << level->log2_side) < square.side) ++level->log2_side;
   level->texels.reserve(square.heights.size());
@@ -128,13 +125,6 @@ std::shared_ptr<const ReliefLevel> level_of(const Square& square) {
   level->kept = std::min(1.0, squares / static_cast<double>(square.heights.size()));
   return level;
 }
-
-std::uint64_t fixed(double texels) noexcept {
-  const double scale = static_cast<double>(std::uint64_t{1} << kFraction);
-  return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(texels * scale + 0.5)));
-}
-
-}  // namespace
 
 double seen_relief(const HeightField& field, Point place) noexcept {
   if (!(field.spec().rms_um > 0.0)) return 0.0;
@@ -158,12 +148,12 @@ std::shared_ptr<const ReliefLevel> ReliefTexture::level(double px_per_wavelength
   const std::lock_guard lock(mutex_);
   auto& known = levels_[static_cast<std::size_t>(log2)];
   if (known) return known;
-  Square base = doubled(base_of(*field_));
+  ReliefSquare base = doubled(base_of(*field_));
   if (log2 == kFinest) {
     known = level_of(with_tooth(doubled(base), field_->spec().character));
     return known;
   }
-  Square seen = with_tooth(base, field_->spec().character);
+  ReliefSquare seen = with_tooth(base, field_->spec().character);
   for (int n = kUsual; n >= kCoarsest; --n) {
     levels_[static_cast<std::size_t>(n)] = level_of(seen);
     seen = halved(seen);
@@ -171,13 +161,17 @@ std::shared_ptr<const ReliefLevel> ReliefTexture::level(double px_per_wavelength
   return known;
 }
 
-ReliefPlane::ReliefPlane(const ReliefLevel& level, double tile_mm, const View& view)
+ReliefPlane::ReliefPlane(const ReliefLevel& level, double tile_mm, const View& view, Vec turn)
     : texels_(level.texels.data()), log2_side_(level.log2_side) {
   const double side = 1 << level.log2_side;
   const double per_mm = side / tile_mm;
   is_between_ = per_mm < view.px_per_mm / 0.75;
-  const Point corner = view.to_mm({0.5, 0.5});
-  const Vec right = view.to_mm({1.5, 0.5}) - corner, down = view.to_mm({0.5, 1.5}) - corner;
+  const auto turned = [&](Vec px) {
+    const Point p = view.to_mm(px);
+    return Vec{turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x};
+  };
+  const Vec corner = turned({0.5, 0.5});
+  const Vec right = turned({1.5, 0.5}) - corner, down = turned({0.5, 1.5}) - corner;
   // The shift keeps pixels off the edges of texels when a pixel is a whole number of texels. For
   // interpolation, the height of a texel is the height at its corner.
   const double shift = is_between_ ? 0.0 : 0.3717;

@@ -55,8 +55,9 @@ class ReliefTexture {
 class ReliefPlane {
  public:
   ReliefPlane() = default;
-  /// Requires that `level` outlives it. The level is `tile_mm` wide.
-  ReliefPlane(const ReliefLevel& level, double tile_mm, const View& view);
+  /// Requires that `level` outlives it. The level is `tile_mm` wide, and its rows point along
+  /// `turn`, a vector of length 1 on the page.
+  ReliefPlane(const ReliefLevel& level, double tile_mm, const View& view, Vec turn = {1.0, 0.0});
 
   [[nodiscard]] bool is_flat() const noexcept { return texels_ == nullptr; }
   /// Adds the heights of `count` pixels from (x, y) on, times `weight` / 256, to `sums`.
