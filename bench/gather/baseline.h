@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "labelled_drawing.h"
+#include "felt/gather/testing/labelled_drawing.h"
 
 namespace felt::bench {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "labelled_drawing.h"
+#include "felt/gather/testing/labelled_drawing.h"
 
 namespace felt::bench {
 

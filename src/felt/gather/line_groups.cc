@@ -17,7 +17,7 @@ constexpr std::size_t kMaxRoughLines = 200'000;
 constexpr double kMaxOdds = 8.0;  // one pair must not decide alone
 constexpr double kAgainst = 3.0;  // weight of evidence against, because wrong groups are
                                   // worse than missing lines
-constexpr double kBias = -0.25;
+constexpr double kBias = -0.15;
 
 /// The evidence between two groups.
 struct Candidate {

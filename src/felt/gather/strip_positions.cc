@@ -35,6 +35,8 @@ Rect box_of(std::span<const RoughLine> lines) {
   return box;
 }
 
+using ContactTable = std::vector<std::map<std::uint32_t, Contacts>>;  // of each line
+
 /// Finds the positions of all lines.
 class StripSolver {
  public:
@@ -48,7 +50,8 @@ class StripSolver {
         placed_(lines.size(), 0),
         sign_(lines.size(), 1.0),
         offset_(lines.size(), 0.0),
-        contacts_(lines.size()) {
+        contacts_(lines.size()),
+        far_contacts_(lines.size()) {
     find_contacts();
     place_all();
   }
@@ -58,7 +61,7 @@ class StripSolver {
  private:
   void find_contacts();
   void place_all();
-  bool place_beside();
+  bool place_beside(const ContactTable& table);
   bool place_at_end();
   void find_period(StripPositions& result) const;
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(placed_.size()); }
@@ -71,10 +74,11 @@ class StripSolver {
   LineGrid grid_;
   std::vector<char> placed_;
   std::vector<double> sign_, offset_;  // position = offset + sign * arc length
-  std::vector<std::map<std::uint32_t, Contacts>> contacts_;
+  ContactTable contacts_, far_contacts_;
 };
 
-// Walks outwards on each section until a gap is much wider than usual.
+// Walks outwards on each section. Lines beyond a gap that is much wider than usual are far
+// contacts.
 void StripSolver::find_contacts() {
   std::vector<double> nearest;
   for (std::uint32_t i = 0; i < count(); ++i) {
@@ -86,17 +90,17 @@ void StripSolver::find_contacts() {
     });
   }
   if (nearest.empty()) return;
-  const double widest =
+  const double usual =
       std::min(kGapFactor * percentile(nearest, 0.5) + kStripStepShare * diagonal_mm_,
                kGapShare * diagonal_mm_);
   for (std::uint32_t i = 0; i < count(); ++i) {
     grid_.sections(i, [&](const LineSection& section) {
       for (const auto side : {section.below, section.above}) {
-        double previous = 0.0;
+        double previous = 0.0, widest = 0.0;
         for (const SectionHit& hit : side) {
-          if (std::fabs(hit.offset_mm) - previous > widest) break;
+          widest = std::max(widest, std::fabs(hit.offset_mm) - previous);
           previous = std::fabs(hit.offset_mm);
-          Contacts& contacts = contacts_[i][hit.line];
+          Contacts& contacts = (widest <= usual ? contacts_ : far_contacts_)[i][hit.line];
           contacts.at.push_back({section.along_mm, hit.along_mm});
           contacts.votes += hit.cosine > 0.0 ? 1 : -1;
         }
@@ -106,12 +110,12 @@ void StripSolver::find_contacts() {
 }
 
 // Places the line that has the most contacts with one placed line. Returns false if there is none.
-bool StripSolver::place_beside() {
+bool StripSolver::place_beside(const ContactTable& table) {
   std::size_t most = 0;
   std::uint32_t from = 0, to = 0;
   for (std::uint32_t i = 0; i < count(); ++i) {
     if (!placed_[i]) continue;
-    for (const auto& [other, contacts] : contacts_[i]) {
+    for (const auto& [other, contacts] : table[i]) {
       if (placed_[other] || contacts.at.size() <= most) continue;
       most = contacts.at.size();
       from = i;
@@ -119,7 +123,7 @@ bool StripSolver::place_beside() {
     }
   }
   if (most == 0) return false;
-  const Contacts& contacts = contacts_[from].at(to);
+  const Contacts& contacts = table[from].at(to);
   sign_[to] = contacts.votes < 0 ? -sign_[from] : sign_[from];
   std::vector<double> offsets;
   for (const Contact& c : contacts.at) {
@@ -168,7 +172,7 @@ void StripSolver::place_all() {
     if (grid_.length_mm(i) > grid_.length_mm(longest)) longest = i;
   }
   placed_[longest] = 1;
-  while (place_beside() || place_at_end()) {
+  while (place_beside(contacts_) || place_beside(far_contacts_) || place_at_end()) {
   }
 }
 

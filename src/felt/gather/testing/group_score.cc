@@ -1,9 +1,9 @@
-#include "group_score.h"
+#include "felt/gather/testing/group_score.h"
 
 #include <map>
 #include <utility>
 
-namespace felt::bench {
+namespace felt {
 namespace {
 
 template <class Map>
@@ -36,4 +36,4 @@ GroupScore group_score(std::span<const std::uint32_t> labels,
   return score;
 }
 
-}  // namespace felt::bench
+}  // namespace felt

@@ -7,7 +7,7 @@
 #include "felt/base/result.h"
 #include "felt/gather/line_sections.h"
 
-namespace felt::bench {
+namespace felt {
 
 /// Rough strokes, each with the number of the strip that it belongs to.
 struct LabelledDrawing {
@@ -28,4 +28,4 @@ Result<LabelledDrawing> read_scap(const std::string& path);
 /// Reads all .scap files of a folder, sorted by name. Fails if there are none or one is damaged.
 Result<std::vector<LabelledDrawing>> read_scap_folder(const std::string& folder);
 
-}  // namespace felt::bench
+}  // namespace felt

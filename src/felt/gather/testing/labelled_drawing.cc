@@ -1,6 +1,4 @@
-#include "labelled_drawing.h"
-
-#include <fmt/core.h>
+#include "felt/gather/testing/labelled_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +8,7 @@
 
 #include "felt/geometry/rect.h"
 
-namespace felt::bench {
+namespace felt {
 namespace {
 
 bool is_blank(const std::string& line) {
@@ -75,7 +73,7 @@ Result<LabelledDrawing> read_scap(const std::string& path) {
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     if (is_blank(line) || reader.add(line)) continue;
-    return fail(ErrorCode::kInvalidData, fmt::format("{}:{}: is not .scap", path, number));
+    return fail(ErrorCode::kInvalidData, path + ":" + std::to_string(number) + ": is not .scap");
   }
   if (reader.in_stroke()) return fail(ErrorCode::kInvalidData, path + ": ends within a stroke");
   return drawing;
@@ -98,4 +96,4 @@ Result<std::vector<LabelledDrawing>> read_scap_folder(const std::string& folder)
   return drawings;
 }
 
-}  // namespace felt::bench
+}  // namespace felt

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-namespace felt::bench {
+namespace felt {
 
 /// How well groups agree with labels.
 struct GroupScore {
@@ -18,4 +18,4 @@ struct GroupScore {
 GroupScore group_score(std::span<const std::uint32_t> labels,
                        std::span<const std::uint32_t> groups);
 
-}  // namespace felt::bench
+}  // namespace felt
