@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit render convert info formats replay recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit render convert gather info formats replay recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -7,6 +7,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -l versio
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a fit -d 'Convert raw pen strokes to a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a gather -d 'Press each bundle of rough strokes into one line'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Describe the contents of a file'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a formats -d 'List file formats and what each of them keeps'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay -d 'Play events or pen strokes through a simulated pen'
@@ -21,10 +22,13 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a recove
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a trial -d 'Run a study and export its results'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Measure the speed of the fitting'
 
-set -l makes_output fit render convert replay
+set -l makes_output fit render convert gather replay
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Output file'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'felt svg inkml xopp ndjson pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
+complete -c feltline -n '__fish_seen_subcommand_from gather' -l all -d 'Gather all strokes of the drawing, layer by layer'
+complete -c feltline -n '__fish_seen_subcommand_from gather' -l groups -r -F -d 'Also write the group of each stroke, as .csv'
+complete -c feltline -n '__fish_seen_subcommand_from gather' -l width -x -a 'median strip' -d 'Width of a gathered line'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -x -a 'visible all' -d 'Layers to keep and show'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Recover the readable parts of a damaged .felt'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l compact -d 'Make a small .svg for web pages'

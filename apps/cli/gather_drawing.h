@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/document/document.h"
+#include "felt/gather/gathered_stroke.h"
+
+namespace felt::cli {
+
+/// The group that a stroke of the input belongs to.
+struct StrokeGroup {
+  std::string stroke;  ///< stroke_name(), such as "s12"
+  std::uint32_t group = 0;
+};
+
+/// Replaces the strokes of each group (line_groups) by one stroke. Layers are gathered one by one;
+/// strokes without companions stay as they are, and a gathered stroke lies where the lowest stroke
+/// of its group was. Returns the groups of all strokes in drawing order, numbered from 1 over all
+/// layers. Fails, and changes nothing, if the strokes cannot be gathered.
+Result<std::vector<StrokeGroup>> gather_drawing(Document& document, const GatherOptions& options);
+
+}  // namespace felt::cli

@@ -1,0 +1,227 @@
+#include "felt/gather/bundle_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "felt/gather/percentile.h"
+#include "felt/gather/strip_positions.h"
+#include "felt/geometry/polyline.h"
+
+namespace felt {
+namespace {
+
+// The standard deviation of the smoothing in each round, relative to the width of the strip. It is
+// large at first, because the first positions may be wrong by more than that width.
+constexpr std::array kSmoothShares{1.5, 1.0, 0.7, 0.5, 0.35, 0.25};
+constexpr double kRampShare = 0.5;
+constexpr double kEndSlack = 0.3;  // bins: lines that end so near to each other end together
+constexpr double kMaxBins = 4000.0;
+constexpr double kMaxJump = 8.0;  // bins from one point of a line to the next
+
+/// The average of a strip's points at equal distances along it.
+class StripAverage {
+ public:
+  explicit StripAverage(StripPositions strip)
+      : strip_(std::move(strip)), closed_(strip_.period_mm.has_value()) {
+    step_mm_ = std::max(strip_.step_mm, range_mm() / kMaxBins);
+    for (const double share : kSmoothShares) {
+      average(share);
+      project();
+    }
+    average(kSmoothShares.back());
+  }
+
+  [[nodiscard]] BundlePath path() const;
+  [[nodiscard]] double step_mm() const { return step_mm_; }
+  /// Returns the distance from the middle line that 95 % of the points do not exceed.
+  [[nodiscard]] double blur_mm() const { return blur_mm_; }
+
+ private:
+  struct Bin {
+    Vec sum;
+    double weight = 0.0;
+    Rect box;
+  };
+  [[nodiscard]] double range_mm() const {
+    return closed_ ? *strip_.period_mm : strip_.last_mm - strip_.first_mm;
+  }
+  [[nodiscard]] std::size_t bin_of(double along_mm) const;
+  [[nodiscard]] std::ptrdiff_t bins() const { return static_cast<std::ptrdiff_t>(middle_.size()); }
+  [[nodiscard]] Point middle(std::ptrdiff_t i) const;
+  void average(double smooth_share);
+  void add_piece(std::size_t i, Point origin, std::vector<Bin>& bins) const;
+  void smooth(double share);
+  void project();
+
+  StripPositions strip_;
+  bool closed_;
+  double step_mm_ = 0.0;
+  double width_mm_ = 0.0;  // of the strip
+  double ramp_mm_ = 0.0;   // lines fade in and out over this length
+  double blur_mm_ = 0.0;
+  std::vector<Point> middle_;
+};
+
+std::size_t StripAverage::bin_of(double along_mm) const {
+  const double n = static_cast<double>(middle_.size());
+  double at = (along_mm - strip_.first_mm) / range_mm();
+  if (closed_) at -= std::floor(at);
+  return static_cast<std::size_t>(std::clamp(at * n, 0.0, n - 1.0));
+}
+
+Point StripAverage::middle(std::ptrdiff_t i) const {
+  const std::ptrdiff_t n = bins();
+  const std::ptrdiff_t k = closed_ ? ((i % n) + n) % n : std::clamp<std::ptrdiff_t>(i, 0, n - 1);
+  return middle_[static_cast<std::size_t>(k)];
+}
+
+// Adds the points at which the piece from point i to the next one crosses the positions of bins.
+void StripAverage::add_piece(std::size_t i, Point origin, std::vector<Bin>& bins) const {
+  const StripPoint& p = strip_.points[i];
+  const StripPoint& q = strip_.points[i + 1];
+  const double per_bin = range_mm() / static_cast<double>(bins.size() - (closed_ ? 0 : 1));
+  double from = (p.along_mm - strip_.first_mm) / per_bin;
+  double to = (q.along_mm - strip_.first_mm) / per_bin;
+  const auto n = static_cast<double>(bins.size());
+  if (closed_) {
+    from -= n * std::floor(from / n);
+    to -= n * std::round((to - from) / n);
+  }
+  if (std::fabs(to - from) > kMaxJump) return;  // moved to another part of the strip
+  const bool forwards = from <= to;
+  const double low = std::min(from, to), high = std::max(from, to);
+  const double at_from = p.to_end_mm > 0.0 ? 0.0 : kEndSlack;
+  const double at_to = q.to_end_mm > 0.0 ? 0.0 : kEndSlack;
+  const double last = high + (forwards ? at_to : at_from);
+  for (double at = std::ceil(low - (forwards ? at_from : at_to)); at <= last; ++at) {
+    const double share = high > low ? std::clamp((at - low) / (high - low), 0.0, 1.0) : 0.0;
+    const double t = forwards ? share : 1.0 - share;
+    const auto k = static_cast<std::size_t>(
+        std::clamp(closed_ ? at - n * std::floor(at / n) : at, 0.0, n - 1.0));
+    // Lines fade in and out, so that the average does not jump where one ends.
+    const double to_end = (1.0 - t) * p.to_end_mm + t * q.to_end_mm;
+    const double weight = ramp_mm_ > 0.0 ? std::min(1.0, 0.02 + to_end / ramp_mm_) : 1.0;
+    const Point at_bin = lerp(p.point, q.point, t);
+    bins[k].sum += weight * (at_bin - origin);
+    bins[k].box.extend(at_bin);
+    bins[k].weight += weight;
+  }
+}
+
+void StripAverage::average(double smooth_share) {
+  const Point origin = strip_.points.front().point;
+  middle_.resize(static_cast<std::size_t>(std::max(4.0, std::round(range_mm() / step_mm_))));
+  std::vector<Bin> bins(middle_.size());
+  for (std::size_t i = 0; i + 1 < strip_.points.size(); ++i) {
+    if (strip_.points[i].line == strip_.points[i + 1].line) add_piece(i, origin, bins);
+  }
+  std::vector<double> widths;
+  for (const Bin& bin : bins) {
+    const double width = std::hypot(bin.box.width(), bin.box.height());
+    if (width > 0.0) widths.push_back(width);  // not if one line passes
+  }
+  width_mm_ = widths.empty() ? 0.0 : percentile(widths, 0.5);
+  std::vector<Point> filled;
+  for (const Bin& bin : bins) {
+    if (bin.weight > 0.0) filled.push_back(origin + bin.sum / bin.weight);
+  }
+  if (filled.size() == 1) filled.push_back(filled.front());
+  if (closed_) filled.push_back(filled.front());
+  const std::size_t n = middle_.size();
+  middle_.resize(n + (closed_ ? 1 : 0));
+  resample(filled, middle_);
+  middle_.resize(n);
+  smooth(smooth_share);
+}
+
+void StripAverage::smooth(double share) {
+  // One pass of the kernel 1/4, 1/2, 1/4 has a variance of half a step squared.
+  const double steps = share * width_mm_ / step_mm_;
+  const int passes = static_cast<int>(std::clamp(2.0 * steps * steps, 2.0, 200.0));
+  for (int pass = 0; pass < passes; ++pass) {
+    std::vector<Point> smoothed = middle_;
+    const std::ptrdiff_t margin = closed_ ? 0 : 1;
+    for (std::ptrdiff_t i = margin; i < bins() - margin; ++i) {
+      const Vec bend = (middle(i - 1) - middle(i)) + (middle(i + 1) - middle(i));
+      smoothed[static_cast<std::size_t>(i)] = middle(i) + 0.25 * bend;
+    }
+    middle_ = std::move(smoothed);
+  }
+}
+
+// Moves each point to the position of the nearest point of the middle line, searched near its old
+// position. Points beyond an open end keep their distance from it.
+void StripAverage::project() {
+  const double length =
+      polyline_length(middle_) + (closed_ ? distance(middle_.front(), middle_.back()) : 0.0);
+  const double per_bin = length / static_cast<double>(bins() - (closed_ ? 0 : 1));
+  const auto window = std::max<std::ptrdiff_t>(8, bins() / 10);
+  double first = 0.0, last = length;
+  std::vector<double> distances;
+  for (StripPoint& p : strip_.points) {
+    const auto at = static_cast<std::ptrdiff_t>(bin_of(p.along_mm));
+    double best = 1e300, along = 0.0;
+    for (std::ptrdiff_t k = at - window; k < at + window; ++k) {
+      if (!closed_ && (k < 0 || k + 1 >= bins())) continue;
+      const LineNearest nearest = nearest_on_line(middle(k), middle(k + 1), p.point);
+      if (nearest.distance_squared >= best) continue;
+      best = nearest.distance_squared;
+      along = per_bin * (static_cast<double>(k) + nearest.t);
+    }
+    if (!closed_ && along <= 0.0) {
+      along = -std::max(0.0, dot(p.point - middle(0), normalized(middle(0) - middle(2))));
+    } else if (!closed_ && along >= length * (1.0 - 1e-12)) {
+      const std::ptrdiff_t n = bins() - 1;
+      along =
+          length + std::max(0.0, dot(p.point - middle(n), normalized(middle(n) - middle(n - 2))));
+    }
+    distances.push_back(std::sqrt(best));
+    p.along_mm = along;
+    first = std::min(first, along);
+    last = std::max(last, along);
+  }
+  blur_mm_ = percentile(distances, 0.95);
+  strip_.first_mm = closed_ ? 0.0 : first;
+  strip_.last_mm = closed_ ? length : last;
+  if (closed_) strip_.period_mm = length;
+  ramp_mm_ = std::max(kRampShare * width_mm_, 2.0 * step_mm_);
+}
+
+BundlePath StripAverage::path() const {
+  BundlePath path{.points = middle_, .closed = closed_, .strip_mm = width_mm_};
+  if (closed_) path.points.push_back(path.points.front());
+  return path;
+}
+
+}  // namespace
+
+Result<BundlePath> bundle_path(std::span<const RoughLine> lines) {
+  std::size_t with_length = 0;
+  const RoughLine* only = nullptr;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const Point p : lines[i]) {
+      if (is_in_range(p)) continue;
+      return fail(ErrorCode::kInvalidArgument,
+                  "stroke " + std::to_string(i) + " has a coordinate beyond 1e9 mm");
+    }
+    if (!(polyline_length(lines[i]) > 0.0)) continue;
+    ++with_length;
+    only = &lines[i];
+  }
+  if (with_length == 0) {
+    return fail(ErrorCode::kInvalidArgument, "there is no stroke with a length to gather");
+  }
+  if (with_length == 1) return BundlePath{.points = *only};
+  StripPositions positions = strip_positions(lines);
+  if (!positions.period_mm) return StripAverage(std::move(positions)).path();
+  // A line that meets itself, such as a letter, is not always closed: then points of different
+  // parts would be averaged, and would be far from their average.
+  const StripAverage closed(positions);
+  positions.period_mm.reset();
+  const StripAverage open(std::move(positions));
+  return closed.blur_mm() <= 1.5 * open.blur_mm() + closed.step_mm() ? closed.path() : open.path();
+}
+
+}  // namespace felt

@@ -1,0 +1,128 @@
+#include "felt/gather/bundle_path.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "felt/gather/testing/rough_lines.h"
+#include "felt/geometry/polyline.h"
+
+namespace felt::bundle_path_test {
+namespace {
+
+// Arcs of a circle with radius 40, which together go round once.
+std::vector<RoughLine> ring(int arcs, double overlap) {
+  std::vector<RoughLine> lines;
+  for (int i = 0; i < arcs; ++i) {
+    RoughLine line;
+    const double first = 2.0 * std::numbers::pi * i / arcs;
+    const double sweep = 2.0 * std::numbers::pi / arcs * (1.0 + overlap);
+    const double radius = 40.0 + (i % 2 == 0 ? 0.5 : -0.5);
+    for (int k = 0; k <= 50; ++k) {
+      const double a = first + sweep * k / 50.0;
+      line.push_back({radius * std::cos(a), radius * std::sin(a)});
+    }
+    if (i % 3 == 1) std::reverse(line.begin(), line.end());
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+TEST(BundlePath, OneLineStaysAsItIs) {
+  const RoughLine line{{0, 0}, {10, 3}, {20, 0}};
+  const std::vector<RoughLine> lines{{}, line, {{4, 4}}};
+  const BundlePath path = bundle_path(lines).value();
+  EXPECT_EQ(path.points, line);
+  EXPECT_FALSE(path.closed);
+}
+
+TEST(BundlePath, RefusesWhatHasNoLengthOrIsNotFinite) {
+  EXPECT_FALSE(bundle_path({}));
+  EXPECT_FALSE(bundle_path(std::vector<RoughLine>{{{1, 1}}, {}}));
+  EXPECT_FALSE(bundle_path(std::vector<RoughLine>{{{1, 1}, {NAN, 2}}, {{0, 0}, {1, 0}}}));
+}
+
+TEST(BundlePath, TwoParallelLinesGiveTheLineBetweenThem) {
+  const std::vector<RoughLine> lines{{{0, 0}, {100, 0}}, {{100, 4}, {0, 4}}};
+  const BundlePath path = bundle_path(lines).value();
+  for (const Point p : path.points) EXPECT_NEAR(p.y, 2.0, 1e-6);
+  EXPECT_NEAR(path.points.front().x, 0.0, 1.0);
+  EXPECT_NEAR(path.points.back().x, 100.0, 1.0);
+  EXPECT_NEAR(path.strip_mm, 4.0, 1e-3);
+}
+
+TEST(BundlePath, LinesThatContinueEachOtherBecomeOne) {
+  const std::vector<RoughLine> lines{{{0, 0}, {40, 0}}, {{90, 0}, {45, 0}}, {{30, 1}, {60, 1}}};
+  const BundlePath path = bundle_path(lines).value();
+  EXPECT_NEAR(std::fabs(path.points.back().x - path.points.front().x), 90.0, 2.0);
+  EXPECT_NEAR(polyline_length(path.points), 90.0, 3.0);
+}
+
+TEST(BundlePath, ArcsThatGoRoundBecomeARing) {
+  for (const int arcs : {3, 5, 9}) {
+    const BundlePath path = bundle_path(ring(arcs, 0.4)).value();
+    EXPECT_TRUE(path.closed) << arcs;
+    EXPECT_EQ(path.points.front(), path.points.back());
+    for (const Point p : path.points) EXPECT_NEAR(std::hypot(p.x, p.y), 40.0, 0.75) << arcs;
+    EXPECT_NEAR(polyline_length(path.points), 80.0 * std::numbers::pi, 4.0) << arcs;
+  }
+}
+
+TEST(BundlePath, ARingWithAGapStaysOpen) {
+  std::vector<RoughLine> lines = ring(5, 0.4);
+  lines.resize(4);
+  const BundlePath path = bundle_path(lines).value();
+  EXPECT_FALSE(path.closed);
+  for (const Point p : path.points) EXPECT_NEAR(std::hypot(p.x, p.y), 40.0, 0.75);
+}
+
+// A random cubic without a loop or a sharp bend, about 100 mm long.
+Cubic random_cubic(TestRandom& random) {
+  const auto bend = [&] { return 25.0 * random.signed_unit(); };
+  return {{{{0, 0}, {33.0, bend()}, {66.0, bend()}, {100.0, bend()}}}};
+}
+
+RC_GTEST_PROP(BundlePath, JitteredCopiesGatherToTheirMiddle, (std::uint64_t seed)) {
+  TestRandom random(seed);
+  const Cubic middle = random_cubic(random);
+  const int count = 3 + static_cast<int>(random.below(8));
+  std::vector<RoughLine> lines = jittered_copies(middle, count, 2.0, seed);
+  for (RoughLine& line : lines) {
+    if (random.below(2) == 1) std::reverse(line.begin(), line.end());
+  }
+  const BundlePath path = bundle_path(lines).value();
+  RC_ASSERT(!path.closed);
+  // The mean of the copies is their exact middle, because all have the same parameter.
+  RoughLine mean(61, Point{0, 0});
+  double widest = 0.0;
+  const std::vector<RoughLine> forwards = jittered_copies(middle, count, 2.0, seed);
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    for (const RoughLine& line : forwards) mean[k] += (line[k] - Point{0, 0}) / count;
+    for (const RoughLine& line : forwards) {
+      for (const RoughLine& other : forwards) {
+        const Vec across = perp(tangent(middle, static_cast<double>(k) / 60.0));
+        widest = std::max(widest, std::fabs(dot(line[k] - other[k], across)));
+      }
+    }
+  }
+  // The first and last 6 mm do not count: not all copies reach so far.
+  int far = 0;
+  for (std::size_t k = 4; k + 4 < mean.size(); ++k) {
+    const PolylineNearest at = nearest_on_polyline(path.points, mean[k]);
+    far += std::sqrt(at.distance_squared) > 0.1 * widest ? 1 : 0;
+    RC_ASSERT(std::sqrt(at.distance_squared) <= 0.2 * widest);
+  }
+  RC_ASSERT(far <= 5);  // of 53
+}
+
+RC_GTEST_PROP(BundlePath, IsDeterministic, (std::uint64_t seed)) {
+  TestRandom random(seed);
+  const std::vector<RoughLine> lines = jittered_copies(random_cubic(random), 5, 2.0, seed);
+  RC_ASSERT(bundle_path(lines).value() == bundle_path(lines).value());
+}
+
+}  // namespace
+}  // namespace felt::bundle_path_test

@@ -1,0 +1,84 @@
+#include "felt/gather/gathered_stroke.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "felt/gather/bundle_path.h"
+#include "felt/gather/percentile.h"
+#include "felt/geometry/polyline.h"
+#include "felt/stroke/edit/join.h"
+#include "felt/stroke/fit/ink_fitter.h"
+
+namespace felt {
+namespace {
+
+constexpr double kPointsPerSegment = 16.0, kMaxPointsPerSegment = 1024.0;
+
+double middle_width_mm(std::span<const std::shared_ptr<const Stroke>> strokes) {
+  std::vector<double> widths;
+  for (const auto& stroke : strokes) {
+    widths.push_back(stroke->width_mm(stroke->segment_count() / 2.0));
+  }
+  return percentile(widths, 0.5);
+}
+
+// Moves the end of a fitted curve exactly to its start, with its handle, and closes it.
+Result<Stroke> as_ring(const Stroke& open) {
+  StrokeData data = open.data();
+  const Vec shift = data.points.front() - data.points.back();
+  data.points[data.points.size() - 2] += shift;
+  data.points.back() = data.points.front();
+  return Stroke::create(std::move(data)).and_then([](const Stroke& met) { return closed(met); });
+}
+
+}  // namespace
+
+RoughLine rough_line(const Stroke& stroke) {
+  RoughLine line{stroke.position(0.0)};
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic segment = stroke.segment(i);
+    const double count =
+        std::clamp(std::ceil(control_length(segment)), kPointsPerSegment, kMaxPointsPerSegment);
+    for (double k = 1.0; k <= count; ++k) line.push_back(evaluate(segment, k / count));
+  }
+  return line;
+}
+
+Result<Stroke> gathered_stroke(std::span<const std::shared_ptr<const Stroke>> strokes,
+                               const GatherOptions& options) {
+  std::vector<RoughLine> lines;
+  std::size_t longest = 0;
+  double longest_mm = -1.0;
+  for (const auto& stroke : strokes) {
+    lines.push_back(rough_line(*stroke));
+    const double length_mm = polyline_length(lines.back());
+    if (length_mm <= longest_mm) continue;
+    longest_mm = length_mm;
+    longest = lines.size() - 1;
+  }
+  const Result<BundlePath> path = bundle_path(lines);
+  if (!path) return tl::unexpected(path.error());
+  InkFitOptions fit;
+  fit.curve.tolerance_mm = options.tolerance_mm;
+  fit.medium = strokes[longest]->medium();
+  InkFitter fitter(fit);
+  fitter.begin();
+  for (const Point p : path->points) fitter.push({p, std::nullopt, std::nullopt});
+  fitter.end();
+  fitter.refine();
+  Result<Stroke> stroke = fitter.stroke();
+  if (!stroke) return stroke;
+  if (path->closed) {
+    if (Result<Stroke> ring = as_ring(*stroke)) stroke = std::move(ring);
+  }
+  StrokeData data = stroke->data();
+  const double median_mm = middle_width_mm(strokes);
+  const double width_mm =
+      options.width == GatheredWidth::kStrip ? path->strip_mm + median_mm : median_mm;
+  data.widths = {{0.0, width_mm}, {static_cast<double>(stroke->segment_count()), width_mm}};
+  data.color = strokes[longest]->color();
+  return Stroke::create(std::move(data));
+}
+
+}  // namespace felt
