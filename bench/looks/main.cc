@@ -1,5 +1,5 @@
 // bench_looks [PICTURE]: draws the same strokes with our media and with presets of libmypaint,
-// prints what it measures of them, and writes a sheet with all of them side by side to PICTURE
+// prints what it measures of them, and writes a chart with all of them side by side to PICTURE
 // (docs/images/looks.png; "" for none).
 #include <cmath>
 #include <cstdio>
@@ -19,7 +19,7 @@ constexpr int kHeadPx = 22;
 
 struct Row {
   std::string medium;
-  std::vector<std::string> presets;  // the first one is on the sheet
+  std::vector<std::string> presets;  // the first one is on the chart
 };
 
 std::vector<Row> rows() {
@@ -70,13 +70,13 @@ void copy(const Image& from, Pixels to, int x0, int y0) {
   }
 }
 
-/// The part of the cell that the sheet also shows at 400 %: where the hatching crosses.
+/// The part of the cell that the chart also shows at 400 %: where the hatching crosses.
 constexpr double kDetailX = 7.0, kDetailY = 23.0, kDetailWide = 10.0, kDetailHigh = 8.0;
 constexpr int kGapPx = 8;
 
 /// Draws what one artist makes of the cell, and beside it the detail. Returns the width used.
-Result<int> draw_cell(const Artist& artist, Pixels sheet, int x, int y) {
-  const TestPage cell = sheet_cell();
+Result<int> draw_cell(const Artist& artist, Pixels chart, int x, int y) {
+  const TestPage cell = chart_cell();
   const Result<Image> usual = artist.draw(cell, kDpi);
   if (!usual) return tl::unexpected(usual.error());
   TestPage detail = cell;
@@ -87,33 +87,33 @@ Result<int> draw_cell(const Artist& artist, Pixels sheet, int x, int y) {
   detail.height_mm = kDetailHigh;
   const Result<Image> large = artist.draw(detail, 4.0 * kDpi);
   if (!large) return tl::unexpected(large.error());
-  copy(*usual, sheet, x, y + kHeadPx);
-  copy(*large, sheet, x + usual->width() + kGapPx, y + kHeadPx);
-  PlotCanvas(sheet, 1.0)
+  copy(*usual, chart, x, y + kHeadPx);
+  copy(*large, chart, x + usual->width() + kGapPx, y + kHeadPx);
+  PlotCanvas(chart, 1.0)
       .text({x + 20.0, y + 16.0}, artist.name(), {.size = 10.0, .color = {70, 74, 82, 255}});
   return usual->width() + large->width() + 3 * kGapPx;
 }
 
-/// Draws the sheet: a row for each medium, ours on the left.
-Result<Image> sheet_of(const std::vector<std::vector<std::unique_ptr<Artist>>>& table) {
-  const TestPage cell = sheet_cell();
+/// Draws the chart: a row for each medium, ours on the left.
+Result<Image> chart_of(const std::vector<std::vector<std::unique_ptr<Artist>>>& table) {
+  const TestPage cell = chart_cell();
   const auto px = [](double mm) { return static_cast<int>(std::ceil(mm * kDpi / 25.4)); };
   const int wide = px(cell.width_mm) + px(4.0 * kDetailWide) + 3 * kGapPx;
   const int high = px(cell.height_mm) + kHeadPx;
-  auto sheet = Image::create(2 * wide, high * static_cast<int>(table.size()));
-  if (!sheet) return sheet;
-  fill(sheet->pixels(), sheet->pixels().rect(), {255, 255, 255, 255});
+  auto chart = Image::create(2 * wide, high * static_cast<int>(table.size()));
+  if (!chart) return chart;
+  fill(chart->pixels(), chart->pixels().rect(), {255, 255, 255, 255});
   int y = 0;
   for (const auto& row : table) {
     int x = 0;
     for (std::size_t i = 0; i < row.size() && i < 2; ++i) {
-      const Result<int> used = draw_cell(*row[i], sheet->pixels(), x, y);
+      const Result<int> used = draw_cell(*row[i], chart->pixels(), x, y);
       if (!used) return tl::unexpected(used.error());
       x += *used;
     }
     y += high;
   }
-  return sheet;
+  return chart;
 }
 
 int run(const std::string& path) {
@@ -137,9 +137,9 @@ int run(const std::string& path) {
     }
   }
   if (path.empty()) return 0;
-  const Result<Image> sheet = sheet_of(table);
+  const Result<Image> chart = chart_of(table);
   const Result<void> written =
-      sheet ? write_png(path, *sheet, kDpi) : Result<void>(tl::unexpected(sheet.error()));
+      chart ? write_png(path, *chart, kDpi) : Result<void>(tl::unexpected(chart.error()));
   if (!written) std::fprintf(stderr, "bench_looks: %s\n", written.error().message.c_str());
   return written ? 0 : 1;
 }

@@ -48,7 +48,7 @@ TestPage even_lines(double pressure, int times) {
   return page;
 }
 
-TestPage sheet_cell() {
+TestPage chart_cell() {
   TestPage page{86.0, 34.0, {}};
   page.strokes.push_back(line_of({4, 5}, {82, 5}, kRampFrom, kRampTo));
   const auto swell = [](double t) { return 0.9 * std::sin(std::numbers::pi * t); };

@@ -29,7 +29,7 @@ inline constexpr int kEvenLines = 6;
 inline constexpr double kEvenApart = 18.0;
 TestPage even_lines(double pressure, int times);
 
-/// A cell of the sheet: the ramp, a wave that swells, hatching that crosses, and a scribble.
-TestPage sheet_cell();
+/// A cell of the chart: the ramp, a wave that swells, hatching that crosses, and a scribble.
+TestPage chart_cell();
 
 }  // namespace felt::bench
