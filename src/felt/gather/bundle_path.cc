@@ -14,7 +14,7 @@ namespace {
 
 // The standard deviation of the smoothing in each round, relative to the width of the strip. It is
 // large at first, because the first positions may be wrong by more than that width.
-constexpr std::array kSmoothShares{1.5, 1.0, 0.7, 0.5, 0.35, 0.25};
+constexpr std::array kSmoothShares{2.0, 1.5, 1.0, 0.7, 0.4, 0.25};
 constexpr double kRampShare = 0.5;
 constexpr double kEndSlack = 0.3;  // bins: lines that end so near to each other end together
 constexpr double kMaxBins = 4000.0;
@@ -59,6 +59,7 @@ class StripAverage {
   bool closed_;
   double step_mm_ = 0.0;
   double width_mm_ = 0.0;  // of the strip
+  double wide_mm_ = 0.0;   // of its widest tenth
   double ramp_mm_ = 0.0;   // lines fade in and out over this length
   double blur_mm_ = 0.0;
   std::vector<Point> middle_;
@@ -122,7 +123,8 @@ void StripAverage::average(double smooth_share) {
     const double width = std::hypot(bin.box.width(), bin.box.height());
     if (width > 0.0) widths.push_back(width);  // not if one line passes
   }
-  width_mm_ = widths.empty() ? 0.0 : percentile(widths, 0.5);
+  width_mm_ = percentile(widths, 0.5);
+  wide_mm_ = percentile(widths, 0.9);
   std::vector<Point> filled;
   for (const Bin& bin : bins) {
     if (bin.weight > 0.0) filled.push_back(origin + bin.sum / bin.weight);
@@ -138,7 +140,7 @@ void StripAverage::average(double smooth_share) {
 
 void StripAverage::smooth(double share) {
   // One pass of the kernel 1/4, 1/2, 1/4 has a variance of half a step squared.
-  const double steps = share * width_mm_ / step_mm_;
+  const double steps = share * wide_mm_ / step_mm_;
   const int passes = static_cast<int>(std::clamp(2.0 * steps * steps, 2.0, 200.0));
   for (int pass = 0; pass < passes; ++pass) {
     std::vector<Point> smoothed = middle_;
@@ -186,7 +188,7 @@ void StripAverage::project() {
   strip_.first_mm = closed_ ? 0.0 : first;
   strip_.last_mm = closed_ ? length : last;
   if (closed_) strip_.period_mm = length;
-  ramp_mm_ = std::max(kRampShare * width_mm_, 2.0 * step_mm_);
+  ramp_mm_ = std::max(kRampShare * wide_mm_, 2.0 * step_mm_);
 }
 
 BundlePath StripAverage::path() const {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+/// The weights of log_odds (line_affinity.h): the mean and the spread of each feature, and the
+/// weight of each term. `bench_gather --drawings FOLDER --fit` prints them.
 namespace felt {
 
 inline constexpr std::array<double, 6> kOddsMean{-4.526, -4.303, 1.47, 0.2027, 0.3482, 1.294};
