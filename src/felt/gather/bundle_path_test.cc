@@ -42,7 +42,7 @@ TEST(BundlePath, OneLineStaysAsItIs) {
 TEST(BundlePath, RefusesWhatHasNoLengthOrIsNotFinite) {
   EXPECT_FALSE(bundle_path({}));
   EXPECT_FALSE(bundle_path(std::vector<RoughLine>{{{1, 1}}, {}}));
-  EXPECT_FALSE(bundle_path(std::vector<RoughLine>{{{1, 1}, {NAN, 2}}, {{0, 0}, {1, 0}}}));
+  EXPECT_FALSE(bundle_path(std::vector<RoughLine>{{{1, 1}, {std::nan(""), 2}}, {{0, 0}, {1, 0}}}));
 }
 
 TEST(BundlePath, TwoParallelLinesGiveTheLineBetweenThem) {
