@@ -12,6 +12,12 @@ bool all_set(const Selection::Marks& marks) {
   return std::find(marks.begin(), marks.end(), 0) == marks.end();
 }
 
+/// Gives the first and the last point of a stroke that is closed now the same mark: they are one
+/// point, and were two if the edit closed the stroke.
+void mark_shared_point(Selection::Marks& marks) {
+  marks.front() = marks.back() = marks.front() | marks.back();
+}
+
 /// Returns true if the stroke's layer is visible and not locked. Requires that the document has it.
 bool is_editable(const Document& document, StrokeId id) {
   const Layer& layer = *document.layer(document.layer_of(id));
@@ -63,8 +69,9 @@ void Selection::follow(const Edit& edit) {
       continue;
     }
     const std::size_t points = change.after->data().points.size();
-    if (found->second.size() == points) continue;
-    if (all_set(found->second)) {
+    if (found->second.size() == points) {
+      if (change.after->closed()) mark_shared_point(found->second);
+    } else if (all_set(found->second)) {
       found->second.assign(points, 1);
     } else {
       strokes_.erase(found);

@@ -19,6 +19,7 @@ void select_some(Selection& selection, const Document& document, testing::Random
       if (random.chance(0.5)) continue;
       Selection::Marks marks(points_of(document, id), 1);
       if (random.chance(0.5)) marks[static_cast<std::size_t>(random.pick(0, 3))] = 0;
+      if (document.find(id)->closed()) marks.back() = marks.front();
       selection.set(id, marks);
     }
   }
@@ -32,6 +33,7 @@ void expect_consistent(const Selection& selection, const Document& document) {
     ASSERT_TRUE(stroke);
     ASSERT_EQ(marks.size(), stroke->data().points.size());
     ASSERT_NE(std::count(marks.begin(), marks.end(), 1), 0);
+    ASSERT_TRUE(!stroke->closed() || marks.front() == marks.back());
     const Layer& layer = *document.layer(document.layer_of(id));
     ASSERT_TRUE(layer.visible && !layer.locked);
   }
@@ -57,9 +59,10 @@ TEST(Selection, FollowsAnyEditAndItsInverse) {
       expect_consistent(selection, document);
       if (HasFatalFailure()) return;
       for (const auto& [id, marks] : selection.strokes()) {
-        const Selection::Marks* was = before.find(id);
-        ASSERT_TRUE(was) << "nothing is selected by an edit";
-        ASSERT_TRUE(*was == marks || before.is_whole(id));
+        ASSERT_TRUE(before.find(id)) << "nothing is selected by an edit";
+        Selection::Marks was = *before.find(id);
+        if (document.find(id)->closed()) was.front() = was.back() = was.front() | was.back();
+        ASSERT_TRUE(was == marks || before.is_whole(id));
         ++kept;
       }
       if (back) {
@@ -104,6 +107,21 @@ TEST(Selection, ReplacedStrokesKeepTheirMarksWhereTheyStillMeanSomething) {
   EXPECT_EQ(selection.find({1})->size(), 7u);
   EXPECT_EQ(selection.find({2}), nullptr) << "which of the new points were meant nobody knows";
   EXPECT_EQ(selection.find({3}), nullptr);
+}
+
+TEST(Selection, TheSharedPointOfAStrokeThatIsClosedNowHasOneMark) {
+  StrokeData data = testing::straight_stroke({0, 0}, {9, 0}, 1, 1).data();
+  const auto open = std::make_shared<const Stroke>(Stroke::create(data).value());
+  data.points = {{0, 0}, {9, 0}, {9, 9}, {0, 0}};
+  data.closed = true;
+  data.joints = {JointKind::kCorner};
+  const auto closed = std::make_shared<const Stroke>(Stroke::create(data).value());
+  for (const Selection::Marks& marks : {Selection::Marks{1, 0, 0, 0}, {0, 0, 0, 1}}) {
+    Selection selection;
+    selection.set({1}, marks);
+    selection.follow(Edit{"Connect", {{{1}, open, closed, {{1}, 0}, {{1}, 0}}}});
+    EXPECT_EQ(*selection.find({1}), (Selection::Marks{1, 0, 0, 1}));
+  }
 }
 
 TEST(Selection, AllMeansWhatMayBeEdited) {
