@@ -15,8 +15,9 @@ namespace felt {
 /// points, not pixels; docs/design/editing.md#lasso). A value type. The selection is not part of
 /// the document, and undo does not restore it, but it is updated after every edit. Removed strokes
 /// are no longer selected. A replaced stroke keeps its marks if the number of its points stays the
-/// same; if it is closed now, its shared point is selected if one of the two points was. If that number changes, the stroke stays selected only if all its points were selected;
-/// then all its new points are selected.
+/// same; if it is closed now, its shared point is selected if one of the two points was. If that
+/// number changes, the stroke stays selected only if all its points were selected; then all its new
+/// points are selected.
 ///
 /// The marks of a stroke are one byte for each of StrokeData::points: 1 if the point is selected,
 /// otherwise 0. The first and the last point of a closed stroke are the same point and have the
