@@ -174,9 +174,8 @@ class Document::Plan {
     for (const LayerChange& c : edit_.layers) {
       if (c.after) continue;
       const auto order = orders.find(c.id);
-      const std::size_t left = order != orders.end()
-                                   ? order->second.size
-                                   : list_of(*document_.layer(c.id), Id{}).size();
+      const std::size_t left =
+          order != orders.end() ? order->second.size : list_of(*document_.layer(c.id), Id{}).size();
       if (left > 0) {
         return misfit(name_of(c.id) + " cannot be removed: " + std::to_string(left) + " " +
                       objects + " are on it");

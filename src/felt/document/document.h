@@ -19,8 +19,8 @@ struct Layer {
   std::string name;
   bool visible = true;
   bool locked = false;
-  std::vector<StrokeId> strokes;     ///< the lowest first
-  std::vector<FillId> fills{};       ///< the lowest first
+  std::vector<StrokeId> strokes;  ///< the lowest first
+  std::vector<FillId> fills{};    ///< the lowest first
 
   [[nodiscard]] LayerState state() const { return {name, visible, locked}; }
   friend bool operator==(const Layer&, const Layer&) = default;
@@ -71,11 +71,12 @@ class Document {
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
-  /// Marks all ids up to these as used; that of a stroke also counts for fills. Readers of files call this so that ids used before the
-  /// drawing was saved are not reused.
+  /// Marks all ids up to these as used; that of a stroke also counts for fills. Readers of files
+  /// call this so that ids used before the drawing was saved are not reused.
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
-  /// Returns true if the same strokes and fills, by value, are at the same positions in the same layers.
+  /// Returns true if the same strokes and fills, by value, are at the same positions in the same
+  /// layers.
   friend bool operator==(const Document& a, const Document& b);
 
  private:

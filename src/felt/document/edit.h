@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// A typed number that names a stroke, layer or fill of a document. The id zero names nothing. Ids are
-/// never reused within a document, so an id in an undo step always means the same object.
+/// A typed number that names a stroke, layer or fill of a document. The id zero names nothing. Ids
+/// are never reused within a document, so an id in an undo step always means the same object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
@@ -76,9 +76,9 @@ struct LayerState {
 };
 
 /// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
-/// must remove or move its strokes and fills), renamed, hidden, locked, or moved. Indices are absolute, like
-/// the positions of strokes: `before_index` is the index before the whole edit, `after_index` the
-/// index after it. Index 0 is the lowest layer.
+/// must remove or move its strokes and fills), renamed, hidden, locked, or moved. Indices are
+/// absolute, like the positions of strokes: `before_index` is the index before the whole edit,
+/// `after_index` the index after it. Index 0 is the lowest layer.
 struct LayerChange {
   LayerId id;
   std::optional<LayerState> before;

@@ -29,7 +29,8 @@ class EditBuilder {
   /// Removes a stroke. Requires that the document has the stroke.
   void remove(StrokeId id);
 
-  /// These do the same for fills: add one on top of the fills of its layer, replace one, remove one.
+  /// These do the same for fills: add one on top of the fills of its layer, replace one, remove
+  /// one.
   FillId add_fill(LayerId layer, FillPtr fill);
   void replace_fill(FillId id, FillPtr fill);
   void remove_fill(FillId id);

@@ -134,8 +134,7 @@ TEST(Fill, AnEditThatDoesNotFitChangesNothing) {
   edit.fills = {{{2}, nullptr, shared(2), {}, {{1}, 2}}};
   EXPECT_THAT(error(edit), HasSubstr("layer 1: index 2 is beyond the end"));
   edit.fills = {};
-  edit.layers = {{{1}, d.layers()[0].state(), {}, 0, 0},
-                 {{2}, {}, LayerState{"New"}, 0, 0}};
+  edit.layers = {{{1}, d.layers()[0].state(), {}, 0, 0}, {{2}, {}, LayerState{"New"}, 0, 0}};
   EXPECT_THAT(error(edit), HasSubstr("layer 1 cannot be removed: 1 fills are on it"));
   edit.fills = {{id, shared(1), shared(1), {{1}, 0}, {{2}, 0}}};
   ASSERT_TRUE(d.apply(edit)) << "the fill moves to the new layer";

@@ -21,7 +21,8 @@ namespace felt {
 ///
 /// The first stroke named "s12" gets id 12. Strokes without such a name, and further strokes with
 /// the same name, get new ids above the largest requested id, in the order of the layers and of the
-/// strokes in each layer. The same applies to fills, with names like "f12". A file that was written with stroke_name() therefore gets its ids back.
+/// strokes in each layer. The same applies to fills, with names like "f12". A file that was written
+/// with stroke_name() therefore gets its ids back.
 class DrawingBuilder {
  public:
   /// Returns the drawing, so that the caller can set everything except its document: page,

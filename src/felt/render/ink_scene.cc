@@ -322,13 +322,12 @@ Result<void> InkScene::check(const Edit& edit) const {
   if (const auto order = new_order(edit); !order) return tl::unexpected(order.error());
   if (const auto lists = new_fills(edit); !lists) return tl::unexpected(lists.error());
   for (const FillChange& c : edit.fills) {
-    const bool is_made =
-        std::any_of(edit.layers.begin(), edit.layers.end(),
-                    [&c](const auto& l) { return l.id == c.after_place.layer && l.after; });
+    const bool is_made = std::any_of(edit.layers.begin(), edit.layers.end(), [&c](const auto& l) {
+      return l.id == c.after_place.layer && l.after;
+    });
     if (c.after && !is_made && !layers_.contains(c.after_place.layer)) {
-      return fail(ErrorCode::kInvalidArgument, "layer " +
-                                                   std::to_string(c.after_place.layer.value) +
-                                                   " does not exist");
+      return fail(ErrorCode::kInvalidArgument,
+                  "layer " + std::to_string(c.after_place.layer.value) + " does not exist");
     }
   }
   for (const StrokeChange& c : edit.changes) {

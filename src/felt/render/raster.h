@@ -38,8 +38,8 @@ class Rasterizer {
   /// nothing if it is outside the clip.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target);
 
-  /// Fills an area in its colour by the even-odd rule. Fills have no grain. Does nothing if the area
-  /// is outside the clip.
+  /// Fills an area in its colour by the even-odd rule. Fills have no grain. Does nothing if the
+  /// area is outside the clip.
   void draw_fill(const Fill& fill, const View& view, PixelRect clip, Pixels target);
 
   /// Draws only the centre line of a stroke, `width_px` wide and opaque. Used for the outline view.

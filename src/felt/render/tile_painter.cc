@@ -76,7 +76,8 @@ InkJob TilePainter::job_of(const InkScene& scene, const View& view, PixelRect pa
   InkJob job{view, part, {}, 0};
   job.items.reserve(found.size());
   for (const SceneInk& ink : found) {
-    job.items.push_back({ink.stroke ? ink.stroke->stroke : nullptr, ink.fill ? ink.fill->fill : nullptr});
+    job.items.push_back(
+        {ink.stroke ? ink.stroke->stroke : nullptr, ink.fill ? ink.fill->fill : nullptr});
   }
   return job;
 }

@@ -26,8 +26,8 @@ struct InkItem {
   FillPtr fill;
 };
 
-/// The strokes and fills that a part of a picture shows, drawn one at a time, so that a long job can be
-/// interrupted and resumed. The job shares ownership of them, so the scene may change
+/// The strokes and fills that a part of a picture shows, drawn one at a time, so that a long job
+/// can be interrupted and resumed. The job shares ownership of them, so the scene may change
 /// meanwhile.
 struct InkJob {
   View view;

@@ -152,9 +152,9 @@ TEST(TilePainter, PartsOfATileWithFillsJoinWithoutASeam) {
     Bytes parts(std::size_t{4} * kTileSide * kTileSide);
     TilePainter painter;
     const int x = random.pick(1, 255), y = random.pick(1, 255);
-    for (const PixelRect part : {PixelRect{0, 0, x, y}, PixelRect{x, 0, kTileSide, y},
-                                 PixelRect{0, y, x, kTileSide},
-                                 PixelRect{x, y, kTileSide, kTileSide}}) {
+    for (const PixelRect part :
+         {PixelRect{0, 0, x, y}, PixelRect{x, 0, kTileSide, y}, PixelRect{0, y, x, kTileSide},
+          PixelRect{x, y, kTileSide, kTileSide}}) {
       InkJob job = TilePainter::job_of(scene, view, part);
       while (!job.is_done()) painter.draw_next(job, {}, pixels_of(parts));
     }

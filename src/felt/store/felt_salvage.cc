@@ -44,8 +44,8 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
-/// First of the new ids for strokes and fills whose own id belongs to another one, too. Far above the
-/// usual ids.
+/// First of the new ids for strokes and fills whose own id belongs to another one, too. Far above
+/// the usual ids.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
 /// Collects rows. Recognises the table of a row by the types of its values, because it is not known
@@ -55,7 +55,9 @@ class Findings {
   void take(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.empty() || !is_none(v[0]) || !is_id(row.id)) return;
-    if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) || take_view(row)) return;
+    if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) ||
+        take_view(row))
+      return;
     if (take_material(row)) return;
     if (!take_color(row)) ++others;
   }
@@ -280,8 +282,8 @@ class Assembly {
       }
       const std::int64_t missing = place(ids.back()) + 1 - std::ssize(ids);
       if (missing <= 0) continue;
-      out_.problems.push_back("At least " + std::to_string(missing) +
-                              kind + (missing == 1 ? "" : "s") + " of the layer “" +
+      out_.problems.push_back("At least " + std::to_string(missing) + kind +
+                              (missing == 1 ? "" : "s") + " of the layer “" +
                               found_.layers[layer].state.name + "” could not be read.");
     }
   }

@@ -167,8 +167,8 @@ class RandomEdits {
   std::vector<StrokeId> changed_;
 };
 
-/// Returns true if the invariants of every document hold: each stroke and fill is in one layer, once; layers
-/// have ids; find, place and layer_of agree.
+/// Returns true if the invariants of every document hold: each stroke and fill is in one layer,
+/// once; layers have ids; find, place and layer_of agree.
 inline bool is_consistent(const Document& document) {
   std::size_t count = 0, fills = 0;
   for (const Layer& layer : document.layers()) {
@@ -184,7 +184,8 @@ inline bool is_consistent(const Document& document) {
       if (document.fill_place(id) != StrokePlace{layer.id, i}) return false;
     }
   }
-  return count == document.stroke_count() && fills == document.fill_count() && !document.layers().empty();
+  return count == document.stroke_count() && fills == document.fill_count() &&
+         !document.layers().empty();
 }
 
 }  // namespace felt::testing
