@@ -89,6 +89,16 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
                       : "were left out; --layers all includes them"));
 }
 
+/// Prints a notice about fills if the format has none.
+void note_fills(const Document& document, Format format, const std::string& output,
+                Console& console) {
+  const bool has_fills = format == Format::kFelt || format == Format::kSvg ||
+                         format == Format::kPdf || format == Format::kPng;
+  if (has_fills || document.fill_count() == 0) return;
+  console.notice(output + ": " + std::to_string(document.fill_count()) +
+                 " fills were left out, because the format has only lines");
+}
+
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
                    const PictureOptions& picture, Console& console) {
   Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
@@ -96,7 +106,8 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   if (!report_notices(input.name(), opened->report, console)) return;
   // A drawing written by Feltline may be empty. For other files, keeps an older output instead of
   // replacing it by an empty file.
-  if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {
+  if (opened->drawing.document.stroke_count() == 0 && opened->drawing.document.fill_count() == 0 &&
+      !opened->is_exact) {
     return console.error(input.name() + ": contains no strokes");
   }
   const Result<void> done =
@@ -104,6 +115,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
           .and_then([&](DrawingOutput output) {
             note_hidden_layers(opened->drawing.document, format, args.output, console);
+            note_fills(opened->drawing.document, format, args.output, console);
             return output.write(std::move(opened->drawing));
           });
   if (!done) console.error(done.error().message);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/io/drawing_builder.h"
 
 namespace felt::cli {
@@ -70,6 +71,9 @@ Result<void> choose_layers(const std::string& text, Drawing& drawing) {
     const Layer& layer = document.layers()[i];
     const std::size_t kept = builder.add_layer({layer.name, true, layer.locked});
     for (const StrokeId id : layer.strokes) builder.add(kept, document.find(id), id);
+    for (const FillId id : layer.fills) {
+      builder.add_fill(kept, document.find_fill(id), fill_name(id));
+    }
   }
   drawing.document = std::move(builder).build().document;
   drawing.layer = {};

@@ -68,9 +68,10 @@ std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
   for (const Layer& layer : opened.drawing.document.layers()) {
-    text += fmt::format("{:16}{} strokes, '{}'{}{}\n", fmt::format("layer {}", ++place),
-                        layer.strokes.size(), printable(layer.name),
-                        layer.visible ? "" : ", hidden", layer.locked ? ", locked" : "");
+    text += fmt::format(
+        "{:16}{} strokes, {}'{}'{}{}\n", fmt::format("layer {}", ++place), layer.strokes.size(),
+        layer.fills.empty() ? "" : fmt::format("{} fills, ", layer.fills.size()),
+        printable(layer.name), layer.visible ? "" : ", hidden", layer.locked ? ", locked" : "");
   }
   return text;
 }
@@ -78,9 +79,10 @@ std::string layers_text(const Imported& opened) {
 std::string layers_json(const Imported& opened) {
   std::vector<std::string> layers;
   for (const Layer& layer : opened.drawing.document.layers()) {
-    layers.push_back(fmt::format(R"({{"name":{},"visible":{},"locked":{},"strokes":{}}})",
-                                 json_string(layer.name), layer.visible, layer.locked,
-                                 layer.strokes.size()));
+    layers.push_back(
+        fmt::format(R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{}}})",
+                    json_string(layer.name), layer.visible, layer.locked, layer.strokes.size(),
+                    layer.fills.size()));
   }
   return json_array(layers);
 }

@@ -113,7 +113,8 @@ void recover(const RecoverArguments& args, Console& console) {
     for (const std::string& problem : recovered->problems) {
       console.notice(store.folder + ": " + problem);
     }
-    if (!recovered->has_changes && recovered->drawing.document.stroke_count() == 0) continue;
+    const Document& document = recovered->drawing.document;
+    if (!recovered->has_changes && document.stroke_count() + document.fill_count() == 0) continue;
     ++found;
     print("{}\n", described(*recovered));
     if (args.list) continue;

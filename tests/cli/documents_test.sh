@@ -38,7 +38,7 @@ done
 
 # info prints the same figures for each file, and for a drawing also its page and layers.
 run 0 "$feltline" info a.felt --json
-has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20}],"recordings":[],"notices":[]}'
+has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20,"fills":0}],"recordings":[],"notices":[]}'
 sed 's/,"format".*//' out >felt.info
 run 0 "$feltline" info a.ndjson --json
 sed 's/,"format".*//' out >ndjson.info

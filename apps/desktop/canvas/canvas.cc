@@ -151,6 +151,7 @@ void Canvas::fit_ink() {
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) all.extend(document.find(id)->bounds());
+    for (const FillId id : layer.fills) all.extend(fill_bounds(*document.find_fill(id)));
   }
   if (all.empty()) return fit_page();
   CanvasView view = view_;
@@ -198,7 +199,7 @@ void Canvas::take_layers() {
   const auto use = std::find_if(layers.begin(), layers.end(),
                                 [&](const Layer& l) { return l.id == session.layer(); });
   const bool is_covered = use != layers.end() && std::any_of(use + 1, layers.end(), [](auto& l) {
-                            return l.visible && !l.strokes.empty();
+                            return l.visible && !(l.strokes.empty() && l.fills.empty());
                           });
   ink_.draw_below(is_covered ? std::optional(session.layer()) : std::nullopt);
 }

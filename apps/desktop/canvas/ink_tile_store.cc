@@ -278,9 +278,9 @@ void InkTileStore::work(std::uint64_t order, const std::function<bool()>& should
     begun_ = std::move(begun);
     return;
   }
-  const bool is_blank = begun->job.strokes.empty() && !tile.split && !tile.picture;
+  const bool is_blank = begun->job.items.empty() && !tile.split && !tile.picture;
   if (tile.picture) bytes_ -= TilePicture::kBytes;
-  const bool is_empty = is_blank || (begun->part == kWhole && begun->job.strokes.empty() &&
+  const bool is_empty = is_blank || (begun->part == kWhole && begun->job.items.empty() &&
                                      !(tile.split && !tile.split->valid.empty()));
   tile.picture = is_empty ? nullptr : TilePtr(std::move(begun->picture));
   if (tile.picture) bytes_ += TilePicture::kBytes;

@@ -127,7 +127,8 @@ QString FileActions::display_name() const {
 
 bool FileActions::is_pristine() const {
   return path_.isEmpty() && name_.isEmpty() && !studio_.is_modified() &&
-         studio_.session().document().stroke_count() == 0;
+         studio_.session().document().stroke_count() == 0 &&
+         studio_.session().document().fill_count() == 0;
 }
 
 Drawing FileActions::drawing() const {

@@ -21,7 +21,8 @@ bool is_worthless(const RecoveryOffer& offer) {
   const Recovered& recovered = offer.recovered;
   // If the autosave is damaged, has_changes may be false although there were unsaved changes.
   if (recovered.has_changes || !recovered.problems.empty()) return false;
-  if (recovered.drawing.document.stroke_count() == 0) return true;
+  const Document& document = recovered.drawing.document;
+  if (document.stroke_count() + document.fill_count() == 0) return true;
   if (recovered.path.empty()) return true;  // an unchanged drawing without a file: an example
   // The drawing was saved. If the file contains another drawing now, someone may have restored an
   // older version, and the autosave is needed.

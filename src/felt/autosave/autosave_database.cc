@@ -245,7 +245,8 @@ Result<bool> AutosaveDatabase::write_base_part() {
   row.bind_blob(3, *bytes);
   if (!step(row)) return error();
   ++base_->part;
-  while (base_->layer < layers.size() && base_->index == layers[base_->layer].strokes.size()) {
+  const auto size_of = [](const Layer& layer) { return layer.strokes.size() + layer.fills.size(); };
+  while (base_->layer < layers.size() && base_->index == size_of(layers[base_->layer])) {
     ++base_->layer;
     base_->index = 0;
   }

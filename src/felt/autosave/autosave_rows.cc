@@ -8,6 +8,7 @@
 
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/fill_blob.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -131,16 +132,34 @@ Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
     out.u64(id.value);
     out.text(shape);
   }
+  std::string fills;
+  ByteWriter fills_out(fills);
+  std::uint32_t fill_count = 0;
+  const std::size_t first_fill = layer.strokes.size();
+  for (; index >= first_fill && index < first_fill + layer.fills.size() &&
+         strokes.size() + fills.size() < kBasePartBytes;
+       ++index, ++fill_count) {
+    std::string shape;
+    const FillId id = layer.fills[index - first_fill];
+    if (auto ok = append_fill_blob(shape, *document.find_fill(id)); !ok) {
+      return tl::unexpected(ok.error());
+    }
+    fills_out.u64(id.value);
+    fills_out.text(shape);
+  }
   std::string bytes;
   ByteWriter head(bytes);
   head.u64(layer.id.value);
   head.u32(count);
-  return bytes += strokes;
+  bytes += strokes;
+  if (fill_count == 0) return bytes;
+  head.u32(fill_count);
+  return bytes += fills;
 }
 
 Result<BaseRun> read_base_run(std::string_view bytes) {
   ByteReader in(bytes);
-  BaseRun run{{in.u64()}, {}};
+  BaseRun run{{in.u64()}, {}, {}};
   const std::uint32_t count = in.u32();
   if (!in.has(count, kMinRunStrokeBytes)) return invalid_data("the list of strokes is incomplete");
   run.strokes.reserve(count);
@@ -149,6 +168,14 @@ Result<BaseRun> read_base_run(std::string_view bytes) {
     Result<Stroke> stroke = read_stroke_blob(in.text(kMaxStrokeBlobBytes));
     if (!stroke) return tl::unexpected(stroke.error());
     run.strokes.emplace_back(id, std::make_shared<const Stroke>(*std::move(stroke)));
+  }
+  const std::uint32_t fills = in.left() > 0 ? in.u32() : 0;
+  if (!in.has(fills, kMinRunStrokeBytes)) return invalid_data("the list of fills is incomplete");
+  for (std::uint32_t i = 0; i < fills; ++i) {
+    const FillId id{in.u64()};
+    Result<FillPtr> fill = read_fill_blob(in.text(kMaxFillBlobBytes));
+    if (!fill) return tl::unexpected(fill.error());
+    run.fills.emplace_back(id, *std::move(fill));
   }
   if (!in.ok() || in.left() > 0) return invalid_data("the list of strokes is incomplete");
   return run;

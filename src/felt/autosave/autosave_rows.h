@@ -50,19 +50,22 @@ Result<void> remove_autosave_folder(const std::string& folder);
 /// Returns the checksum of a row, which covers its numbers and then its bytes.
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept;
 
-/// Returns the first part of a base, which has everything except the strokes.
+/// Returns the first part of a base, which has everything except strokes and fills.
 Result<std::string> base_head_bytes(const Drawing& drawing);
-/// Reads the first part of a base. The returned drawing has all its layers, but no strokes. Its
-/// document reserves the ids that were ever used.
+/// Reads the first part of a base. The returned drawing has all its layers, but no strokes and
+/// fills. Its document reserves the ids that were ever used.
 Result<Drawing> read_base_head(std::string_view bytes);
 
-/// The content of each part after the first: consecutive strokes of one layer.
+/// The content of each part after the first: consecutive strokes and fills of one
+/// layer.
 struct BaseRun {
   LayerId layer;
   std::vector<std::pair<StrokeId, StrokePtr>> strokes;
+  std::vector<std::pair<FillId, FillPtr>> fills;
 };
-/// Returns a part with the strokes of `layer` from `index` on, until the part is full or the layer
-/// ends. Sets `index` to the first stroke that is not in the part.
+/// Returns a part with the strokes and then the fills of `layer` from `index` on, until the part is
+/// full or the layer ends. Fills are counted after strokes. Sets `index` to the first object that
+/// is not in the part.
 Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
                                    std::size_t& index);
 Result<BaseRun> read_base_run(std::string_view bytes);

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "felt/store/byte_writer.h"
+#include "felt/store/fill_blob.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
+constexpr std::uint8_t kVersionWithFills = 2;
 constexpr std::size_t kMaxNameBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
@@ -22,6 +24,18 @@ Result<void> write_stroke(ByteWriter& out, const StrokeChange& c) {
   if (!c.after) return {};
   std::string shape;
   if (auto ok = append_stroke_blob(shape, *c.after); !ok) return ok;
+  out.u64(c.after_place.layer.value);
+  out.u64(c.after_place.index);
+  out.text(shape);
+  return {};
+}
+
+Result<void> write_fill(ByteWriter& out, const FillChange& c) {
+  out.u64(c.id.value);
+  out.u8(c.after ? kIsThere : 0);
+  if (!c.after) return {};
+  std::string shape;
+  if (auto ok = append_fill_blob(shape, *c.after); !ok) return ok;
   out.u64(c.after_place.layer.value);
   out.u64(c.after_place.index);
   out.text(shape);
@@ -51,6 +65,20 @@ Result<StrokeChange> read_stroke(ByteReader& in) {
   Result<Stroke> stroke = read_stroke_blob(shape);
   if (!stroke) return tl::unexpected(with_context(stroke.error(), "stroke"));
   c.after = std::make_shared<const Stroke>(*std::move(stroke));
+  return c;
+}
+
+Result<FillChange> read_fill(ByteReader& in) {
+  FillChange c;
+  c.id = {in.u64()};
+  if (in.u8() == 0) return c;
+  c.after_place.layer = {in.u64()};
+  c.after_place.index = in.u64();
+  const std::string_view shape = in.text(kMaxFillBlobBytes);
+  if (!in.ok()) return invalid_data("the edit ends in the middle of a fill");
+  Result<FillPtr> fill = read_fill_blob(shape);
+  if (!fill) return tl::unexpected(with_context(fill.error(), "fill"));
+  c.after = *std::move(fill);
   return c;
 }
 
@@ -86,6 +114,15 @@ Result<void> find_strokes(const Document& document, std::vector<StrokeChange>& c
   return {};
 }
 
+Result<void> find_fills(const Document& document, std::vector<FillChange>& changes) {
+  for (FillChange& c : changes) {
+    c.before = document.find_fill(c.id);
+    if (!c.before && !c.after) return invalid_data("the edit removes a fill that does not exist");
+    if (c.before) c.before_place = document.fill_place(c.id);
+  }
+  return {};
+}
+
 Result<void> find_layers(const Document& document, std::vector<LayerChange>& changes) {
   const std::span<const Layer> layers = document.layers();
   for (LayerChange& c : changes) {
@@ -105,13 +142,18 @@ Result<void> find_layers(const Document& document, std::vector<LayerChange>& cha
 
 Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   ByteWriter writer(out);
-  writer.u8(kVersion);
+  writer.u8(edit.fills.empty() ? kVersion : kVersionWithFills);
   writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
   for (const LayerChange& c : edit.layers) write_layer(writer, c);
   writer.u32(static_cast<std::uint32_t>(edit.changes.size()));
   for (const StrokeChange& c : edit.changes) {
     if (auto ok = write_stroke(writer, c); !ok) return ok;
+  }
+  if (edit.fills.empty()) return {};
+  writer.u32(static_cast<std::uint32_t>(edit.fills.size()));
+  for (const FillChange& c : edit.fills) {
+    if (auto ok = write_fill(writer, c); !ok) return ok;
   }
   return {};
 }
@@ -121,7 +163,9 @@ namespace {
 /// Parses the bytes. The state before the edit is not filled in.
 Result<Edit> parse(std::string_view bytes) {
   ByteReader in(bytes);
-  if (in.u8() != kVersion) return invalid_data("the edit has an unknown version");
+  const std::uint8_t version = in.u8();
+  if (version != kVersion && version != kVersionWithFills)
+    return invalid_data("the edit has an unknown version");
   Edit edit;
   edit.label = std::string(in.text(kMaxNameBytes));
   const std::uint32_t layers = in.u32();
@@ -134,6 +178,13 @@ Result<Edit> parse(std::string_view bytes) {
     Result<StrokeChange> change = read_stroke(in);
     if (!change) return tl::unexpected(change.error());
     edit.changes.push_back(*std::move(change));
+  }
+  const std::uint32_t fills = version == kVersionWithFills ? in.u32() : 0;
+  if (!in.has(fills, kMinChangeBytes)) return invalid_data("the edit is incomplete");
+  for (std::uint32_t i = 0; i < fills; ++i) {
+    Result<FillChange> change = read_fill(in);
+    if (!change) return tl::unexpected(change.error());
+    edit.fills.push_back(*std::move(change));
   }
   if (!in.ok() || in.left() > 0)
     return invalid_data("the edit does not have the length that it states");
@@ -157,12 +208,29 @@ void force(StrokeChange change, Document& document) {
   static_cast<void>(document.apply(edit));
 }
 
+void force(FillChange change, Document& document) {
+  change.before = document.find_fill(change.id);
+  if (!change.before && !change.after) return;
+  if (change.before) change.before_place = document.fill_place(change.id);
+  if (change.after && change.before) {
+    change.after_place = change.before_place;
+  } else if (change.after) {
+    const Layer* layer = document.layer(change.after_place.layer);
+    if (!layer) layer = &document.layers().back();
+    change.after_place = {layer->id, layer->fills.size()};
+  }
+  Edit edit;
+  edit.fills.push_back(std::move(change));
+  static_cast<void>(document.apply(edit));
+}
+
 }  // namespace
 
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
   Result<Edit> edit = parse(bytes);
   if (!edit) return edit;
   if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_fills(document, edit->fills); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
   return edit;
 }
@@ -177,6 +245,7 @@ Result<void> apply_what_fits(std::string_view bytes, Document& document) {
     static_cast<void>(document.apply(add));
   }
   for (StrokeChange& change : edit->changes) force(std::move(change), document);
+  for (FillChange& change : edit->fills) force(std::move(change), document);
   return {};
 }
 

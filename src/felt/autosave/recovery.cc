@@ -193,11 +193,11 @@ class Assembly {
       }
     }
     Edit edit;
-    std::map<LayerId, std::size_t> places;
+    std::map<LayerId, std::size_t> places, fill_places;
     for (const auto& [part, bytes] : rows) {
       if (part == 0) continue;
       if (Result<BaseRun> run = read_base_run(bytes)) {
-        add_run(*std::move(run), edit, places);
+        add_run(*std::move(run), edit, places, fill_places);
       } else {
         ++lost;
       }
@@ -210,11 +210,15 @@ class Assembly {
     }
   }
 
-  void add_run(BaseRun run, Edit& edit, std::map<LayerId, std::size_t>& places) const {
+  void add_run(BaseRun run, Edit& edit, std::map<LayerId, std::size_t>& places,
+               std::map<LayerId, std::size_t>& fill_places) const {
     const Document& document = out_.drawing.document;
     const LayerId layer = document.layer(run.layer) ? run.layer : document.layers().back().id;
     for (auto& [id, stroke] : run.strokes) {
       edit.changes.push_back({id, nullptr, std::move(stroke), {}, {layer, places[layer]++}});
+    }
+    for (auto& [id, fill] : run.fills) {
+      edit.fills.push_back({id, nullptr, std::move(fill), {}, {layer, fill_places[layer]++}});
     }
   }
 

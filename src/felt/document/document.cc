@@ -12,6 +12,9 @@ namespace {
 std::string name_of(StrokeId id) {
   return "stroke " + std::to_string(id.value);
 }
+std::string name_of(FillId id) {
+  return "fill " + std::to_string(id.value);
+}
 std::string name_of(LayerId id) {
   return "layer " + std::to_string(id.value);
 }
@@ -19,6 +22,17 @@ std::string name_of(LayerId id) {
 tl::unexpected<Error> misfit(std::string what) {
   return fail(ErrorCode::kInvalidArgument, std::move(what));
 }
+
+const std::vector<StrokeId>& list_of(const Layer& layer, StrokeId) {
+  return layer.strokes;
+}
+const std::vector<FillId>& list_of(const Layer& layer, FillId) {
+  return layer.fills;
+}
+
+/// The new orders of one kind of object, by layer.
+template <class Id>
+using Orders = std::map<LayerId, Reordered<Id>>;
 
 /// Fails if an id is zero, or if the same id changes twice, because it would be undefined which
 /// change is the final one.
@@ -49,17 +63,22 @@ class Document::Plan {
   Result<void> prepare() {
     return check_ids(edit_.changes)
         .and_then([&] { return check_ids(edit_.layers); })
+        .and_then([&] { return check_ids(edit_.fills); })
         .and_then([&] { return prepare_layers(); })
-        .and_then([&] { return prepare_strokes(); })
-        .and_then([&] { return check_removed_layers(); });
+        .and_then([&] { return prepare_objects(edit_.changes, document_.strokes_, orders_); })
+        .and_then([&] { return prepare_objects(edit_.fills, document_.fills_, fill_orders_); })
+        .and_then([&] { return check_removed_layers(orders_, "strokes"); })
+        .and_then([&] { return check_removed_layers(fill_orders_, "fills"); });
   }
 
   /// Changes the document. Requires that prepare() succeeded.
   void carry_out() {
     for (const LayerChange& c : edit_.layers) change_layer(c);
     for (auto& [id, order] : orders_) order.apply_to(layer(id)->strokes);
+    for (auto& [id, order] : fill_orders_) order.apply_to(layer(id)->fills);
     if (!edit_.layers.empty()) arrange_layers();
-    for (const StrokeChange& c : edit_.changes) change_stroke(c);
+    for (const StrokeChange& c : edit_.changes) change_object(c, document_.strokes_);
+    for (const FillChange& c : edit_.fills) change_object(c, document_.fills_);
   }
 
  private:
@@ -95,10 +114,13 @@ class Document::Plan {
         });
   }
 
-  Result<void> prepare_strokes() {
-    std::map<LayerId, Moves<StrokeId>> moves;
-    for (const StrokeChange& c : edit_.changes) {
-      if (auto ok = check_before(c); !ok) return ok;
+  /// Checks the changes of strokes or of fills, and computes the new orders in their layers.
+  template <class Change, class Table, class Id>
+  Result<void> prepare_objects(const std::vector<Change>& changes, const Table& table,
+                               Orders<Id>& orders) {
+    std::map<LayerId, Moves<Id>> moves;
+    for (const Change& c : changes) {
+      if (auto ok = check_before(c, table); !ok) return ok;
       if (c.after && !is_kept(c.after_place.layer)) {
         return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " does not exist");
       }
@@ -111,31 +133,32 @@ class Document::Plan {
     }
     for (auto& [id, m] : moves) {
       const Layer* present = document_.layer(id);
-      const std::span<const StrokeId> old =
-          present ? std::span<const StrokeId>(present->strokes) : std::span<const StrokeId>();
-      auto order = m.reorder<StrokeId>(old);
+      const std::span<const Id> old =
+          present ? std::span<const Id>(list_of(*present, Id{})) : std::span<const Id>();
+      auto order = m.template reorder<Id>(old);
       if (!order) return tl::unexpected(with_context(order.error(), name_of(id)));
-      orders_.emplace(id, *std::move(order));
+      orders.emplace(id, *std::move(order));
     }
     return {};
   }
 
-  [[nodiscard]] Result<void> check_before(const StrokeChange& c) const {
-    const auto found = document_.strokes_.find(c.id);
-    const bool present = found != document_.strokes_.end();
+  template <class Change, class Table>
+  [[nodiscard]] Result<void> check_before(const Change& c, const Table& table) const {
+    const auto found = table.find(c.id);
+    const bool present = found != table.end();
     if (!c.before) {
       return present ? Result<void>(misfit(name_of(c.id) + " already exists")) : Result<void>();
     }
     if (!present) return misfit(name_of(c.id) + " does not exist");
-    const StrokePtr& stroke = found->second.stroke;
-    if (stroke != c.before && *stroke != *c.before) {
+    const auto& object = found->second.object;
+    if (object != c.before && *object != *c.before) {
       return misfit(name_of(c.id) + " has changed in the meantime");
     }
     const Layer* l = document_.layer(c.before_place.layer);
-    if (!l || c.before_place.index >= l->strokes.size() ||
-        l->strokes[c.before_place.index] != c.id) {
-      return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_place.index) +
-                    " of " + name_of(c.before_place.layer));
+    const std::size_t index = c.before_place.index;
+    if (!l || index >= list_of(*l, c.id).size() || list_of(*l, c.id)[index] != c.id) {
+      return misfit(name_of(c.id) + " is not at index " + std::to_string(index) + " of " +
+                    name_of(c.before_place.layer));
     }
     return {};
   }
@@ -145,15 +168,17 @@ class Document::Plan {
     return std::find(layer_order_.begin(), layer_order_.end(), id) != layer_order_.end();
   }
 
-  [[nodiscard]] Result<void> check_removed_layers() const {
+  template <class Id>
+  [[nodiscard]] Result<void> check_removed_layers(const Orders<Id>& orders,
+                                                  const char* objects) const {
     for (const LayerChange& c : edit_.layers) {
       if (c.after) continue;
-      const auto order = orders_.find(c.id);
+      const auto order = orders.find(c.id);
       const std::size_t left =
-          order != orders_.end() ? order->second.size : document_.layer(c.id)->strokes.size();
+          order != orders.end() ? order->second.size : list_of(*document_.layer(c.id), Id{}).size();
       if (left > 0) {
-        return misfit(name_of(c.id) + " cannot be removed: " + std::to_string(left) +
-                      " strokes are on it");
+        return misfit(name_of(c.id) + " cannot be removed: " + std::to_string(left) + " " +
+                      objects + " are on it");
       }
     }
     return {};
@@ -191,13 +216,14 @@ class Document::Plan {
     layers = std::move(arranged);
   }
 
-  void change_stroke(const StrokeChange& c) {
+  template <class Change, class Table>
+  void change_object(const Change& c, Table& table) {
     if (c.after) {
       // Inserts at the end, because strokes of a file come in the order of their ids.
-      document_.strokes_.insert_or_assign(document_.strokes_.end(), c.id,
-                                          Entry{c.after, c.after_place.layer});
+      table.insert_or_assign(table.end(), c.id,
+                             typename Table::mapped_type{c.after, c.after_place.layer});
     } else {
-      document_.strokes_.erase(c.id);
+      table.erase(c.id);
     }
     document_.last_id_ = std::max(document_.last_id_, c.id.value);
   }
@@ -205,7 +231,8 @@ class Document::Plan {
   Document& document_;
   const Edit& edit_;
   std::vector<LayerId> layer_order_;
-  std::map<LayerId, Reordered<StrokeId>> orders_;
+  Orders<StrokeId> orders_;
+  Orders<FillId> fill_orders_;
 };
 
 Document::Document() : layers_{{.id = {1}, .name = "Ink", .strokes = {}}} {}
@@ -220,24 +247,61 @@ Result<void> Document::apply(const Edit& edit) {
   return {};
 }
 
+namespace {
+
+template <class Table, class Id>
+auto find_object(const Table& table, Id id) {
+  const auto found = table.find(id);
+  return found == table.end() ? nullptr : found->second.object;
+}
+
+template <class Table, class Id>
+LayerId layer_of_object(const Table& table, Id id) {
+  const auto found = table.find(id);
+  FELT_CHECK(found != table.end());
+  return found->second.layer;
+}
+
+template <class Id>
+std::size_t index_in(const std::vector<Id>& list, Id id) {
+  // Searches from the top, because users mostly change what they drew last.
+  const auto found = std::find(list.rbegin(), list.rend(), id);
+  FELT_CHECK(found != list.rend());
+  return static_cast<std::size_t>(std::distance(found, list.rend())) - 1;
+}
+
+/// Returns true if two tables have equal objects in the same layers.
+template <class Table>
+bool equal_tables(const Table& a, const Table& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && x.second.layer == y.second.layer &&
+           (x.second.object == y.second.object || *x.second.object == *y.second.object);
+  });
+}
+
+}  // namespace
+
 StrokePtr Document::find(StrokeId id) const {
-  const auto found = strokes_.find(id);
-  return found == strokes_.end() ? nullptr : found->second.stroke;
+  return find_object(strokes_, id);
+}
+FillPtr Document::find_fill(FillId id) const {
+  return find_object(fills_, id);
 }
 
 LayerId Document::layer_of(StrokeId id) const {
-  const auto found = strokes_.find(id);
-  FELT_CHECK(found != strokes_.end());
-  return found->second.layer;
+  return layer_of_object(strokes_, id);
+}
+LayerId Document::layer_of_fill(FillId id) const {
+  return layer_of_object(fills_, id);
 }
 
 StrokePlace Document::place(StrokeId id) const {
   const LayerId in = layer_of(id);
-  const auto& strokes = layer(in)->strokes;
-  // Searches from the top, because users mostly change what they drew last.
-  const auto found = std::find(strokes.rbegin(), strokes.rend(), id);
-  FELT_CHECK(found != strokes.rend());
-  return {in, static_cast<std::size_t>(std::distance(found, strokes.rend())) - 1};
+  return {in, index_in(layer(in)->strokes, id)};
+}
+StrokePlace Document::fill_place(FillId id) const {
+  const LayerId in = layer_of_fill(id);
+  return {in, index_in(layer(in)->fills, id)};
 }
 
 const Layer* Document::layer(LayerId id) const noexcept {
@@ -252,13 +316,8 @@ void Document::reserve_ids(StrokeId stroke, LayerId layer) noexcept {
 }
 
 bool operator==(const Document& a, const Document& b) {
-  return a.layers_ == b.layers_ &&
-         std::equal(
-             a.strokes_.begin(), a.strokes_.end(), b.strokes_.begin(), b.strokes_.end(),
-             [](const auto& x, const auto& y) {
-               return x.first == y.first && x.second.layer == y.second.layer &&
-                      (x.second.stroke == y.second.stroke || *x.second.stroke == *y.second.stroke);
-             });
+  return a.layers_ == b.layers_ && equal_tables(a.strokes_, b.strokes_) &&
+         equal_tables(a.fills_, b.fills_);
 }
 
 }  // namespace felt

@@ -8,28 +8,32 @@
 
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
+#include "felt/document/fill.h"
 
 namespace felt {
 
-/// A layer: its strokes in drawing order, its name, and whether it is visible and locked.
+/// A layer: its strokes and fills in drawing order, its name, and whether it is visible and locked.
+/// All fills are below all strokes of the layer.
 struct Layer {
   LayerId id;
   std::string name;
   bool visible = true;
   bool locked = false;
   std::vector<StrokeId> strokes;  ///< the lowest first
+  std::vector<FillId> fills{};    ///< the lowest first
 
   [[nodiscard]] LayerState state() const { return {name, visible, locked}; }
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// A table of immutable strokes by id, in layers. Only edits change a document, so that undo,
-/// autosave and display see the same changes. A copy shares the strokes and takes linear time in
+/// A table of immutable strokes and fills by id, in layers. Only edits change a document, so that
+/// undo, autosave and display see the same changes. A copy shares them and takes linear time in
 /// their number. Not thread-safe; give other threads a copy.
 ///
-/// Every stroke is in exactly one layer, once. A document always has at least one layer. The id of
-/// a removed stroke is not reused. Only tools respect locked layers: the document applies every
-/// edit that fits, because undo would fail otherwise.
+/// Every stroke and every fill is in exactly one layer, once. A document always has at least one
+/// layer. The id of a removed stroke or fill is not reused; strokes and fills share one counter.
+/// Only tools respect locked layers: the document applies every edit that fits, because undo would
+/// fail otherwise.
 class Document {
  public:
   /// Creates a document with one empty layer, "Ink".
@@ -37,46 +41,56 @@ class Document {
 
   /// Applies an edit completely or not at all. Fails if the edit does not fit this document: a
   /// `before` differs from what the document has, a layer is unknown, or a position is beyond the
-  /// end or used twice. The message names the edit, the stroke or layer, and the reason. Takes
-  /// linear time in the changes and in the strokes above the lowest stroke that moves.
+  /// end or used twice. The message names the edit, the stroke, fill or layer, and the reason.
+  /// Takes linear time in the changes and in the strokes above the lowest stroke that moves.
   Result<void> apply(const Edit& edit);
 
   /// Returns the stroke with this id, or null if the document has no such stroke.
   [[nodiscard]] StrokePtr find(StrokeId id) const;
+  [[nodiscard]] FillPtr find_fill(FillId id) const;
   /// Returns the position of a stroke. Requires that the document has the stroke. Takes linear time
   /// in the strokes above it.
   [[nodiscard]] StrokePlace place(StrokeId id) const;
+  [[nodiscard]] StrokePlace fill_place(FillId id) const;
   /// Returns the layer of a stroke. Requires that the document has the stroke.
   [[nodiscard]] LayerId layer_of(StrokeId id) const;
+  [[nodiscard]] LayerId layer_of_fill(FillId id) const;
   /// Returns the layers, the lowest first.
   [[nodiscard]] std::span<const Layer> layers() const noexcept { return layers_; }
   /// Returns the layer with this id, or null if the document has no such layer.
   [[nodiscard]] const Layer* layer(LayerId id) const noexcept;
   [[nodiscard]] std::size_t stroke_count() const noexcept { return strokes_.size(); }
-  /// Returns an id that no stroke of this document ever had: the next unused id, or the n-th after
-  /// it. An id counts as used once an edit that adds a stroke with this id is applied, even if that
-  /// edit is undone.
+  [[nodiscard]] std::size_t fill_count() const noexcept { return fills_.size(); }
+  /// Returns an id that no stroke or fill of this document ever had: the next unused id, or the
+  /// n-th after it. An id counts as used once an edit that adds an object with this id is applied,
+  /// even if that edit is undone.
   [[nodiscard]] StrokeId new_id(std::uint64_t n = 0) const noexcept { return {last_id_ + 1 + n}; }
+  [[nodiscard]] FillId new_fill_id(std::uint64_t n = 0) const noexcept {
+    return {last_id_ + 1 + n};
+  }
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
-  /// Marks all ids up to these as used. Readers of files call this so that ids used before the
-  /// drawing was saved are not reused.
+  /// Marks all ids up to these as used; that of a stroke also counts for fills. Readers of files
+  /// call this so that ids used before the drawing was saved are not reused.
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
-  /// Returns true if the same strokes, by value, are at the same positions in the same layers.
+  /// Returns true if the same strokes and fills, by value, are at the same positions in the same
+  /// layers.
   friend bool operator==(const Document& a, const Document& b);
 
  private:
+  template <class T>
   struct Entry {
-    StrokePtr stroke;
+    std::shared_ptr<const T> object;
     LayerId layer;
   };
   class Plan;
 
-  std::map<StrokeId, Entry> strokes_;
+  std::map<StrokeId, Entry<Stroke>> strokes_;
+  std::map<FillId, Entry<Fill>> fills_;
   std::vector<Layer> layers_;
-  std::uint64_t last_id_ = 0;
+  std::uint64_t last_id_ = 0;  // of strokes and fills
   std::uint64_t last_layer_id_ = 1;
 };
 

@@ -10,6 +10,10 @@ Edit Edit::inverse() const {
     std::swap(c.before, c.after);
     std::swap(c.before_place, c.after_place);
   }
+  for (FillChange& c : result.fills) {
+    std::swap(c.before, c.after);
+    std::swap(c.before_place, c.after_place);
+  }
   for (LayerChange& c : result.layers) {
     std::swap(c.before, c.after);
     std::swap(c.before_index, c.after_index);

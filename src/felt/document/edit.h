@@ -12,8 +12,8 @@
 
 namespace felt {
 
-/// A typed number that names a stroke or layer of a document. The id zero names nothing. Ids are
-/// never reused within a document, so an id in an undo step always means the same object.
+/// A typed number that names a stroke, layer or fill of a document. The id zero names nothing. Ids
+/// are never reused within a document, so an id in an undo step always means the same object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
@@ -25,11 +25,14 @@ struct Id {
 
 using StrokeId = Id<struct StrokeTag>;
 using LayerId = Id<struct LayerTag>;
+using FillId = Id<struct FillTag>;
 
 using StrokePtr = std::shared_ptr<const Stroke>;
+struct Fill;  // fill.h
+using FillPtr = std::shared_ptr<const Fill>;
 
-/// The position of a stroke: its layer, and its index in that layer's drawing order (0 is the
-/// lowest).
+/// The position of a stroke or fill: its layer, and its index in that layer's list of strokes or of
+/// fills (0 is the lowest).
 struct StrokePlace {
   LayerId layer;
   std::size_t index = 0;
@@ -52,6 +55,17 @@ struct StrokeChange {
   friend bool operator==(const StrokeChange&, const StrokeChange&) = default;
 };
 
+/// The change of one fill: added, removed, or replaced, as in StrokeChange.
+struct FillChange {
+  FillId id;
+  FillPtr before;
+  FillPtr after;
+  StrokePlace before_place;  ///< used only if `before` is set
+  StrokePlace after_place;   ///< used only if `after` is set
+
+  friend bool operator==(const FillChange&, const FillChange&) = default;
+};
+
 /// The name of a layer, and whether it is visible and locked.
 struct LayerState {
   std::string name;
@@ -62,9 +76,9 @@ struct LayerState {
 };
 
 /// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
-/// must remove or move its strokes), renamed, hidden, locked, or moved. Indices are absolute, like
-/// the positions of strokes: `before_index` is the index before the whole edit, `after_index` the
-/// index after it. Index 0 is the lowest layer.
+/// must remove or move its strokes and fills), renamed, hidden, locked, or moved. Indices are
+/// absolute, like the positions of strokes: `before_index` is the index before the whole edit,
+/// `after_index` the index after it. Index 0 is the lowest layer.
 struct LayerChange {
   LayerId id;
   std::optional<LayerState> before;
@@ -75,14 +89,17 @@ struct LayerChange {
   friend bool operator==(const LayerChange&, const LayerChange&) = default;
 };
 
-/// The only way to change a document: a label for the undo menu, and the changes of strokes and
-/// layers. One gesture is one edit.
+/// The only way to change a document: a label for the undo menu, and the changes of strokes,
+/// layers and fills. One gesture is one edit.
 struct Edit {
   std::string label;  ///< shown to the user: "Draw", "Pull"
   std::vector<StrokeChange> changes;
   std::vector<LayerChange> layers = {};
+  std::vector<FillChange> fills = {};
 
-  [[nodiscard]] bool empty() const noexcept { return changes.empty() && layers.empty(); }
+  [[nodiscard]] bool empty() const noexcept {
+    return changes.empty() && layers.empty() && fills.empty();
+  }
   /// Returns the edit that undoes this edit: `before` and `after` are swapped. The inverse of the
   /// result is this edit.
   [[nodiscard]] Edit inverse() const;

@@ -7,14 +7,15 @@
 
 namespace felt {
 
-/// Builds an edit that fits a document, and computes the positions of its strokes:
+/// Builds an edit that fits a document, and computes the positions of its strokes and fills:
 ///
 ///   EditBuilder edit(document);
 ///   edit.remove(old);
 ///   edit.add(layer, stroke);
 ///   Edit done = std::move(edit).build("Erase");
 ///
-/// The document must not change before build(). Replace or remove each stroke at most once.
+/// The document must not change before build(). Replace or remove each stroke and each fill at most
+/// once.
 class EditBuilder {
  public:
   explicit EditBuilder(const Document& document) noexcept : document_(document) {}
@@ -28,15 +29,20 @@ class EditBuilder {
   /// Removes a stroke. Requires that the document has the stroke.
   void remove(StrokeId id);
 
+  /// These do the same for fills: add one on top of the fills of its layer, replace one, remove
+  /// one.
+  FillId add_fill(LayerId layer, FillPtr fill);
+  void replace_fill(FillId id, FillPtr fill);
+  void remove_fill(FillId id);
+
   /// Returns the edit. Takes linear time in the number of changes and in the size of the changed
   /// layers.
   [[nodiscard]] Edit build(std::string label) &&;
 
  private:
-  void find_places();
-
   const Document& document_;
   std::vector<StrokeChange> changes_;
+  std::vector<FillChange> fills_;
   std::uint64_t made_ = 0;
 };
 

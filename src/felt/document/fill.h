@@ -1,10 +1,13 @@
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/document/edit.h"
+#include "felt/geometry/cubic.h"
 #include "felt/geometry/rect.h"
+#include "felt/stroke/outline/outline.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -42,6 +45,25 @@ struct Fill {
   friend bool operator==(const Fill&, const Fill&) = default;
 };
 
-using FillPtr = std::shared_ptr<const Fill>;
+/// Limits of a fill.
+inline constexpr std::size_t kMaxFillLoops = 100'000;
+inline constexpr std::size_t kMaxFillSegments = 1'000'000;  ///< in all its loops
+
+/// Checks the invariants of a fill: it has at least one loop; each loop is closed and has 3n + 1
+/// points, n > 0, and either no piece or 1 to n of them; a bridge has no parameters; every number
+/// is finite, and parameters and the gap are not negative; the fill is within the limits above. All
+/// readers call this. The message names the loop and the reason.
+Result<void> check_fill(const Fill& fill);
+
+/// Returns segment i of a loop. Requires 0 <= i < number of segments.
+Cubic fill_segment(const FillLoop& loop, std::size_t i) noexcept;
+
+/// Returns the bounds of the area; empty if it has no loop.
+Rect fill_bounds(const Fill& fill) noexcept;
+
+/// Replaces `out` by closed polygons, one for each loop, that are within the tolerance of the
+/// loops. A segment that needs more than kMaxFlattenSteps is divided into that many steps. The
+/// polygons depend only on the fill and the tolerance. They are meant for the even-odd rule.
+void flatten_fill(const Fill& fill, double tolerance_mm, Outline& out);
 
 }  // namespace felt

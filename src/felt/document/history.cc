@@ -13,13 +13,23 @@ std::size_t memory_of(const StrokePtr& stroke) noexcept {
          d.medium.capacity();
 }
 
+std::size_t memory_of(const FillPtr& fill) noexcept {
+  if (!fill) return 0;
+  std::size_t bytes = sizeof(Fill) + fill->loops.capacity() * sizeof(FillLoop);
+  for (const FillLoop& loop : fill->loops) {
+    bytes += loop.points.capacity() * sizeof(Point) + loop.pieces.capacity() * sizeof(FillPiece);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 std::size_t memory_of(const Edit& edit) noexcept {
-  std::size_t bytes = sizeof(Edit) + edit.label.capacity() +
-                      edit.changes.capacity() * sizeof(StrokeChange) +
-                      edit.layers.capacity() * sizeof(LayerChange);
+  std::size_t bytes =
+      sizeof(Edit) + edit.label.capacity() + edit.changes.capacity() * sizeof(StrokeChange) +
+      edit.layers.capacity() * sizeof(LayerChange) + edit.fills.capacity() * sizeof(FillChange);
   for (const StrokeChange& c : edit.changes) bytes += memory_of(c.before) + memory_of(c.after);
+  for (const FillChange& c : edit.fills) bytes += memory_of(c.before) + memory_of(c.after);
   for (const LayerChange& c : edit.layers) {
     if (c.before) bytes += c.before->name.capacity();
     if (c.after) bytes += c.after->name.capacity();

@@ -78,8 +78,8 @@ class History {
   std::uint64_t forgotten_number_ = 0;  // number of the last discarded step
 };
 
-/// Returns the memory, in bytes, of an edit and its strokes. A stroke counts once for each time
-/// that the edit contains it.
+/// Returns the memory, in bytes, of an edit, its strokes and its fills. Each counts once for each
+/// time that the edit contains it.
 std::size_t memory_of(const Edit& edit) noexcept;
 
 }  // namespace felt

@@ -16,8 +16,13 @@ Rect ink_bounds(const Document& document, LayerChoice layers) {
   for (const Layer& layer : document.layers()) {
     if (layers == LayerChoice::kVisible && !layer.visible) continue;
     for (const StrokeId id : layer.strokes) ink.extend(document.find(id)->bounds());
+    for (const FillId id : layer.fills) ink.extend(fill_bounds(*document.find_fill(id)));
   }
   return ink;
+}
+
+std::string fill_name(FillId id) {
+  return "f" + std::to_string(id.value);
 }
 
 std::string stroke_name(StrokeId id) {

@@ -14,10 +14,12 @@ enum class LayerChoice { kAll, kVisible };
 /// Returns the strokes of visible layers in drawing order. The strokes are shared, not copied.
 std::vector<StrokePtr> visible_strokes(const Document& document);
 
-/// Returns the bounds of the ink in these layers; empty if they contain no ink.
+/// Returns the bounds of the ink and fills in these layers; empty if they contain none.
 Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);
 
 /// Returns the name of a stroke in files, for example "s12".
 std::string stroke_name(StrokeId id);
+/// Returns the name of a fill in files, for example "f12".
+std::string fill_name(FillId id);
 
 }  // namespace felt

@@ -26,7 +26,7 @@ Result<std::string> png_bytes(const Drawing& drawing, const WriteOptions& option
   options_of_page.grain = options.grain;
   Result<PagePainter> page = PagePainter::create({}, options_of_page);
   if (!page) return tl::unexpected(page.error());
-  for (const StrokePtr& stroke : visible_strokes(drawing.document)) page->draw(*stroke);
+  page->draw(drawing.document);
   return encode_png(page->image(), options.dpi);
 }
 

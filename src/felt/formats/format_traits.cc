@@ -51,7 +51,7 @@ constexpr std::array kTable = {
                  .lossless = true,
                  .picture = true,
                  .widths = "exact",
-                 .taken = "centre lines of shapes and paths, PowerStroke widths, edges of fills",
+                 .taken = "centre lines of shapes and paths, PowerStroke widths, fills",
                  .kept = "The picture, for browsers, Inkscape and all that show SVG; Feltline "
                          "reads lines, layers and page back exactly."},
     FormatTraits{.format = FileFormat::kInkml,

@@ -16,9 +16,9 @@ namespace {
 /// saved.
 constexpr std::uint64_t kMaxId = std::uint64_t{1} << 40;
 
-/// Returns 12 for "s12", and 0 for any other name.
-std::uint64_t id_of_name(std::string_view name) noexcept {
-  if (name.size() < 2 || name[0] != 's' || name[1] == '0') return 0;
+/// Returns 12 for "s12" if the letter is 's', and 0 for any other name.
+std::uint64_t id_of_name(std::string_view name, char letter) noexcept {
+  if (name.size() < 2 || name[0] != letter || name[1] == '0') return 0;
   std::uint64_t id = 0;
   const char* end = name.data() + name.size();
   const auto [rest, error] = std::from_chars(name.data() + 1, end, id);
@@ -50,7 +50,7 @@ std::size_t DrawingBuilder::add_layer(LayerState state) {
 void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name) {
   FELT_CHECK(layer < layers_.size());
   layers_[layer].strokes.push_back(
-      {id_of_name(name), std::make_shared<const Stroke>(std::move(stroke))});
+      {id_of_name(name, 's'), std::make_shared<const Stroke>(std::move(stroke))});
 }
 
 void DrawingBuilder::add(std::size_t layer, StrokePtr stroke, StrokeId id) {
@@ -58,13 +58,19 @@ void DrawingBuilder::add(std::size_t layer, StrokePtr stroke, StrokeId id) {
   layers_[layer].strokes.push_back({id.value < kMaxId ? id.value : 0, std::move(stroke)});
 }
 
+void DrawingBuilder::add_fill(std::size_t layer, FillPtr fill, std::string_view name) {
+  FELT_CHECK(layer < layers_.size() && fill);
+  layers_[layer].fills.emplace_back(id_of_name(name, 'f'), std::move(fill));
+}
+
 Edit DrawingBuilder::edit() const {
   std::uint64_t last_id = 0;
   for (const NewLayer& layer : layers_) {
     for (const Entry& entry : layer.strokes) last_id = std::max(last_id, entry.id);
+    for (const auto& fill : layer.fills) last_id = std::max(last_id, fill.first);
   }
   Edit edit;
-  std::set<std::uint64_t> taken;
+  std::set<std::uint64_t> taken, fills_taken;
   const Layer& first = drawing_.document.layers().front();
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const LayerId layer{i + 1};
@@ -75,6 +81,12 @@ Edit DrawingBuilder::edit() const {
       const bool gets_it = entry.id > 0 && taken.insert(entry.id).second;
       const StrokeId id{gets_it ? entry.id : ++last_id};
       edit.changes.push_back({id, nullptr, entry.stroke, {}, StrokePlace{layer, index++}});
+    }
+    index = 0;
+    for (const auto& [asked, fill] : layers_[i].fills) {
+      const bool gets_it = asked > 0 && fills_taken.insert(asked).second;
+      const FillId id{gets_it ? asked : ++last_id};
+      edit.fills.push_back({id, nullptr, fill, {}, StrokePlace{layer, index++}});
     }
   }
   return edit;

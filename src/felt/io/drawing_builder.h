@@ -21,7 +21,8 @@ namespace felt {
 ///
 /// The first stroke named "s12" gets id 12. Strokes without such a name, and further strokes with
 /// the same name, get new ids above the largest requested id, in the order of the layers and of the
-/// strokes in each layer. A file that was written with stroke_name() therefore gets its ids back.
+/// strokes in each layer. The same applies to fills, with names like "f12". A file that was written
+/// with stroke_name() therefore gets its ids back.
 class DrawingBuilder {
  public:
   /// Returns the drawing, so that the caller can set everything except its document: page,
@@ -37,6 +38,10 @@ class DrawingBuilder {
   /// Adds a stroke that has the id `id` in another document. The stroke keeps that id.
   void add(std::size_t layer, StrokePtr stroke, StrokeId id);
 
+  /// Adds a fill on top of the fills of the layer, below all its strokes. Requires an index from
+  /// add_layer() and a valid fill (check_fill).
+  void add_fill(std::size_t layer, FillPtr fill, std::string_view name = {});
+
   /// Returns the drawing. If no layer was added, the drawing gets an empty layer, "Ink". If the
   /// page is larger than allowed, it gets the default size. If the name of the surface is invalid,
   /// the surface is dropped.
@@ -50,6 +55,7 @@ class DrawingBuilder {
   struct NewLayer {
     LayerState state;
     std::vector<Entry> strokes;
+    std::vector<std::pair<std::uint64_t, FillPtr>> fills{};  // with the requested ids
   };
   [[nodiscard]] Edit edit() const;
 

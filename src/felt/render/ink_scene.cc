@@ -1,6 +1,7 @@
 #include "felt/render/ink_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -16,10 +17,14 @@ tl::unexpected<Error> misfit(StrokeId id, const char* why) {
 
 /// Returns true if every change only replaces the shape of a stroke, at the same position.
 bool only_replaces(const Edit& edit) noexcept {
-  return edit.layers.empty() &&
+  return edit.layers.empty() && edit.fills.empty() &&
          std::all_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
            return c.before && c.after && c.before_place == c.after_place;
          });
+}
+
+void add_fill_ids(const Edit& edit, std::vector<FillId>& ids) {
+  for (const FillChange& c : edit.fills) ids.push_back(c.id);
 }
 
 void add_ids(const Edit& edit, std::vector<StrokeId>& ids) {
@@ -67,6 +72,11 @@ InkScene::InkScene(const Document& document) {
     layer.is_visible = from.visible;
     layer.position = layer_order_.size();
     layer_order_.push_back(from.id);
+    layer.fills = from.fills;
+    for (const FillId id : from.fills) {
+      const FillPtr fill = document.find_fill(id);
+      fills_[id] = {fill, fill_bounds(*fill), from.id};
+    }
     for (const StrokeId id : from.strokes) {
       SceneStroke& stroke = strokes_[id];
       stroke.id = id;
@@ -97,7 +107,11 @@ Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& dama
   if (next) add_ids(*next, ids);
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<FillId> fill_ids;
+  if (preview_) add_fill_ids(*preview_, fill_ids);
+  if (next) add_fill_ids(*next, fill_ids);
   SeenStrokes before = look(ids);
+  const SeenFills fills_before = look_at_fills(fill_ids);
   mark_previewed(false);
   if (preview_) {
     const Edit back = preview_->inverse();
@@ -122,7 +136,34 @@ Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& dama
     }
   }
   compare(std::move(before), look(ids), damage);
+  compare_fills(fills_before, look_at_fills(fill_ids), damage);
   return fits;
+}
+
+/// Returns how fills look. A fill that is not visible is null.
+InkScene::SeenFills InkScene::look_at_fills(const std::vector<FillId>& ids) const {
+  SeenFills seen;
+  for (const FillId id : ids) {
+    SeenFill& s = seen[id];
+    const auto found = fills_.find(id);
+    if (found == fills_.end()) continue;
+    const SceneLayer& layer = layers_.at(found->second.layer);
+    if (!layer.is_visible) continue;
+    const auto at = std::find(layer.fills.begin(), layer.fills.end(), id);
+    s = {found->second.fill,
+         found->second.box,
+         {layer.position, static_cast<std::size_t>(at - layer.fills.begin())}};
+  }
+  return seen;
+}
+
+void InkScene::compare_fills(const SeenFills& before, const SeenFills& after, InkDamage& damage) {
+  for (const auto& [id, was] : before) {
+    const SeenFill& is = after.at(id);
+    if (was.fill == is.fill && was.height == is.height) continue;
+    if (was.fill) damage.push_back(was.box);
+    if (is.fill) damage.push_back(is.box);
+  }
 }
 
 void InkScene::mark_previewed(bool on) {
@@ -200,6 +241,7 @@ void InkScene::add_layers(const Edit& edit, InkDamage& damage) const {
     }
     Rect all;
     found->second.order.for_each([&all](const SceneStroke& s) { all.extend(s.box); });
+    for (const FillId id : found->second.fills) all.extend(fills_.at(id).box);
     if (!all.empty()) damage.push_back(all);
   }
 }
@@ -226,8 +268,68 @@ Result<std::vector<LayerId>> InkScene::new_order(const Edit& edit) const {
   });
 }
 
+/// Returns the lists of fills of the layers in which the edit changes fills. Fails if a fill does
+/// not match the edit, or if a removed layer would keep fills.
+Result<InkScene::FillLists> InkScene::new_fills(const Edit& edit) const {
+  std::map<LayerId, Moves<FillId>> moves;
+  const auto list = [this](LayerId id) {
+    const auto found = layers_.find(id);
+    return found == layers_.end() ? std::vector<FillId>() : found->second.fills;
+  };
+  for (const FillChange& c : edit.fills) {
+    bool fits = fills_.contains(c.id) == (c.before != nullptr);
+    if (fits && c.before) {
+      const std::vector<FillId> present = list(c.before_place.layer);
+      fits = c.before_place.index < present.size() && present[c.before_place.index] == c.id;
+    }
+    if (!fits) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "fill " + std::to_string(c.id.value) + " does not match the edit");
+    }
+    if (c.before) moves[c.before_place.layer].remove(c.before_place.index);
+    if (c.after) moves[c.after_place.layer].add(c.after_place.index, c.id);
+  }
+  FillLists lists;
+  for (auto& [id, m] : moves) {
+    std::vector<FillId>& fills = lists[id] = list(id);
+    const auto order = m.reorder<FillId>(fills);
+    if (!order) return tl::unexpected(order.error());
+    order->apply_to(fills);
+  }
+  for (const LayerChange& c : edit.layers) {
+    if (!c.after && !(lists.contains(c.id) ? lists[c.id] : list(c.id)).empty()) {
+      return fail(ErrorCode::kInvalidArgument, "layer " + std::to_string(c.id.value) +
+                                                   " cannot be removed, because it has fills");
+    }
+  }
+  return lists;
+}
+
+/// Applies the changes of fills. Requires that they are valid and that their layers exist.
+void InkScene::change_fills(const Edit& edit) {
+  const FillLists lists = *new_fills(edit);
+  for (const auto& [id, fills] : lists) layers_.at(id).fills = fills;
+  for (const FillChange& c : edit.fills) {
+    if (c.after) {
+      fills_[c.id] = {c.after, fill_bounds(*c.after), c.after_place.layer};
+    } else {
+      fills_.erase(c.id);
+    }
+  }
+}
+
 Result<void> InkScene::check(const Edit& edit) const {
   if (const auto order = new_order(edit); !order) return tl::unexpected(order.error());
+  if (const auto lists = new_fills(edit); !lists) return tl::unexpected(lists.error());
+  for (const FillChange& c : edit.fills) {
+    const bool is_made = std::any_of(edit.layers.begin(), edit.layers.end(), [&c](const auto& l) {
+      return l.id == c.after_place.layer && l.after;
+    });
+    if (c.after && !is_made && !layers_.contains(c.after_place.layer)) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "layer " + std::to_string(c.after_place.layer.value) + " does not exist");
+    }
+  }
   for (const StrokeChange& c : edit.changes) {
     const SceneStroke* present = find(c.id);
     if (!c.before && present) return misfit(c.id, "already exists");
@@ -296,6 +398,7 @@ void InkScene::carry_out(const Edit& edit) {
     layer.id = c.id;
     if (c.after) layer.is_visible = c.after->visible;
   }
+  change_fills(edit);
   const std::map<LayerId, LayerWork> work = plan(edit);
   for (const auto& [id, w] : work) {
     StrokeOrder& order = layers_.at(id).order;
@@ -341,6 +444,35 @@ void InkScene::find(const Rect& area, std::vector<const SceneStroke*>& found,
     std::sort(found.begin() + first, found.end(),
               [](const SceneStroke* a, const SceneStroke* b) { return a->rank() < b->rank(); });
   }
+}
+
+void InkScene::find_ink(const Rect& area, std::vector<SceneInk>& found,
+                        std::optional<LayerId> above) const {
+  std::vector<const SceneStroke*> strokes;
+  find(area, strokes, above);
+  found.clear();
+  auto next = strokes.begin();
+  for (const LayerId id : layer_order_) {
+    if (above) {
+      if (id == *above) above.reset();
+      continue;
+    }
+    const SceneLayer& layer = layers_.at(id);
+    if (!layer.is_visible) continue;
+    for (const FillId fill_id : layer.fills) {
+      const SceneFill& fill = fills_.at(fill_id);
+      if (fill.box.intersects(area)) found.push_back({nullptr, &fill});
+    }
+    for (; next != strokes.end() && (*next)->layer == &layer; ++next) {
+      found.push_back({*next, nullptr});
+    }
+  }
+}
+
+bool InkScene::has_fill(const Rect& area) const {
+  return std::any_of(fills_.begin(), fills_.end(), [&](const auto& entry) {
+    return entry.second.box.intersects(area) && layers_.at(entry.second.layer).is_visible;
+  });
 }
 
 const SceneStroke* InkScene::find(StrokeId id) const {

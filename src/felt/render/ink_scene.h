@@ -15,6 +15,13 @@
 
 namespace felt {
 
+/// A fill of an InkScene.
+struct SceneFill {
+  FillPtr fill;
+  Rect box;  ///< bounds of the area
+  LayerId layer;
+};
+
 /// A layer of an InkScene.
 struct SceneLayer {
   LayerId id;
@@ -22,6 +29,13 @@ struct SceneLayer {
   std::size_t position = 0;  ///< position among the layers; 0 is the lowest
   StrokeOrder order;
   StrokeGrid grid;
+  std::vector<FillId> fills;  ///< the lowest first; all are below the strokes
+};
+
+/// A stroke or a fill that was found in a scene: one of the two pointers is set.
+struct SceneInk {
+  const SceneStroke* stroke = nullptr;
+  const SceneFill* fill = nullptr;
 };
 
 /// Position of a stroke in the drawing order. A smaller value is drawn first.
@@ -59,6 +73,9 @@ class InkScene {
   /// set, finds only strokes of the layers above that layer.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
+  /// Does the same for strokes and fills. The fills of a layer come before its strokes.
+  void find_ink(const Rect& area, std::vector<SceneInk>& found,
+                std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
     return {stroke.layer->position, stroke.rank()};
   }
@@ -67,6 +84,8 @@ class InkScene {
   /// Returns the ids of the strokes that the preview changes, ascending. The list also contains
   /// strokes that the preview removes and that are therefore not in the scene.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
+  /// Returns true if the bounds of a fill of a visible layer touch the area.
+  [[nodiscard]] bool has_fill(const Rect& area) const;
   /// Returns a number that changes with every change of the document, but not with previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
 
@@ -81,11 +100,23 @@ class InkScene {
     std::size_t below = 0;  // unchanged strokes below it in its layer
   };
   using SeenStrokes = std::vector<Seen>;  // sorted by height
+  /// A fill as it looked before a change; null if it was not visible.
+  struct SeenFill {
+    FillPtr fill;
+    Rect box;
+    InkHeight height;
+  };
+  using SeenFills = std::map<FillId, SeenFill>;
+  using FillLists = std::map<LayerId, std::vector<FillId>>;
 
   [[nodiscard]] SeenStrokes look(const std::vector<StrokeId>& ids) const;
   static void compare(SeenStrokes before, SeenStrokes after, InkDamage& damage);
   void add_layers(const Edit& edit, InkDamage& damage) const;
+  [[nodiscard]] SeenFills look_at_fills(const std::vector<FillId>& ids) const;
+  static void compare_fills(const SeenFills& before, const SeenFills& after, InkDamage& damage);
   [[nodiscard]] Result<void> check(const Edit& edit) const;
+  [[nodiscard]] Result<FillLists> new_fills(const Edit& edit) const;
+  void change_fills(const Edit& edit);
   [[nodiscard]] Result<void> check_places(const Edit& edit) const;
   void carry_out(const Edit& edit);
   [[nodiscard]] Result<std::vector<LayerId>> new_order(const Edit& edit) const;
@@ -95,6 +126,7 @@ class InkScene {
   Result<void> change(const Edit* next, bool is_preview, InkDamage& damage);
 
   std::map<StrokeId, SceneStroke> strokes_;
+  std::map<FillId, SceneFill> fills_;
   std::map<LayerId, SceneLayer> layers_;
   std::vector<LayerId> layer_order_;  // lowest first
   std::optional<Edit> preview_;

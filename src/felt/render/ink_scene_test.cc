@@ -32,6 +32,28 @@ std::vector<StrokePtr> found_in(const InkScene& scene, const Rect& area) {
   return strokes;
 }
 
+std::vector<FillPtr> fills_in(const Document& document, const Rect& area) {
+  std::vector<FillPtr> seen;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const FillId id : layer.fills) {
+      FillPtr fill = document.find_fill(id);
+      if (area.intersects(fill_bounds(*fill))) seen.push_back(std::move(fill));
+    }
+  }
+  return seen;
+}
+
+std::vector<FillPtr> fills_found(const InkScene& scene, const Rect& area) {
+  std::vector<SceneInk> found;
+  scene.find_ink(area, found);
+  std::vector<FillPtr> fills;
+  for (const SceneInk& ink : found) {
+    if (ink.fill) fills.push_back(ink.fill->fill);
+  }
+  return fills;
+}
+
 Rect random_area(testing::RandomStroke& random) {
   const Point at{random.uniform(-10, 30), random.uniform(-10, 30)};
   const double size = random.chance(0.1) ? 1e9 : random.uniform(0.0, 20.0);
@@ -59,6 +81,8 @@ TEST(InkScene, FindsWhatTheDocumentShowsInItsOrder) {
       }
       const Rect area = random_area(random);
       EXPECT_EQ(found_in(scene, area), seen_in(shown, area));
+      EXPECT_EQ(fills_found(scene, area), fills_in(shown, area));
+      EXPECT_EQ(scene.has_fill(area), !fills_in(shown, area).empty());
       // Areas without damage look the same as before.
       for (const Rect& r : damage) EXPECT_FALSE(r.empty());
     }
@@ -82,7 +106,37 @@ TEST(InkScene, AnEditThatDoesNotFitChangesNothing) {
     EXPECT_FALSE(scene.show(edit, damage)) << edit.label;
     const Rect all{-1e9, -1e9, 1e9, 1e9};
     EXPECT_EQ(found_in(scene, all), seen_in(document, all));
+    EXPECT_EQ(fills_found(scene, all), fills_in(document, all));
   }
+}
+
+TEST(InkScene, AChangedFillIsDamageAndComesBeforeTheStrokesOfItsLayer) {
+  Document document;
+  testing::RandomStroke random(5);
+  EditBuilder builder(document);
+  builder.add({1}, std::make_shared<const Stroke>(testing::random_stroke(1)));
+  const auto fill = std::make_shared<const Fill>(testing::random_fill(random));
+  const FillId id = builder.add_fill({1}, fill);
+  const Edit edit = std::move(builder).build("Fill");
+  InkScene scene(document);
+  InkDamage damage;
+  ASSERT_TRUE(document.apply(edit));
+  ASSERT_TRUE(scene.apply(edit, damage));
+  std::vector<SceneInk> found;
+  scene.find_ink({-1e9, -1e9, 1e9, 1e9}, found);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_TRUE(found[0].fill) << "below the stroke, though added later";
+  EXPECT_TRUE(found[1].stroke);
+  damage.clear();
+  EditBuilder removal(document);
+  removal.remove_fill(id);
+  const Edit remove = std::move(removal).build("Remove");
+  ASSERT_TRUE(scene.show(remove, damage));
+  EXPECT_EQ(damage, InkDamage{fill_bounds(*fill)});
+  damage.clear();
+  ASSERT_TRUE(scene.apply(remove, damage));
+  EXPECT_TRUE(damage.empty()) << "it was shown before";
+  EXPECT_FALSE(scene.has_fill({-1e9, -1e9, 1e9, 1e9}));
 }
 
 TEST(InkScene, AnEditThatWasShownBeforeIsNoDamage) {

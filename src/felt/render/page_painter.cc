@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "felt/document/visible_strokes.h"
+
 namespace felt {
 namespace {
 
@@ -52,6 +54,24 @@ Result<PagePainter> PagePainter::create(const Rect& ink, const PageOptions& opti
 void PagePainter::draw(const Stroke& stroke) {
   const Pixels pixels = image_.pixels();
   rasterizer_.draw(stroke, view_, pixels.rect(), grain_, pixels);
+}
+
+void PagePainter::draw(const Document& document) {
+  const Pixels pixels = image_.pixels();
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const FillId id : layer.fills) {
+      rasterizer_.draw_fill(*document.find_fill(id), view_, pixels.rect(), pixels);
+    }
+    for (const StrokeId id : layer.strokes) draw(*document.find(id));
+  }
+}
+
+Result<Image> render_document(const Document& document, const PageOptions& options) {
+  Result<PagePainter> page = PagePainter::create(ink_bounds(document), options);
+  if (!page) return tl::unexpected(page.error());
+  page->draw(document);
+  return std::move(page->image());
 }
 
 Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "felt/base/result.h"
-#include "felt/document/edit.h"
+#include "felt/document/document.h"
 #include "felt/render/grain.h"
 #include "felt/render/image.h"
 #include "felt/render/raster.h"
@@ -41,6 +41,8 @@ class PagePainter {
 
   /// Draws a stroke on top of the others.
   void draw(const Stroke& stroke);
+  /// Draws the fills and strokes of the visible layers.
+  void draw(const Document& document);
   [[nodiscard]] const View& view() const noexcept { return view_; }
   [[nodiscard]] Image& image() noexcept { return image_; }
 
@@ -56,5 +58,7 @@ class PagePainter {
 
 /// Returns a picture of the strokes in their order. Fails like PagePainter::create.
 Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options);
+/// Returns a picture of the visible layers of a document, with their fills.
+Result<Image> render_document(const Document& document, const PageOptions& options);
 
 }  // namespace felt

@@ -209,6 +209,11 @@ void Rasterizer::fill(const Outline& outline, const View& view, PixelRect clip, 
   const PixelRect part = clip.intersected(target.rect());
   if (part.empty() || color.a == 0) return;
   load(outline, view, part);
+  blend_loaded(part, color, target);
+}
+
+/// Blends the coverage that was loaded last in one colour.
+void Rasterizer::blend_loaded(PixelRect part, Rgba color, Pixels target) {
   Cells& cells = state_->cells;
   if (target.order == PixelOrder::kRgba) {
     blend<agg::pixfmt_rgba32_pre>(cells, state_->line, part, color, target);
@@ -263,6 +268,17 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, Pi
   const Rect shown = shown_by(part, view);
   if (!shown.intersects(rough_bounds(stroke))) return;
   fill(trace_near(stroke, view, shown), view, part, stroke.color(), target);
+}
+
+void Rasterizer::draw_fill(const Fill& fill, const View& view, PixelRect clip, Pixels target) {
+  const PixelRect part = clip.intersected(target.rect());
+  if (part.empty() || fill.color.a == 0) return;
+  if (!shown_by(part, view).intersects(fill_bounds(fill))) return;
+  State& s = *state_;
+  flatten_fill(fill, kRasterTolerancePx / view.px_per_mm, s.joined);
+  load(s.joined, view, part);
+  s.cells.filling_rule(agg::fill_even_odd);
+  blend_loaded(part, fill.color, target);
 }
 
 void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelRect clip,

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "felt/document/fill.h"
 #include "felt/render/grain.h"
 #include "felt/render/image.h"
 #include "felt/render/view.h"
@@ -37,6 +38,10 @@ class Rasterizer {
   /// nothing if it is outside the clip.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target);
 
+  /// Fills an area in its colour by the even-odd rule. Fills have no grain. Does nothing if the
+  /// area is outside the clip.
+  void draw_fill(const Fill& fill, const View& view, PixelRect clip, Pixels target);
+
   /// Draws only the centre line of a stroke, `width_px` wide and opaque. Used for the outline view.
   void draw_center_line(const Stroke& stroke, const View& view, PixelRect clip, double width_px,
                         Pixels target);
@@ -48,6 +53,7 @@ class Rasterizer {
 
  private:
   void load(const Outline& outline, const View& view, PixelRect part);
+  void blend_loaded(PixelRect part, Rgba color, Pixels target);
   const InkLook* look_of(const Stroke& stroke, const View& view, const Grain& grain);
   const Outline& trace_near(const Stroke& stroke, const View& view, const Rect& shown);
 

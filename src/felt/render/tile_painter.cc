@@ -71,11 +71,14 @@ Gap gap_of(const InkScene& scene, const TileSplit& split) {
 
 InkJob TilePainter::job_of(const InkScene& scene, const View& view, PixelRect part,
                            std::optional<LayerId> above) {
-  std::vector<const SceneStroke*> found;
-  scene.find(area_of(view, part), found, above);
+  std::vector<SceneInk> found;
+  scene.find_ink(area_of(view, part), found, above);
   InkJob job{view, part, {}, 0};
-  job.strokes.reserve(found.size());
-  for (const SceneStroke* s : found) job.strokes.push_back(s->stroke);
+  job.items.reserve(found.size());
+  for (const SceneInk& ink : found) {
+    job.items.push_back(
+        {ink.stroke ? ink.stroke->stroke : nullptr, ink.fill ? ink.fill->fill : nullptr});
+  }
   return job;
 }
 
@@ -89,7 +92,12 @@ void TilePainter::draw(const Stroke& stroke, const View& view, PixelRect part,
 }
 
 void TilePainter::draw_next(InkJob& job, const InkStyle& style, Pixels target) {
-  draw(*job.strokes[job.next++], job.view, job.part, style, target);
+  const InkItem& item = job.items[job.next++];
+  if (item.stroke) {
+    draw(*item.stroke, job.view, job.part, style, target);
+  } else if (style.hair_px == 0.0) {
+    rasterizer_.draw_fill(*item.fill, job.view, job.part, target);
+  }
 }
 
 /// Returns true if the kept content still matches the scene without the preview.
@@ -161,7 +169,7 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
 // does not fit, first makes it again for a larger area.
 bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect part,
                               const InkStyle& style, TileSplit& split, Pixels target) {
-  if (scene.previewed().empty()) return false;
+  if (scene.previewed().empty() || scene.has_fill(area_of(view, part))) return false;
   if (!is_valid(scene, view, split)) split.valid = {};
   scene.find(area_of(view, part), found_);
   if (found_.size() < kWorthKeeping) return false;

@@ -20,16 +20,22 @@ struct InkStyle {
   double hair_px = 0.0;
 };
 
-/// The strokes that a part of a picture shows, drawn one at a time, so that a long job can be
-/// interrupted and resumed. The job shares ownership of the strokes, so the scene may change
+/// A stroke or a fill to draw: one of the two pointers is set.
+struct InkItem {
+  StrokePtr stroke;
+  FillPtr fill;
+};
+
+/// The strokes and fills that a part of a picture shows, drawn one at a time, so that a long job
+/// can be interrupted and resumed. The job shares ownership of them, so the scene may change
 /// meanwhile.
 struct InkJob {
   View view;
   PixelRect part;
-  std::vector<StrokePtr> strokes;
+  std::vector<InkItem> items;
   std::size_t next = 0;
 
-  [[nodiscard]] bool is_done() const noexcept { return next == strokes.size(); }
+  [[nodiscard]] bool is_done() const noexcept { return next == items.size(); }
 };
 
 /// Two pictures of a tile: one of the strokes below the strokes of a preview, and one of the
@@ -55,7 +61,8 @@ class TilePainter {
   /// If `above` is set, the job draws only the layers above that layer.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
-  /// Draws the next stroke of a job. Requires that the part was cleared before the first stroke.
+  /// Draws the next item of a job. Requires that the part was cleared before the first one. The
+  /// outline view (InkStyle::hair_px) has no fills.
   void draw_next(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws one stroke.
   void draw(const Stroke& stroke, const View& view, PixelRect part, const InkStyle& style,
@@ -65,7 +72,7 @@ class TilePainter {
   /// come from `split`. If the pictures in `split` can be used for `part`, the time depends only on
   /// the strokes of the preview and on the strokes between these; otherwise, `split` is first made
   /// again for an area that contains `part`. Returns false, and paints nothing, if this is not
-  /// faster than drawing directly.
+  /// faster than drawing directly, or if the part shows a fill.
   bool paint_split(const InkScene& scene, const View& view, PixelRect part, const InkStyle& style,
                    TileSplit& split, Pixels target);
 

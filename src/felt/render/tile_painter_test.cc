@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "felt/document/edit_builder.h"
+#include "felt/document/testing/random_fills.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::tile_painter_test {
@@ -97,6 +98,68 @@ TEST(TilePainter, ASplitTileIsTheStraightOne) {
 /// after the preview.
 TEST(TilePainter, ASplitOfADeepPileIsTheStraightOneButForRounding) {
   compare_splits(90, 2, 4);
+}
+
+/// Returns the alpha of the pixel at (x, y).
+int alpha_at(const Bytes& bytes, int x, int y) {
+  return bytes[std::size_t{4} * static_cast<std::size_t>(y * kTileSide + x) + 3];
+}
+
+Fill filled_square(double from, double to) {
+  const std::vector<Point> corners{{from, from}, {to, from}, {to, to}, {from, to}, {from, from}};
+  FillLoop loop{{corners[0]}, {}};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    loop.points.insert(loop.points.end(), {corners[i - 1], corners[i], corners[i]});
+  }
+  return {{loop}, {200, 0, 0, 128}, 0.0};
+}
+
+TEST(TilePainter, AFillIsPaintedByTheEvenOddRuleAndNotInTheOutlineView) {
+  Document document;
+  Fill ring = filled_square(1, 9);
+  ring.loops.push_back(filled_square(3, 7).loops[0]);  // in the same direction
+  EditBuilder builder(document);
+  builder.add_fill({1}, std::make_shared<const Fill>(ring));
+  ASSERT_TRUE(document.apply(std::move(builder).build("Fill")));
+  const InkScene scene(document);
+  const View view{{0, 0}, 20.0};
+  const Bytes tile = straight(scene, view);
+  EXPECT_EQ(alpha_at(tile, 40, 40), 128);
+  EXPECT_EQ(alpha_at(tile, 100, 100), 0) << "the hole";
+  EXPECT_EQ(alpha_at(tile, 10, 100), 0) << "outside";
+  Bytes outlines(std::size_t{4} * kTileSide * kTileSide);
+  TilePainter painter;
+  InkStyle style;
+  style.hair_px = 1.0;
+  InkJob job = TilePainter::job_of(scene, view, {0, 0, kTileSide, kTileSide});
+  while (!job.is_done()) painter.draw_next(job, style, pixels_of(outlines));
+  EXPECT_EQ(outlines, Bytes(outlines.size())) << "a fill has no centre line";
+}
+
+/// A part of a tile shows the same as the whole tile, so the borders of tiles are not visible.
+TEST(TilePainter, PartsOfATileWithFillsJoinWithoutASeam) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    testing::RandomStroke random(seed);
+    Document document;
+    EditBuilder builder(document);
+    for (int i = 0; i < 5; ++i) {
+      builder.add_fill({1}, std::make_shared<const Fill>(testing::random_fill(random)));
+      builder.add({1}, std::make_shared<const Stroke>(testing::random_stroke(seed)));
+    }
+    ASSERT_TRUE(document.apply(std::move(builder).build("Draw")));
+    const InkScene scene(document);
+    const View view{{0, 0}, random.uniform(5, 20), {0.8, 0.6}};
+    Bytes parts(std::size_t{4} * kTileSide * kTileSide);
+    TilePainter painter;
+    const int x = random.pick(1, 255), y = random.pick(1, 255);
+    for (const PixelRect part :
+         {PixelRect{0, 0, x, y}, PixelRect{x, 0, kTileSide, y}, PixelRect{0, y, x, kTileSide},
+          PixelRect{x, y, kTileSide, kTileSide}}) {
+      InkJob job = TilePainter::job_of(scene, view, part);
+      while (!job.is_done()) painter.draw_next(job, {}, pixels_of(parts));
+    }
+    EXPECT_LE(worst_difference(parts, straight(scene, view)), 4) << "seed " << seed;
+  }
 }
 
 /// Drawing with a rotated view equals rotating the drawn picture.

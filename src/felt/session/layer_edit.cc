@@ -87,6 +87,7 @@ Edit change_of(const Document& document, const Layer& layer, const LayerEvent& e
 Edit removal_of(const Document& document, const Layer& layer) {
   EditBuilder builder(document);
   for (const StrokeId id : layer.strokes) builder.remove(id);
+  for (const FillId id : layer.fills) builder.remove_fill(id);
   Edit edit = std::move(builder).build(label_of(Do::kRemove));
   edit.layers.push_back({layer.id, layer.state(), {}, index_of(document, layer.id), 0});
   return edit;

@@ -7,7 +7,10 @@
 #include <deque>
 #include <random>
 
+#include "felt/document/edit_builder.h"
+#include "felt/document/testing/random_fills.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/session/layer_edit.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
 #include "felt/session/testing/fake_tools.h"
@@ -236,6 +239,21 @@ TEST(SessionLayers, EachCommandIsOneStepAndUndone) {
   EXPECT_EQ(fixture.session.document().stroke_count(), 1U);
   fixture.must(UndoEvent{});
   EXPECT_TRUE(fixture.session.document() == before);
+}
+
+TEST(SessionLayers, ARemovedLayerTakesItsFillsAlong) {
+  Document document;
+  testing::RandomStroke random(1);
+  EditBuilder builder(document);
+  builder.add({1}, std::make_shared<const Stroke>(testing::random_stroke(1)));
+  builder.add_fill({1}, std::make_shared<const Fill>(testing::random_fill(random)));
+  ASSERT_TRUE(document.apply(std::move(builder).build("Fill")));
+  const Document before = document;
+  const Edit removal = layer_edit(document, {.what = Do::kRemove, .layer = {1}}, {1}).value();
+  ASSERT_TRUE(document.apply(removal));
+  EXPECT_EQ(document.fill_count(), 0U);
+  ASSERT_TRUE(document.apply(removal.inverse()));
+  EXPECT_EQ(document, before);
 }
 
 TEST(SessionLayers, ThereIsAlwaysOneOpenToDrawOn) {

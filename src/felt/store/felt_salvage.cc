@@ -12,6 +12,8 @@
 #include "felt/io/xml/material_texts.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/felt_tables.h"
+#include "felt/store/fill_blob.h"
+#include "felt/store/fill_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/page_scan.h"
 #include "felt/store/stroke_blob.h"
@@ -42,8 +44,8 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
-/// First of the new ids for strokes whose own id belongs to another stroke, too. Far above the
-/// usual ids.
+/// First of the new ids for strokes and fills whose own id belongs to another one, too. Far above
+/// the usual ids.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
 /// Collects rows. Recognises the table of a row by the types of its values, because it is not known
@@ -53,20 +55,24 @@ class Findings {
   void take(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.empty() || !is_none(v[0]) || !is_id(row.id)) return;
-    if (take_stroke(row) || take_layer(row) || take_drawing(row) || take_view(row)) return;
+    if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) ||
+        take_view(row))
+      return;
     if (take_material(row)) return;
     if (!take_color(row)) ++others;
   }
 
-  struct FoundStroke {
-    StrokePtr stroke;
+  template <class T>
+  struct Found {
+    std::shared_ptr<const T> object;
     std::int64_t layer = 0, place = 0;
   };
   struct FoundLayer {
     LayerState state;
     std::int64_t place = 0;
   };
-  std::map<std::int64_t, FoundStroke> strokes;
+  std::map<std::int64_t, Found<Stroke>> strokes;
+  std::map<std::int64_t, Found<Fill>> fills;
   std::map<std::int64_t, FoundLayer> layers;
   std::map<std::int64_t, NamedColor> colors;
   std::optional<Drawing> head;  // without the document and the palette's colours
@@ -78,20 +84,41 @@ class Findings {
  private:
   std::int64_t next_stray_ = kStrayIds;
 
-  bool take_stroke(const ScannedRow& row) {
+  /// Returns true if the row has the first columns of a stroke or of a fill.
+  static bool has_shape(const ScannedRow& row) {
     const auto& v = row.values;
-    if (v.size() < 4 || !whole(v[1]) || !whole(v[2]) || !blob(v[3])) return false;
-    if (!is_id(*whole(v[1])) || *whole(v[2]) < 0 || *whole(v[2]) > kMaxId) return false;
-    Result<Stroke> stroke = read_stroke_blob(*blob(v[3]));
-    if (!stroke) return false;
+    return v.size() >= 4 && whole(v[1]) && whole(v[2]) && blob(v[3]) && is_id(*whole(v[1])) &&
+           *whole(v[2]) >= 0 && *whole(v[2]) <= kMaxId;
+  }
+
+  template <class T>
+  void keep(const ScannedRow& row, std::shared_ptr<const T> object,
+            std::map<std::int64_t, Found<T>>& found) {
     std::int64_t id = row.id;
-    if (const auto there = strokes.find(id); there != strokes.end()) {
-      if (*there->second.stroke == *stroke) return true;
-      // One of the two ids is damaged, but both strokes are intact, so this one gets a new id.
-      while (strokes.contains(next_stray_)) ++next_stray_;
+    if (const auto there = found.find(id); there != found.end()) {
+      if (*there->second.object == *object) return;
+      // One of the two ids is damaged, but both objects are intact, so this one gets a new id.
+      while (found.contains(next_stray_)) ++next_stray_;
       id = next_stray_++;
     }
-    strokes[id] = {std::make_shared<const Stroke>(*std::move(stroke)), *whole(v[1]), *whole(v[2])};
+    found[id] = {std::move(object), *whole(row.values[1]), *whole(row.values[2])};
+  }
+
+  bool take_stroke(const ScannedRow& row) {
+    if (!has_shape(row)) return false;
+    Result<Stroke> stroke = read_stroke_blob(*blob(row.values[3]));
+    if (!stroke) return false;
+    keep(row, std::make_shared<const Stroke>(*std::move(stroke)), strokes);
+    return true;
+  }
+  bool take_fill(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (!has_shape(row) || v.size() != 5 || !whole(v[4])) return false;
+    const std::string& shape = *blob(v[3]);
+    if (*whole(v[4]) != fill_checksum(row.id, *whole(v[1]), *whole(v[2]), shape)) return false;
+    Result<FillPtr> fill = read_fill_blob(shape);
+    if (!fill) return false;
+    keep(row, *std::move(fill), fills);
     return true;
   }
   bool take_layer(const ScannedRow& row) {
@@ -168,7 +195,7 @@ class Assembly {
   explicit Assembly(Findings findings) : found_(std::move(findings)) {}
 
   Result<Salvaged> make(const std::string& why) {
-    if (found_.strokes.empty() && found_.layers.empty()) {
+    if (found_.strokes.empty() && found_.fills.empty() && found_.layers.empty()) {
       return fail(ErrorCode::kInvalidData, why + "; it does not contain any part of a drawing");
     }
     out_.problems.push_back("The file " + why + ".");
@@ -192,14 +219,16 @@ class Assembly {
 
   void name_lost_layers() {
     std::size_t lost = 0;
-    for (auto& [id, stroke] : found_.strokes) {
-      if (found_.layers.contains(stroke.layer)) continue;
+    const auto name_layer = [&](std::int64_t& layer) {
+      if (found_.layers.contains(layer)) return;
       if (found_.layers.size() == kMaxLayers) {
-        stroke.layer = found_.layers.rbegin()->first;
-        continue;
+        layer = found_.layers.rbegin()->first;
+        return;
       }
-      found_.layers[stroke.layer] = {{"Salvaged " + std::to_string(++lost), true, false}, kMaxId};
-    }
+      found_.layers[layer] = {{"Salvaged " + std::to_string(++lost), true, false}, kMaxId};
+    };
+    for (auto& [id, stroke] : found_.strokes) name_layer(stroke.layer);
+    for (auto& [id, fill] : found_.fills) name_layer(fill.layer);
     if (lost == 0) return;
     out_.problems.push_back(
         lost == 1 ? "A layer lost its name and position; it was put on top."
@@ -228,30 +257,33 @@ class Assembly {
         edit.layers.push_back({id, std::nullopt, state, 0, i});
       }
     }
-    place_strokes(edit);
+    place(found_.strokes, edit.changes, " stroke");
+    place(found_.fills, edit.fills, " fill");
     return document.apply(edit);
   }
 
   /// Places in a layer are consecutive, so gaps below the highest place show the minimum number of
-  /// strokes that are missing.
-  void place_strokes(Edit& edit) {
+  /// strokes or fills that are missing.
+  template <class T, class Change>
+  void place(std::map<std::int64_t, Findings::Found<T>>& found, std::vector<Change>& changes,
+             const std::string& kind) {
     std::map<std::int64_t, std::vector<std::int64_t>> by_layer;
-    for (const auto& [id, stroke] : found_.strokes) by_layer[stroke.layer].push_back(id);
+    for (const auto& [id, object] : found) by_layer[object.layer].push_back(id);
     for (auto& [layer, ids] : by_layer) {
-      const auto place = [this](std::int64_t id) { return found_.strokes[id].place; };
+      const auto place = [&found](std::int64_t id) { return found[id].place; };
       std::stable_sort(ids.begin(), ids.end(),
                        [&](std::int64_t a, std::int64_t b) { return place(a) < place(b); });
       for (std::size_t i = 0; i < ids.size(); ++i) {
-        edit.changes.push_back({{static_cast<std::uint64_t>(ids[i])},
-                                nullptr,
-                                found_.strokes[ids[i]].stroke,
-                                {},
-                                {{static_cast<std::uint64_t>(layer)}, i}});
+        changes.push_back({{static_cast<std::uint64_t>(ids[i])},
+                           nullptr,
+                           found[ids[i]].object,
+                           {},
+                           {{static_cast<std::uint64_t>(layer)}, i}});
       }
       const std::int64_t missing = place(ids.back()) + 1 - std::ssize(ids);
       if (missing <= 0) continue;
-      out_.problems.push_back("At least " + std::to_string(missing) +
-                              (missing == 1 ? " stroke" : " strokes") + " of the layer “" +
+      out_.problems.push_back("At least " + std::to_string(missing) + kind +
+                              (missing == 1 ? "" : "s") + " of the layer “" +
                               found_.layers[layer].state.name + "” could not be read.");
     }
   }

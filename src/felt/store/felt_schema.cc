@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/base/check.h"
+#include "felt/store/fill_table.h"
 #include "felt/store/material_table.h"
 
 namespace felt {
@@ -176,6 +177,12 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
     if (table.sql != kMaterialTable)
       return invalid_data("the table 'material' has an unexpected definition");
     schema.has_materials = true;
+    return {};
+  }
+  if (table.name == "fill") {
+    if (table.sql != kFillTable)
+      return invalid_data("the table 'fill' has an unexpected definition");
+    schema.has_fills = true;
     return {};
   }
   if (schema.foreign.size() == kMaxForeignTables) {

@@ -29,6 +29,7 @@ struct FeltTable {
 struct FeltSchema {
   FeltTable drawing, layer, palette, shown, stroke;
   bool has_materials = false;  ///< the table `material` (material_table.h)
+  bool has_fills = false;      ///< the table `fill` (fill_table.h)
   /// The three tables of recordings; empty if the file has no recordings.
   std::vector<FeltTable> recordings;
   /// Tables of a newer Feltline, in the order of their names.

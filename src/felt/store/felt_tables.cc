@@ -7,6 +7,7 @@
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
+#include "felt/store/fill_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/stroke_blob.h"
 
@@ -233,6 +234,7 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_drawing_row(database, drawing); })
       .and_then([&] { return write_layers(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
+      .and_then([&] { return write_fills(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
       .and_then([&] { return write_materials(database, drawing); });
 }
@@ -245,6 +247,10 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   edit.label = "Open";
   Result<void> done = read_layers(database, drawing.document, edit)
                           .and_then([&] { return read_strokes(database, edit); })
+                          .and_then([&]() -> Result<void> {
+                            if (!schema.has_fills) return {};
+                            return read_fills(database, edit);
+                          })
                           .and_then([&] { return drawing.document.apply(edit); })
                           .and_then([&] { return read_page(database, drawing); });
   if (done && schema.has_materials) done = read_materials(database, drawing);

@@ -5,6 +5,8 @@
 
 #include "felt/base/read_file.h"
 #include "felt/io/picture/png.h"
+#include "felt/io/svg/svg_import.h"
+#include "felt/render/page_painter.h"
 #include "tests/formats/svg/scene_picture.h"
 
 namespace felt::testing {
@@ -21,6 +23,18 @@ bool needs_more(const std::vector<std::string>& notices) {
     }
   }
   return false;
+}
+
+/// Imports a file and draws its fills and strokes. The page fills the width of the picture.
+Result<Image> drawing_picture(const std::string& svg, int width_px) {
+  Result<Imported> read = import_svg(svg);
+  if (!read) return tl::unexpected(read.error());
+  const Page& page = read->drawing.page;
+  const bool has_paper = page.paper != Page{}.paper;
+  return render_document(read->drawing.document,
+                         {.dpi = width_px * 25.4 / page.width_mm,
+                          .area = page.area(),
+                          .paper = has_paper ? page.paper : Rgba{0, 0, 0, 0}});
 }
 
 }  // namespace
@@ -40,7 +54,7 @@ std::vector<std::string> suite_names(const std::string& root) {
 }
 
 SuiteResult compare_pictures(const std::string& svg_path, const std::string& png_path,
-                             const std::string& out) {
+                             const std::string& out, SuitePicture what) {
   constexpr std::size_t kMax = std::size_t{64} << 20;
   const Result<std::string> svg = read_file(svg_path, kMax), png = read_file(png_path, kMax);
   if (!svg) return {false, svg.error().message, false};
@@ -49,10 +63,13 @@ SuiteResult compare_pictures(const std::string& svg_path, const std::string& png
   if (!theirs) return {false, theirs.error().message, false};
   const Result<PaintedScene> scene = paint_scene(*svg);
   if (!scene) return {false, scene.error().message, false};
-  const Result<Image> ours = scene_picture(*scene, theirs->image.width(), theirs->image.height());
+  const Result<Image> ours =
+      what == SuitePicture::kDrawing
+          ? drawing_picture(*svg, theirs->image.width())
+          : scene_picture(*scene, theirs->image.width(), theirs->image.height());
   if (!ours) return {false, ours.error().message, false};
   const std::int64_t apart = pixels_apart(*ours, theirs->image);
-  if (apart <= kPixelsAllowed) return {true, {}, needs_more(scene->notices)};
+  if (apart >= 0 && apart <= kPixelsAllowed) return {true, {}, needs_more(scene->notices)};
   if (!out.empty()) {
     std::string name = svg_path;
     std::replace(name.begin(), name.end(), '/', '_');
@@ -66,8 +83,8 @@ SuiteResult compare_pictures(const std::string& svg_path, const std::string& png
 }
 
 SuiteResult compare_with_suite(const std::string& root, const std::string& name,
-                               const std::string& out) {
-  return compare_pictures(root + "/" + name + ".svg", root + "/" + name + ".png", out);
+                               const std::string& out, SuitePicture what) {
+  return compare_pictures(root + "/" + name + ".svg", root + "/" + name + ".png", out, what);
 }
 
 }  // namespace felt::testing

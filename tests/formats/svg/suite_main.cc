@@ -1,6 +1,8 @@
-// svg_suite FOLDER [--list] [--pictures OUT]: compares our pictures of the files of a suite
-// (NAME.svg) with those of the suite (NAME.png), and prints for each folder how many agree. --list
-// prints the names of the files that agree. --pictures writes both pictures of the others to OUT.
+// svg_suite FOLDER [--list] [--drawings] [--pictures OUT]: compares our pictures of the files of a
+// suite (NAME.svg) with those of the suite (NAME.png), and prints for each folder how many agree.
+// --list prints the names of the files that agree. --drawings compares the imported drawings
+// instead of the shapes that the reader finds. --pictures writes both pictures of the others to
+// OUT.
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -16,8 +18,10 @@ int main(int argc, char** argv) {
   const std::string root = argv[1];
   bool list = false;
   std::string out;
+  auto what = felt::testing::SuitePicture::kShapes;
   for (int i = 2; i < argc; ++i) {
     if (std::strcmp(argv[i], "--list") == 0) list = true;
+    if (std::strcmp(argv[i], "--drawings") == 0) what = felt::testing::SuitePicture::kDrawing;
     if (std::strcmp(argv[i], "--pictures") == 0 && i + 1 < argc) out = argv[++i];
   }
   struct Row {
@@ -26,7 +30,8 @@ int main(int argc, char** argv) {
   std::map<std::string, Row> table;
   Row sum;
   for (const std::string& name : felt::testing::suite_names(root)) {
-    const felt::testing::SuiteResult result = felt::testing::compare_with_suite(root, name, out);
+    const felt::testing::SuiteResult result =
+        felt::testing::compare_with_suite(root, name, out, what);
     for (Row* row : {&table[fs::path(name).parent_path().string()], &sum}) {
       row->all += 1;
       row->agree += result.agrees ? 1 : 0;

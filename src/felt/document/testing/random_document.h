@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "felt/document/document.h"
+#include "felt/document/testing/random_fills.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::testing {
 
 /// Makes random edits that fit a document, for property tests: strokes are added, removed, replaced
-/// and moved between layers; layers are added, removed, renamed and moved. The same seed gives the
-/// same edits.
+/// and moved between layers, and so are fills; layers are added, removed, renamed and moved. The
+/// same seed gives the same edits.
 class RandomEdits {
  public:
-  explicit RandomEdits(std::uint64_t seed) : seed_(seed), random_(seed) {}
+  explicit RandomEdits(std::uint64_t seed) : seed_(seed), random_(seed), fills_(~seed) {}
 
   Edit next(const Document& document) {
     read(document);
@@ -32,6 +33,9 @@ class RandomEdits {
     for (int k = random_.pick(0, 2); k > 0; --k) replace_stroke();
     write_strokes(document, before, edit);
     write_layers(layers_before, edit);
+    std::vector<LayerId> layers;
+    for (const auto& layer : layers_) layers.push_back(layer.first);
+    fills_.add_changes(document, layers, document.new_fill_id(made_), edit);
     return edit;
   }
 
@@ -156,16 +160,17 @@ class RandomEdits {
 
   std::uint64_t seed_;
   RandomStroke random_;
+  RandomFills fills_;
   std::uint64_t count_ = 0, strokes_ = 0, made_ = 0;
   Orders orders_;
   Layers layers_;
   std::vector<StrokeId> changed_;
 };
 
-/// Returns true if the invariants of every document hold: each stroke is in one layer, once; layers
-/// have ids; find, place and layer_of agree.
+/// Returns true if the invariants of every document hold: each stroke and fill is in one layer,
+/// once; layers have ids; find, place and layer_of agree.
 inline bool is_consistent(const Document& document) {
-  std::size_t count = 0;
+  std::size_t count = 0, fills = 0;
   for (const Layer& layer : document.layers()) {
     if (!layer.id || document.layer(layer.id) != &layer) return false;
     for (std::size_t i = 0; i < layer.strokes.size(); ++i, ++count) {
@@ -173,8 +178,14 @@ inline bool is_consistent(const Document& document) {
       if (!document.find(id) || document.place(id) != StrokePlace{layer.id, i}) return false;
       if (document.layer_of(id) != layer.id) return false;
     }
+    for (std::size_t i = 0; i < layer.fills.size(); ++i, ++fills) {
+      const FillId id = layer.fills[i];
+      if (!document.find_fill(id) || document.layer_of_fill(id) != layer.id) return false;
+      if (document.fill_place(id) != StrokePlace{layer.id, i}) return false;
+    }
   }
-  return count == document.stroke_count() && !document.layers().empty();
+  return count == document.stroke_count() && fills == document.fill_count() &&
+         !document.layers().empty();
 }
 
 }  // namespace felt::testing

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/io/fill_path.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/outline/outline_path.h"
 
@@ -75,6 +76,12 @@ class Content {
     if (mask > 0) out_ += "q /G" + std::to_string(mask) + " gs\n";
     outline(outline_path(stroke, tolerance_mm));
     out_ += mask > 0 ? "f\nQ\n" : "f\n";
+  }
+
+  void fill(const Fill& fill) {
+    set_color(fill.color);
+    outline(fill_path(fill));
+    out_ += "f*\n";
   }
 
   [[nodiscard]] const std::string& text() const noexcept { return out_; }
@@ -207,13 +214,18 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
   const Rect reach = area.inflated(kClipMarginMm);
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
+    const auto is_near = [&reach](const Rect& ink) {
+      return ink.x0 >= reach.x0 && ink.y0 >= reach.y0 && ink.x1 <= reach.x1 && ink.y1 <= reach.y1;
+    };
     for (const StrokeId id : layer.strokes) {
-      const Rect ink = document.find(id)->bounds();
-      if (ink.x0 >= reach.x0 && ink.y0 >= reach.y0 && ink.x1 <= reach.x1 && ink.y1 <= reach.y1) {
-        continue;
-      }
+      if (is_near(document.find(id)->bounds())) continue;
       return fail(ErrorCode::kLimitExceeded,
                   "stroke " + stroke_name(id) + " extends more than 1e6 mm from the page");
+    }
+    for (const FillId id : layer.fills) {
+      if (is_near(fill_bounds(*document.find_fill(id)))) continue;
+      return fail(ErrorCode::kLimitExceeded,
+                  "fill " + fill_name(id) + " extends more than 1e6 mm from the page");
     }
   }
   return {};
@@ -234,6 +246,7 @@ class PdfParts final : public DrawingParts {
     for (const Layer& layer : document.layers()) {
       if (!layer.visible) continue;
       for (const StrokeId id : layer.strokes) alphas_.insert(document.find(id)->color().a);
+      for (const FillId id : layer.fills) alphas_.insert(document.find_fill(id)->color.a);
     }
   }
 
@@ -299,6 +312,9 @@ class PdfParts final : public DrawingParts {
 
   Result<void> add_strokes(const StrokeRange& range, Content& content) const {
     const Layer& layer = document_.layers()[range.layer];
+    if (range.first == 0) {
+      for (const FillId id : layer.fills) content.fill(*document_.find_fill(id));
+    }
     for (std::size_t i = range.first; i < range.last; ++i) {
       const StrokeId id = layer.strokes[i];
       const StrokePtr stroke = document_.find(id);

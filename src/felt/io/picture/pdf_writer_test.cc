@@ -9,6 +9,8 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
+#include "felt/document/edit_builder.h"
+#include "felt/document/testing/random_fills.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/testing/test_drawings.h"
 #include "felt/render/page_painter.h"
@@ -71,7 +73,14 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
   constexpr double kDpi = 150.0;
   const Rect area{0.0, 0.0, 60.96, 60.96};  // 360 pixels
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const Drawing drawing = drawing_on_page(seed, 8);
+    Drawing drawing = drawing_on_page(seed, 8);
+    testing::RandomStroke random(seed);
+    EditBuilder builder(drawing.document);
+    for (int i = 0; i < 3; ++i) {
+      builder.add_fill(drawing.document.layers()[0].id,
+                       std::make_shared<const Fill>(testing::random_fill(random)));
+    }
+    ASSERT_TRUE(drawing.document.apply(std::move(builder).build("Fill")));
     const std::string pdf = folder + "/a.pdf";
     const Rgba paper{255, 250, 240, 255};
     ASSERT_TRUE(write_file(pdf, pdf_text(drawing, {.area = area, .paper = paper}).value()));
@@ -81,8 +90,7 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
         decode_png(read_file(folder + "/a.png", std::size_t{1} << 26).value());
     ASSERT_TRUE(theirs);
     Image ours =
-        render_page(visible_strokes(drawing.document), {.dpi = kDpi, .area = area, .paper = paper})
-            .value();
+        render_document(drawing.document, {.dpi = kDpi, .area = area, .paper = paper}).value();
     ASSERT_EQ(theirs->image.width(), ours.width());
     ASSERT_EQ(theirs->image.height(), ours.height());
     double sum = 0.0;

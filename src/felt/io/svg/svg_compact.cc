@@ -1,9 +1,12 @@
 #include "felt/io/svg/svg_compact.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "felt/document/visible_strokes.h"
+#include "felt/io/fill_path.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/svg/svg_elements.h"
 #include "felt/stroke/color_text.h"
@@ -73,6 +76,32 @@ Result<void> append_strokes(std::string& out, const std::vector<StrokePtr>& stro
   return {};
 }
 
+/// Appends the visible layers. Strokes of neighbouring layers without fills can share a group.
+Result<void> append_layers(std::string& out, const Document& document) {
+  std::vector<StrokePtr> strokes;
+  const auto flush = [&] { return append_strokes(out, std::exchange(strokes, {})); };
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    if (!layer.fills.empty()) {
+      if (auto ok = flush(); !ok) return ok;
+    }
+    for (const FillId id : layer.fills) {
+      const Fill& fill = *document.find_fill(id);
+      const Rect box = fill_bounds(fill);
+      if (std::max({-box.x0, -box.y0, box.x1, box.y1}) > kMaxCoordinateMm) {
+        return fail(ErrorCode::kLimitExceeded, fill_name(id) + ": the fill extends beyond 1e9 mm");
+      }
+      OutlinePath path = fill_path(fill);
+      for (Point& p : path.points) p = {rounded(p.x), rounded(p.y)};
+      out += "<path" + fill_of(fill.color) + " fill-rule=\"evenodd\" d=\"";
+      append_path_data(out, path);
+      out += "\"/>\n";
+    }
+    for (const StrokeId id : layer.strokes) strokes.push_back(document.find(id));
+  }
+  return flush();
+}
+
 }  // namespace
 
 Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& options) {
@@ -99,7 +128,7 @@ Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& o
     append_number(text, -rounded(area.width()));
     text += "z\"/>\n";
   }
-  if (Result<void> done = append_strokes(text, visible_strokes(drawing.document)); !done) {
+  if (Result<void> done = append_layers(text, drawing.document); !done) {
     return tl::unexpected(done.error());
   }
   text += "</svg>\n";

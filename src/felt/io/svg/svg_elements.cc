@@ -10,6 +10,7 @@
 #include "felt/io/exact_numbers.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/picture/grain_mask.h"
+#include "felt/io/svg/svg_fill.h"
 #include "felt/io/xml/xml_text.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/width_profile.h"
@@ -356,6 +357,26 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
     append_tones(out, d);
   }
   out += "\"/>\n";
+  return {};
+}
+
+Result<void> append_svg_fill(std::string& out, std::string_view id, const Fill& fill) {
+  if (!within_reach(fill_bounds(fill))) {
+    return fail(ErrorCode::kLimitExceeded, "the fill extends beyond 1e9 mm");
+  }
+  out += "<path id=\"" + std::string(id) + "\" fill-rule=\"evenodd\" d=\"";
+  for (const FillLoop& loop : fill.loops) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      out += i == 0 ? 'M' : i == 1 ? 'C' : ' ';
+      append_number(out, loop.points[i].x);
+      out += ' ';
+      append_number(out, loop.points[i].y);
+    }
+    out += 'Z';
+  }
+  out += '"';
+  append_color(out, fill.color);
+  out += "felt:fill=\"" + fill_pieces_text(fill) + "\"/>\n";
   return {};
 }
 

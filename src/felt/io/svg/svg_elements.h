@@ -68,6 +68,11 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
                                std::size_t number, double tolerance_mm,
                                const GrainMask* mask = nullptr);
 
+/// Appends one fill: a path with the even-odd rule. Its numbers are exact, and our attribute holds
+/// its references. Call it inside a layer or group, before the strokes. Fails, and appends nothing,
+/// if a coordinate is beyond 1e9 mm.
+Result<void> append_svg_fill(std::string& out, std::string_view id, const Fill& fill);
+
 /// Ends the root element.
 void append_svg_tail(std::string& out);
 

@@ -109,18 +109,68 @@ TEST(SvgForeign, DashesAreStrokes) {
   EXPECT_NEAR(ink[3].data().points.back().x, 40.0, 1e-9);
 }
 
-TEST(SvgForeign, FillingsBecomeEdges) {
+std::vector<Fill> fills(const Imported& imported) {
+  std::vector<Fill> found;
+  for (const Layer& layer : imported.drawing.document.layers()) {
+    for (const FillId id : layer.fills) {
+      found.push_back(*imported.drawing.document.find_fill(id));
+    }
+  }
+  return found;
+}
+
+/// Returns a square of 10 mm as path data, drawn to the right first, or down first.
+std::string square(double x, bool right_first) {
+  const std::string at = "M" + std::to_string(x) + " " + std::to_string(x);
+  const std::string side = std::to_string(50 - 2 * x), back = "-" + side;
+  return right_first ? at + "h" + side + "v" + side + "h" + back + "z"
+                     : at + "v" + side + "h" + side + "v" + back + "z";
+}
+
+TEST(SvgForeign, TheNonZeroRuleKeepsOnlyContoursThatSeparate) {
+  const auto loops = [](const std::string& d, const std::string& rule) {
+    const Imported drawing = imported(svg("<path fill-rule='" + rule + "' d='" + d + "'/>"));
+    EXPECT_TRUE(drawing.report.empty()) << notice_lines(drawing);
+    const std::vector<Fill> found = fills(drawing);
+    return found.size() == 1 ? found[0].loops.size() : 0;
+  };
+  const std::string same = square(5, true) + square(10, true),
+                    hole = square(5, true) + square(10, false);
+  EXPECT_EQ(loops(same, "nonzero"), 1U) << "no hole";
+  EXPECT_EQ(loops(hole, "nonzero"), 2U) << "a hole";
+  EXPECT_EQ(loops(same, "evenodd"), 2U) << "a hole";
+  EXPECT_EQ(loops(same + square(15, false) + square(20, false), "nonzero"), 2U)
+      << "a hole in the innermost square only";
+  const Imported star = imported(svg("<path d='M20 2L32 38L2 15H38L8 38z'/>"));
+  EXPECT_THAT(notice_lines(star), HasSubstr("crosses itself"));
+  EXPECT_EQ(fills(star).size(), 1U);
+}
+
+TEST(SvgForeign, AFillThatCoversALineIsInALayerAboveIt) {
+  const Imported drawing = imported(svg("<path" + std::string(kLine) +
+                                        " d='M10 10h30'/><rect x='60' width='9' "
+                                        "height='9'/><rect x='20' y='5' width='9' height='9'/>"));
+  const auto layers = drawing.drawing.document.layers();
+  ASSERT_EQ(layers.size(), 2U);
+  EXPECT_EQ(layers[0].fills.size(), 1U) << "the rectangle beside the line";
+  EXPECT_EQ(layers[0].strokes.size(), 1U);
+  EXPECT_EQ(layers[1].fills.size(), 1U);
+}
+
+TEST(SvgForeign, FilledShapesAreFills) {
   const Imported drawing = imported(
       svg("<path id='a' fill='teal' d='M10 10h10v10'/>\n<circle fill='navy' stroke='red' r='9' "
           "cx='50' cy='50' stroke-linejoin='round'/>"));
   const std::vector<Stroke> ink = strokes(drawing);
-  ASSERT_EQ(ink.size(), 2U);
-  EXPECT_TRUE(ink[0].closed());
-  EXPECT_EQ(ink[0].color(), (Rgba{0, 128, 128, 255}));
-  EXPECT_EQ(ink[0].width_mm(0.0), 0.35);
-  EXPECT_EQ(ink[1].color(), (Rgba{255, 0, 0, 255}));
-  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 2: path 'a' has a fill but no line"));
-  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 3: circle has a fill, which was skipped"));
+  ASSERT_EQ(ink.size(), 1U);
+  EXPECT_EQ(ink[0].color(), (Rgba{255, 0, 0, 255}));
+  const std::vector<Fill> areas = fills(drawing);
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_EQ(areas[0].color, (Rgba{0, 128, 128, 255}));
+  EXPECT_EQ(fill_bounds(areas[0]), (Rect{10, 10, 20, 20}));
+  EXPECT_EQ(areas[0].loops[0].points.size(), 10U) << "closed by a straight line";
+  EXPECT_EQ(areas[1].color, (Rgba{0, 0, 128, 255}));
+  EXPECT_TRUE(drawing.report.empty()) << notice_lines(drawing);
 }
 
 TEST(SvgForeign, SaysWhatItLeavesOut) {
@@ -144,8 +194,10 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
     EXPECT_THAT(text, HasSubstr(expected));
   }
   const std::vector<Stroke> ink = strokes(drawing);
-  ASSERT_EQ(ink.size(), 3U);
-  EXPECT_EQ(ink[1].color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(ink.size(), 2U);
+  const std::vector<Fill> areas = fills(drawing);
+  ASSERT_EQ(areas.size(), 1U);
+  EXPECT_EQ(areas[0].color, (Rgba{255, 0, 0, 255}));
 }
 
 TEST(SvgForeign, LayersOfInkscape) {
@@ -211,7 +263,7 @@ TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
   EXPECT_NEAR(strokes(ring).at(0).width_mm(4.0), 3.0, 1e-9);
   const Imported broken = imported(power_stroke("offset_points=''", "M10 10h10"));
   EXPECT_THAT(notice_lines(broken), HasSubstr("lost its variable width"));
-  EXPECT_EQ(strokes(broken).size(), 1U);
+  EXPECT_EQ(strokes(broken).size() + fills(broken).size(), 1U);
 }
 
 TEST(SvgForeign, DepthEndsInAnError) {

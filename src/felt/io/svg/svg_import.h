@@ -12,7 +12,7 @@ namespace felt {
 /// A file that Feltline wrote is read back exactly, including layers, even if another program has
 /// loaded and saved it since. In other drawings, the centre lines of stroked paths and shapes
 /// become strokes with the same curves, and a PowerStroke of Inkscape becomes a stroke with its
-/// widths. A shape that is only filled becomes a thin stroke along its edge. 1 px is 1/96 inch. The
+/// widths. The fill of a shape becomes a fill. 1 px is 1/96 inch. The
 /// top left corner of the drawing becomes (0, 0). For content that cannot become ink, the report
 /// has a notice with the line and the element.
 ///

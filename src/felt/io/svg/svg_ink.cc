@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
 #include "felt/io/svg/svg_center_line.h"
 #include "felt/io/svg/svg_dashes.h"
+#include "felt/io/svg/svg_fill.h"
 #include "felt/io/svg/svg_line_width.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_variable_width.h"
@@ -116,7 +118,9 @@ void SvgInk::layer(const SvgLayer& layer) {
     return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
   }
   std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
-  builder_.add_layer({std::move(name), layer.visible, layer.locked});
+  layer_state_ = {std::move(name), layer.visible, layer.locked};
+  builder_.add_layer(layer_state_);
+  layer_ink_.clear();
 }
 
 void SvgInk::shape(SvgShape shape) {
@@ -125,8 +129,8 @@ void SvgInk::shape(SvgShape shape) {
   if (lowest && take_as_paper(shape)) return;
   if (outside_frame(shape)) return;
   if (shape.variable_width && add_wide(shape)) return;
-  if (shape.line) return add_line(shape);
-  if (shows_filling(shape)) add_edge(shape);
+  if (shows_filling(shape)) add_fill(shape);
+  if (shape.line) add_line(shape);
 }
 
 bool SvgInk::take_as_paper(const SvgShape& shape) {
@@ -230,8 +234,6 @@ void SvgInk::add_line(SvgShape& shape) {
     if (round.runs_together) say(shape, "has dashes that merge, because their ends became round");
     if (changes) line.cap = shape.line->cap = SvgCap::kRound;
   }
-  if (shows_filling(shape))
-    say(shape, "has a fill, which was skipped, because ink consists of lines");
   notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
     say(shape, "is transparent and has several parts; it became darker at their crossings");
@@ -254,20 +256,39 @@ void SvgInk::add_line(SvgShape& shape) {
   }
 }
 
-void SvgInk::add_edge(SvgShape& shape) {
-  say(shape, "has a fill but no line; it became a thin line along its edge");
-  const Affine to_mm = std::exchange(shape.to_mm, Affine{});
-  if (determinant(to_mm) == 0.0)
-    return say(shape, "has no extent after its transform and was skipped");
-  for (SvgContour& contour : shape.contours) {
-    if (!contour.closed && contour.points.front() != contour.points.back()) {
-      const Cubic c = straight(contour.points.back(), contour.points.front());
-      contour.points.insert(contour.points.end(), {c.p[1], c.p[2], contour.points.front()});
-    }
-    contour.closed = true;
-    for (Point& p : contour.points) p = apply(to_mm, p);
-    add_contour(shape, std::move(contour), shape.fill->color, kEdgeWidthMm);
+/// Begins a layer if strokes of the current layer would cover the fill: the fills of a layer are
+/// below its strokes.
+void SvgInk::begin_cover_layer(const SvgShape& shape, const Rect& box) {
+  const auto is_covered = [&box](const Rect& ink) { return ink.intersects(box); };
+  if (std::none_of(layer_ink_.begin(), layer_ink_.end(), is_covered)) return;
+  if (cover_layers_ == kMaxCoverLayers || builder_.layer_count() >= limits::kMaxSvgLayers) {
+    return say(shape, "has a fill that was put below the lines that it covers");
   }
+  ++cover_layers_;
+  builder_.add_layer(layer_state_);
+  layer_ink_.clear();
+}
+
+void SvgInk::add_fill(const SvgShape& shape) {
+  if (determinant(shape.to_mm) == 0.0)
+    return say(shape, "has no extent after its transform and was skipped");
+  SvgArea area = svg_area(shape.contours, shape.to_mm, shape.fill->even_odd);
+  const Rect box = fill_bounds(area.fill);
+  if (is_far(box)) return say(shape, kFar);
+  area.fill.color = shape.fill->color;
+  if (auto ok = check_fill(area.fill); !ok) {
+    return say(shape, "does not form a fill and was skipped: " + ok.error().message);
+  }
+  if (!shape.pieces.empty() && !read_fill_pieces(shape.pieces, area.fill)) {
+    say(shape, "lost the references to the strokes around its fill");
+  }
+  if (area.may_lack_parts) {
+    say(shape, "crosses itself; parts that it covers twice may lack their fill");
+  }
+  if (builder_.layer_count() == 0) layer({});
+  begin_cover_layer(shape, box);
+  builder_.add_fill(builder_.layer_count() - 1, std::make_shared<const Fill>(std::move(area.fill)),
+                    shape.id);
 }
 
 /// Adds one contour as a stroke with a width in user units, or as several strokes end to end if it
@@ -321,12 +342,14 @@ void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name)
   Result<Stroke> stroke = Stroke::create(std::move(data));
   if (!stroke)
     return say(shape, "does not form a stroke and was skipped: " + stroke.error().message);
-  if (is_far(stroke->bounds())) return say(shape, kFar);
+  const Rect box = stroke->bounds();
+  if (is_far(box)) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
   // If a shape becomes several strokes, the first one gets its name.
   if (name.empty() && !is_ours && !std::exchange(has_part_, true)) name = shape.id;
   if (builder_.layer_count() == 0) layer({});
   builder_.add(builder_.layer_count() - 1, *std::move(stroke), name);
+  if (!is_ours_) layer_ink_.push_back(box);
 }
 
 Imported SvgInk::take() {

@@ -16,8 +16,8 @@ namespace felt {
 /// then call take().
 class SvgInk final : public SvgSceneSink {
  public:
-  /// Width of the line along the edge of a shape that is only filled.
-  static constexpr double kEdgeWidthMm = 0.35;
+  /// Maximum number of layers that are added so that a fill covers the lines painted before it.
+  static constexpr int kMaxCoverLayers = 200;
 
   void root(const SvgRoot& root) override;
   void layer(const SvgLayer& layer) override;
@@ -34,7 +34,8 @@ class SvgInk final : public SvgSceneSink {
   bool take_as_paper(const SvgShape& shape);
   bool add_wide(const SvgShape& shape);
   void add_line(SvgShape& shape);
-  void add_edge(SvgShape& shape);
+  void add_fill(const SvgShape& shape);
+  void begin_cover_layer(const SvgShape& shape, const Rect& box);
   void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
   void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
@@ -43,6 +44,9 @@ class SvgInk final : public SvgSceneSink {
   DrawingBuilder builder_;
   ImportReport report_;
   std::size_t dashes_left_ = limits::kMaxSvgDashes;
+  LayerState layer_state_;       ///< of the layer that was added last
+  std::vector<Rect> layer_ink_;  ///< bounds of the strokes in that layer
+  int cover_layers_ = 0;
   bool has_part_ = false;  ///< a stroke of the current shape was already added
   bool is_ours_ = false;
   bool has_page_attribute_ = false;

@@ -58,6 +58,7 @@ struct SvgShape {
   std::optional<SvgFill> fill;
   std::optional<SvgLine> line;
   std::optional<SvgVariableWidth> variable_width;
+  std::string_view pieces;    ///< felt:fill: the references of a fill of ours
   std::optional<Rect> frame;  ///< the area that the viewport of the shape shows, in mm
   bool is_cut = false;        ///< has a clip path or mask, which was ignored
 };

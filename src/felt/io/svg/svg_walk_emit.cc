@@ -251,6 +251,7 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
   shape.to_mm = e.state.to_mm;
   shape.frame = e.state.frame;
   shape.variable_width = variable_width(e);
+  shape.pieces = document_.ours(e.node, "fill");
   if (const auto color = paint_color(style.fill, e, style.fill_opacity);
       color && e.name != "line") {
     shape.fill = SvgFill{*color, style.even_odd};
@@ -264,6 +265,9 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
                   style.fill_opacity * e.state.opacity);
   }
   if (style.has_marker) notice(e.node, "has markers, which were skipped");
+  if (!shape.pieces.empty() && !shape.fill && style.fill.kind == SvgPaint::Kind::kColor) {
+    shape.fill = SvgFill{svg_faded(style.fill.color, style.fill_opacity * e.state.opacity), true};
+  }
   if (!shape.fill && !shape.line && !is_ink) return;
   if (shape.fill && shape.line && style.reorders_paint) {
     notice(e.node, "paints its line below its fill, which was ignored");

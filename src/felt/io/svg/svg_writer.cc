@@ -65,8 +65,14 @@ class SvgParts final : public DrawingParts {
   }
 
   Result<void> begin(std::string& text, const Layer& layer, std::size_t number) const {
-    if (layers_ == SvgLayers::kWritten) return append_svg_layer_begin(text, layer, number);
-    append_svg_group_begin(text);
+    if (layers_ == SvgLayers::kLeftOut) {
+      append_svg_group_begin(text);
+    } else if (auto ok = append_svg_layer_begin(text, layer, number); !ok) {
+      return ok;
+    }
+    for (const FillId id : layer.fills) {
+      if (auto ok = append_svg_fill(text, fill_name(id), *document_.find_fill(id)); !ok) return ok;
+    }
     return {};
   }
 

@@ -14,8 +14,13 @@
 #include <sstream>
 
 #include "felt/base/atomic_file.h"
+#include "felt/document/testing/random_fills.h"
+#include "felt/io/drawing_builder.h"
 #include "felt/io/picture/png.h"
+#include "felt/io/svg/svg_compact.h"
 #include "felt/io/svg/svg_elements.h"
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/testing/import_checks.h"
 #include "felt/io/testing/test_drawings.h"
 #include "felt/render/page_painter.h"
 #include "felt/stroke/testing/ink_oracle.h"
@@ -147,6 +152,45 @@ TEST(SvgWriter, CarriesTheModelExactly) {
     ++i;
   }
   EXPECT_EQ(i, strokes.size());
+}
+
+/// Returns a drawing with fills and strokes in two layers.
+Drawing drawing_with_fills(std::uint64_t seed) {
+  testing::RandomStroke random(seed);
+  DrawingBuilder builder;
+  builder.drawing().has_page = true;
+  for (int l = 0; l < 2; ++l) {
+    const std::size_t layer = builder.add_layer({"Layer " + std::to_string(l + 1)});
+    builder.add(layer, testing::random_stroke(seed + std::uint64_t(l)));
+    for (int k = 0; k < 4; ++k) {
+      builder.add_fill(layer, std::make_shared<const Fill>(testing::random_fill(random)),
+                       k == 0 ? "f" + std::to_string(50 + l) : "");
+    }
+  }
+  return std::move(builder).build();
+}
+
+TEST(SvgWriter, FillsComeBackExactlyWithTheirReferences) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Drawing drawing = drawing_with_fills(seed);
+    const Result<Imported> back = import_svg(svg_text(drawing, {}).value());
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_TRUE(back->report.empty()) << testing::notice_lines(*back);
+    EXPECT_EQ(back->drawing.document.fill_count(), 8U);
+    EXPECT_TRUE(back->drawing.document.find_fill({51}));
+    ASSERT_TRUE(back->drawing.document == drawing.document) << "seed " << seed;
+  }
+}
+
+TEST(SvgWriter, CompactFilesHaveTheAreasButNoReferences) {
+  const Drawing drawing = drawing_with_fills(3);
+  const std::string text = svg_compact_text(drawing, {}).value();
+  EXPECT_EQ(text.find("felt:"), std::string::npos);
+  const Result<Imported> back = import_svg(text);
+  ASSERT_TRUE(back) << back.error().message;
+  std::size_t visible = 0;
+  for (const Layer& layer : back->drawing.document.layers()) visible += layer.fills.size();
+  EXPECT_GE(visible, 8U);
 }
 
 /// Returns the `d` of a path as polygons in mm, with curves divided finely. The writer uses
