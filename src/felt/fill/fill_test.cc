@@ -226,6 +226,32 @@ TEST(PlanarMap, coincident_and_touching_strokes_keep_eulers_formula) {
   EXPECT_EQ(bounded_faces(map), 7U);  // 5 in the box, a circle, and one between it, a side and the line
 }
 
+// Copies, copies moved by less and less, and parts of the same curve, at growing coordinates.
+TEST(PlanarMap, nearly_coincident_strokes_end_and_give_the_same_result_again) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto make = [&] {
+      testing::RandomStroke random(seed);
+      StrokeData data = random.make();
+      const double far = seed % 4 == 0 ? 0.0 : std::pow(10.0, static_cast<double>(seed % 9));
+      for (Point& p : data.points) p += Vec{far, -far};
+      if (!check_invariants(data).has_value()) return MapDrawing{};  // rounding broke the stroke
+      MapDrawing drawing;
+      drawing.add(data);
+      for (const double shift : {0.0, 1e-10, 1e-8, 1e-6, 1e-4}) {
+        StrokeData moved = data;
+        for (Point& p : moved.points) p += Vec{shift, 0.5 * shift};
+        if (check_invariants(moved).has_value()) drawing.add(moved);
+      }
+      return drawing;
+    };
+    MapDrawing first = make(), second = make();
+    EXPECT_EQ(first.map.map(1.0).edges().nodes, second.map.map(1.0).edges().nodes);
+    EXPECT_EQ(first.map.map(1.0).counts().faces, second.map.map(1.0).counts().faces);
+    EXPECT_LT(first.map.map(1.0).counts().nodes, 10'000U);
+  }
+}
+
 TEST(PlanarMap, an_update_gives_the_same_map_as_a_new_one) {
   testing::RandomStroke random(5);
   std::vector<StrokePtr> strokes;

@@ -53,17 +53,18 @@ double angle_at_circle(const Departure& d, double radius_mm) {
 }
 
 /// Sorts by direction. Compares the tangents if these differ clearly, and otherwise the points where
-/// the curves leave a circle.
+/// the curves leave a circle. The direction of a short handle may be nothing but rounding.
 void sort_departures(std::vector<Departure>& all) {
-  constexpr double kClear = 1e-3;
+  constexpr double kClear = 1e-3, kShortHandleMm = 1e-3;
   const auto by_angle = [](const Departure& a, const Departure& b) {
     return std::pair(a.angle, a.half_edge) < std::pair(b.angle, b.half_edge);
   };
   for (Departure& d : all) d.angle = angle_of(tangent(d.curve, 0.0));
   std::sort(all.begin(), all.end(), by_angle);
   bool clear = all.size() < 2 || all.front().angle + 6.2831853 - all.back().angle > kClear;
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    clear = clear && all[i].angle - all[i - 1].angle > kClear;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    clear = clear && (i == 0 || all[i].angle - all[i - 1].angle > kClear) &&
+            distance(all[i].curve.p[0], all[i].curve.p[1]) > kShortHandleMm;
   }
   if (clear) return;
   double radius = std::numeric_limits<double>::infinity();
