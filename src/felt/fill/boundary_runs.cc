@@ -71,8 +71,8 @@ class RunFinder {
 
  private:
   [[nodiscard]] const LineEdit* find_edit(StrokeId id) const {
-    const auto found = std::find_if(edits_.begin(), edits_.end(),
-                                    [&](const LineEdit& e) { return e.id == id; });
+    const auto found =
+        std::find_if(edits_.begin(), edits_.end(), [&](const LineEdit& e) { return e.id == id; });
     return found == edits_.end() ? nullptr : &*found;
   }
 
@@ -217,7 +217,8 @@ class Joiner {
     }
     for (const TipLink& link : rules_.links) offer_link(best, link, a.stroke, b.stroke, end, start);
     if (!std::isfinite(best.cost)) best.gap = distance(end, start) > kSnapMm;
-    if (!std::isfinite(best.cost)) best.path = best.gap ? std::vector{end, start} : std::vector{end};
+    if (!std::isfinite(best.cost))
+      best.path = best.gap ? std::vector{end, start} : std::vector{end};
     best.first = near(best.first, a.to, first);
     best.second = near(best.second, b.from, second);
     return best;
@@ -231,7 +232,8 @@ class Joiner {
  private:
   void offer(RunJoint& best, double first, double second, std::vector<Point> path,
              double cost) const {
-    if (cost < best.cost && cost <= rules_.max_move_mm) best = {first, second, std::move(path), cost, false};
+    if (cost < best.cost && cost <= rules_.max_move_mm)
+      best = {first, second, std::move(path), cost, false};
   }
 
   void offer_link(RunJoint& best, const TipLink& link, StrokeId a, StrokeId b, Point end,
@@ -265,15 +267,15 @@ void append_steps(std::vector<LoopStep>& steps, const BoundaryRun& run, const Me
   const bool forward = run.to > run.from;
   double from = run.from;
   while (line.stroke->closed()) {
-    const double seam = forward ? n * (std::floor(from / n) + 1.0) : n * (std::ceil(from / n) - 1.0);
+    const double seam =
+        forward ? n * (std::floor(from / n) + 1.0) : n * (std::ceil(from / n) - 1.0);
     if (forward ? seam >= run.to : seam <= run.to) break;
     const double base = n * std::floor((forward ? from : seam) / n);
     const Point middle = line.stroke->data().points.front();
     steps.push_back({{run.stroke, from - base, seam - base}, start, middle});
     from = seam, start = middle;
   }
-  const double base =
-      line.stroke->closed() ? n * std::floor(std::min(from, run.to) / n) : 0.0;
+  const double base = line.stroke->closed() ? n * std::floor(std::min(from, run.to) / n) : 0.0;
   steps.push_back({{run.stroke, from - base, run.to - base}, start, end});
 }
 
@@ -301,9 +303,9 @@ std::optional<FillLoop> join_runs(const std::vector<BoundaryRun>& runs, const Li
   if (runs.empty()) return std::nullopt;
   std::vector<LoopStep> steps;
   const MeetingLine* only = now.find(runs.front().stroke);
-  const bool whole = runs.size() == 1 && only->stroke->closed() &&
-                     std::fabs(runs.front().to - runs.front().from) ==
-                         static_cast<double>(only->segments.size());
+  const bool whole =
+      runs.size() == 1 && only->stroke->closed() &&
+      std::fabs(runs.front().to - runs.front().from) == static_cast<double>(only->segments.size());
   const Joiner joiner(now, rules);
   std::vector<RunJoint> joints;  // joints[i] follows runs[i]
   for (std::size_t i = 0; i < runs.size() && !whole; ++i) {

@@ -24,7 +24,8 @@ std::vector<Fill> some_fills(FillMap& map, double gap_mm) {
   std::vector<Fill> fills;
   for (int i = 0; i < 1000 && fills.size() < 100; ++i) {
     const Point p{random.between(0.0, 480.0), random.between(0.0, 270.0)};
-    if (auto face = map.face_at(p, gap_mm, {})) fills.push_back(std::move(face->fill));
+    const auto loop = map.map(gap_mm).loop_around(p);
+    if (loop) fills.push_back(map.fill_of(*loop, gap_mm, {}).fill);
   }
   return fills;
 }
@@ -33,28 +34,32 @@ std::vector<Fill> some_fills(FillMap& map, double gap_mm) {
 /// updated, and the fills follow. The argument is the size of gaps in mm.
 void FillEdit(benchmark::State& state) {
   const auto gap_mm = static_cast<double>(state.range(0));
-  const std::vector<FillLine> lines = lines_of_screen();
+  std::vector<FillLine> lines = lines_of_screen();
   FillMap map;
   map.update(lines);
-  const std::vector<Fill> fills = some_fills(map, gap_mm);
+  std::vector<Fill> fills = some_fills(map, gap_mm);
   std::size_t next = 0, followed = 0;
   double shift = 1.0;
   for (auto _ : state) {
-    const FillLine& line = lines[next];
+    FillLine& line = lines[next];
     StrokeData data = line.stroke->data();
     for (Point& p : data.points) p += Vec{shift, 0.0};
-    const FillLine moved{line.id, std::make_shared<const Stroke>(Stroke::create(data).value())};
-    map.update({&moved, 1});
+    line.stroke = std::make_shared<const Stroke>(Stroke::create(data).value());
+    map.update({&line, 1});
     benchmark::DoNotOptimize(map.map(gap_mm).counts());
-    for (const Fill& fill : fills) {
-      followed += follow_fill(fill, map, {}, WhenOpened::kClose).has_value() ? 1 : 0;
+    for (Fill& fill : fills) {
+      auto now = follow_fill(fill, map, {}, WhenOpened::kClose);
+      if (!now) continue;
+      fill = std::move(*now);
+      ++followed;
     }
     next = (next + 37) % lines.size();
     if (next == 0) shift = -shift;
   }
   const MapCounts counts = map.map(gap_mm).counts();
   state.counters["fills"] = static_cast<double>(fills.size());
-  state.counters["followed"] = static_cast<double>(followed) / static_cast<double>(state.iterations());
+  state.counters["followed"] =
+      static_cast<double>(followed) / static_cast<double>(state.iterations());
   state.counters["edges"] = static_cast<double>(counts.edges);
   state.counters["faces"] = static_cast<double>(counts.faces);
 }

@@ -32,16 +32,14 @@ class FillMap {
   /// Returns the fill of the smallest bounded face that contains p, if gaps of up to `max_gap_mm`
   /// are closed by bridges. Fails with kInvalidArgument if p or the size is not a number in range,
   /// or p is on a line; with kNotFound if the area is open: the message says where its gap is, if
-  /// closing gaps up to kMaxNamedGapMm would close the area; with kLimitExceeded if the boundary has
-  /// more than kMaxCubics cubics.
+  /// closing gaps up to kMaxNamedGapMm would close the area; with kLimitExceeded if the boundary
+  /// has more than kMaxCubics cubics.
   Result<FoundFill> face_at(Point p, double max_gap_mm, Rgba color);
 
   /// Returns the strokes and their meetings.
   [[nodiscard]] const LineMeetings& meetings() const noexcept { return meetings_; }
   /// Returns the links for this size of gaps. The reference is valid until the next update.
-  const std::vector<TipLink>& links(double max_gap_mm) {
-    return map(max_gap_mm).edges().links;
-  }
+  const std::vector<TipLink>& links(double max_gap_mm) { return map(max_gap_mm).edges().links; }
   /// Returns the planar map for this size of gaps. The reference is valid until the next update.
   const PlanarMap& map(double max_gap_mm);
   /// Returns the fill of the face inside a loop of map(max_gap_mm).

@@ -17,7 +17,8 @@ std::size_t cubic_count(const FillPiece& piece) {
   constexpr double kMaxSegments = 1e7;
   if (!(high < kMaxSegments)) return 0;
   std::size_t count = 0;
-  for (auto start = static_cast<double>(static_cast<std::size_t>(low)); start < high; start += 1.0) {
+  for (auto start = static_cast<double>(static_cast<std::size_t>(low)); start < high;
+       start += 1.0) {
     if (std::min(high - start, 1.0) - std::max(low - start, 0.0) > kSliver) ++count;
   }
   return std::max<std::size_t>(count, 1);

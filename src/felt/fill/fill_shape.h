@@ -25,8 +25,8 @@ FillLoop loop_of_map(const PlanarMap& map, const MapLoop& loop, const LineMeetin
 /// Returns the cubics of a step.
 std::vector<Cubic> cubics_of_step(const LoopStep& step, const LineMeetings& meetings);
 
-/// Returns the steps of a loop with the points from which the loop was made, and the number of cubics
-/// of each. Empty if pieces and points do not fit each other.
+/// Returns the steps of a loop with the points from which the loop was made, and the number of
+/// cubics of each. Empty if pieces and points do not fit each other.
 struct OldStep {
   FillPiece piece;
   std::span<const Point> points;  ///< 3n + 1 control points

@@ -33,7 +33,9 @@ void expect_areas(const PlanarMap& map) {
   EXPECT_NEAR(sum, 0.0, 1e-9 * size);
 }
 
-std::size_t bounded_faces(const PlanarMap& map) { return map.counts().faces - 1; }
+std::size_t bounded_faces(const PlanarMap& map) {
+  return map.counts().faces - 1;
+}
 
 TEST(PlanarMap, random_strokes_have_the_faces_that_eulers_formula_wants) {
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
@@ -153,8 +155,8 @@ TEST(FaceAt, random_points_are_in_their_fill_by_the_even_odd_rule) {
 TEST(FaceAt, dead_ends_are_not_part_of_the_boundary) {
   MapDrawing drawing;
   drawing.box(0.0, 0.0, 20.0, 20.0);
-  drawing.line({-5.0, 8.0}, {10.0, 8.0});   // enters and ends inside
-  drawing.line({5.0, 12.0}, {8.0, 15.0});   // alone inside
+  drawing.line({-5.0, 8.0}, {10.0, 8.0});  // enters and ends inside
+  drawing.line({5.0, 12.0}, {8.0, 15.0});  // alone inside
   const auto face = drawing.map.face_at({15.0, 10.0}, 0.0, kRed);
   ASSERT_TRUE(face.has_value());
   ASSERT_EQ(face->fill.loops.size(), 1U);
@@ -164,7 +166,7 @@ TEST(FaceAt, dead_ends_are_not_part_of_the_boundary) {
 TEST(FaceAt, ink_that_touches_closes_an_area) {
   MapDrawing drawing;
   drawing.line({0.0, 0.0}, {20.0, 0.0});
-  drawing.line({0.0, 0.3}, {0.0, 20.0});   // 0.3 mm from the first line, widths 0.5 mm
+  drawing.line({0.0, 0.3}, {0.0, 20.0});  // 0.3 mm from the first line, widths 0.5 mm
   drawing.line({-2.0, 20.4}, {22.0, 20.4});
   drawing.line({20.3, 20.1}, {20.2, -0.2});
   const auto face = drawing.map.face_at({10.0, 10.0}, 0.0, kRed);
@@ -214,16 +216,17 @@ TEST(FaceAt, says_why_there_is_no_fill) {
 TEST(PlanarMap, coincident_and_touching_strokes_keep_eulers_formula) {
   MapDrawing drawing;
   drawing.box(0.0, 0.0, 20.0, 20.0);
-  drawing.box(0.0, 0.0, 20.0, 20.0);          // a copy
-  drawing.line({0.0, 0.0}, {30.0, 0.0});      // on a side, longer
-  drawing.line({5.0, 20.0}, {10.0, 20.0});    // on a side, shorter
-  drawing.circle({10.0, 10.0}, 10.0);         // touches the sides
+  drawing.box(0.0, 0.0, 20.0, 20.0);        // a copy
+  drawing.line({0.0, 0.0}, {30.0, 0.0});    // on a side, longer
+  drawing.line({5.0, 20.0}, {10.0, 20.0});  // on a side, shorter
+  drawing.circle({10.0, 10.0}, 10.0);       // touches the sides
   drawing.circle({10.0, 10.0}, 10.0);
-  drawing.circle({30.0, 10.0}, 10.0);         // touches the first
+  drawing.circle({30.0, 10.0}, 10.0);          // touches the first
   drawing.line({1e8, 1e8}, {1e8 + 7.0, 1e8});  // far away
   const PlanarMap& map = drawing.map.map(0.0);
   expect_euler(map);
-  EXPECT_EQ(bounded_faces(map), 7U);  // 5 in the box, a circle, and one between it, a side and the line
+  EXPECT_EQ(bounded_faces(map),
+            7U);  // 5 in the box, a circle, and one between it, a side and the line
 }
 
 // Copies, copies moved by less and less, and parts of the same curve, at growing coordinates.

@@ -133,9 +133,8 @@ class Follower {
       : fill_(fill), map_(map), now_(map.meetings()), edits_(edits), when_opened_(when_opened) {}
 
   std::optional<Fill> run() {
-    const bool same = std::all_of(fill_.loops.begin(), fill_.loops.end(), [&](const FillLoop& l) {
-      return is_unchanged(l, now_);
-    });
+    const bool same = std::all_of(fill_.loops.begin(), fill_.loops.end(),
+                                  [&](const FillLoop& l) { return is_unchanged(l, now_); });
     if (same || fill_.loops.empty()) return fill_;
     Fill result{{}, fill_.color, fill_.max_gap_mm};
     auto outer = follow(fill_.loops.front(), false);
@@ -173,8 +172,8 @@ class Follower {
   /// Returns true if one of the loop's strokes was divided or removed.
   [[nodiscard]] bool is_cut(const FillLoop& loop) const {
     return has_lost_part(loop) || std::any_of(edits_.begin(), edits_.end(), [&](const LineEdit& e) {
-      return e.after.size() != 1 && has_piece(loop, e.id);
-    });
+             return e.after.size() != 1 && has_piece(loop, e.id);
+           });
   }
 
   static bool has_piece(const FillLoop& loop, StrokeId id) {

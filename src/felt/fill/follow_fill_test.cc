@@ -89,8 +89,9 @@ TEST_F(FollowFill, moves_exactly_with_a_transform) {
 
 TEST_F(FollowFill, a_stroke_with_other_segments_bounds_the_same_area) {
   const StrokePtr before = stroke(top);
-  drawing.set(top, stroke_of(lines_through(
-                       {{-3.0, 0.0}, {1.0, 0.0}, {4.0, 0.0}, {15.0, 0.0}, {23.0, 0.0}})));
+  drawing.set(
+      top,
+      stroke_of(lines_through({{-3.0, 0.0}, {1.0, 0.0}, {4.0, 0.0}, {15.0, 0.0}, {23.0, 0.0}})));
   const LineEdit edit{top, before, {top}};
   for (const auto& edits : {std::vector<LineEdit>{edit}, std::vector<LineEdit>{}}) {
     const auto now = follow(edits);
@@ -110,7 +111,7 @@ TEST_F(FollowFill, an_erased_part_removes_the_fill_or_is_closed) {
   ASSERT_TRUE(closed.has_value());
   EXPECT_NEAR(net_area(*closed), 400.0, 1e-9);
   EXPECT_EQ(closed->loops[0].pieces.size(), 6U);  // two parts and a bridge in the place of one
-  fill.max_gap_mm = 5.0;  // the gap is small enough to be bridged
+  fill.max_gap_mm = 5.0;                          // the gap is small enough to be bridged
   const auto bridged = follow(edits, WhenOpened::kRemove);
   ASSERT_TRUE(bridged.has_value());
   EXPECT_NEAR(net_area(*bridged), 400.0, 1e-9);
@@ -173,8 +174,7 @@ TEST(FollowFillOnRings, crossings_pass_the_seam_of_a_closed_stroke) {
 
 TEST(FollowFillOnBridges, bridged_fills_move_with_a_transform_and_open_when_the_gap_grows) {
   MapDrawing drawing;
-  const StrokeId bow = drawing.add(
-      stroke_of({{0.0, 0.0}, {0.0, 15.0}, {20.0, 15.0}, {20.0, 0.0}}));
+  const StrokeId bow = drawing.add(stroke_of({{0.0, 0.0}, {0.0, 15.0}, {20.0, 15.0}, {20.0, 0.0}}));
   const StrokeId lid = drawing.line({1.0, 0.0}, {18.0, 0.0});
   const Fill fill = drawing.map.face_at({10.0, 5.0}, 3.0, kBlue).value().fill;
   const Affine m = rotation(1.0, {3.0, 3.0});

@@ -196,8 +196,8 @@ class Divider {
       for (const Cubic& c : cubics) box.extend(control_bounds(c));
       if (std::max(box.width(), box.height()) <= 8.0 * result_.snap_mm) return;
     }
-    MapEdge edge{line.stroke, from.u,        to.u, {a, b}, result_.cubics.size(), cubics.size(),
-                 line.link};
+    MapEdge edge{line.stroke,           from.u,        to.u,     {a, b},
+                 result_.cubics.size(), cubics.size(), line.link};
     result_.cubics.insert(result_.cubics.end(), cubics.begin(), cubics.end());
     result_.edges.push_back(edge);
   }

@@ -52,8 +52,8 @@ double angle_at_circle(const Departure& d, double radius_mm) {
   return angle_of(evaluate(d.curve, outside) - d.curve.p[0]);
 }
 
-/// Sorts by direction. Compares the tangents if these differ clearly, and otherwise the points where
-/// the curves leave a circle. The direction of a short handle may be nothing but rounding.
+/// Sorts by direction. Compares the tangents if these differ clearly, and otherwise the points
+/// where the curves leave a circle. The direction of a short handle may be nothing but rounding.
 void sort_departures(std::vector<Departure>& all) {
   constexpr double kClear = 1e-3, kShortHandleMm = 1e-3;
   const auto by_angle = [](const Departure& a, const Departure& b) {
@@ -76,14 +76,18 @@ void sort_departures(std::vector<Departure>& all) {
 }  // namespace
 
 PlanarMap::PlanarMap(MapEdges edges) : edges_(std::move(edges)), dropped_(edges_.edges.size()) {
+  for (const MapEdge& edge : edges_.edges) {
+    boxes_.emplace_back();
+    for (const Cubic& c : edges_.cubics_of(edge)) boxes_.back().extend(control_bounds(c));
+  }
   sort_half_edges();
   set_components();
   trace();
   counts_.edges = edges_.edges.size();
   counts_.nodes = static_cast<std::size_t>(std::count_if(
       leaving_.begin(), leaving_.end(), [](const auto& around) { return !around.empty(); }));
-  counts_.components = static_cast<std::size_t>(std::count_if(
-      loops_.begin(), loops_.end(), [](const MapLoop& loop) { return loop.outer; }));
+  counts_.components = static_cast<std::size_t>(
+      std::count_if(loops_.begin(), loops_.end(), [](const MapLoop& loop) { return loop.outer; }));
   counts_.faces = loops_.size() - counts_.components + 1;
   if (drop_idle_edges() > 0) {
     set_components();
@@ -163,10 +167,8 @@ void PlanarMap::measure(MapLoop& loop) const {
   const Point origin = edges_.nodes[tail(loop.half_edges.front())];
   for (const HalfEdge h : loop.half_edges) {
     double area = 0.0;
-    for (const Cubic& c : edges_.cubics_of(edges_.edges[h / 2])) {
-      area += area_under(c, origin);
-      loop.box.extend(control_bounds(c));
-    }
+    for (const Cubic& c : edges_.cubics_of(edges_.edges[h / 2])) area += area_under(c, origin);
+    loop.box.extend(boxes_[h / 2]);
     loop.area_mm2 += h % 2 == 0 ? area : -area;
   }
 }
@@ -188,7 +190,8 @@ std::size_t PlanarMap::drop_idle_edges() {
 std::vector<std::uint8_t> PlanarMap::parities(Point p) const {
   std::vector<std::uint8_t> parity(loops_.size(), 0);
   for (std::size_t e = 0; e < edges_.edges.size(); ++e) {
-    if (dropped_[e]) continue;
+    const Rect& box = boxes_[e];
+    if (dropped_[e] || box.y1 < p.y || box.y0 > p.y || box.x1 < p.x) continue;
     int crossings = 0;
     for (const Cubic& c : edges_.cubics_of(edges_.edges[e])) crossings ^= ray_parity(c, p);
     if (crossings == 0) continue;

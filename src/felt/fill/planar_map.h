@@ -66,6 +66,7 @@ class PlanarMap {
   [[nodiscard]] std::vector<std::uint8_t> parities(Point p) const;
 
   MapEdges edges_;
+  std::vector<Rect> boxes_;                     // by edge, around the control points
   std::vector<std::vector<HalfEdge>> leaving_;  // by node, by direction from +x to +y
   std::vector<HalfEdge> next_;
   std::vector<std::size_t> component_;  // by node

@@ -28,8 +28,8 @@ Rect box_of(Point a, Point b) {
   return box;
 }
 
-/// Returns how far from the tip, in u, the stroke first leaves the circle around the tip, or nullopt
-/// if it never does.
+/// Returns how far from the tip, in u, the stroke first leaves the circle around the tip, or
+/// nullopt if it never does.
 std::optional<double> leaves_circle_at(const MeetingLine& line, StrokeTip tip, double radius_mm) {
   constexpr int kSteps = 32;
   const Point centre = tip_point(*line.stroke, tip);
@@ -248,8 +248,8 @@ std::vector<TipLink> TipLinks::links(const LineMeetings& meetings) {
   std::stable_sort(all.begin(), all.end(), [](const TipLink& a, const TipLink& b) {
     return std::tuple(!a.touch, a.length_mm) < std::tuple(!b.touch, b.length_mm);
   });
-  // Joins ends like a minimum spanning tree (Kruskal): an end that is reached already needs no other
-  // link. Two ends that found each other give one link.
+  // Joins ends like a minimum spanning tree (Kruskal): an end that is reached already needs no
+  // other link. Two ends that found each other give one link.
   std::map<std::pair<StrokeId, double>, std::size_t> group_of;
   std::vector<std::size_t> parent;
   const auto root_of = [&](const LinkEnd& end) {

@@ -62,8 +62,8 @@ class TipLinker {
   double max_gap_mm_;
 };
 
-/// All links of a set of strokes for one size of gaps. Keeps the links of each stroke end, and finds
-/// them again only if something near the end has changed.
+/// All links of a set of strokes for one size of gaps. Keeps the links of each stroke end, and
+/// finds them again only if something near the end has changed.
 class TipLinks {
  public:
   explicit TipLinks(double max_gap_mm) : max_gap_mm_(max_gap_mm) {}

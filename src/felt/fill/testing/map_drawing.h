@@ -56,10 +56,19 @@ struct MapDrawing {
   StrokeId circle(Point c, double r) { return add(circle_stroke(c, r)); }
   static StrokePtr circle_stroke(Point c, double r) {
     const double k = 0.5522847498 * r;
-    return stroke_of({{c.x + r, c.y}, {c.x + r, c.y + k}, {c.x + k, c.y + r}, {c.x, c.y + r},
-                      {c.x - k, c.y + r}, {c.x - r, c.y + k}, {c.x - r, c.y},
-                      {c.x - r, c.y - k}, {c.x - k, c.y - r}, {c.x, c.y - r},
-                      {c.x + k, c.y - r}, {c.x + r, c.y - k}, {c.x + r, c.y}},
+    return stroke_of({{c.x + r, c.y},
+                      {c.x + r, c.y + k},
+                      {c.x + k, c.y + r},
+                      {c.x, c.y + r},
+                      {c.x - k, c.y + r},
+                      {c.x - r, c.y + k},
+                      {c.x - r, c.y},
+                      {c.x - r, c.y - k},
+                      {c.x - k, c.y - r},
+                      {c.x, c.y - r},
+                      {c.x + k, c.y - r},
+                      {c.x + r, c.y - k},
+                      {c.x + r, c.y}},
                      true);
   }
 };
