@@ -10,7 +10,7 @@
 #include "felt/fill/testing/map_drawing.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::fill_test {
 namespace {
 
 using testing::MapDrawing;
@@ -279,4 +279,4 @@ TEST(PlanarMap, an_update_gives_the_same_map_as_a_new_one) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::fill_test

@@ -10,7 +10,7 @@
 #include "felt/geometry/affine.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::follow_fill_test {
 namespace {
 
 using testing::lines_through;
@@ -217,4 +217,4 @@ TEST(FollowFillRandomly, small_displacements_give_the_face_at_the_same_place) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::follow_fill_test

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "felt/base/constants.h"
 #include "felt/fill/curve_area.h"
 
 namespace felt {
@@ -61,7 +62,7 @@ void sort_departures(std::vector<Departure>& all) {
   };
   for (Departure& d : all) d.angle = angle_of(tangent(d.curve, 0.0));
   std::sort(all.begin(), all.end(), by_angle);
-  bool clear = all.size() < 2 || all.front().angle + 6.2831853 - all.back().angle > kClear;
+  bool clear = all.size() < 2 || all.front().angle + kTau - all.back().angle > kClear;
   for (std::size_t i = 0; i < all.size(); ++i) {
     clear = clear && (i == 0 || all[i].angle - all[i - 1].angle > kClear) &&
             distance(all[i].curve.p[0], all[i].curve.p[1]) > kShortHandleMm;
