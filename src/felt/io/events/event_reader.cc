@@ -69,6 +69,12 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kDuplicate:
       event.what = DuplicateEvent{};
       break;
+    case EventName::kMove:
+      event.what = MoveEvent{{fields.position.x, fields.position.y}};
+      break;
+    case EventName::kOrder:
+      event.what = OrderEvent{fields.order};
+      break;
     case EventName::kRestyle:
       event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium), fields.opacity,
                                 fields.width_factor};

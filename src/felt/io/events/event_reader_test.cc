@@ -65,6 +65,10 @@ TEST(EventReader, ReadsEveryKind) {
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
   EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"duplicate","t_ms":3})"), (Event{3'000'000, DuplicateEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"move","t_ms":3,"dy":-2.5})"),
+            (Event{3'000'000, MoveEvent{{0.0, -2.5}}}));
+  EXPECT_EQ(event_of(R"({"event":"order","t_ms":3,"to":"front"})"),
+            (Event{3'000'000, OrderEvent{OrderEvent::To::kFront}}));
   EXPECT_EQ(event_of(R"({"event":"restyle","medium":"chalk","t_ms":3})"),
             (Event{3'000'000, RestyleEvent{.medium = "chalk"}}));
   EXPECT_EQ(event_of(R"({"event":"restyle","opacity":0,"width":1.25,"t_ms":3})"),
