@@ -33,8 +33,7 @@ LayerEvent layer_event(EventFields&& fields) {
 }
 
 Event event_of(EventName name, EventFields&& fields) {
-  Event event;
-  event.time_ns = fields.time_ns;
+  Event event{fields.time_ns, {}};
   switch (name) {
     case EventName::kTool:
       event.what = SelectTool{std::move(fields.id)};
@@ -90,7 +89,6 @@ Event event_of(EventName name, EventFields&& fields) {
       break;
     case EventName::kGuide:
       event.what = UseGuide{std::move(fields.guide)};
-      break;
   }
   return event;
 }
