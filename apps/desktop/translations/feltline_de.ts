@@ -2529,6 +2529,18 @@
         <source>The picture, for browsers. Feltline does not read the lines back.</source>
         <translation>Das Bild, für Browser. Feltline liest die Linien nicht zurück.</translation>
     </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>1× is 96 dots per inch, as on a screen of usual resolution</source>
+        <translation>1× sind 96 Punkte pro Zoll, wie auf einem Bildschirm mit üblicher Auflösung</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>

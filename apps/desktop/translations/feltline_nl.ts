@@ -2529,6 +2529,18 @@
         <source>The picture, for browsers. Feltline does not read the lines back.</source>
         <translation>De afbeelding, voor browsers. Feltline leest de lijnen niet terug.</translation>
     </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Schaal</translation>
+    </message>
+    <message>
+        <source>1× is 96 dots per inch, as on a screen of usual resolution</source>
+        <translation>1× is 96 punten per inch, zoals op een scherm met gewone resolutie</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
