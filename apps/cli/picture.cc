@@ -55,9 +55,15 @@ std::optional<Vec> written_size(std::string_view text) {
 }  // namespace
 
 void PictureArguments::add_to(CLI::App& command) {
-  command.add_option("--dpi", dpi, "Resolution of a .png in dots per inch")
-      ->check(number_between(1.0, 4800.0))
-      ->capture_default_str()
+  CLI::Option* in_dpi = command.add_option("--dpi", dpi, "Resolution of a .png in dots per inch")
+                            ->check(number_between(1.0, 4800.0))
+                            ->capture_default_str()
+                            ->group("Pictures (.svg, .pdf, .png)");
+  command
+      .add_option("--scale", scale,
+                  "Resolution of a .png as a factor, instead of --dpi: 1 is 96 dots per inch")
+      ->check(number_between(0.1, 50.0))
+      ->excludes(in_dpi)
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--page", page,
@@ -102,7 +108,7 @@ Result<PictureOptions> PictureArguments::parse(Console& console) const {
   PictureOptions options;
   // If no grain is shown, errors in materials do not matter.
   if (grain || !surface.empty()) options.materials = known_materials(console).materials;
-  options.dpi = dpi;
+  options.dpi = scale ? *scale * kScreenDpi : dpi;
   options.wants_grain = grain;
   options.grain_dpi = grain_dpi;
   options.has_surface = !surface.empty();

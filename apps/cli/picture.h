@@ -42,16 +42,21 @@ struct PictureOptions {
   Materials materials = Materials::built_in();
 };
 
+/// Resolution of a picture at the scale 1: that of a CSS pixel
+/// (<https://www.w3.org/TR/css-values-4/#reference-pixel>).
+inline constexpr double kScreenDpi = 96.0;
+
 /// The picture options of the command line, before they are parsed.
 struct PictureArguments {
   double dpi = 300.0;
+  std::optional<double> scale;  ///< 1 means kScreenDpi
   std::string page;
   std::string paper;
   std::string surface;
   bool grain = false;
   double grain_dpi = 200.0;
 
-  /// Adds --dpi, --page, --paper and --surface to a sub-command.
+  /// Adds --dpi, --scale, --page, --paper and --surface to a sub-command.
   void add_to(CLI::App& command);
   /// Adds --grain and --grain-dpi, for commands that read a drawing as a whole.
   void add_grain_to(CLI::App& command);

@@ -22,6 +22,9 @@ run 0 "$feltline" render a.ndjson -o p.png --page A5-landscape --dpi 50.8
 [ "$(png_size p.png)" = 420x296 ] || fail "A5-landscape is $(png_size p.png)"
 run 0 "$feltline" render a.ndjson -o p.png --page 30.5x20 --dpi 254
 [ "$(png_size p.png)" = 305x200 ] || fail "30.5x20 is $(png_size p.png)"
+run 0 "$feltline" convert a.ndjson -o p.png --page 25.4x50.8 --scale 2
+[ "$(png_size p.png)" = 192x384 ] || fail "two by four inches at twice 96 dots are $(png_size p.png)"
+run 2 "$feltline" convert a.ndjson -o p.png --scale 2 --dpi 50
 run 0 "$feltline" render a.ndjson -o p.png --dpi 50 --paper transparent
 run 0 "$feltline" fit in.ndjson -o q.png --dpi 50 --paper transparent
 same p.png q.png

@@ -52,6 +52,11 @@ struct CheckWhat {
   }
   void operator()(const DeleteEvent&) const {}
   void operator()(const DuplicateEvent&) const {}
+  void operator()(const MoveEvent& e) const {
+    FELT_CHECK(std::abs(e.by_mm.x) <= MoveEvent::kMaxMm);
+    FELT_CHECK(std::abs(e.by_mm.y) <= MoveEvent::kMaxMm);
+  }
+  void operator()(const OrderEvent& e) const { FELT_CHECK(e.to <= OrderEvent::To::kBack); }
   void operator()(const RestyleEvent& e) const {
     if (!e.color.empty()) check_text(e.color);
     if (!e.medium.empty()) check_text(e.medium);

@@ -81,6 +81,9 @@ class Canvas : public QWidget {
   void view_changed();
   void hint_changed();
   void place_changed();
+  /// The user clicked with the right button, or pressed a button with the role kPopup, at this
+  /// pixel.
+  void popup_wanted(QPointF px);
 
  protected:
   bool event(QEvent* event) override;

@@ -10,6 +10,7 @@
 #include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/canvas/canvas_shown.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/tool_size.h"
 #include "desktop/engine/tool_texts.h"
 
 namespace felt::desktop {
@@ -20,8 +21,9 @@ constexpr double kShrink = 0.35;  // share by which an attraction of 1 N shrinks
 
 /// Returns the width of the line that a mouse would draw, or 0 if the current tool draws no line.
 double drawn_width_mm(const Session& session) {
-  if (session.tool().info().kind != ToolKind::kDraws) return 0.0;
-  const std::optional<ToolSize> size = session.tool().size();
+  const ToolKind kind = session.tool().info().kind;
+  if (kind != ToolKind::kDraws && kind != ToolKind::kShapes) return 0.0;
+  const std::optional<ToolSize> size = tool_size(session);
   return size ? size->mm : 0.0;
 }
 

@@ -279,8 +279,9 @@ std::int64_t Studio::event_time_ns() {
 /// Applies an event, so that a recording contains this change.
 void Studio::deselect_for_drawing(const PenSample& sample) {
   const bool begins = !std::exchange(was_in_contact_, in_contact(sample)) && in_contact(sample);
-  if (!begins || session_->selection().empty() || session_->tool().info().kind != ToolKind::kDraws)
-    return;
+  const ToolKind kind = session_->tool().info().kind;
+  const bool draws = kind == ToolKind::kDraws || kind == ToolKind::kShapes;
+  if (!begins || session_->selection().empty() || !draws) return;
   static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
 }
 

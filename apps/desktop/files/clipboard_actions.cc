@@ -13,6 +13,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/io/drawing_builder.h"
+#include "felt/stroke/edit/mend_joints.h"
 
 namespace felt::desktop {
 namespace {
@@ -30,11 +31,12 @@ QByteArray fingerprint(const QMimeData& data) {
                                   QCryptographicHash::Sha1);
 }
 
-std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, double by_mm) {
-  if (by_mm == 0.0) return strokes;
+std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, Vec by_mm) {
+  if (by_mm == Vec{}) return strokes;
   for (StrokePtr& s : strokes) {
     StrokeData data = s->data();
-    for (Point& p : data.points) p = {p.x + by_mm, p.y + by_mm};
+    for (Point& p : data.points) p = p + by_mm;
+    mend_rounding(data);
     if (Result<Stroke> stroke = Stroke::create(std::move(data))) {
       s = std::make_shared<const Stroke>(*std::move(stroke));
     }
@@ -53,6 +55,10 @@ ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs
               tr("Copy the selected strokes, or all if none is selected"), [this] { copy(); });
   actions.add(QStringLiteral("edit.paste"), tr("&Paste"), {QKeySequence::Paste},
               tr("Add the strokes from the clipboard"), [this] { paste(); });
+  actions.add(QStringLiteral("edit.paste_in_place"), tr("Paste &in place"),
+              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)},
+              tr("Add the strokes from the clipboard at their original position"),
+              [this] { paste_in_place(); });
   actions.add(QStringLiteral("edit.copy_as_svg"), tr("Copy as &SVG"), {},
               tr("Copy the selected strokes, or all, as an SVG drawing"),
               [this] { put(svg_mime(chosen())); });
@@ -120,24 +126,53 @@ void ClipboardActions::cut() {
   studio_.apply(DeleteEvent{});
 }
 
-void ClipboardActions::paste() {
+/// Returns the drawing on the clipboard, or nullopt, with a message to the user, if it has no
+/// strokes.
+std::optional<Imported> ClipboardActions::pasted() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
   Result<Imported> pasted = data ? drawing_of(*data) : Imported();
   if (!pasted) {
     dialogs_.show_error(window_, tr("The clipboard cannot be pasted"), error_words(pasted.error()),
                         QString::fromStdString(pasted.error().message));
-    return;
+    return std::nullopt;
   }
-  const std::vector<StrokePtr> strokes = visible_strokes(pasted->drawing.document);
-  if (strokes.empty()) {
+  if (visible_strokes(pasted->drawing.document).empty()) {
     Q_EMIT studio_.refused(tr("The clipboard holds no strokes."));
-    return;
+    return std::nullopt;
   }
-  const bool is_ours = fingerprint(*data) == copied_;
-  const int beside = is_ours ? ++pastes_ : 0;
-  add_strokes(studio_, QStringLiteral("clipboard"), moved(strokes, kBesideMm * beside),
-              pasted->drawing.materials, pasted->report);
-  Q_EMIT taken(tr("the clipboard"), pasted->report);
+  return *std::move(pasted);
+}
+
+void ClipboardActions::paste() {
+  const std::optional<Point> pointer = pointer_ ? pointer_() : std::nullopt;
+  if (pointer) return paste_at(*pointer);
+  std::optional<Imported> pasted = this->pasted();
+  if (!pasted) return;
+  const bool is_ours = fingerprint(*QGuiApplication::clipboard()->mimeData()) == copied_;
+  const double beside_mm = is_ours ? kBesideMm * ++pastes_ : 0.0;
+  add(*std::move(pasted), {beside_mm, beside_mm});
+}
+
+void ClipboardActions::paste_in_place() {
+  if (std::optional<Imported> pasted = this->pasted()) add(*std::move(pasted), {});
+}
+
+void ClipboardActions::paste_at(Point middle) {
+  std::optional<Imported> pasted = this->pasted();
+  if (!pasted) return;
+  Rect box;
+  for (const StrokePtr& stroke : visible_strokes(pasted->drawing.document)) {
+    box.extend(stroke->bounds());
+  }
+  const Point from{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  add(*std::move(pasted), middle - from);
+}
+
+void ClipboardActions::add(Imported pasted, Vec by_mm) {
+  add_strokes(studio_, QStringLiteral("clipboard"),
+              moved(visible_strokes(pasted.drawing.document), by_mm), pasted.drawing.materials,
+              pasted.report);
+  Q_EMIT taken(tr("the clipboard"), pasted.report);
 }
 
 }  // namespace felt::desktop

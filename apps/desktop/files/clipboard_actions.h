@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QWidget>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
@@ -15,16 +17,23 @@
 namespace felt::desktop {
 
 /// Copy, cut and paste of strokes: "edit.copy", "edit.cut", "edit.paste", "edit.copy_as_svg",
-/// "edit.copy_as_png". Copy copies every visible stroke that is at least partly selected, or all
-/// visible strokes if nothing is selected. Cut copies and deletes only strokes that are selected as
-/// a whole. The clipboard also gets those media of the strokes that Feltline does not ship. A paste
-/// is one step of undo. Strokes that were copied in this window are pasted with a small offset from
-/// the originals.
+/// "edit.copy_as_png", "edit.paste_in_place". Copy copies every visible stroke that is at least
+/// partly selected, or all visible strokes if nothing is selected. Cut copies and deletes only
+/// strokes that are selected as a whole. The clipboard also gets those media of the strokes that
+/// Feltline does not ship. A paste is one step of undo. Strokes that were copied in this window are
+/// pasted with a small offset from the originals, or with their middle at the pointer if it is over
+/// the page; "edit.paste_in_place" pastes at the original position.
 class ClipboardActions : public QObject {
   Q_OBJECT
 
  public:
   ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, QWidget* window);
+
+  /// Sets a function that returns the position of the pointer on the page, or nullopt if it is
+  /// elsewhere. Without a function, pastes are not moved to the pointer.
+  void set_pointer(std::function<std::optional<Point>()> pointer) { pointer_ = std::move(pointer); }
+  /// Pastes the clipboard with the middle of its ink at a point of the page.
+  void paste_at(Point middle);
 
  Q_SIGNALS:
   /// Emitted when strokes were pasted; `report` lists the unsupported content of the clipboard.
@@ -36,6 +45,9 @@ class ClipboardActions : public QObject {
   void copy();
   void cut();
   void paste();
+  void paste_in_place();
+  [[nodiscard]] std::optional<Imported> pasted();
+  void add(Imported pasted, Vec by_mm);
   void keep_up();
   void remember_and_put(Drawing drawing);
 
@@ -43,6 +55,7 @@ class ClipboardActions : public QObject {
   FileDialogs& dialogs_;
   QWidget* window_;
   QAction* cut_;
+  std::function<std::optional<Point>()> pointer_;
   QByteArray copied_;  // fingerprint of the strokes that this window copied
   int pastes_ = 0;     // number of pastes since the last copy or cut here
 };

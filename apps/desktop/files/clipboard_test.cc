@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 #include <QImage>
 
+#include "desktop/files/clipboard_actions.h"
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/io/testing/test_drawings.h"
 
@@ -157,6 +158,28 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   trigger(other, "edit.paste");
   EXPECT_EQ(other.document().stroke_count(), 1u);
   EXPECT_EQ(other.studio.materials().find_medium("soft-chalk"), nullptr);
+}
+
+TEST(Clipboard, PastesAtThePointerOrInPlace) {
+  StudioFixture fixture;
+  fixture.studio.import(QStringLiteral("test"),
+                        std::vector{std::make_shared<const Stroke>(
+                            felt::testing::straight_stroke({10, 10}, {30, 20}, 1, 1))});
+  const auto trigger = [&](const char* name) {
+    fixture.actions.find(QString::fromLatin1(name))->trigger();
+    return fixture.document().layers().front().strokes.back();
+  };
+  trigger("edit.copy");
+  fixture.files->clipboard().set_pointer([] { return Point{100, 50}; });
+  const StrokeId at_pointer = trigger("edit.paste");
+  EXPECT_EQ(fixture.document().find(at_pointer)->position(0), (Point{90, 45}));
+  EXPECT_TRUE(fixture.studio.session().selection().is_whole(at_pointer));
+  EXPECT_EQ(fixture.studio.session().selection().strokes().size(), 1U);
+  EXPECT_EQ(fixture.document().find(trigger("edit.paste_in_place"))->position(0), (Point{10, 10}));
+  fixture.files->clipboard().set_pointer([] { return std::nullopt; });
+  EXPECT_EQ(fixture.document().find(trigger("edit.paste"))->position(0), (Point{15, 15}));
+  fixture.files->clipboard().paste_at({20, 15});
+  EXPECT_EQ(fixture.document().stroke_count(), 5U);
 }
 
 }  // namespace

@@ -28,6 +28,9 @@
 namespace felt::desktop {
 namespace {
 
+/// Resolution at the scale 1: that of a CSS pixel.
+constexpr double kScreenDpi = 96.0;
+
 constexpr QSize kPreviewSize(280, 220);
 constexpr int kCheck = 8;  // size of the chequered squares that show transparency
 // A preview of more strokes would take too long. If the drawing has more, the preview shows those
@@ -70,6 +73,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
       format_(new QComboBox(this)),
       area_(new QComboBox(this)),
       dpi_(new QDoubleSpinBox(this)),
+      scale_(new QComboBox(this)),
       background_(new QCheckBox(tr("With the &paper’s colour"), this)),
       grain_(new QCheckBox(tr("&Grain of the surface in dry media"), this)),
       compact_(new QCheckBox(tr("Small file for &web pages"), this)),
@@ -112,7 +116,7 @@ void ExportDialog::build() {
   form_->addRow(tr("&Format:"), format_);
   form_->addRow(tr("Keeps:"), kept_);
   form_->addRow(tr("&Show:"), area_);
-  form_->addRow(tr("&Resolution:"), dpi_);
+  form_->addRow(tr("&Resolution:"), resolution_row());
   form_->addRow(QString(), background_);
   form_->addRow(QString(), grain_);
   form_->addRow(QString(), compact_);
@@ -129,6 +133,29 @@ void ExportDialog::build() {
   auto* all = new QVBoxLayout(this);
   all->addLayout(columns);
   all->addWidget(buttons);
+}
+
+/// Returns the resolution in dots per inch, and beside it as a factor; each shows what is chosen in
+/// the other.
+QWidget* ExportDialog::resolution_row() {
+  for (const int scale : {1, 2, 3, 4}) {
+    scale_->addItem(tr("%1×").arg(scale), scale * kScreenDpi);
+  }
+  scale_->setPlaceholderText(tr("Scale"));
+  scale_->setAccessibleName(tr("Scale"));
+  scale_->setToolTip(tr("1× is 96 dots per inch, as on a screen of usual resolution"));
+  const auto follow = [this] { scale_->setCurrentIndex(scale_->findData(dpi_->value())); };
+  connect(dpi_, &QDoubleSpinBox::valueChanged, this, follow);
+  connect(scale_, &QComboBox::activated, this,
+          [this] { dpi_->setValue(scale_->currentData().toDouble()); });
+  follow();
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(dpi_, 1);
+  row->addWidget(scale_);
+  box->setFocusProxy(dpi_);
+  return box;
 }
 
 void ExportDialog::follow_choices() {
@@ -176,6 +203,7 @@ void ExportDialog::show_result() {
                      : format_kept(chosen.format));
   format_->setAccessibleDescription(kept_->text());
   const bool is_png = chosen.format == FileFormat::kPng;
+  scale_->setEnabled(is_png);
   dpi_->setEnabled(is_png || (is_picture && chosen.grain && !chosen.compact));
   grain_->setEnabled(is_picture && surface_grain_ && !chosen.compact);
   compact_->setEnabled(chosen.format == FileFormat::kSvg);

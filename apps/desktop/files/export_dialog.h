@@ -29,6 +29,7 @@ class ExportDialog : public QDialog {
 
  private:
   void build();
+  QWidget* resolution_row();
   void follow_choices();
   void show_result();
 
@@ -40,6 +41,7 @@ class ExportDialog : public QDialog {
   QComboBox* format_;
   QComboBox* area_;
   QDoubleSpinBox* dpi_;
+  QComboBox* scale_;  // the resolution as a factor
   QCheckBox* background_;
   QCheckBox* grain_;
   QCheckBox* compact_;

@@ -72,8 +72,8 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
       dialogs_(dialogs ? std::move(dialogs) : std::make_unique<FileDialogs>()),
       recent_menu_(new QMenu(tr("Open &recent"), window)) {
   add_file_actions(actions);
-  auto* clipboard = new ClipboardActions(studio, actions, *dialogs_, window);
-  connect(clipboard, &ClipboardActions::taken, this, &FileActions::taken);
+  clipboard_ = new ClipboardActions(studio, actions, *dialogs_, window);
+  connect(clipboard_, &ClipboardActions::taken, this, &FileActions::taken);
   auto* output = new OutputActions(*this, studio, actions, window);
   connect(output, &OutputActions::exported, this, [this](const QString& path, bool done) {
     if (done) Q_EMIT exported(path);

@@ -25,6 +25,8 @@ class QMenu;
 
 namespace felt::desktop {
 
+class ClipboardActions;
+
 /// Functions for palette and view, the parts of a drawing that FileActions does not own.
 struct DrawingLooks {
   std::function<void(Drawing&)> report = {};      ///< adds palette and view to a drawing
@@ -49,6 +51,7 @@ class FileActions : public QObject {
               std::unique_ptr<FileDialogs> dialogs = nullptr);
   ~FileActions() override;
 
+  [[nodiscard]] ClipboardActions& clipboard() noexcept { return *clipboard_; }
   /// Returns the path, or "" for a drawing without a name.
   [[nodiscard]] const QString& path() const noexcept { return path_; }
   /// Returns a name for titles: the file's name, or the drawing's name if it has no file.
@@ -146,6 +149,7 @@ class FileActions : public QObject {
                                             // drawings are saved
   QPointer<QLabel> warning_;                // shown while the autosave fails
   QMenu* recent_menu_;
+  ClipboardActions* clipboard_ = nullptr;
   QString path_;
   QString name_;    // name of a drawing without a path; "" is "Untitled"
   QString folder_;  // folder of the file that was opened or saved last

@@ -97,6 +97,13 @@ TEST(Export, TheDialogSaysWhatComesOut) {
   EXPECT_TRUE(shows(QStringLiteral("pixels")));
   EXPECT_EQ(dialog.options().format, FileFormat::kPng);
   EXPECT_EQ(dialog.options().dpi, 254.0);
+  QComboBox* scale = combos.back();
+  EXPECT_EQ(scale->currentIndex(), -1) << "254 is no whole factor";
+  scale->setCurrentIndex(1);
+  Q_EMIT scale->activated(1);
+  EXPECT_EQ(dialog.options().dpi, 192.0);
+  dialog.findChild<QDoubleSpinBox*>()->setValue(288.0);
+  EXPECT_EQ(scale->currentText(), QStringLiteral("3×"));
   combos[0]->setCurrentIndex(combos[0]->findData(QStringLiteral("pdf")));
   EXPECT_TRUE(shows(format_kept(FileFormat::kPdf)));
   EXPECT_FALSE(shows(QStringLiteral("pixels")));

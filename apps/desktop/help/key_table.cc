@@ -30,6 +30,12 @@ constexpr std::array kHandRows{
               QT_TRANSLATE_NOOP("KeyTable", "Ctrl + Space + drag")},
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Turn the view"),
               QT_TRANSLATE_NOOP("KeyTable", "Shift + Space + drag")},
+    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Change the size"),
+              QT_TRANSLATE_NOOP("KeyTable", "Ctrl + Alt + drag")},
+    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Palette at the pointer"),
+              QT_TRANSLATE_NOOP("KeyTable", "Click with the right button")},
+    std::pair{QT_TRANSLATE_NOOP("KeyTable", "Move the selected lines by 1, 10 or 0.1 mm"),
+              QT_TRANSLATE_NOOP("KeyTable", "Arrow, Shift + arrow, Ctrl + arrow")},
     std::pair{QT_TRANSLATE_NOOP("KeyTable", "Use a tool temporarily"),
               QT_TRANSLATE_NOOP("KeyTable", "Hold its key while you use it")},
 };

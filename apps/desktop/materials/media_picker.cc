@@ -41,7 +41,23 @@ bool take_medium(Studio& studio, const std::string& id) {
 
 bool choose_medium(Studio& studio, const std::string& id) {
   if (!take_medium(studio, id)) return false;
-  if (!studio.session().selection().empty()) studio.apply(RestyleEvent{.medium = id});
+  const Session& session = studio.session();
+  if (!session.selection().empty()) {
+    studio.apply(RestyleEvent{.medium = id});
+    return true;
+  }
+  const ToolInfo& tool = session.tool().info();
+  if (tool.kind == ToolKind::kDraws || tool.kind == ToolKind::kShapes) return true;
+  // A tool with this option gives lines the colour or the medium of new ink.
+  const std::string gives = std::string(tool.id) + ".gives";
+  if (const Result<OptionValue> now = session.option(gives)) {
+    if (*now == OptionValue(std::string("colour"))) {
+      studio.apply(SetOption{gives, std::string("medium")});
+    }
+    return true;
+  }
+  const Tool* draws = session.first_tool(ToolKind::kDraws);
+  if (draws) studio.apply(SelectTool{std::string(draws->info().id)});
   return true;
 }
 

@@ -19,6 +19,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/panels/color_contrast.h"
 #include "desktop/panels/panel_setting_keys.h"
+#include "desktop/panels/stored_colors.h"
 #include "desktop/panels/tool_icons.h"
 #include "felt/stroke/color_text.h"
 
@@ -32,20 +33,6 @@ const char* const kColor = "ink.color";
 
 QString hex_of(Rgba color) {
   return QString::fromStdString(color_to_text(color));
-}
-
-std::vector<NamedColor> stored_colors(const char* key) {
-  std::vector<NamedColor> colors;
-  for (const QString& text : Settings::the().value(QString::fromLatin1(key)).toStringList()) {
-    if (const auto color = color_from_text(text.toStdString())) colors.push_back({*color, {}});
-  }
-  return colors;
-}
-
-void store_colors(const char* key, const std::vector<NamedColor>& colors) {
-  QStringList texts;
-  for (const NamedColor& entry : colors) texts.push_back(hex_of(entry.color));
-  Settings::the().set(QString::fromLatin1(key), texts);
 }
 
 QStringList opened_files() {

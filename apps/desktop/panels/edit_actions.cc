@@ -115,7 +115,19 @@ void add_selected(Actions& actions, Studio& studio) {
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T)},
       menu_text(QT_TRANSLATE_NOOP("EditActions", "Makes the selected lines thinner by a fifth.")),
       [&studio] { studio.apply(RestyleEvent{.width_factor = 1.0 / kWidthStep}); });
-  const auto follow = [all = QList{remove, copy, broader, thinner}, &studio] {
+  QAction* front = actions.add(
+      QStringLiteral("edit.to_front"),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Bring to &front")), {QKeySequence(Qt::Key_Home)},
+      menu_text(QT_TRANSLATE_NOOP("EditActions",
+                                  "Puts the selected lines above all others of their layer.")),
+      [&studio] { studio.apply(OrderEvent{OrderEvent::To::kFront}); });
+  QAction* back = actions.add(
+      QStringLiteral("edit.to_back"), menu_text(QT_TRANSLATE_NOOP("EditActions", "Send to bac&k")),
+      {QKeySequence(Qt::Key_End)},
+      menu_text(QT_TRANSLATE_NOOP("EditActions",
+                                  "Puts the selected lines below all others of their layer.")),
+      [&studio] { studio.apply(OrderEvent{OrderEvent::To::kBack}); });
+  const auto follow = [all = QList{remove, copy, broader, thinner, front, back}, &studio] {
     const bool any = !studio.session().selection().empty();
     for (QAction* action : all) action->setEnabled(any);
   };

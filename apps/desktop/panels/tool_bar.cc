@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
+#include "desktop/engine/tool_size.h"
 #include "desktop/engine/tool_texts.h"
 #include "desktop/panels/tool_icons.h"
-#include "desktop/panels/tool_size.h"
 
 namespace felt::desktop {
 namespace {

@@ -8,10 +8,11 @@
 #include <QWidget>
 #include <set>
 
+#include "desktop/engine/tool_size.h"
 #include "desktop/panels/edit_actions.h"
 #include "desktop/panels/testing/panels_fixture.h"
-#include "desktop/panels/tool_size.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::desktop::tool_bar_test {
 namespace {
@@ -143,6 +144,26 @@ TEST(ToolActions, AKeyThatMakesItLargerNeverMakesItSmaller) {
   EXPECT_EQ(said.count(), 1);
   fixture.find("tool.size_down")->trigger();
   EXPECT_LT(fixture.studio.session().tool().size()->mm, before);
+}
+
+TEST(ToolActions, TheSizeIsForShapesAndForTheSelectedLines) {
+  ToolBarFixture fixture;
+  fixture.studio.apply(SelectTool{"shape"});
+  set_tool_size(fixture.studio, 2.0);
+  const Session& session = fixture.studio.session();
+  EXPECT_NEAR(tool_size(session)->mm, 2.0, 1e-9);
+  EXPECT_NEAR(session.first_tool(ToolKind::kDraws)->size()->mm, 2.0, 1e-9);
+  fixture.studio.import(QStringLiteral("test"),
+                        std::vector{std::make_shared<const Stroke>(
+                            felt::testing::straight_stroke({0, 0}, {60, 0}, 3, 5))});
+  fixture.find("tool.size_up")->trigger();
+  const StrokePtr line = session.document().find({1});
+  EXPECT_NEAR(tool_size(session)->mm, 2.5, 1e-9);
+  EXPECT_NEAR(line->width_mm(0.5), 2.5, 1e-9) << "the mean width";
+  EXPECT_NEAR(line->width_mm(1.0) / line->width_mm(0.0), 5.0 / 3.0, 1e-9);
+  fixture.studio.apply(SelectTool{"eraser"});
+  fixture.find("tool.size_up")->trigger();
+  EXPECT_EQ(session.document().find({1}), line) << "the eraser has its own size";
 }
 
 TEST(ToolActions, SizeIsThatOfTheModeInHand) {

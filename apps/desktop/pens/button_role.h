@@ -12,8 +12,9 @@ enum class ButtonRole : std::uint8_t {
   kEraser,  ///< selects the eraser while the button is held
   kPull,
   kLasso,
-  kPan,   ///< moving the pen pans the view
-  kUndo,  ///< undoes one step when the button is pressed
+  kPan,    ///< moving the pen pans the view
+  kUndo,   ///< undoes one step when the button is pressed
+  kPopup,  ///< opens the palette at the pointer (Canvas::popup_wanted)
   kFirstModifier,
   kSecondModifier,
 };

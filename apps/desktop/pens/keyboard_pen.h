@@ -42,6 +42,9 @@ class KeyboardPen : public QObject {
   /// that no longer enables Return, Enter and Insert.
   void stop_leading() noexcept { is_leading_ = false; }
 
+  /// Returns true if an arrow key has moved the pen since the mouse or a pen moved the hand.
+  [[nodiscard]] bool is_leading() const noexcept { return is_leading_; }
+
  Q_SIGNALS:
   /// Reports a message for screen readers.
   void said(const QString& text);

@@ -1,5 +1,6 @@
 #include "desktop/pens/mouse_input.h"
 
+#include <QLineF>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,6 +26,17 @@ QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
     if (far > 0.0 && far <= 1.0) return exact;
   }
   return event.position();
+}
+
+/// Returns true if a button with this role acts when it is pressed, so that it cannot be clicked.
+bool acts_at_once(ButtonRole role) {
+  return role == ButtonRole::kUndo || role == ButtonRole::kFirstModifier ||
+         role == ButtonRole::kSecondModifier;
+}
+
+/// Returns true if the pen draws while a button with this role is held, with a borrowed tool.
+bool draws(ButtonRole role) {
+  return role == ButtonRole::kEraser || role == ButtonRole::kPull || role == ButtonRole::kLasso;
 }
 
 }  // namespace
@@ -54,24 +66,48 @@ bool MouseInput::drags(const QMouseEvent& event) {
 
 void MouseInput::take(const QMouseEvent& event) {
   const std::int64_t time_ns = clock_.time_ns(event.timestamp(), canvas_.studio().now_ns());
-  if (drags(event)) return;
+  const QPointF at = place_of(event, canvas_);
   const bool right = event.buttons().testFlag(Qt::RightButton);
-  if (right && right_held_ == ButtonRole::kNone && !hand_.is_down()) {
-    right_held_ = settings_.right;
+  const bool left = event.buttons().testFlag(Qt::LeftButton);
+  const bool presses =
+      event.type() != QEvent::MouseMove && event.type() != QEvent::MouseButtonRelease;
+  if (presses && event.button() == Qt::RightButton && !hand_.is_down() &&
+      !acts_at_once(settings_.right)) {
+    click_ = at;
+  }
+  const bool clicks = click_ && !right;
+  if (click_ && (left || QLineF(*click_, at).length() > kClickPx)) hold_right(time_ns);
+  if (clicks) click_.reset();
+  if (drags(event)) {
+    if (clicks) Q_EMIT canvas_.popup_wanted(at);
+    return;
+  }
+  if (right && !click_ && right_held_ == ButtonRole::kNone && !hand_.is_down()) {
+    right_held_ = settings_.right == ButtonRole::kPopup ? ButtonRole::kNone : settings_.right;
     hand_.press(right_held_);
   }
-  // While the right button is pressed, the pen draws only if the button borrows a tool.
-  const bool draws =
-      right && (right_held_ == ButtonRole::kEraser || right_held_ == ButtonRole::kPull ||
-                right_held_ == ButtonRole::kLasso);
-  const bool touching = event.buttons().testFlag(Qt::LeftButton) || draws;
-  hand_.point(PenHand::Source::kMouse, place_of(event, canvas_), time_ns, touching, std::nullopt);
+  const bool touching = left || (right && draws(right_held_));
+  hand_.point(PenHand::Source::kMouse, at, time_ns, touching, std::nullopt);
   if (!right) hand_.release(std::exchange(right_held_, ButtonRole::kNone));
+  if (clicks) Q_EMIT canvas_.popup_wanted(at);
+}
+
+/// The press of the right button is not a click: begins the action of the button where it was
+/// pressed.
+void MouseInput::hold_right(std::int64_t time_ns) {
+  const QPointF from = *std::exchange(click_, std::nullopt);
+  if (settings_.right == ButtonRole::kPopup || settings_.right == ButtonRole::kPan) return;
+  right_held_ = settings_.right;
+  hand_.press(right_held_);
+  if (draws(right_held_)) {
+    hand_.point(PenHand::Source::kMouse, from, time_ns, true, std::nullopt);
+  }
 }
 
 void MouseInput::release_all() {
   if (std::exchange(dragging_, Qt::NoButton) != Qt::NoButton) drag_.end();
   hand_.release(std::exchange(right_held_, ButtonRole::kNone));
+  click_.reset();
 }
 
 void MouseInput::take(const QWheelEvent& event) {

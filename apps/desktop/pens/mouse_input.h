@@ -13,8 +13,10 @@
 namespace felt::desktop {
 
 /// Moves the hand with the mouse. The left button puts the pen down, the middle button moves the
-/// view, and the right button may draw with a borrowed tool; the wheel zooms at the pointer. The
-/// arguments of the constructor must outlive this object.
+/// view, and the right button may draw with a borrowed tool; the wheel zooms at the pointer. A
+/// click of the right button, without a motion of more than kClickPx, opens the palette at the
+/// pointer, unless the button acts when it is pressed (undo, modifiers). The arguments of the
+/// constructor must outlive this object.
 ///
 ///   wheel                  zoom           Shift + wheel          move sideways
 ///   Ctrl + wheel           zoom, finely   Ctrl + Shift + wheel   turn
@@ -23,6 +25,8 @@ class MouseInput : public QObject {
   Q_OBJECT
 
  public:
+  static constexpr double kClickPx = 4.0;
+
   MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
 
   /// Handles press, double click, move and release.
@@ -35,6 +39,7 @@ class MouseInput : public QObject {
 
  private:
   [[nodiscard]] bool drags(const QMouseEvent& event);
+  void hold_right(std::int64_t time_ns);
 
   Canvas& canvas_;
   PenHand& hand_;
@@ -43,6 +48,7 @@ class MouseInput : public QObject {
   DeviceClock clock_;
   Qt::MouseButton dragging_ = Qt::NoButton;    // the button that moves the view
   ButtonRole right_held_ = ButtonRole::kNone;  // the role of the right button while it is held
+  std::optional<QPointF> click_;  // position of a press of the right button that may be a click
 };
 
 }  // namespace felt::desktop

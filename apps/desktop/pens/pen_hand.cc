@@ -97,6 +97,7 @@ void PenHand::press(ButtonRole role) {
     return send_buttons(before);
   }
   if (role == ButtonRole::kUndo) studio_.apply(UndoEvent{});
+  if (role == ButtonRole::kPopup) Q_EMIT canvas_.popup_wanted(canvas_.view().to_px(place_mm()));
   const Tool* tool = tool_of(role, studio_.session());
   if (!tool || (borrowing_ & bit_of(role))) return;
   give_back(true);

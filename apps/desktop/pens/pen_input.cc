@@ -6,11 +6,15 @@
 #include <QTabletEvent>
 #include <QTouchEvent>
 #include <QWheelEvent>
+#include <cmath>
 
 #include "desktop/engine/settings.h"
 
 namespace felt::desktop {
 namespace {
+
+/// Distances by which an arrow key moves the selected lines: with Ctrl, alone, with Shift.
+constexpr double kFineNudgeMm = 0.1, kNudgeMm = 1.0, kCoarseNudgeMm = 10.0;
 
 /// Returns true for a mouse event that the system made from a pen or a finger, for programs that
 /// support only mice.
@@ -170,7 +174,7 @@ bool PenInput::take_keys(QEvent* event) {
   auto& key = static_cast<QKeyEvent&>(*event);
   if (event->type() == QEvent::ShortcutOverride) {
     // While the canvas has the focus, the pen's keys must not trigger shortcuts.
-    const bool ours = key.key() == Qt::Key_Space || keys_.wants(key);
+    const bool ours = key.key() == Qt::Key_Space || nudge_of(key) || keys_.wants(key);
     if (ours) event->accept();
     return ours;
   }
@@ -183,18 +187,54 @@ bool PenInput::press_key(QKeyEvent& event) {
     offer_drag(event.modifiers());
     return true;
   }
+  if (nudge(event)) return true;
   if (keys_.press(event)) return true;
   // event.modifiers() are the modifiers before the key was pressed or released, so the key itself
   // is added or removed.
   Qt::KeyboardModifiers held = event.modifiers();
   if (event.key() == Qt::Key_Shift) held |= Qt::ShiftModifier;
   if (event.key() == Qt::Key_Control) held |= Qt::ControlModifier;
+  if (event.key() == Qt::Key_Alt) held |= Qt::AltModifier;
   use_modifiers(held);
   return false;
 }
 
+/// Returns the offset by which an arrow key moves the selected lines, in mm, or nullopt if it does
+/// not move them: if no line is selected, or if the arrow keys move the pen.
+std::optional<Vec> PenInput::nudge_of(const QKeyEvent& event) const {
+  QPointF way;
+  if (event.key() == Qt::Key_Left) way = {-1, 0};
+  if (event.key() == Qt::Key_Right) way = {1, 0};
+  if (event.key() == Qt::Key_Up) way = {0, -1};
+  if (event.key() == Qt::Key_Down) way = {0, 1};
+  const Qt::KeyboardModifiers held = event.modifiers();
+  if (way.isNull() || held.testFlag(Qt::AltModifier)) return std::nullopt;
+  const bool leads = keys_.is_leading() && !held.testFlag(Qt::ControlModifier);
+  if (leads || hand_.is_down() || canvas_.studio().session().selection().empty()) {
+    return std::nullopt;
+  }
+  const double step_mm = held.testFlag(Qt::ControlModifier) ? kFineNudgeMm
+                         : held.testFlag(Qt::ShiftModifier) ? kCoarseNudgeMm
+                                                            : kNudgeMm;
+  const CanvasView& view = canvas_.view();
+  const Vec along = normalized(view.to_mm(way) - view.to_mm({0, 0}));
+  const auto rounded = [](double mm) { return 1e-6 * std::round(1e6 * mm); };
+  return Vec{rounded(step_mm * along.x), rounded(step_mm * along.y)};
+}
+
+bool PenInput::nudge(const QKeyEvent& event) {
+  const std::optional<Vec> by_mm = nudge_of(event);
+  if (by_mm) canvas_.studio().apply(MoveEvent{*by_mm});
+  return by_mm.has_value();
+}
+
 void PenInput::use_modifiers(Qt::KeyboardModifiers held) {
-  if (space_) offer_drag(held);
+  const bool sizes = held.testFlag(Qt::ControlModifier) && held.testFlag(Qt::AltModifier);
+  if (space_) {
+    offer_drag(held);
+  } else if (sizes || drag_.offered() == ViewDrag::Kind::kSize) {
+    drag_.offer(sizes ? std::optional(ViewDrag::Kind::kSize) : std::nullopt);
+  }
   // With the keyboard pen, Shift means small steps and is not a modifier.
   if (hand_.is_down(PenHand::Source::kKeys)) held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
   hand_.set_keys(held);
@@ -211,6 +251,7 @@ bool PenInput::release_key(QKeyEvent& event) {
   Qt::KeyboardModifiers held = event.modifiers();
   if (event.key() == Qt::Key_Shift) held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
   if (event.key() == Qt::Key_Control) held &= ~Qt::KeyboardModifiers(Qt::ControlModifier);
+  if (event.key() == Qt::Key_Alt) held &= ~Qt::KeyboardModifiers(Qt::AltModifier);
   use_modifiers(held);
   return false;
 }

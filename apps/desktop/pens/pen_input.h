@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "desktop/canvas/canvas.h"
 #include "desktop/pens/keyboard_pen.h"
@@ -17,8 +18,10 @@ namespace felt::desktop {
 /// or pans, zooms and turns the view. The canvas must outlive this object.
 ///
 /// A drag while Space is held pans the view; if Ctrl is also held, the drag zooms the view, and if
-/// Shift is also held, it turns the view. If the input ends without a release (the window loses the
-/// focus, a release event is lost, the pen leaves the range), the pen is lifted.
+/// Shift is also held, it turns the view. A drag while Ctrl and Alt are held changes the size of
+/// the tool. The arrow keys move selected lines by 1 mm, with Shift by 10 mm, with Ctrl by 0.1 mm.
+/// If the input ends without a release (the window loses the focus, a release event is lost, the
+/// pen leaves the range), the pen is lifted.
 class PenInput : public QObject {
   Q_OBJECT
 
@@ -35,6 +38,8 @@ class PenInput : public QObject {
   bool take_keys(QEvent* event);
   bool press_key(QKeyEvent& event);
   bool release_key(QKeyEvent& event);
+  [[nodiscard]] std::optional<Vec> nudge_of(const QKeyEvent& event) const;
+  bool nudge(const QKeyEvent& event);
   void use_modifiers(Qt::KeyboardModifiers held);
   void offer_drag(Qt::KeyboardModifiers keys);
   void release_all();

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPointingDevice>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTouchEvent>
 #include <cmath>
@@ -276,6 +277,78 @@ TEST_F(PenInputTest, TheRightButtonErasesToItsEnd) {
   set(pen_keys::kRightButton, QStringLiteral("none"));
   mouse_line({200, 20}, {200, 180}, Qt::RightButton);
   EXPECT_EQ(strokes(), 2u);
+}
+
+// A click of the right button opens the palette, whatever the button does while it is held.
+TEST_F(PenInputTest, AClickOfTheRightButtonWantsThePalette) {
+  QSignalSpy wanted(&canvas_, &Canvas::popup_wanted);
+  mouse_line({100, 100}, {500, 100});
+  const auto click = [this] {
+    mouse(QEvent::MouseButtonPress, {300, 100}, Qt::RightButton, Qt::RightButton);
+    wait(60);
+    mouse(QEvent::MouseMove, {301, 101}, Qt::NoButton, Qt::RightButton);
+    wait(60);
+    mouse(QEvent::MouseButtonRelease, {301, 101}, Qt::RightButton, Qt::NoButton);
+    wait(300);
+  };
+  for (const char* role : {"eraser", "none", "pan", "popup"}) {
+    set(pen_keys::kRightButton, QString::fromLatin1(role));
+    click();
+    ASSERT_EQ(wanted.count(), 1) << role;
+    EXPECT_EQ(wanted.takeFirst().at(0).toPointF(), QPointF(301, 101));
+    EXPECT_EQ(strokes(), 1u) << "a click erases nothing";
+    EXPECT_EQ(tool(), "pencil");
+  }
+  set(pen_keys::kRightButton, QStringLiteral("undo"));
+  click();
+  EXPECT_EQ(wanted.count(), 0) << "undo acts when the button is pressed";
+  EXPECT_EQ(strokes(), 0u);
+  set(pen_keys::kRightButton, QStringLiteral("eraser"));
+  mouse_line({300, 20}, {300, 180}, Qt::RightButton);
+  EXPECT_EQ(wanted.count(), 0) << "a drag is not a click";
+  set(pen_keys::kLowerButton, QStringLiteral("popup"));
+  hover({200, 120});
+  hover({200, 120}, Qt::RightButton);
+  EXPECT_EQ(wanted.count(), 1) << "a button of the pen";
+  hover({200, 120});
+}
+
+TEST_F(PenInputTest, ArrowsMoveTheSelectedLines) {
+  mouse_line({100, 100}, {500, 100});
+  const auto start = [this] { return studio_.session().document().find({1})->position(0); };
+  const Point before = start();
+  studio_.apply(SelectStrokes{});
+  const std::size_t steps = studio_.session().history().undo_count();
+  tap(Qt::Key_Right);
+  tap(Qt::Key_Down, Qt::ShiftModifier);
+  tap(Qt::Key_Left, Qt::ControlModifier);
+  EXPECT_NEAR(start().x - before.x, 0.9, 1e-9);
+  EXPECT_NEAR(start().y - before.y, 10.0, 1e-9);
+  EXPECT_EQ(studio_.session().history().undo_count(), steps + 1) << "they are one step";
+  CanvasView turned = canvas_.view();
+  turned.set_angle(90);
+  canvas_.set_view(turned);
+  const Point there = start();
+  tap(Qt::Key_Right);
+  EXPECT_NEAR(std::abs(start().y - there.y), 1.0, 1e-6) << "as the view is turned";
+  studio_.apply(SelectStrokes{SelectStrokes::What::kNone});
+  const Point after = start();
+  tap(Qt::Key_Right);
+  EXPECT_EQ(start(), after) << "now the arrows move the pen";
+}
+
+TEST_F(PenInputTest, ADragWithCtrlAndAltChangesTheSize) {
+  const auto size = [this] { return studio_.session().tool().size()->mm; };
+  const double before = size();
+  key(QEvent::KeyPress, Qt::Key_Control);
+  key(QEvent::KeyPress, Qt::Key_Alt, Qt::ControlModifier);
+  mouse_line({100, 100}, {220, 100});
+  EXPECT_NEAR(size(), 2.0 * before, 1e-6);
+  EXPECT_EQ(strokes(), 0u);
+  key(QEvent::KeyRelease, Qt::Key_Alt, Qt::ControlModifier | Qt::AltModifier);
+  key(QEvent::KeyRelease, Qt::Key_Control, Qt::ControlModifier);
+  mouse_line({100, 100}, {220, 100});
+  EXPECT_EQ(strokes(), 1u) << "without the keys it draws";
 }
 
 TEST_F(PenInputTest, SideButtonsDoWhatTheSettingsSay) {

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "desktop/engine/tool_size.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -17,6 +19,8 @@ Qt::CursorShape cursor_of(ViewDrag::Kind kind, bool dragging) {
       return Qt::SizeVerCursor;
     case ViewDrag::Kind::kTurn:
       return Qt::SizeAllCursor;
+    case ViewDrag::Kind::kSize:
+      return Qt::SizeHorCursor;
   }
   return Qt::ArrowCursor;
 }
@@ -41,11 +45,17 @@ void ViewDrag::offer(std::optional<Kind> kind) {
 void ViewDrag::begin(Kind kind, QPointF px) {
   kind_ = kind;
   start_ = last_ = px;
+  const std::optional<ToolSize> size = tool_size(canvas_.studio().session());
+  start_size_mm_ = size ? size->mm : 0.0;
   show_cursor();
 }
 
 void ViewDrag::move(QPointF px) {
   if (!kind_) return;
+  if (*kind_ == Kind::kSize) {
+    const double doublings = (px.x() - start_.x() - px.y() + start_.y()) / kPxPerDoubling;
+    return set_tool_size(canvas_.studio(), start_size_mm_ * std::exp2(doublings));
+  }
   const QPointF way = px - last_;
   CanvasView view = canvas_.view();
   if (*kind_ == Kind::kPan) {
@@ -65,6 +75,7 @@ void ViewDrag::move(QPointF px) {
 
 void ViewDrag::end() {
   if (!kind_) return;
+  if (kind_ == Kind::kSize) resize_selected(canvas_.studio());
   kind_.reset();
   show_cursor();
 }

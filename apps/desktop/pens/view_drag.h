@@ -9,12 +9,13 @@
 
 namespace felt::desktop {
 
-/// Pans, zooms or turns the view of a canvas when the user drags. A drag with the middle button, or
+/// Pans, zooms or turns the view of a canvas, or changes the size of the tool, when the user
+/// drags. A drag with the middle button, or
 /// with a button that has the role kPan, pans; a drag with pen or mouse while Space is held has the
 /// kind set by offer(). The shape of the cursor shows the kind of drag.
 class ViewDrag {
  public:
-  enum class Kind : std::uint8_t { kPan, kZoom, kTurn };
+  enum class Kind : std::uint8_t { kPan, kZoom, kTurn, kSize };
 
   /// The canvas must outlive this object.
   explicit ViewDrag(Canvas& canvas) : canvas_(canvas) {}
@@ -35,6 +36,7 @@ class ViewDrag {
   Canvas& canvas_;
   std::optional<Kind> offered_, kind_;
   QPointF start_, last_;
+  double start_size_mm_ = 0.0;
   std::optional<QCursor> before_;  // the canvas's cursor before the drag
 };
 

@@ -101,6 +101,21 @@
         <source>The tool&apos;s second modifier (Ctrl)</source>
         <translation>Zweite Zusatztaste des Werkzeugs (Strg)</translation>
     </message>
+    <message>
+        <source>Open the palette at the pointer</source>
+        <translation>Palette am Zeiger öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>CanvasPopup</name>
+    <message>
+        <source>Palette at the p&amp;ointer</source>
+        <translation>Palette am &amp;Zeiger</translation>
+    </message>
+    <message>
+        <source>Shows tools, media, colours and commands beside the pen.</source>
+        <translation>Zeigt Werkzeuge, Zeichenmittel, Farben und Befehle neben dem Stift.</translation>
+    </message>
 </context>
 <context>
     <name>ColorActions</name>
@@ -302,6 +317,22 @@
         <source>Makes the selected lines thinner by a fifth.</source>
         <translation>Macht die ausgewählten Linien um ein Fünftel dünner.</translation>
     </message>
+    <message>
+        <source>Bring to &amp;front</source>
+        <translation>In den &amp;Vordergrund</translation>
+    </message>
+    <message>
+        <source>Puts the selected lines above all others of their layer.</source>
+        <translation>Legt die ausgewählten Linien über alle anderen ihrer Ebene.</translation>
+    </message>
+    <message>
+        <source>Send to bac&amp;k</source>
+        <translation>In den &amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>Puts the selected lines below all others of their layer.</source>
+        <translation>Legt die ausgewählten Linien unter alle anderen ihrer Ebene.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -492,6 +523,30 @@
     <message>
         <source>Pen, mouse and held keys</source>
         <translation>Stift, Maus und gehaltene Tasten</translation>
+    </message>
+    <message>
+        <source>Change the size</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>Ctrl + Alt + drag</source>
+        <translation>Strg + Alt + ziehen</translation>
+    </message>
+    <message>
+        <source>Palette at the pointer</source>
+        <translation>Palette am Zeiger</translation>
+    </message>
+    <message>
+        <source>Click with the right button</source>
+        <translation>Klick mit der rechten Taste</translation>
+    </message>
+    <message>
+        <source>Move the selected lines by 1, 10 or 0.1 mm</source>
+        <translation>Ausgewählte Linien um 1, 10 oder 0,1 mm verschieben</translation>
+    </message>
+    <message>
+        <source>Arrow, Shift + arrow, Ctrl + arrow</source>
+        <translation>Pfeil, Umschalt + Pfeil, Strg + Pfeil</translation>
     </message>
 </context>
 <context>
@@ -977,6 +1032,30 @@
     <message>
         <source>Worst case: light, frictionless, coarse</source>
         <translation>Schlimmster Fall: leicht, reibungsfrei, grob</translation>
+    </message>
+</context>
+<context>
+    <name>PresetMenu</name>
+    <message>
+        <source>%1, %2 mm</source>
+        <extracomment>a medium and its size</extracomment>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Keep as a preset</source>
+        <translation>Als Vorgabe behalten</translation>
+    </message>
+    <message>
+        <source>Name for this medium, size, colour and options:</source>
+        <translation>Name für dieses Zeichenmittel mit Größe, Farbe und Optionen:</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as a preset…</source>
+        <translation>Als Vorgabe be&amp;halten …</translation>
+    </message>
+    <message>
+        <source>Keeps the medium, the size, the colour and the options of the pencil under a name.</source>
+        <translation>Behält Zeichenmittel, Größe, Farbe und Optionen des Stifts unter einem Namen.</translation>
     </message>
 </context>
 <context>
@@ -1663,6 +1742,10 @@
         <source>Recolour</source>
         <translation>Umfärben</translation>
     </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1832,6 +1915,21 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::CanvasPopup</name>
+    <message>
+        <source>Palette at the pointer</source>
+        <translation>Palette am Zeiger</translation>
+    </message>
+    <message>
+        <source>Recently used colours</source>
+        <translation>Zuletzt benutzte Farben</translation>
+    </message>
+    <message>
+        <source>Paste &amp;here</source>
+        <translation>&amp;Hier einfügen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ClipboardActions</name>
     <message>
         <source>Cu&amp;t</source>
@@ -1888,6 +1986,14 @@
     <message>
         <source>the clipboard</source>
         <translation>die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Paste &amp;in place</source>
+        <translation>An &amp;Ort und Stelle einfügen</translation>
+    </message>
+    <message>
+        <source>Add the strokes from the clipboard at their original position</source>
+        <translation>Fügt die Striche aus der Zwischenablage an ihrer ursprünglichen Stelle ein</translation>
     </message>
 </context>
 <context>
@@ -2422,6 +2528,18 @@
     <message>
         <source>The picture, for browsers. Feltline does not read the lines back.</source>
         <translation>Das Bild, für Browser. Feltline liest die Linien nicht zurück.</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>1× is 96 dots per inch, as on a screen of usual resolution</source>
+        <translation>1× sind 96 Punkte pro Zoll, wie auf einem Bildschirm mit üblicher Auflösung</translation>
     </message>
 </context>
 <context>
@@ -4159,6 +4277,17 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::PresetMenu</name>
+    <message>
+        <source>P&amp;resets</source>
+        <translation>Vor&amp;gaben</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::PressureCurveEditor</name>
     <message>
         <source>Pressure curve</source>
@@ -4438,8 +4567,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it.</source>
-        <translation>Breite einer mit der Maus gezeichneten Linie oder Größe des aktuellen Werkzeugs. [ und ] ändern sie.</translation>
+        <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it, or hold Ctrl and Alt and drag. Selected lines get the width, too.</source>
+        <translation>Breite einer mit der Maus gezeichneten Linie oder Größe des aktuellen Werkzeugs. Mit [ oder ] ändern, oder mit gehaltenem Strg und Alt ziehen. Auch ausgewählte Linien bekommen die Breite.</translation>
     </message>
 </context>
 <context>
@@ -4627,6 +4756,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Medium:</source>
         <translation>Zeichenmittel:</translation>
+    </message>
+    <message>
+        <source>Presets: a medium with its size, colour and options, under a name</source>
+        <translation>Vorgaben: ein Zeichenmittel mit Größe, Farbe und Optionen unter einem Namen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
     </message>
 </context>
 <context>
@@ -5998,6 +6135,42 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Drag from one corner of the shape to the opposite one.</source>
+        <translation>Von einer Ecke der Form zur gegenüberliegenden ziehen.</translation>
+    </message>
+    <message>
+        <source>Draws straight lines, rectangles and ellipses.</source>
+        <translation>Zeichnet gerade Linien, Rechtecke und Ellipsen.</translation>
+    </message>
+    <message>
+        <source>The shape that is drawn from corner to corner, with the current medium and size.</source>
+        <translation>Die Form, die von Ecke zu Ecke gezeichnet wird, mit dem aktuellen Zeichenmittel und der aktuellen Größe.</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>from the centre</source>
+        <translation>von der Mitte aus</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>square, circle, steps of 15°</source>
+        <translation>Quadrat, Kreis, Schritte von 15°</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>gerade Linie</translation>
+    </message>
+    <message>
+        <source>straight, in steps of 15°</source>
+        <translation>gerade, in Schritten von 15°</translation>
     </message>
 </context>
 </TS>

@@ -101,6 +101,21 @@
         <source>The tool&apos;s second modifier (Ctrl)</source>
         <translation>Tweede modificatietoets van het gereedschap (Ctrl)</translation>
     </message>
+    <message>
+        <source>Open the palette at the pointer</source>
+        <translation>Palet bij de aanwijzer openen</translation>
+    </message>
+</context>
+<context>
+    <name>CanvasPopup</name>
+    <message>
+        <source>Palette at the p&amp;ointer</source>
+        <translation>Palet bij de &amp;aanwijzer</translation>
+    </message>
+    <message>
+        <source>Shows tools, media, colours and commands beside the pen.</source>
+        <translation>Toont gereedschappen, tekenmiddelen, kleuren en opdrachten naast de pen.</translation>
+    </message>
 </context>
 <context>
     <name>ColorActions</name>
@@ -302,6 +317,22 @@
         <source>Makes the selected lines thinner by a fifth.</source>
         <translation>Maakt de geselecteerde lijnen een vijfde dunner.</translation>
     </message>
+    <message>
+        <source>Bring to &amp;front</source>
+        <translation>Naar &amp;voren halen</translation>
+    </message>
+    <message>
+        <source>Puts the selected lines above all others of their layer.</source>
+        <translation>Legt de geselecteerde lijnen boven alle andere van hun laag.</translation>
+    </message>
+    <message>
+        <source>Send to bac&amp;k</source>
+        <translation>Naar a&amp;chteren sturen</translation>
+    </message>
+    <message>
+        <source>Puts the selected lines below all others of their layer.</source>
+        <translation>Legt de geselecteerde lijnen onder alle andere van hun laag.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -492,6 +523,30 @@
     <message>
         <source>Pen, mouse and held keys</source>
         <translation>Pen, muis en ingedrukte toetsen</translation>
+    </message>
+    <message>
+        <source>Change the size</source>
+        <translation>Grootte wijzigen</translation>
+    </message>
+    <message>
+        <source>Ctrl + Alt + drag</source>
+        <translation>Ctrl + Alt + slepen</translation>
+    </message>
+    <message>
+        <source>Palette at the pointer</source>
+        <translation>Palet bij de aanwijzer</translation>
+    </message>
+    <message>
+        <source>Click with the right button</source>
+        <translation>Klik met de rechterknop</translation>
+    </message>
+    <message>
+        <source>Move the selected lines by 1, 10 or 0.1 mm</source>
+        <translation>Geselecteerde lijnen 1, 10 of 0,1 mm verplaatsen</translation>
+    </message>
+    <message>
+        <source>Arrow, Shift + arrow, Ctrl + arrow</source>
+        <translation>Pijl, Shift + pijl, Ctrl + pijl</translation>
     </message>
 </context>
 <context>
@@ -977,6 +1032,30 @@
     <message>
         <source>Worst case: light, frictionless, coarse</source>
         <translation>Slechtste geval: licht, wrijvingsloos, grof</translation>
+    </message>
+</context>
+<context>
+    <name>PresetMenu</name>
+    <message>
+        <source>%1, %2 mm</source>
+        <extracomment>a medium and its size</extracomment>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Keep as a preset</source>
+        <translation>Als voorinstelling bewaren</translation>
+    </message>
+    <message>
+        <source>Name for this medium, size, colour and options:</source>
+        <translation>Naam voor dit tekenmiddel met grootte, kleur en opties:</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as a preset…</source>
+        <translation>Als voorinstelling &amp;bewaren…</translation>
+    </message>
+    <message>
+        <source>Keeps the medium, the size, the colour and the options of the pencil under a name.</source>
+        <translation>Bewaart tekenmiddel, grootte, kleur en opties van het potlood onder een naam.</translation>
     </message>
 </context>
 <context>
@@ -1663,6 +1742,10 @@
         <source>Recolour</source>
         <translation>Herkleuren</translation>
     </message>
+    <message>
+        <source>Shape</source>
+        <translation>Vorm</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1832,6 +1915,21 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::CanvasPopup</name>
+    <message>
+        <source>Palette at the pointer</source>
+        <translation>Palet bij de aanwijzer</translation>
+    </message>
+    <message>
+        <source>Recently used colours</source>
+        <translation>Recent gebruikte kleuren</translation>
+    </message>
+    <message>
+        <source>Paste &amp;here</source>
+        <translation>&amp;Hier plakken</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ClipboardActions</name>
     <message>
         <source>Cu&amp;t</source>
@@ -1888,6 +1986,14 @@
     <message>
         <source>the clipboard</source>
         <translation>het klembord</translation>
+    </message>
+    <message>
+        <source>Paste &amp;in place</source>
+        <translation>&amp;Op dezelfde plaats plakken</translation>
+    </message>
+    <message>
+        <source>Add the strokes from the clipboard at their original position</source>
+        <translation>Voegt de streken van het klembord op hun oorspronkelijke plaats toe</translation>
     </message>
 </context>
 <context>
@@ -2422,6 +2528,18 @@
     <message>
         <source>The picture, for browsers. Feltline does not read the lines back.</source>
         <translation>De afbeelding, voor browsers. Feltline leest de lijnen niet terug.</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Schaal</translation>
+    </message>
+    <message>
+        <source>1× is 96 dots per inch, as on a screen of usual resolution</source>
+        <translation>1× is 96 punten per inch, zoals op een scherm met gewone resolutie</translation>
     </message>
 </context>
 <context>
@@ -4159,6 +4277,17 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::PresetMenu</name>
+    <message>
+        <source>P&amp;resets</source>
+        <translation>Voo&amp;rinstellingen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Verwijderen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::PressureCurveEditor</name>
     <message>
         <source>Pressure curve</source>
@@ -4438,8 +4567,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it.</source>
-        <translation>Breedte van een lijn die met de muis wordt getekend, of grootte van het huidige gereedschap. [ en ] wijzigen die.</translation>
+        <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it, or hold Ctrl and Alt and drag. Selected lines get the width, too.</source>
+        <translation>Breedte van een lijn die met de muis wordt getekend, of grootte van het huidige gereedschap. Wijzig met [ of ], of sleep met Ctrl en Alt ingedrukt. Ook geselecteerde lijnen krijgen de breedte.</translation>
     </message>
 </context>
 <context>
@@ -4627,6 +4756,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Medium:</source>
         <translation>Tekenmiddel:</translation>
+    </message>
+    <message>
+        <source>Presets: a medium with its size, colour and options, under a name</source>
+        <translation>Voorinstellingen: een tekenmiddel met grootte, kleur en opties onder een naam</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voorinstellingen</translation>
     </message>
 </context>
 <context>
@@ -5998,6 +6135,42 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>colour</source>
         <translation>kleur</translation>
+    </message>
+    <message>
+        <source>Drag from one corner of the shape to the opposite one.</source>
+        <translation>Sleep van een hoek van de vorm naar de tegenoverliggende.</translation>
+    </message>
+    <message>
+        <source>Draws straight lines, rectangles and ellipses.</source>
+        <translation>Tekent rechte lijnen, rechthoeken en ellipsen.</translation>
+    </message>
+    <message>
+        <source>The shape that is drawn from corner to corner, with the current medium and size.</source>
+        <translation>De vorm die van hoek tot hoek wordt getekend, met het huidige tekenmiddel en de huidige grootte.</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>ellips</translation>
+    </message>
+    <message>
+        <source>from the centre</source>
+        <translation>vanuit het midden</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>lijn</translation>
+    </message>
+    <message>
+        <source>square, circle, steps of 15°</source>
+        <translation>vierkant, cirkel, stappen van 15°</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>rechte lijn</translation>
+    </message>
+    <message>
+        <source>straight, in steps of 15°</source>
+        <translation>recht, in stappen van 15°</translation>
     </message>
 </context>
 </TS>

@@ -15,6 +15,7 @@
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
 #include "desktop/feel/force_panel.h"
+#include "desktop/files/clipboard_actions.h"
 #include "desktop/files/notice_bar.h"
 #include "desktop/help/help_actions.h"
 #include "desktop/materials/media_picker.h"
@@ -26,10 +27,13 @@
 #include "desktop/panels/tool_bar.h"
 #include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
+#include "desktop/window/canvas_popup.h"
 #include "desktop/window/color_notice.h"
+#include "desktop/window/drawing_looks.h"
 #include "desktop/window/eyedropper.h"
 #include "desktop/window/menus.h"
 #include "desktop/window/preferences.h"
+#include "desktop/window/preset_menu.h"
 #include "desktop/window/status_line.h"
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/top_bar.h"
@@ -49,40 +53,6 @@ constexpr int kMinLines = 8;  // minimum number of lines of a panel that scrolls
 /// Percentage of the height that the options panel gets; the layers panel gets the rest. A tool
 /// usually has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
-
-Viewport stored_view(const CanvasView& view) {
-  const auto half = [](double px) { return 0.5 * px; };
-  const Point center = view.to_mm({half(view.size().width()), half(view.size().height())});
-  const auto near = [](double mm) { return std::clamp(mm, -Viewport::kMaxMm, Viewport::kMaxMm); };
-  return {{near(center.x), near(center.y)},
-          view.px_per_mm(),
-          std::clamp(view.angle_deg(), -180.0, 180.0),
-          view.is_mirrored()};
-}
-
-/// Returns the stored view, adapted to the present size of the widget.
-CanvasView canvas_view(const Viewport& stored, const CanvasView& present) {
-  CanvasView view;
-  view.set_size(present.size());
-  if (stored.mirrored) view.mirror();
-  view.set_angle(stored.angle_deg);
-  view.set_scale(stored.px_per_mm);
-  view.center_on(stored.center);
-  return view;
-}
-
-DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
-  return {.report =
-              [&](Drawing& drawing) {
-                drawing.view = stored_view(canvas.view());
-                drawing.palette = colors.shown_palette();
-              },
-          .show =
-              [&](const Drawing& drawing) {
-                if (drawing.view) canvas.set_view(canvas_view(*drawing.view, canvas.view()));
-                colors.show_drawing_palette(drawing.palette);
-              }};
-}
 
 /// Puts a panel into a scroll area, so that it scrolls vertically if the screen is too small for
 /// it.
@@ -126,6 +96,12 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   auto* help = new HelpActions(*actions_, this);
   connect(help, &HelpActions::wants_drawing, this, &MainWindow::wants_drawing);
   new ToolKeys(*actions_, *studio_, this);
+  add_preset_actions(*actions_, *studio_, this);
+  add_popup_action(*actions_, *canvas_);
+  files_->clipboard().set_pointer([this]() -> std::optional<Point> {
+    if (!canvas_->underMouse()) return std::nullopt;
+    return canvas_->view().to_mm(canvas_->mapFromGlobal(QCursor::pos()));
+  });
   make_panels();
   add_window_actions();
   add_material_actions();
@@ -138,6 +114,9 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   connect(files_, &FileActions::saved, status,
           [this, status] { status->set_file(files_->path()); });
   make_menus(*this, *actions_, files_->recent_menu());
+  auto* popup = new CanvasPopup(*actions_, *canvas_, *media_pictures_, this);
+  connect(popup, &CanvasPopup::wants_paste, this,
+          [this](Point at) { files_->clipboard().paste_at(at); });
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::drawing_changed, this, &MainWindow::show_title);

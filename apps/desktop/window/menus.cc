@@ -33,9 +33,10 @@ constexpr std::array kMenus{
             "file.quit"},
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
-        "edit.undo edit.redo - edit.cut edit.copy edit.copy* edit.paste edit.duplicate "
+        "edit.undo edit.redo - edit.cut edit.copy edit.copy* edit.paste edit.paste_in_place "
+        "edit.duplicate "
         "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.pick_color "
-        "edit.pick_all edit.broader edit.thinner - edit.palette_* - "
+        "edit.pick_all edit.broader edit.thinner edit.to_front edit.to_back - edit.palette_* - "
         "edit.* - edit.cancel - edit.preferences"},
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
             "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
@@ -77,7 +78,8 @@ struct IconRow {
 constexpr std::array kIcons{
     IconRow{"view.fit_page", "fit"},      IconRow{"view.hide_panels", "panels"},
     IconRow{"file.save_as", "save"},      IconRow{"edit.broader", "size-up"},
-    IconRow{"edit.thinner", "size-down"},
+    IconRow{"edit.thinner", "size-down"}, IconRow{"edit.to_front", "raise"},
+    IconRow{"edit.to_back", "lower"},     IconRow{"edit.paste_in_place", "paste"},
 };
 
 class MenuFiller {

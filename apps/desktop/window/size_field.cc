@@ -3,7 +3,7 @@
 #include <QSignalBlocker>
 #include <cstdlib>
 
-#include "desktop/panels/tool_size.h"
+#include "desktop/engine/tool_size.h"
 
 namespace felt::desktop {
 
@@ -12,13 +12,14 @@ SizeField::SizeField(Studio& studio, QWidget* parent) : QDoubleSpinBox(parent), 
   setAccessibleName(tr("Size"));
   setToolTip(
       tr("Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to "
-         "change it."));
+         "change it, or hold Ctrl and Alt and drag. Selected lines get the width, too."));
   setDecimals(2);
   setSuffix(tr(" mm"));
   setKeyboardTracking(false);
   setFocusPolicy(Qt::StrongFocus);
   connect(this, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
     set_tool_size(studio_, mm);
+    resize_selected(studio_);
     follow();
   });
   connect(&studio, &Studio::tool_changed, this, &SizeField::follow);
@@ -33,7 +34,7 @@ void SizeField::stepBy(int steps) {
 }
 
 void SizeField::follow() {
-  const std::optional<ToolSize> size = studio_.session().tool().size();
+  const std::optional<ToolSize> size = tool_size(studio_.session());
   setEnabled(size.has_value());
   if (!size) return;
   const QSignalBlocker quiet(this);

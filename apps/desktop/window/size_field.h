@@ -6,7 +6,8 @@
 
 namespace felt::desktop {
 
-/// Shows the size of the current tool (tool_size.h) as a number in the top bar. The field's arrows
+/// Shows the size of the current tool (tool_size.h) as a number in the top bar, and gives the
+/// size to the selected lines. The field's arrows
 /// and the wheel step through the same round numbers as the keys [ and ].
 class SizeField : public QDoubleSpinBox {
   Q_OBJECT

@@ -11,6 +11,7 @@
 #include "desktop/materials/media_picker.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/window/color_well.h"
+#include "desktop/window/preset_menu.h"
 #include "desktop/window/size_field.h"
 #include "felt/session/session_medium.h"
 
@@ -54,6 +55,7 @@ TopBar::TopBar(const Actions& actions, Canvas& canvas, const MediaPictures& pict
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   addWidget(gap);
   add_media(pictures);
+  add_presets(actions);
   addWidget(new ColorWell(studio_, this));
   add_named(actions, "edit.pick_color");
   add_size();
@@ -140,12 +142,6 @@ void TopBar::add_media(const MediaPictures& pictures) {
   };
   fill();
   connect(box, &QComboBox::activated, this, [this, box, show] {
-    // If lines are selected, the medium is also applied to them.
-    const Session& session = studio_.session();
-    const Tool* draws = session.first_tool(ToolKind::kDraws);
-    if (draws && &session.tool() != draws && session.selection().empty()) {
-      studio_.apply(SelectTool{std::string(draws->info().id)});
-    }
     choose_medium(studio_, box->currentData().toString().toStdString());
     show();
   });
@@ -155,6 +151,18 @@ void TopBar::add_media(const MediaPictures& pictures) {
   connect(&studio_, &Studio::materials_changed, this, fill);
   connect(&studio_, &Studio::opened, this, fill);
   connect(&pictures, &MediaPictures::changed, this, show_pictures);
+}
+
+void TopBar::add_presets(const Actions& actions) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QStringLiteral("top_presets"));
+  button->setIcon(icon_of("preset"));
+  button->setToolTip(tr("Presets: a medium with its size, colour and options, under a name"));
+  button->setAccessibleName(tr("Presets"));
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(new PresetMenu(actions, studio_, button));
+  addWidget(button);
 }
 
 void TopBar::add_size() {

@@ -26,6 +26,7 @@ class TopBar : public QToolBar {
   void add_named(const Actions& actions, const char* name);
   QComboBox* add_list(const QString& label, const QString& name, const QString& tip);
   void add_media(const MediaPictures& pictures);
+  void add_presets(const Actions& actions);
   void add_size();
   void add_surfaces();
 

@@ -1,5 +1,6 @@
 #include "felt/document/history.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace felt {
@@ -54,6 +55,28 @@ void History::record(Edit edit) {
     --done_;
     ++forgotten_;
   }
+}
+
+bool History::extend(const Edit& edit) {
+  if (done_ == 0 || can_redo() || !edit.layers.empty()) return false;
+  Step& step = steps_.back();
+  const auto continues = [](const StrokeChange& first, const StrokeChange& second) {
+    return first.id == second.id && first.before && first.after && first.after == second.before &&
+           second.after && first.after_place == second.before_place;
+  };
+  if (step.edit.label != edit.label || !step.edit.layers.empty() ||
+      !std::equal(step.edit.changes.begin(), step.edit.changes.end(), edit.changes.begin(),
+                  edit.changes.end(), continues)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < edit.changes.size(); ++i) {
+    step.edit.changes[i].after = edit.changes[i].after;
+    step.edit.changes[i].after_place = edit.changes[i].after_place;
+  }
+  bytes_ -= std::exchange(step.bytes, memory_of(step.edit));
+  bytes_ += step.bytes;
+  step.number = ++recorded_;
+  return true;
 }
 
 Result<Edit> History::undo(Document& document) {

@@ -65,6 +65,41 @@ TEST(History, NamesAllStepsWhereverItStands) {
   EXPECT_EQ(labels(), "ad");
 }
 
+TEST(History, AStepIsExtendedOnlyByAReplacementOfTheSameStrokes) {
+  Document d;
+  History history;
+  const auto apply = [&](const Edit& edit) { ASSERT_TRUE(d.apply(edit)); };
+  const Edit drawn = draw(d);
+  const StrokeId id = drawn.changes.front().id;
+  EXPECT_FALSE(history.extend(drawn)) << "there is no step";
+  apply(drawn);
+  history.record(drawn);
+  const auto wider = [&](double width_mm, const char* label) {
+    EditBuilder edit(d);
+    edit.replace(id, std::make_shared<const Stroke>(
+                         testing::straight_stroke({0, 0}, {9, 9}, width_mm, width_mm)));
+    return std::move(edit).build(label);
+  };
+  const Document before = d;
+  const Edit first = wider(3, "Move");
+  apply(first);
+  EXPECT_FALSE(history.extend(first)) << "the step has another label";
+  history.record(first);
+  const std::uint64_t position = history.position();
+  const Edit second = wider(4, "Move");
+  apply(second);
+  EXPECT_TRUE(history.extend(second));
+  EXPECT_EQ(history.undo_count(), 2U);
+  EXPECT_NE(history.position(), position) << "the document is not as it was after the first edit";
+  const Document after = d;
+  ASSERT_TRUE(history.undo(d));
+  EXPECT_EQ(d, before);
+  const Edit third = wider(5, "Draw");
+  EXPECT_FALSE(history.extend(third)) << "a step is undone";
+  ASSERT_TRUE(history.redo(d));
+  EXPECT_EQ(d, after);
+}
+
 TEST(History, R52_ThousandRandomStepsBackAndForth) {
   testing::RandomEdits random(7);
   testing::RandomStroke dice(8);

@@ -96,6 +96,24 @@ struct DuplicateEvent {
   friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
 };
 
+/// Moves the strokes that are wholly selected. Strokes that are selected in part do not change. If
+/// the previous change of the document was a move of the same strokes at most kTogetherNs earlier,
+/// both are one undo step. {"event":"move","dx":1,"dy":-0.1}
+struct MoveEvent {
+  static constexpr std::int64_t kTogetherNs = 1'000'000'000;
+  static constexpr double kMaxMm = 10'000.0;
+
+  Vec by_mm;  ///< each coordinate is -kMaxMm..kMaxMm
+  friend bool operator==(const MoveEvent&, const MoveEvent&) = default;
+};
+/// Moves the strokes that are wholly selected above or below all other strokes of their layers.
+/// Their own order does not change. {"event":"order","to":"front"}
+struct OrderEvent {
+  enum class To : std::uint8_t { kFront, kBack };
+  To to = To::kFront;
+  friend bool operator==(const OrderEvent&, const OrderEvent&) = default;
+};
+
 /// Changes the colour, the opacity, the medium or the width of all strokes that are selected wholly
 /// or in part, as one undo step. Their curves do not change.
 /// {"event":"restyle","color":"#b02020","medium":"chalk","opacity":0.5,"width":1.25}
@@ -173,8 +191,8 @@ struct UseGuide {
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, RestyleEvent, LayerEvent,
-               UseDevice, UseMaterial, UseGuide>
+               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent, OrderEvent,
+               RestyleEvent, LayerEvent, UseDevice, UseMaterial, UseGuide>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

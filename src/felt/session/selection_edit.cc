@@ -6,6 +6,7 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/edit/mend_joints.h"
 
 namespace felt {
 namespace {
@@ -88,6 +89,46 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
     }
   }
   return std::move(builder).build("Duplicate");
+}
+
+Result<Edit> move_edit(const Document& document, const Selection& selection,
+                       const MoveEvent& event) {
+  const Vec by = event.by_mm;
+  if (!(std::abs(by.x) <= MoveEvent::kMaxMm && std::abs(by.y) <= MoveEvent::kMaxMm)) {
+    return fail(ErrorCode::kInvalidArgument, "move: is farther than 10000 mm");
+  }
+  EditBuilder builder(document);
+  if (by == Vec{}) return std::move(builder).build("Move");
+  for (const auto& [id, marks] : selection.strokes()) {
+    if (!selection.is_whole(id)) continue;
+    StrokeData data = document.find(id)->data();
+    for (Point& p : data.points) p = p + by;
+    mend_rounding(data);
+    Result<Stroke> moved = Stroke::create(std::move(data));
+    if (!moved) return tl::unexpected(with_context(moved.error(), "move"));
+    builder.replace(id, std::make_shared<const Stroke>(*std::move(moved)));
+  }
+  return std::move(builder).build("Move");
+}
+
+Edit order_edit(const Document& document, const Selection& selection, OrderEvent::To to) {
+  const bool to_front = to == OrderEvent::To::kFront;
+  Edit edit{to_front ? "Bring to front" : "Send to back", {}};
+  for (const Layer& layer : document.layers()) {
+    const auto is_moved = [&](StrokeId id) { return selection.is_whole(id); };
+    const auto count = static_cast<std::size_t>(
+        std::count_if(layer.strokes.begin(), layer.strokes.end(), is_moved));
+    std::size_t index = to_front ? layer.strokes.size() - count : 0;
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+      const StrokeId id = layer.strokes[i];
+      if (!is_moved(id)) continue;
+      const StrokePtr stroke = document.find(id);
+      edit.changes.push_back({id, stroke, stroke, {layer.id, i}, {layer.id, index++}});
+    }
+  }
+  const auto stays = [](const StrokeChange& c) { return c.before_place == c.after_place; };
+  if (std::all_of(edit.changes.begin(), edit.changes.end(), stays)) edit.changes.clear();
+  return edit;
 }
 
 Result<Edit> restyle_edit(const Document& document, const Selection& selection,

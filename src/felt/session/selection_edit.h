@@ -28,6 +28,16 @@ Edit delete_edit(const Document& document, const Selection& selection);
 /// points invalid. The message names the stroke.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
+/// Moves the strokes that are wholly selected. The edit is empty if no stroke is wholly selected or
+/// the offset is 0. Fails if the event's offset is invalid, or if a stroke breaks an invariant at
+/// its new position.
+Result<Edit> move_edit(const Document& document, const Selection& selection,
+                       const MoveEvent& event);
+
+/// Moves the strokes that are wholly selected to the top or the bottom of their layers. The edit is
+/// empty if they are there already.
+Edit order_edit(const Document& document, const Selection& selection, OrderEvent::To to);
+
 /// Limit to which restyle_edit() broadens a stroke. Strokes that are already broader keep their
 /// width.
 inline constexpr double kMaxRestyledWidthMm = 50.0;

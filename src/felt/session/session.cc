@@ -84,6 +84,8 @@ struct Session::Apply {
   Result<void> operator()(const SelectStrokes& e) const { return session.select_strokes(e.what); }
   Result<void> operator()(const DeleteEvent&) const { return session.delete_selected(); }
   Result<void> operator()(const DuplicateEvent&) const { return session.duplicate_selected(); }
+  Result<void> operator()(const MoveEvent& e) const { return session.move_selected(time_ns, e); }
+  Result<void> operator()(const OrderEvent& e) const { return session.order_selected(e.to); }
   Result<void> operator()(const RestyleEvent& e) const { return session.restyle_selected(e); }
   Result<void> operator()(const LayerEvent& e) const { return session.change_layer(e); }
   Result<void> operator()(const UseDevice& e) const {
@@ -343,6 +345,13 @@ Result<void> Session::commit(Edit edit) {
   return {};
 }
 
+Result<void> Session::commit_with_previous(Edit edit) {
+  if (Result<void> applied = document_.apply(edit); !applied) return applied;
+  follow(edit);
+  if (!history_.extend(edit)) history_.record(std::move(edit));
+  return {};
+}
+
 void Session::follow(const Edit& applied) {
   ++edits_;
   parts_->index.update(applied, document_);
@@ -414,6 +423,8 @@ Result<OptionValue> Session::option(std::string_view any_id) const {
 }
 
 Scene Session::scene() const {
+  const Tool* draws = first_tool(ToolKind::kDraws);
+  const std::optional<ToolSize> size = draws ? draws->size() : std::nullopt;
   return {document_,
           parts_->index,
           selection_,
@@ -423,7 +434,8 @@ Scene Session::scene() const {
           ink_color(),
           options_.materials,
           parts_->guide ? &*parts_->guide : nullptr,
-          parts_->ink_medium};
+          parts_->ink_medium,
+          size ? size->mm : Scene::kUsualInkWidthMm};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

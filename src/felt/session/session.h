@@ -53,7 +53,7 @@ struct SessionOptions {
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
-///   redo, select, delete, duplicate, restyle, layer    have no effect
+///   redo, select, delete, duplicate, move, order, restyle, layer    have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
@@ -167,12 +167,16 @@ class Session {
   Result<void> select_strokes(SelectStrokes::What what);
   Result<void> delete_selected();
   Result<void> duplicate_selected();
+  Result<void> move_selected(std::int64_t time_ns, const MoveEvent& event);
+  Result<void> order_selected(OrderEvent::To to);
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
   Result<void> commit(Edit edit);
+  /// Commits an edit as a part of the previous undo step, if History::extend() allows it.
+  Result<void> commit_with_previous(Edit edit);
   void follow(const Edit& applied);
   void set_selection(Selection selection);
   void record(const Event& event) const;
@@ -192,6 +196,12 @@ class Session {
   bool pen_is_down_ = false;
   // The pen has touched the surface, and the gesture has no result yet.
   bool gesture_is_open_ = false;
+  // The last move event, and the position in the history after it.
+  struct Moved {
+    std::int64_t time_ns;
+    std::uint64_t position;
+  };
+  std::optional<Moved> moved_;
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;

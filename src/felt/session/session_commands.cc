@@ -61,6 +61,27 @@ Result<void> Session::duplicate_selected() {
   return {};
 }
 
+Result<void> Session::move_selected(std::int64_t time_ns, const MoveEvent& event) {
+  // Reports an invalid value before anything changes.
+  if (Result<Edit> edit = move_edit({}, {}, event); !edit) return tl::unexpected(edit.error());
+  if (gesture_in_progress()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = move_edit(document_, selection_, event);
+  if (!edit) return tl::unexpected(edit.error());
+  if (edit->empty()) return {};
+  const bool continues = moved_ && moved_->position == history_.position() &&
+                         time_ns - moved_->time_ns <= MoveEvent::kTogetherNs;
+  Result<void> done = continues ? commit_with_previous(*std::move(edit)) : commit(*std::move(edit));
+  moved_ = Moved{time_ns, history_.position()};
+  return done;
+}
+
+Result<void> Session::order_selected(OrderEvent::To to) {
+  if (gesture_in_progress()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  return commit(order_edit(document_, selection_, to));
+}
+
 Result<void> Session::restyle_selected(const RestyleEvent& event) {
   const Medium* medium = options_.materials.find_medium(event.medium);
   if (!event.medium.empty() && (!medium || !medium->draws)) {

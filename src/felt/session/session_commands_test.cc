@@ -180,6 +180,54 @@ TEST(SessionSelection, DuplicateAddsShiftedCopiesWhichAreSelectedThen) {
   EXPECT_EQ(document.stroke_count(), 2U);
 }
 
+TEST(SessionSelection, MovesInQuickSuccessionAreOneStep) {
+  CommandFixture fixture;
+  fixture.line(0, 0);
+  fixture.line(0, 20);
+  fixture.must(SelectStrokes{What::kAll});
+  const Document before = fixture.session.document();
+  const std::uint64_t drawn = fixture.session.history().position();
+  for (int i = 0; i < 3; ++i) fixture.must(MoveEvent{{1, 0}});
+  EXPECT_EQ(fixture.steps(), 3U);
+  EXPECT_EQ(fixture.session.document().find({1})->position(0).x, 3.0);
+  EXPECT_EQ(fixture.selected(), (Ids{1, 2})) << "the selection stays";
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.session.document(), before);
+  EXPECT_EQ(fixture.session.history().position(), drawn);
+  fixture.must(RedoEvent{});
+  EXPECT_EQ(fixture.session.document().find({1})->position(0).x, 3.0);
+  fixture.now_ns += 2 * MoveEvent::kTogetherNs;
+  fixture.must(MoveEvent{{0, 1}});
+  EXPECT_EQ(fixture.steps(), 4U) << "too late";
+  fixture.must(UndoEvent{});
+  fixture.must(MoveEvent{{0, 2}});
+  EXPECT_EQ(fixture.steps(), 4U);
+  EXPECT_FALSE(fixture.session.history().can_redo());
+  EXPECT_FALSE(fixture.apply(MoveEvent{{1e5, 0}}));
+  EXPECT_FALSE(fixture.apply(MoveEvent{{0, std::nan("")}}));
+}
+
+TEST(SessionSelection, OrderMovesToTheTopOrTheBottomOfTheLayer) {
+  CommandFixture fixture;
+  for (int i = 0; i < 3; ++i) fixture.line(0, 20.0 * i);
+  fixture.must(SelectStrokes{What::kNone});
+  fixture.must(OrderEvent{});
+  EXPECT_EQ(fixture.steps(), 3U) << "nothing is selected";
+  const StrokePtr copied = fixture.session.document().find({1});
+  ASSERT_TRUE(fixture.session.import(fixture.now_ns, {"clipboard", true}, std::array{copied}));
+  const auto order = [&] { return fixture.session.document().layers().front().strokes; };
+  fixture.must(OrderEvent{OrderEvent::To::kBack});
+  EXPECT_EQ(order(), (std::vector<StrokeId>{{4}, {1}, {2}, {3}}));
+  EXPECT_EQ(fixture.session.history().undo_label(), "Send to back");
+  const std::size_t steps = fixture.steps();
+  fixture.must(OrderEvent{OrderEvent::To::kBack});
+  EXPECT_EQ(fixture.steps(), steps) << "it is there already";
+  fixture.must(OrderEvent{OrderEvent::To::kFront});
+  EXPECT_EQ(order(), (std::vector<StrokeId>{{1}, {2}, {3}, {4}}));
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(order(), (std::vector<StrokeId>{{4}, {1}, {2}, {3}}));
+}
+
 TEST(SessionLayers, NewInkGoesToTheLayerInUse) {
   CommandFixture fixture;
   fixture.layer(Do::kAdd, 0, "Ideas");
@@ -407,7 +455,7 @@ void expect_consistent(const Session& session) {
 Event random_event(const Session& session, std::mt19937& random) {
   const std::span<const Layer> layers = session.document().layers();
   const LayerId any = random() % 20 ? layers[random() % layers.size()].id : LayerId{99};
-  switch (random() % 9) {
+  switch (random() % 11) {
     case 0:
       return {0, SelectStrokes{static_cast<What>(random() % 3)}};
     case 1:
@@ -419,6 +467,10 @@ Event random_event(const Session& session, std::mt19937& random) {
     case 4:
       return {0, RedoEvent{}};
     case 5:
+      return {0, MoveEvent{{static_cast<double>(random() % 9), -1.5}}};
+    case 6:
+      return {0, OrderEvent{random() % 2 ? OrderEvent::To::kFront : OrderEvent::To::kBack}};
+    case 7:
       return {0, SelectTool{random() % 3 ? "pencil" : "eraser"}};
     default:
       return {0, LayerEvent{static_cast<Do>(random() % 11), any, random() % 2 ? "n" : "",
@@ -466,6 +518,7 @@ TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
       }
       if (HasFatalFailure()) return;
     }
+    fixture.pen(0, 0, 5);  // ends a gesture by an event, which is recorded
     ASSERT_TRUE(fixture.session.finish());
     while (fixture.session.history().can_redo()) fixture.must(RedoEvent{});
     const std::size_t all = fixture.steps();

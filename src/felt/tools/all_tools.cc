@@ -6,6 +6,7 @@
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/pull/pull_tool.h"
 #include "felt/tools/recolor/recolor_tool.h"
+#include "felt/tools/shape/shape_tool.h"
 #include "felt/tools/smooth/smooth_tool.h"
 #include "felt/tools/tool.h"
 #include "felt/tools/transform/transform_tool.h"
@@ -24,6 +25,7 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   tools.push_back(make_transform());
   tools.push_back(make_connect());
   tools.push_back(make_recolor());
+  tools.push_back(make_shape());
   return tools;
 }
 

@@ -15,6 +15,8 @@ class StrokeIndex;
 /// What a tool can read besides the pen samples: the document, the surface under the pen, and the
 /// device that renders forces. Does not change while a sample is handled.
 struct Scene {
+  static constexpr double kUsualInkWidthMm = 1.0;
+
   const Document& document;
   const StrokeIndex& index;        ///< index of `document`, up to date
   const Selection& selection;      ///< selection in `document`, up to date
@@ -24,8 +26,9 @@ struct Scene {
   Rgba color{};  ///< colour of new ink
   /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
-  const GuideTrack* guide = nullptr;   ///< guides the pen while it draws; null: no guide
-  std::string_view medium = "pencil";  ///< id of the medium of new ink
+  const GuideTrack* guide = nullptr;       ///< guides the pen while it draws; null: no guide
+  std::string_view medium = "pencil";      ///< id of the medium of new ink
+  double ink_width_mm = kUsualInkWidthMm;  ///< width of a line that a mouse draws in this medium
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

@@ -27,6 +27,7 @@ inline constexpr std::uint32_t kSecondModifier = 1U << 1;
 /// tool's id.
 enum class ToolKind : std::uint8_t {
   kDraws,    ///< adds strokes in the medium of its option "medium"; a session starts with this tool
+  kShapes,   ///< adds strokes in the medium, colour and width of new ink (Scene)
   kEdits,    ///< changes strokes under the pen
   kErases,   ///< removes ink; its medium is "eraser"
   kSelects,  ///< changes the selection and shows it

@@ -308,7 +308,11 @@ void Episode::select_or_delete() {
   if (k < 0.5) return apply(SelectStrokes{SelectStrokes::What::kAll});
   if (k < 0.6) return apply(SelectStrokes{SelectStrokes::What::kInvert});
   if (k < 0.7) return apply(SelectStrokes{SelectStrokes::What::kNone});
-  if (k < 0.85) return command(DeleteEvent{});
+  if (k < 0.75) return command(MoveEvent{{dice_.between(-9.0, 9.0), dice_.between(-9.0, 9.0)}});
+  if (k < 0.8) {
+    return command(OrderEvent{dice_.chance(0.5) ? OrderEvent::To::kFront : OrderEvent::To::kBack});
+  }
+  if (k < 0.9) return command(DeleteEvent{});
   // Duplicating without a limit would only cost time.
   if (session_.document().stroke_count() < 60) command(DuplicateEvent{});
 }

@@ -12,6 +12,7 @@ namespace felt::json {
 namespace {
 
 constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
+constexpr NumberLimit kMoveLimit = {MoveEvent::kMaxMm, "10000"};
 constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
 constexpr std::uint64_t kMaxCounted = 1000;
 
@@ -25,6 +26,12 @@ Result<void> parse_number(Value& value, const char* key, NumberLimit limit, doub
 template <double Vec3::*Axis>
 Result<void> parse_axis(Value& value, const char* key, EventFields& out) {
   return parse_number(value, key, kCoordinateLimit, out.position.*Axis);
+}
+
+/// Reads a part of the offset of a move event.
+template <double Vec3::*Axis>
+Result<void> parse_shift(Value& value, const char* key, EventFields& out) {
+  return parse_number(value, key, kMoveLimit, out.position.*Axis);
 }
 
 Result<void> parse_time(Value& value, EventFields& out) {
@@ -300,6 +307,16 @@ constexpr std::array kLayerFields = {
     EventField{"index", false, parse_index},
     EventField{"name", false,
                [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }}};
+constexpr std::array kMoveFields = {
+    kEvent, kTime,
+    EventField{"dx", false,
+               [](Value& v, EventFields& e) { return parse_shift<&Vec3::x>(v, "dx", e); }},
+    EventField{"dy", false,
+               [](Value& v, EventFields& e) { return parse_shift<&Vec3::y>(v, "dy", e); }}};
+constexpr std::array kOrderFields = {kEvent, kTime,
+                                     EventField{"to", true, [](Value& v, EventFields& e) {
+                                                  return parse_word(v, "to", kOrderWords, e.order);
+                                                }}};
 constexpr std::array kMaterialFields = {
     kEvent, kTime, EventField{"text", true, [](Value& v, EventFields& e) {
                                 return parse_text(v, "text", e.text, kMaxMaterialBytes);
@@ -418,6 +435,8 @@ constexpr NamedEvent kEvents[] = {
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},
     {"duplicate", EventName::kDuplicate, kPlainFields},
+    {"move", EventName::kMove, kMoveFields},
+    {"order", EventName::kOrder, kOrderFields},
     {"restyle", EventName::kRestyle, kRestyleFields},
     {"layer", EventName::kLayer, kLayerFields},
     {"device", EventName::kDevice, kDeviceFields},

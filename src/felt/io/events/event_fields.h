@@ -28,6 +28,7 @@ struct EventFields {
   bool select = false;
   int defaults = 1;  ///< version of the default options; 1 if the recording has none
   SelectStrokes::What selection{};
+  OrderEvent::To order{};
   LayerEvent::Do action{};
   LayerId layer;
   std::string name;
@@ -54,6 +55,8 @@ enum class EventName {
   kSelect,
   kDelete,
   kDuplicate,
+  kMove,
+  kOrder,
   kRestyle,
   kLayer,
   kDevice,

@@ -33,8 +33,7 @@ LayerEvent layer_event(EventFields&& fields) {
 }
 
 Event event_of(EventName name, EventFields&& fields) {
-  Event event;
-  event.time_ns = fields.time_ns;
+  Event event{fields.time_ns, {}};
   switch (name) {
     case EventName::kTool:
       event.what = SelectTool{std::move(fields.id)};
@@ -69,6 +68,12 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kDuplicate:
       event.what = DuplicateEvent{};
       break;
+    case EventName::kMove:
+      event.what = MoveEvent{{fields.position.x, fields.position.y}};
+      break;
+    case EventName::kOrder:
+      event.what = OrderEvent{fields.order};
+      break;
     case EventName::kRestyle:
       event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium), fields.opacity,
                                 fields.width_factor};
@@ -84,7 +89,6 @@ Event event_of(EventName name, EventFields&& fields) {
       break;
     case EventName::kGuide:
       event.what = UseGuide{std::move(fields.guide)};
-      break;
   }
   return event;
 }

@@ -65,6 +65,10 @@ TEST(EventReader, ReadsEveryKind) {
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
   EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"duplicate","t_ms":3})"), (Event{3'000'000, DuplicateEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"move","t_ms":3,"dy":-2.5})"),
+            (Event{3'000'000, MoveEvent{{0.0, -2.5}}}));
+  EXPECT_EQ(event_of(R"({"event":"order","t_ms":3,"to":"front"})"),
+            (Event{3'000'000, OrderEvent{OrderEvent::To::kFront}}));
   EXPECT_EQ(event_of(R"({"event":"restyle","medium":"chalk","t_ms":3})"),
             (Event{3'000'000, RestyleEvent{.medium = "chalk"}}));
   EXPECT_EQ(event_of(R"({"event":"restyle","opacity":0,"width":1.25,"t_ms":3})"),
@@ -239,7 +243,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
-      "delete, duplicate, restyle, layer, device, material, guide");
+      "delete, duplicate, move, order, restyle, layer, device, material, guide");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

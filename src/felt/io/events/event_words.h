@@ -12,6 +12,8 @@ namespace felt::json {
 
 inline constexpr std::array<std::string_view, 3> kSelectionWords = {"all", "none", "invert"};
 
+inline constexpr std::array<std::string_view, 2> kOrderWords = {"front", "back"};
+
 inline constexpr std::array<std::string_view, 11> kLayerWords = {
     "add", "remove", "rename", "show", "hide", "lock", "unlock", "raise", "lower", "use", "move"};
 
@@ -21,6 +23,9 @@ inline constexpr std::array<std::string_view, 5> kGuideWords = {"none", "groove"
 constexpr std::string_view word_of(SelectStrokes::What what) {
   return kSelectionWords[static_cast<std::size_t>(what)];
 }
+constexpr std::string_view word_of(OrderEvent::To to) {
+  return kOrderWords[static_cast<std::size_t>(to)];
+}
 constexpr std::string_view word_of(LayerEvent::Do what) {
   return kLayerWords[static_cast<std::size_t>(what)];
 }
@@ -29,6 +34,7 @@ constexpr std::string_view word_of(GuideKind kind) {
 }
 
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
+static_assert(word_of(OrderEvent::To::kBack) == "back");
 static_assert(word_of(LayerEvent::Do::kMove) == "move");
 static_assert(word_of(GuideKind::kTeacher) == "teacher");
 

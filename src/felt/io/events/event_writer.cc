@@ -58,6 +58,15 @@ struct AddWhat {
   }
   void operator()(const DeleteEvent&) const { kind("delete"); }
   void operator()(const DuplicateEvent&) const { kind("duplicate"); }
+  void operator()(const MoveEvent& e) const {
+    kind("move");
+    out.add_number("dx", e.by_mm.x);
+    out.add_number("dy", e.by_mm.y);
+  }
+  void operator()(const OrderEvent& e) const {
+    kind("order");
+    out.add_text("to", json::word_of(e.to));
+  }
   void operator()(const RestyleEvent& e) const {
     kind("restyle");
     if (!e.color.empty()) out.add_text("color", e.color);

@@ -46,6 +46,10 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
             "{\"t_ms\":0,\"event\":\"select\",\"what\":\"none\"}\n");
   EXPECT_EQ(line_of({0, DeleteEvent{}}), "{\"t_ms\":0,\"event\":\"delete\"}\n");
   EXPECT_EQ(line_of({0, DuplicateEvent{}}), "{\"t_ms\":0,\"event\":\"duplicate\"}\n");
+  EXPECT_EQ(line_of({0, MoveEvent{{1, -0.5}}}),
+            "{\"t_ms\":0,\"event\":\"move\",\"dx\":1,\"dy\":-0.5}\n");
+  EXPECT_EQ(line_of({0, OrderEvent{OrderEvent::To::kBack}}),
+            "{\"t_ms\":0,\"event\":\"order\",\"to\":\"back\"}\n");
   EXPECT_EQ(line_of({0, RestyleEvent{"#b02020", "chalk"}}),
             "{\"t_ms\":0,\"event\":\"restyle\",\"color\":\"#b02020\",\"medium\":\"chalk\"}\n");
   EXPECT_EQ(line_of({0, RestyleEvent{.opacity = 0.5, .width_factor = 1.25}}),
@@ -156,7 +160,7 @@ GuideLine any_guide() {
 
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 14)) {
+  switch (*rc::gen::inRange(0, 16)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -196,6 +200,12 @@ Event any_event(std::int64_t time_ns) {
       event.what = any_device();
       break;
     case 12:
+      event.what = MoveEvent{{*rc::gen::inRange(-10'000, 10'001) * 0.999, any_place().x * 1e-6}};
+      break;
+    case 13:
+      event.what = OrderEvent{static_cast<OrderEvent::To>(*rc::gen::inRange(0, 2))};
+      break;
+    case 14:
       event.what = UseGuide{any_guide()};
       break;
     default:

@@ -72,6 +72,71 @@ TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
   EXPECT_EQ(p.fixture.strokes()[0], drawn);
 }
 
+TEST(Pencil, AModifierDrawsAStraightLineFromTheTouch) {
+  Pencil p;
+  p.pen.pressure = 0.5;
+  p.pen.up({10, 10});
+  p.pen.along(way({10, 10}, {30, 40}));
+  p.pen.buttons = kFirstModifier;
+  p.pen.along(way({30, 40}, {70, 30}));
+  const Overlay seen = p.overlay();
+  ASSERT_FALSE(seen.ink.empty());
+  EXPECT_EQ(seen.ink.back().curve.p[3], (Point{70, 30}));
+  EXPECT_LT(distance(evaluate(seen.ink.front().curve, 0.5), {10, 10}), 1.0);
+  p.pen.buttons = 0;  // released just before the lift
+  p.pen.down({70, 30});
+  p.pen.up({70, 30});
+  ASSERT_EQ(p.stroke().segment_count(), 1);
+  EXPECT_EQ(p.stroke().position(0), (Point{10, 10}));
+  EXPECT_EQ(p.stroke().position(1), (Point{70, 30}));
+  EXPECT_EQ(p.stroke().widths().size(), 2U) << "constant pressure";
+  EXPECT_EQ(p.fixture.history.undo_label(), "Draw");
+  p.pen.line(way({10, 60}, {30, 80}) + way({30, 80}, {50, 60}));
+  EXPECT_GT(p.fixture.strokes().back()->bounds().y1, 79) << "the next line is free again";
+}
+
+TEST(Pencil, AStraightLineHasTheWidthThatThePenHadAtEachPlace) {
+  Pencil p;
+  p.pen.buttons = kFirstModifier;
+  p.pen.up({0, 0});
+  // The pen goes beyond the end and back, and presses harder beyond the end.
+  for (const Point q : way({0, 0}, {90, 0})) {
+    p.pen.pressure = std::min(1.0, 0.01 * q.x);
+    p.pen.down(q);
+  }
+  p.pen.pressure = 1.0;
+  p.pen.along(way({90, 0}, {60, 0}));
+  p.pen.up({60, 0});
+  const Stroke& line = p.stroke();
+  EXPECT_EQ(line.position(1), (Point{60, 0}));
+  for (const double u : {0.25, 0.5, 0.75}) {
+    EXPECT_NEAR(line.width_mm(u), 0.3 + 5.7 * 0.6 * u, 0.3) << "low-pass of 20 ms at 0.1 m/s";
+  }
+}
+
+TEST(Pencil, TheSecondModifierDrawsInStepsOf15Degrees) {
+  Pencil p;
+  p.pen.buttons = kSecondModifier | kFirstModifier;
+  p.pen.line(way({50, 50}, {90, 53}));
+  EXPECT_EQ(p.stroke().position(1), (Point{90, 50}));
+}
+
+// A straight line stays straight when its ends snap, instead of bending towards the targets.
+TEST(Pencil, AStraightLineSnapsAsAWhole) {
+  Pencil p;
+  p.choose("snap", "both");
+  p.fixture.add(testing::straight_stroke({60, 30}, {100, 30}, 1, 1));
+  p.pen.buttons = kFirstModifier;
+  p.pen.up({10, 30.4});
+  p.pen.along(way({10, 30.4}, {55, 30.5}, 0.1));
+  p.pen.along(way({55, 30.5}, {59.4, 30.5}, 0.02));
+  p.pen.up({59.4, 30.5});
+  const StrokePtr drawn = p.fixture.strokes().back();
+  ASSERT_EQ(drawn->segment_count(), 1);
+  EXPECT_EQ(drawn->position(1), (Point{60, 30}));
+  EXPECT_NEAR(drawn->position(0.5).y, 30.2, 1e-9);
+}
+
 TEST(Pencil, NothingIsShownOrDoneInTheAir) {
   Pencil p;
   for (const Point q : way({0, 0}, {50, 50})) p.pen.at({q.x, q.y, 3});

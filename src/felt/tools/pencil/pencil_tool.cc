@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array<ToolUse, 1> kPencilUses = {
     {{.hint = "Draw; press harder for a broader line. End on a line’s end to join it.",
+      .first_modifier = "straight line",
+      .second_modifier = "straight, in steps of 15°",
       .size = "max_width_mm",
       .path = ToolPath::kFree}}};
 constexpr std::array<std::string_view, 1> kPencilEdits = {"Draw"};
@@ -56,7 +58,9 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
   make_fitter(scene);
   fitter_->begin();
-  wet_.begin(fitted_widths_);
+  wet_.begin(fitted_.width_map);
+  straight_.begin(pen_point_, fitted_.width_map);
+  is_straight_ = has_steps_ = false;
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
@@ -67,9 +71,9 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
 /// Makes a new fitter only if the widths have changed, so that all lines use the same buffers.
 void PencilTool::make_fitter(const Scene& scene) {
   const InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
-  if (fitter_ && fitted_widths_ == ink.width_map) return;
+  if (fitter_ && fitted_.width_map == ink.width_map) return;
   fitter_ = std::make_unique<InkFitter>(ink);
-  fitted_widths_ = ink.width_map;
+  fitted_ = ink;
 }
 
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
@@ -80,12 +84,33 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
   fitter_->push(ink);
   wet_.update(*fitter_, ink);
+  straight_.push(pen_);
+  // The line stays straight if the modifier is released before the pen is lifted.
+  if ((sample.buttons & (kFirstModifier | kSecondModifier)) != 0) {
+    is_straight_ = true;
+    has_steps_ = (sample.buttons & kSecondModifier) != 0;
+  }
   // A sample during a bounce draws ink but does not snap.
   if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
   return {};
 }
 
-ToolResult PencilTool::end(const Scene& scene) {
+/// Returns the straight line. Its ends are on the targets in `to`, except that a line in steps
+/// keeps its direction and has no target at its end. Removes targets that the line does not meet.
+std::optional<Stroke> PencilTool::straight_line(InkConnections& to) const {
+  Point from = straight_.start(), end = straight_.pen();
+  to.closes = false;
+  if (to.start || to.start_meets) from = snap_.start_target()->point;
+  if (has_steps_) {
+    to.end.reset();
+    to.end_meets.reset();
+    end = straight_.pen_in_steps() + (from - straight_.start());
+  }
+  if (to.end || to.end_meets) end = snap_.target()->point;
+  return straight_.stroke(from, end, fitted_);
+}
+
+std::optional<Stroke> PencilTool::free_line() {
   std::vector<Stabiliser::Step> rest;
   stabiliser_.finish(rest);
   for (const Stabiliser::Step& step : rest) {
@@ -94,14 +119,24 @@ ToolResult PencilTool::end(const Scene& scene) {
   fitter_->end();
   if (settings_.refine && fitter_->samples().size() <= kMaxRefinedSamples) fitter_->refine();
 
+  Result<Stroke> drawn = fitter_->stroke();
+  if (!drawn) return std::nullopt;
+  return *std::move(drawn);
+}
+
+ToolResult PencilTool::end(const Scene& scene) {
   ToolResult result;
-  if (const auto drawn = fitter_->stroke()) {
+  InkConnections to = connections(scene);
+  std::optional<Stroke> drawn;
+  if (is_straight_) drawn = straight_line(to);
+  if (!drawn) drawn = free_line();
+  if (drawn) {
     StrokeData data = drawn->data();
     data.medium = settings_.medium;
     data.color = color_;
     // The stroke is still valid, because no invariant involves medium or colour.
     if (const auto ink = Stroke::create(std::move(data))) {
-      result.commit = connect_ink(*ink, connections(scene), scene);
+      result.commit = connect_ink(*ink, to, scene);
     }
   }
   std::optional<StrokeId> drawn_id;
@@ -162,8 +197,13 @@ ForceModel PencilTool::force(const Scene& scene) const {
 void PencilTool::draw(Overlay& overlay) const {
   if (in_gesture()) {
     overlay.ink_color = color_;
-    wet_.draw(*fitter_, overlay);
-    if (settings_.stabiliser.kind != StabiliserKind::kOff) {
+    if (is_straight_) {
+      straight_.draw(straight_.start(), has_steps_ ? straight_.pen_in_steps() : straight_.pen(),
+                     overlay);
+    } else {
+      wet_.draw(*fitter_, overlay);
+    }
+    if (!is_straight_ && settings_.stabiliser.kind != StabiliserKind::kOff) {
       overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
     }
   }

@@ -9,12 +9,14 @@
 #include "felt/tools/pencil/connect_ink.h"
 #include "felt/tools/pencil/ink_snap.h"
 #include "felt/tools/pencil/pencil_options.h"
+#include "felt/tools/pencil/straight_ink.h"
 #include "felt/tools/pencil/wet_ink.h"
 
 namespace felt {
 
 /// Draws lines of variable width (paper, "sketch creation", "controlling the width", "connect
-/// curves"; pencil.md). Each gesture makes one line and one edit, "Draw".
+/// curves"; pencil.md). Each gesture makes one line and one edit, "Draw". If a modifier is held at
+/// any time during the gesture, the line is straight (StraightInk).
 ///
 /// The work per sample does not depend on the length of the stroke, except for the last sample,
 /// which completes it.
@@ -51,12 +53,17 @@ class PencilTool final : public GestureTool {
 
  private:
   void make_fitter(const Scene& scene);
+  [[nodiscard]] std::optional<Stroke> straight_line(InkConnections& to) const;
+  [[nodiscard]] std::optional<Stroke> free_line();
   [[nodiscard]] InkConnections connections(const Scene& scene) const;
   [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
 
   PencilSettings settings_;  // of the line being drawn, or of the next line
   std::unique_ptr<InkFitter> fitter_;
-  WidthMapOptions fitted_widths_;  // the widths that fitter_ was made with
+  InkFitOptions fitted_;  // the options that fitter_ was made with
+  StraightInk straight_;
+  bool is_straight_ = false;
+  bool has_steps_ = false;  // the direction of the straight line is one of in_direction_steps()
   Stabiliser stabiliser_;
   InkSample pen_;  // last sample of the line
   Rgba color_;

@@ -76,6 +76,7 @@ class Pen {
   std::int64_t step_ns = 1'000'000;
   double depth = 1.0;  ///< depth in contact, mm; on paper 1 mm is 0.5 N
   std::optional<double> pressure;
+  std::uint32_t buttons = 0;
   int commits = 0;
 
   ToolResult at(const Vec3& position) {
@@ -83,6 +84,7 @@ class Pen {
     s.time_ns = now_ns += step_ns;
     s.position = position;
     if (position.z < 0.0) s.pressure = pressure;
+    s.buttons = buttons;
     return give(s);
   }
   ToolResult give(const PenSample& s) {

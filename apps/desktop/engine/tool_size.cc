@@ -1,4 +1,4 @@
-#include "desktop/panels/tool_size.h"
+#include "desktop/engine/tool_size.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -11,9 +11,39 @@
 
 namespace felt::desktop {
 
+const Tool& sized_tool(const Session& session) {
+  const Tool* draws = session.first_tool(ToolKind::kDraws);
+  return session.tool().size() || !draws ? session.tool() : *draws;
+}
+
+bool is_line_size(const Session& session) {
+  return sized_tool(session).info().kind == ToolKind::kDraws;
+}
+
+std::optional<ToolSize> tool_size(const Session& session) {
+  return sized_tool(session).size();
+}
+
+void resize_selected(Studio& studio) {
+  const Session& session = studio.session();
+  const std::optional<ToolSize> size = tool_size(session);
+  if (!size || !is_line_size(session)) return;
+  double sum_mm = 0.0, count = 0.0;
+  for (const auto& [id, marks] : session.selection().strokes()) {
+    for (const WidthKnot& knot : session.document().find(id)->widths()) {
+      sum_mm += knot.width_mm;
+      ++count;
+    }
+  }
+  if (count == 0.0) return;
+  const double factor = std::clamp(size->mm * count / sum_mm, RestyleEvent::kMinWidthFactor,
+                                   RestyleEvent::kMaxWidthFactor);
+  studio.apply(RestyleEvent{.width_factor = factor});
+}
+
 void set_tool_size(Studio& studio, double mm) {
   if (!std::isfinite(mm)) return;
-  const Tool& tool = studio.session().tool();
+  const Tool& tool = sized_tool(studio.session());
   for (const auto& [option, value] : tool.options_for_size(mm)) {
     const Result<OptionValue> now = tool.option(option);
     if (now && *now == OptionValue(value)) continue;
@@ -22,7 +52,7 @@ void set_tool_size(Studio& studio, double mm) {
 }
 
 void step_tool_size(Studio& studio, bool up) {
-  const std::optional<ToolSize> size = studio.session().tool().size();
+  const std::optional<ToolSize> size = tool_size(studio.session());
   if (!size) return;
   const double wanted = std::clamp(next_size(size->mm, up), size->min_mm, size->max_mm);
   constexpr double kHairMm = 1e-6;
@@ -34,6 +64,7 @@ void step_tool_size(Studio& studio, bool up) {
     return;
   }
   set_tool_size(studio, wanted);
+  resize_selected(studio);
 }
 
 double next_size(double from, bool up) {
