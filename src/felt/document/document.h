@@ -11,16 +11,20 @@
 
 namespace felt {
 
-/// A layer: its strokes in drawing order, its name, and whether it is visible and locked.
+/// A layer: its strokes in drawing order, and its state (LayerState).
 struct Layer {
   LayerId id;
   std::string name;
   bool visible = true;
   bool locked = false;
+  double opacity = 1.0;
+  LayerPicturePtr picture = {};
   std::vector<StrokeId> strokes;  ///< the lowest first
 
-  [[nodiscard]] LayerState state() const { return {name, visible, locked}; }
-  friend bool operator==(const Layer&, const Layer&) = default;
+  [[nodiscard]] LayerState state() const { return {name, visible, locked, opacity, picture}; }
+  friend bool operator==(const Layer& a, const Layer& b) {
+    return a.id == b.id && a.state() == b.state() && a.strokes == b.strokes;
+  }
 };
 
 /// A table of immutable strokes by id, in layers. Only edits change a document, so that undo,

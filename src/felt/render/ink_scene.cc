@@ -64,7 +64,7 @@ InkScene::InkScene(const Document& document) {
   for (const Layer& from : document.layers()) {
     SceneLayer& layer = layers_[from.id];
     layer.id = from.id;
-    layer.is_visible = from.visible;
+    set_look(layer, from.state());
     layer.position = layer_order_.size();
     layer_order_.push_back(from.id);
     for (const StrokeId id : from.strokes) {
@@ -189,17 +189,30 @@ void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage)
   }
 }
 
-/// Adds all ink of the layers that are shown, hidden or moved. Call before and after the change.
+void InkScene::set_look(SceneLayer& layer, const LayerState& state) {
+  layer.is_visible = state.visible;
+  layer.opacity = state.opacity;
+  const bool is_decoded =
+      layer.picture && state.picture &&
+      (layer.picture->data == state.picture->data || *layer.picture->data == *state.picture->data);
+  layer.picture = state.picture;
+  if (is_decoded) return;
+  layer.pixels =
+      layer.picture ? PicturePixels::decode(*layer.picture->data).value_or(nullptr) : nullptr;
+}
+
+/// Adds the area of the layers that look different: all ink of those that are shown, hidden, moved
+/// or faded, and the pictures. Call before and after the change.
 void InkScene::add_layers(const Edit& edit, InkDamage& damage) const {
   for (const LayerChange& c : edit.layers) {
     const auto found = layers_.find(c.id);
     if (found == layers_.end() || !found->second.is_visible) continue;
-    if (c.before && c.after && c.before->visible == c.after->visible &&
-        c.before_index == c.after_index) {
-      continue;
-    }
-    Rect all;
-    found->second.order.for_each([&all](const SceneStroke& s) { all.extend(s.box); });
+    const bool same_ink = c.before && c.after && c.before->visible == c.after->visible &&
+                          c.before_index == c.after_index && c.before->opacity == c.after->opacity;
+    if (same_ink && c.before->picture == c.after->picture) continue;
+    const SceneLayer& layer = found->second;
+    Rect all = layer.picture ? bounds_of(*layer.picture) : Rect{};
+    if (!same_ink) layer.order.for_each([&all](const SceneStroke& s) { all.extend(s.box); });
     if (!all.empty()) damage.push_back(all);
   }
 }
@@ -294,7 +307,7 @@ void InkScene::carry_out(const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     SceneLayer& layer = layers_[c.id];
     layer.id = c.id;
-    if (c.after) layer.is_visible = c.after->visible;
+    if (c.after) set_look(layer, *c.after);
   }
   const std::map<LayerId, LayerWork> work = plan(edit);
   for (const auto& [id, w] : work) {
@@ -341,6 +354,19 @@ void InkScene::find(const Rect& area, std::vector<const SceneStroke*>& found,
     std::sort(found.begin() + first, found.end(),
               [](const SceneStroke* a, const SceneStroke* b) { return a->rank() < b->rank(); });
   }
+}
+
+std::vector<const SceneLayer*> InkScene::special_layers(std::optional<LayerId> above) const {
+  std::vector<const SceneLayer*> special;
+  for (const LayerId id : layer_order_) {
+    if (above) {
+      if (id == *above) above.reset();
+      continue;
+    }
+    const SceneLayer& layer = layers_.at(id);
+    if (layer.is_visible && layer.is_special()) special.push_back(&layer);
+  }
+  return special;
 }
 
 const SceneStroke* InkScene::find(StrokeId id) const {

@@ -3,12 +3,14 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/render/ink_damage.h"
+#include "felt/render/picture_pixels.h"
 #include "felt/render/scene_stroke.h"
 #include "felt/render/stroke_grid.h"
 #include "felt/render/stroke_order.h"
@@ -20,8 +22,14 @@ struct SceneLayer {
   LayerId id;
   bool is_visible = true;
   std::size_t position = 0;  ///< position among the layers; 0 is the lowest
+  double opacity = 1.0;
+  LayerPicturePtr picture;                      ///< null for most layers
+  std::shared_ptr<const PicturePixels> pixels;  ///< of `picture`; null if it is damaged
   StrokeOrder order;
   StrokeGrid grid;
+
+  /// Returns true if drawing its strokes one by one does not give the picture of the layer.
+  [[nodiscard]] bool is_special() const noexcept { return opacity < 1.0 || pixels; }
 };
 
 /// Position of a stroke in the drawing order. A smaller value is drawn first.
@@ -59,6 +67,10 @@ class InkScene {
   /// set, finds only strokes of the layers above that layer.
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
+  /// Returns the visible layers for which SceneLayer::is_special() is true, lowest first. If
+  /// `above` is set, returns only layers above that layer.
+  [[nodiscard]] std::vector<const SceneLayer*> special_layers(
+      std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
     return {stroke.layer->position, stroke.rank()};
   }
@@ -87,6 +99,7 @@ class InkScene {
   void add_layers(const Edit& edit, InkDamage& damage) const;
   [[nodiscard]] Result<void> check(const Edit& edit) const;
   [[nodiscard]] Result<void> check_places(const Edit& edit) const;
+  static void set_look(SceneLayer& layer, const LayerState& state);
   void carry_out(const Edit& edit);
   [[nodiscard]] Result<std::vector<LayerId>> new_order(const Edit& edit) const;
   void replace(const Edit& edit);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,15 @@ struct InkStyle {
   double hair_px = 0.0;
 };
 
+/// A layer of an InkJob that is drawn as a whole: its picture first, then the strokes from `first`
+/// to `last` (not included) of the job.
+struct InkGroup {
+  std::size_t first = 0, last = 0;
+  double opacity = 1.0;
+  std::shared_ptr<const PicturePixels> pixels;  ///< null if the layer has no picture
+  Affine place;                                 ///< of the picture
+};
+
 /// The strokes that a part of a picture shows, drawn one at a time, so that a long job can be
 /// interrupted and resumed. The job shares ownership of the strokes, so the scene may change
 /// meanwhile.
@@ -27,9 +37,17 @@ struct InkJob {
   View view;
   PixelRect part;
   std::vector<StrokePtr> strokes;
+  std::vector<InkGroup> groups;  ///< only of layers that are special, lowest first
   std::size_t next = 0;
+  std::size_t next_group = 0;
+  bool is_in_group = false;                ///< the group `next_group` has begun
+  std::vector<std::uint8_t> group_pixels;  ///< its strokes so far, if it is translucent
 
-  [[nodiscard]] bool is_done() const noexcept { return next == strokes.size(); }
+  [[nodiscard]] bool has_begun() const noexcept { return next + next_group > 0 || is_in_group; }
+  [[nodiscard]] bool is_done() const noexcept {
+    return next == strokes.size() && next_group == groups.size();
+  }
+  [[nodiscard]] bool is_blank() const noexcept { return strokes.empty() && groups.empty(); }
 };
 
 /// Two pictures of a tile: one of the strokes below the strokes of a preview, and one of the
@@ -55,7 +73,8 @@ class TilePainter {
   /// If `above` is set, the job draws only the layers above that layer.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
-  /// Draws the next stroke of a job. Requires that the part was cleared before the first stroke.
+  /// Draws the next stroke or picture of a job. Requires that the part was cleared before the first
+  /// one.
   void draw_next(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws one stroke.
   void draw(const Stroke& stroke, const View& view, PixelRect part, const InkStyle& style,

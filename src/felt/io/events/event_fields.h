@@ -38,6 +38,8 @@ struct EventFields {
   std::string medium;
   std::optional<double> opacity;
   std::optional<double> width_factor;
+  std::shared_ptr<const PictureData> picture;
+  std::optional<Affine> matrix;
   GuideLine guide;
 };
 
@@ -56,6 +58,7 @@ enum class EventName {
   kDuplicate,
   kRestyle,
   kLayer,
+  kPicture,
   kDevice,
   kMaterial,
   kGuide

@@ -12,8 +12,9 @@ namespace felt::json {
 
 inline constexpr std::array<std::string_view, 3> kSelectionWords = {"all", "none", "invert"};
 
-inline constexpr std::array<std::string_view, 11> kLayerWords = {
-    "add", "remove", "rename", "show", "hide", "lock", "unlock", "raise", "lower", "use", "move"};
+inline constexpr std::array<std::string_view, 17> kLayerWords = {
+    "add", "remove", "rename",  "show",      "hide",  "lock",  "unlock", "raise",    "lower",
+    "use", "move",   "opacity", "duplicate", "merge", "place", "export", "leave-out"};
 
 inline constexpr std::array<std::string_view, 5> kGuideWords = {"none", "groove", "as-needed",
                                                                 "error-amplifying", "teacher"};
@@ -29,7 +30,7 @@ constexpr std::string_view word_of(GuideKind kind) {
 }
 
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
-static_assert(word_of(LayerEvent::Do::kMove) == "move");
+static_assert(word_of(LayerEvent::Do::kLeaveOut) == "leave-out");
 static_assert(word_of(GuideKind::kTeacher) == "teacher");
 
 }  // namespace felt::json

@@ -116,7 +116,7 @@ void SvgInk::layer(const SvgLayer& layer) {
     return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
   }
   std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
-  builder_.add_layer({std::move(name), layer.visible, layer.locked});
+  builder_.add_layer({std::move(name), layer.visible, layer.locked, layer.opacity});
 }
 
 void SvgInk::shape(SvgShape shape) {
