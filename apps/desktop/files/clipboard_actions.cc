@@ -45,8 +45,8 @@ std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, double by_mm) {
 }  // namespace
 
 ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs,
-                                   QWidget* window)
-    : QObject(window), studio_(studio), dialogs_(dialogs), window_(window) {
+                                   PictureActions& pictures, QWidget* window)
+    : QObject(window), studio_(studio), dialogs_(dialogs), pictures_(pictures), window_(window) {
   cut_ = actions.add(QStringLiteral("edit.cut"), tr("Cu&t"), {QKeySequence::Cut},
                      tr("Move the selected strokes to the clipboard"), [this] { cut(); });
   actions.add(QStringLiteral("edit.copy"), tr("&Copy"), {QKeySequence::Copy},
@@ -129,6 +129,10 @@ void ClipboardActions::paste() {
     return;
   }
   const std::vector<StrokePtr> strokes = visible_strokes(pasted->drawing.document);
+  if (strokes.empty() && data && data->hasImage()) {
+    pictures_.add_image(tr("Picture"), qvariant_cast<QImage>(data->imageData()));
+    return;
+  }
   if (strokes.empty()) {
     Q_EMIT studio_.refused(tr("The clipboard holds no strokes."));
     return;

@@ -8,6 +8,7 @@
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_dialogs.h"
+#include "desktop/files/picture_actions.h"
 #include "felt/document/drawing.h"
 #include "felt/io/import.h"
 #include "felt/stroke/stroke.h"
@@ -18,13 +19,15 @@ namespace felt::desktop {
 /// "edit.copy_as_png". Copy copies every visible stroke that is at least partly selected, or all
 /// visible strokes if nothing is selected. Cut copies and deletes only strokes that are selected as
 /// a whole. The clipboard also gets those media of the strokes that Feltline does not ship. A paste
-/// is one step of undo. Strokes that were copied in this window are pasted with a small offset from
+/// is one step of undo. A clipboard with a picture instead of strokes gives a layer to draw over
+/// (PictureActions). Strokes that were copied in this window are pasted with a small offset from
 /// the originals.
 class ClipboardActions : public QObject {
   Q_OBJECT
 
  public:
-  ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, QWidget* window);
+  ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, PictureActions& pictures,
+                   QWidget* window);
 
  Q_SIGNALS:
   /// Emitted when strokes were pasted; `report` lists the unsupported content of the clipboard.
@@ -41,6 +44,7 @@ class ClipboardActions : public QObject {
 
   Studio& studio_;
   FileDialogs& dialogs_;
+  PictureActions& pictures_;
   QWidget* window_;
   QAction* cut_;
   QByteArray copied_;  // fingerprint of the strokes that this window copied

@@ -25,6 +25,8 @@ class QMenu;
 
 namespace felt::desktop {
 
+class PictureActions;
+
 /// Functions for palette and view, the parts of a drawing that FileActions does not own.
 struct DrawingLooks {
   std::function<void(Drawing&)> report = {};      ///< adds palette and view to a drawing
@@ -70,7 +72,8 @@ class FileActions : public QObject {
   bool may_close();
   /// Adds the strokes of another file, as one step of undo, with their media (added_strokes.h).
   bool import(const QString& path);
-  /// Opens the first file if this window is pristine. Imports all other files.
+  /// Opens the first file if this window is pristine. Imports all other files. Pictures
+  /// (is_picture_path) become layers to draw over.
   void take_dropped(const QStringList& paths);
   /// Shows a drawing that has no file, such as an example, under this name and without unsaved
   /// changes. Does not ask the user; requires that the window is pristine.
@@ -145,6 +148,7 @@ class FileActions : public QObject {
   std::vector<AbandonedAutosave> rescued_;  // autosaves of recovered drawings, kept until these
                                             // drawings are saved
   QPointer<QLabel> warning_;                // shown while the autosave fails
+  PictureActions* pictures_ = nullptr;
   QMenu* recent_menu_;
   QString path_;
   QString name_;    // name of a drawing without a path; "" is "Untitled"

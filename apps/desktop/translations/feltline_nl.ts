@@ -568,6 +568,30 @@
         <source>Protects the layer against changes.</source>
         <translation>Beschermt de laag tegen wijzigingen.</translation>
     </message>
+    <message>
+        <source>&amp;Duplicate layer</source>
+        <translation>Laag &amp;dupliceren</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the layer above it.</source>
+        <translation>Voegt erboven een kopie van de laag toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Merge layer down</source>
+        <translation>Met de laag eronder sa&amp;menvoegen</translation>
+    </message>
+    <message>
+        <source>Moves the lines of the layer to the one below.</source>
+        <translation>Verplaatst de lijnen van de laag naar de laag eronder.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the picture</source>
+        <translation>Afbeelding &amp;exporteren</translation>
+    </message>
+    <message>
+        <source>Shows the picture of the layer in exported files.</source>
+        <translation>Toont de afbeelding van de laag in geëxporteerde bestanden.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -1889,6 +1913,10 @@
         <source>the clipboard</source>
         <translation>het klembord</translation>
     </message>
+    <message>
+        <source>Picture</source>
+        <translation>Afbeelding</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::ColorNotice</name>
@@ -2423,6 +2451,14 @@
         <source>The picture, for browsers. Feltline does not read the lines back.</source>
         <translation>De afbeelding, voor browsers. Feltline leest de lijnen niet terug.</translation>
     </message>
+    <message>
+        <source>P&amp;ictures to draw over</source>
+        <translation>Afbeeld&amp;ingen om over te trekken</translation>
+    </message>
+    <message>
+        <source>Not in the preview</source>
+        <translation>Niet in het voorbeeld</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -2630,6 +2666,10 @@ Je tekening is nog open: sla haar op een andere plaats op.</translation>
         <source>The drawing is autosaved in %1, because the usual place fails: %2</source>
         <translation>De tekening wordt automatisch opgeslagen in %1, omdat de gebruikelijke plaats niet werkt: %2</translation>
     </message>
+    <message>
+        <source>Picture</source>
+        <translation>Afbeelding</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
@@ -2683,6 +2723,14 @@ Je tekening is nog open: sla haar op een andere plaats op.</translation>
     <message>
         <source>Save &amp;as…</source>
         <translation>Opslaan &amp;als…</translation>
+    </message>
+    <message>
+        <source>Import a page</source>
+        <translation>Een pagina importeren</translation>
+    </message>
+    <message>
+        <source>Page of “%1” (1 to %2):</source>
+        <translation>Pagina van ‘%1’ (1 tot %2):</translation>
     </message>
 </context>
 <context>
@@ -3208,6 +3256,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Layer %1</source>
         <translation>Laag %1</translation>
     </message>
+    <message>
+        <source>, picture</source>
+        <translation>, afbeelding</translation>
+    </message>
+    <message>
+        <source>, opacity %1 %</source>
+        <translation>, dekking %1 %</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3258,6 +3314,30 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>“%1” is hidden. Show it to draw there.</source>
         <translation>‘%1’ is verborgen. Maak de laag zichtbaar om erop te tekenen.</translation>
+    </message>
+    <message>
+        <source>Duplicate the layer</source>
+        <translation>De laag dupliceren</translation>
+    </message>
+    <message>
+        <source>A copy of this layer above it</source>
+        <translation>Een kopie van deze laag erboven</translation>
+    </message>
+    <message>
+        <source>Merge the layer with the one below</source>
+        <translation>De laag met de laag eronder samenvoegen</translation>
+    </message>
+    <message>
+        <source>Moves the lines to the layer below</source>
+        <translation>Verplaatst de lijnen naar de laag eronder</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity:</source>
+        <translation>&amp;Dekking:</translation>
+    </message>
+    <message>
+        <source>Opacity of the layer</source>
+        <translation>Dekking van de laag</translation>
     </message>
 </context>
 <context>
@@ -4125,6 +4205,29 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>The tilt of the pen is not known</source>
         <translation>De kanteling van de pen is niet bekend</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PictureActions</name>
+    <message>
+        <source>Import p&amp;icture…</source>
+        <translation>Afbeeld&amp;ing importeren…</translation>
+    </message>
+    <message>
+        <source>Add a picture or a page of a PDF file to draw over</source>
+        <translation>Een afbeelding of een pagina van een PDF-bestand toevoegen om over te trekken</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Afbeeldingen</translation>
+    </message>
+    <message>
+        <source>Import a picture</source>
+        <translation>Een afbeelding importeren</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be imported</source>
+        <translation>‘%1’ kan niet worden geïmporteerd</translation>
     </message>
 </context>
 <context>

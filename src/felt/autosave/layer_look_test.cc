@@ -6,7 +6,7 @@
 #include "felt/autosave/edit_blob.h"
 #include "felt/document/testing/small_picture.h"
 
-namespace felt::autosave_look_test {
+namespace felt::layer_look_test {
 namespace {
 
 Document with_picture() {
@@ -49,4 +49,4 @@ TEST(AutosaveLook, ABaseHoldsTheLooksOfItsLayers) {
 }
 
 }  // namespace
-}  // namespace felt::autosave_look_test
+}  // namespace felt::layer_look_test

@@ -417,7 +417,7 @@ Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::s
 
 void append_svg_picture(std::string& out, const LayerPicture& picture) {
   const Affine& m = picture.place;
-  out += "<image transform=\"matrix(";
+  out += "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\" transform=\"matrix(";
   for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) {
     append_number(out, x);
     out += ' ';
