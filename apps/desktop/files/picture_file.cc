@@ -127,13 +127,13 @@ Result<ReadPicture> read_picture(const QString& path, int page) {
   reader.setAutoTransform(true);
   reader.setDecideFormatFromContent(true);
   const QSize size = reader.size();
-  if (std::max(size.width(), size.height()) > kPictureFileSidePx) {
+  const bool is_svg = reader.format().startsWith("svg");
+  if (!is_svg && std::max(size.width(), size.height()) > kPictureFileSidePx) {
     return picture_error(path, QStringLiteral("is %1 x %2 pixels large; at most %3 are allowed")
                                    .arg(size.width())
                                    .arg(size.height())
                                    .arg(kPictureFileSidePx));
   }
-  const bool is_svg = reader.format().startsWith("svg");
   const int side = is_svg ? kPictureSidePx / 2 : kPictureSidePx;
   if (!size.isEmpty() && (is_svg || std::max(size.width(), size.height()) > side)) {
     reader.setScaledSize(size.scaled(side, side, Qt::KeepAspectRatio).expandedTo({1, 1}));

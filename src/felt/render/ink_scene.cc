@@ -104,6 +104,7 @@ Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& dama
     add_layers(back, damage);
     only_replaces(back) ? replace(back) : carry_out(back);
     add_layers(back, damage);
+    if (!back.layers.empty()) ++revision_;
   }
   preview_.reset();
   previewed_.clear();
@@ -117,9 +118,8 @@ Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& dama
       add_ids(*next, previewed_);
       std::sort(previewed_.begin(), previewed_.end());
       mark_previewed(true);
-    } else {
-      ++revision_;
     }
+    if (!is_preview || !next->layers.empty()) ++revision_;
   }
   compare(std::move(before), look(ids), damage);
   return fits;

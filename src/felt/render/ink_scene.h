@@ -79,7 +79,8 @@ class InkScene {
   /// Returns the ids of the strokes that the preview changes, ascending. The list also contains
   /// strokes that the preview removes and that are therefore not in the scene.
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
-  /// Returns a number that changes with every change of the document, but not with previews.
+  /// Returns a number that changes with every change of the document, and with previews that change
+  /// layers, but not with other previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
 
  private:
