@@ -30,7 +30,9 @@ void write_bytes(const QString& path, const QByteArray& bytes) {
   file.write(bytes);
 }
 
-const Layer& lowest(const StudioFixture& fixture) { return fixture.document().layers()[0]; }
+const Layer& lowest(const StudioFixture& fixture) {
+  return fixture.document().layers()[0];
+}
 
 TEST(PictureActions, ADroppedPictureBecomesALayerThatFitsThePage) {
   StudioFixture fixture;
@@ -92,8 +94,9 @@ TEST(PictureActions, BadFilesAreErrorsThatNameTheFileAndTheReason) {
   write_bytes(fixture.at("cut.png"), bytes.left(60));
   write_bytes(fixture.at("text.png"), "Dear all,");
   // The head of a PNG file of 40000 x 1 pixels.
-  write_bytes(fixture.at("huge.png"),
-              QByteArray::fromBase64("iVBORw0KGgoAAAANSUhEUgAAnEAAAAABCAIAAAAyAlzT") + bytes.mid(33));
+  write_bytes(
+      fixture.at("huge.png"),
+      QByteArray::fromBase64("iVBORw0KGgoAAAANSUhEUgAAnEAAAAABCAIAAAAyAlzT") + bytes.mid(33));
   for (const char* name : {"cut.png", "text.png", "huge.png", "missing.png"}) {
     const Result<ReadPicture> read = read_picture(fixture.at(name));
     ASSERT_FALSE(read) << name;

@@ -247,7 +247,8 @@ TEST(LayersPanel, ThumbnailsShowTheInkAndThePictureOfEachLayer) {
   LayerFixture fixture;
   const Page& page = fixture.studio.page();
   fixture.studio.apply(AddPicture{
-      "Photo", felt::testing::picture_data(),
+      "Photo",
+      felt::testing::picture_data(),
       {page.width_mm / 2.0, 0.0, 0.0, page.height_mm, 0.0, 0.0}});  // red left, blue right
   auto* thumbnails = fixture.panel.findChild<LayerThumbnails*>();
   ASSERT_NE(thumbnails, nullptr);

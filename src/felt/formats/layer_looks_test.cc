@@ -54,8 +54,7 @@ TEST(LayerLooks, OtherFormatsFadeTheStrokes) {
 TEST(LayerLooks, PicturesAreLeftOutUnlessAskedFor) {
   EXPECT_THAT(bytes_in(FileFormat::kSvg), Not(HasSubstr("<image")));
   const std::string svg = bytes_in(FileFormat::kSvg, PictureChoice::kAll);
-  EXPECT_THAT(svg,
-              HasSubstr("transform=\"matrix(10 0 0 10 10 10)\" width=\"2\" height=\"1\""));
+  EXPECT_THAT(svg, HasSubstr("transform=\"matrix(10 0 0 10 10 10)\" width=\"2\" height=\"1\""));
   EXPECT_THAT(svg, HasSubstr(std::string(testing::kRedBluePng)));
   EXPECT_NE(bytes_in(FileFormat::kPng), bytes_in(FileFormat::kPng, PictureChoice::kAll));
   EXPECT_EQ(read_back(FileFormat::kFelt).document.layers()[0].picture->data->png,
