@@ -108,7 +108,7 @@ class PartsOfCopy final : public DrawingParts {
 /// Returns true if the format and the options cannot show a translucent layer as a whole.
 bool must_fade_strokes(const Drawing& drawing, FileFormat format, const WriteOptions& options) {
   const bool has_layers = format == FileFormat::kFelt || format == FileFormat::kPng ||
-                          format == FileFormat::kNdjson ||
+                          format == FileFormat::kNdjson || format == FileFormat::kInkml ||
                           (format == FileFormat::kSvg && !options.compact);
   const std::span<const Layer> layers = drawing.document.layers();
   return !has_layers && std::any_of(layers.begin(), layers.end(),
