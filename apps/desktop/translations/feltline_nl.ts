@@ -1687,6 +1687,30 @@
         <source>Recolour</source>
         <translation>Herkleuren</translation>
     </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation>Dekking van de laag</translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation>Laag dupliceren</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>Lagen samenvoegen</translation>
+    </message>
+    <message>
+        <source>Add picture</source>
+        <translation>Afbeelding toevoegen</translation>
+    </message>
+    <message>
+        <source>Place picture</source>
+        <translation>Afbeelding plaatsen</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Afbeelding exporteren</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
