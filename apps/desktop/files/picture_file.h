@@ -41,7 +41,7 @@ Result<int> page_count(const QString& path);
 
 /// Returns the event that adds the picture to the middle of the page: in its true size if that is
 /// known and fits, otherwise as large as 80 % of the page. Fails if the picture is empty, or if its
-/// PNG file would be larger than 64 MiB.
+/// PNG file would be larger than 48 MiB.
 Result<AddPicture> add_picture_event(const QString& name, const ReadPicture& picture,
                                      const Page& page);
 

@@ -23,7 +23,7 @@ std::uint32_t big_endian_at(std::string_view bytes, std::size_t at) noexcept {
 
 Result<std::shared_ptr<const PictureData>> make_picture_data(std::string png) {
   if (png.size() > PictureData::kMaxBytes) {
-    return fail(ErrorCode::kLimitExceeded, "the picture is larger than 64 MiB");
+    return fail(ErrorCode::kLimitExceeded, "the picture is larger than 48 MiB");
   }
   if (png.size() < kPngSizeEnd || !std::string_view(png).starts_with(kPngHead)) {
     return fail(ErrorCode::kInvalidData, "the picture is not a PNG file");

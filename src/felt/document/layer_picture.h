@@ -12,7 +12,7 @@ namespace felt {
 
 /// The file of a picture. Immutable and shared, so that moving a picture copies no bytes.
 struct PictureData {
-  static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxBytes = std::size_t{48} << 20;
   static constexpr int kMaxSidePx = 8192;
 
   std::string png;

@@ -34,7 +34,7 @@ TEST(LayerPicture, RefusesWhatIsNoPngOrTooLarge) {
   flat[23] = 0;
   EXPECT_THAT(error_of(flat), ::testing::HasSubstr("8192"));
   EXPECT_THAT(error_of(png + std::string(PictureData::kMaxBytes, ' ')),
-              ::testing::HasSubstr("64 MiB"));
+              ::testing::HasSubstr("48 MiB"));
 }
 
 TEST(LayerPicture, BoundsFollowThePlace) {

@@ -9,10 +9,14 @@
 #include "felt/document/document.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
-#include "felt/store/felt_file.h"
+#include "felt/store/stroke_blob.h"
 
 namespace felt {
 namespace {
+
+// A database reads values up to kMaxStrokeBlobBytes: a picture, and also the event that adds it to
+// a recording, in base64.
+static_assert(PictureData::kMaxBytes / 3 * 4 + 10'000 < kMaxStrokeBlobBytes);
 
 tl::unexpected<Error> invalid_look(std::string_view table) {
   return fail(ErrorCode::kInvalidData,
