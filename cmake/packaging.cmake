@@ -134,8 +134,9 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfeltline-dev)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME feltline-desktop)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_DESKTOP_PACKAGE_SHLIBDEPS ON)
-# For Qt's own texts in German and Dutch, and for printing.
-set(CPACK_DEBIAN_DESKTOP_PACKAGE_RECOMMENDS "qt6-translations-l10n, libqt6printsupport6")
+# For Qt's own texts in German and Dutch, for printing, for WebP pictures, and for pages of PDF files.
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_RECOMMENDS
+    "qt6-translations-l10n, libqt6printsupport6, qt6-image-formats-plugins, poppler-utils")
 set(CPACK_COMPONENT_DESKTOP_DESCRIPTION "Draw lines that push back, and pull them into shape")
 set(CPACK_DEBIAN_BIN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)

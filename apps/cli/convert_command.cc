@@ -21,6 +21,7 @@ struct ConvertArguments {
   std::string layers;
   bool salvage = false;
   bool compact = false;
+  bool pictures = false;
   PictureArguments picture;
 };
 
@@ -45,6 +46,11 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
                 "Make a small .svg for web pages: only the visible ink, as outlines rounded to\n"
                 "0.01 mm, without layers and without the data with which Feltline and Inkscape\n"
                 "edit the lines")
+      ->group("Pictures (.svg, .pdf, .png)");
+  command
+      .add_flag("--pictures", args.pictures,
+                "Show the pictures below visible layers in a .png or .svg. Default: only those\n"
+                "that are marked for export")
       ->group("Pictures (.svg, .pdf, .png)");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);
@@ -127,7 +133,11 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error());
   if (args.compact && format != Format::kSvg) throw UsageError("--compact is only for .svg");
   if (args.compact && args.picture.grain) throw UsageError("--compact excludes --grain");
+  if (args.pictures && (args.compact || (format != Format::kSvg && format != Format::kPng))) {
+    throw UsageError("--pictures is only for .png, and for .svg without --compact");
+  }
   picture->compact = args.compact;
+  if (args.pictures) picture->pictures = PictureChoice::kAll;
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
   // Compressed output, compact output, and output that shows the drawing's surface, cannot be

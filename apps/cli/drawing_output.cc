@@ -59,6 +59,7 @@ Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptio
   options.dpi = picture.dpi;
   options.grain = picture.grain;
   options.compact = picture.compact;
+  options.pictures = picture.pictures;
   const bool came_with_page = drawing.has_page;
   const Result<std::optional<Rect>> area = shown_area(drawing, format, picture);
   if (!area) return tl::unexpected(area.error());

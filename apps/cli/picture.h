@@ -6,6 +6,7 @@
 #include <string>
 
 #include "felt/base/result.h"
+#include "felt/document/layer_picture.h"
 #include "felt/document/page.h"
 #include "felt/geometry/rect.h"
 #include "felt/material/materials.h"
@@ -38,6 +39,7 @@ struct PictureOptions {
                              ///< the drawing's own surface
   double grain_dpi = 200.0;  ///< resolution of the grain in an .svg or .pdf
   bool compact = false;      ///< --compact was given: an .svg is small, for web pages
+  PictureChoice pictures = PictureChoice::kMarked;  ///< kAll: --pictures was given
   /// The known materials; includes user-defined ones if grain is shown.
   Materials materials = Materials::built_in();
 };

@@ -79,6 +79,28 @@ has err "the drawing's surface 'moon dust' is unknown; choose another with --sur
 run 0 "$feltline" convert on_moon.svg -o moon_back.svg
 has moon_back.svg 'felt:surface="moon dust"'
 
+# A script adds a picture to draw over and a translucent layer. Exported files leave the picture out unless asked.
+cat > traced.events <<'EOF'
+{"event":"picture","t_ms":0,"name":"Photo","matrix":[50,0,0,50,20,20],"png":"iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR42mP4z8AAQv8BD/kD/Zh51wAAAAAASUVORK5CYII="}
+{"event":"layer","t_ms":0,"do":"opacity","id":2,"opacity":0.5}
+{"event":"layer","t_ms":0,"do":"use","id":1}
+{"event":"pen","t_ms":10,"x":30,"y":30,"z":-1}
+{"event":"pen","t_ms":60,"x":90,"y":60,"z":-1}
+{"event":"pen","t_ms":70,"x":90,"y":60,"z":5}
+EOF
+run 0 "$feltline" replay traced.events -o traced.felt
+run 0 "$feltline" convert traced.felt -o traced.svg
+grep -q 'opacity:0.5' traced.svg || fail "the opacity of a layer is lost"
+! grep -q '<image' traced.svg || fail "a picture is exported without being asked for"
+run 0 "$feltline" convert traced.felt -o with.svg --pictures
+grep -q '<image' with.svg || fail "a picture is not exported"
+if command -v rsvg-convert >/dev/null; then run 0 rsvg-convert with.svg -o with-svg.png; fi
+run 0 "$feltline" convert traced.felt -o without.png --dpi 20
+run 0 "$feltline" convert traced.felt -o with.png --dpi 20 --pictures
+! cmp -s without.png with.png || fail "--pictures does not change a .png"
+run 2 "$feltline" convert traced.felt -o r.pdf --pictures
+run 2 "$feltline" convert traced.felt -o r.svg --pictures --compact
+
 # A compact .svg is a small picture of the visible ink.
 run 0 "$feltline" convert page.felt -o small.svg --compact
 [ "$(grep -c '<path' small.svg)" = 21 ] || fail "20 strokes and the paper make 21 paths"

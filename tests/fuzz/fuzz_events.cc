@@ -12,6 +12,7 @@
 #include "felt/io/events/event_reader.h"
 #include "felt/io/events/event_writer.h"
 #include "felt/material/material_file.h"
+#include "felt/render/picture_pixels.h"
 
 namespace felt {
 namespace {
@@ -66,11 +67,18 @@ struct CheckWhat {
   }
   void operator()(const LayerEvent& e) const {
     using Do = LayerEvent::Do;
-    FELT_CHECK(e.what <= Do::kMove);
+    FELT_CHECK(e.what <= Do::kLeaveOut);
     FELT_CHECK((e.what == Do::kAdd) == !e.layer);
     if (e.what == Do::kRename || !e.name.empty()) check_text(e.name);
     FELT_CHECK(e.name.empty() || e.what == Do::kAdd || e.what == Do::kRename);
     FELT_CHECK(e.index == 0 || e.what == Do::kMove);
+    FELT_CHECK(e.opacity >= 0.0 && e.opacity <= 1.0);
+    FELT_CHECK(is_picture_place(e.place));
+  }
+  void operator()(const AddPicture& e) const {
+    FELT_CHECK(e.data && PicturePixels::decode(*e.data).has_value());
+    FELT_CHECK(is_picture_place(e.place));
+    if (!e.name.empty()) check_text(e.name);
   }
   void operator()(const UseDevice& e) const {
     const Capabilities& can = e.capabilities;

@@ -104,7 +104,10 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
                   static_cast<std::uint8_t>(c.blue()), 255};
     });
     ink_.paint(painter, part);
+    const Layer* layer = studio_.session().document().layer(studio_.session().layer());
+    painter.setOpacity(layer ? layer->opacity : 1.0);
     s.wet.paint(painter, part, [this](QImage& ink, QPoint at) { ink_.cover(ink, at); });
+    painter.setOpacity(1.0);
   }
   painter.setClipping(false);
 }

@@ -246,7 +246,7 @@ bool InkTileStore::paint(Plane& plane, Tile& tile, Begun& begun,
                          const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
   const InkStyle& style = plane.spec.style;
-  if (begun.job.next == 0) {
+  if (!begun.job.has_begun()) {
     if (!scene_->previewed().empty() && !plane.spec.above) {
       if (!tile.split) tile.split = std::make_unique<TileSplit>();
       if (painter_.paint_split(*scene_, begun.job.view, begun.part, style, *tile.split, pixels)) {
@@ -278,9 +278,9 @@ void InkTileStore::work(std::uint64_t order, const std::function<bool()>& should
     begun_ = std::move(begun);
     return;
   }
-  const bool is_blank = begun->job.items.empty() && !tile.split && !tile.picture;
+  const bool is_blank = begun->job.is_blank() && !tile.split && !tile.picture;
   if (tile.picture) bytes_ -= TilePicture::kBytes;
-  const bool is_empty = is_blank || (begun->part == kWhole && begun->job.items.empty() &&
+  const bool is_empty = is_blank || (begun->part == kWhole && begun->job.is_blank() &&
                                      !(tile.split && !tile.split->valid.empty()));
   tile.picture = is_empty ? nullptr : TilePtr(std::move(begun->picture));
   if (tile.picture) bytes_ += TilePicture::kBytes;

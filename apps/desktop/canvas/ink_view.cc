@@ -65,6 +65,7 @@ struct InkView::State {
     StrokeId id;
     StrokePtr stroke;
     LayerId layer;
+    double opacity = 1.0;  // of the layer
   };
 
   explicit State(std::function<void()> on_news) : worker(std::move(on_news)) {}
@@ -100,7 +101,7 @@ struct InkView::State {
   std::optional<LayerId> new_ink;  // the layer of new ink, if other layers cover it
   std::optional<Plane> over;       // the plane of these layers, in the view of the current plane
   std::int64_t left = 0, top = 0;  // corner of the widget, in pixels of the plane
-  std::map<LayerId, bool> visible;
+  std::map<LayerId, double> opacities;  // 0 for a hidden layer
   std::vector<Fresh> fresh;
   TilePainter strokes;
   bool is_previewing = false;
@@ -177,8 +178,8 @@ InkView::~InkView() = default;
 void InkView::set_document(const Document& document) {
   State& s = *state_;
   s.fresh.clear();
-  s.visible.clear();
-  for (const Layer& layer : document.layers()) s.visible[layer.id] = layer.visible;
+  s.opacities.clear();
+  for (const Layer& l : document.layers()) s.opacities[l.id] = l.visible ? l.opacity : 0.0;
   for (State::Plane& plane : s.planes) plane.tiles.clear();
   if (s.over) s.over->tiles.clear();
   s.is_previewing = false;
@@ -191,7 +192,7 @@ void InkView::apply(const Edit& edit) {
   s.is_previewing = false;
   const std::uint64_t order = s.worker.apply(edit);
   for (const LayerChange& c : edit.layers) {
-    if (c.after) s.visible[c.id] = c.after->visible;
+    if (c.after) s.opacities[c.id] = c.after->visible ? c.after->opacity : 0.0;
   }
   if (!edit.layers.empty() && s.over) {  // the layers above may have changed
     s.drop_over();
@@ -207,9 +208,10 @@ void InkView::apply(const Edit& edit) {
   if (!edit.layers.empty() || edit.changes.size() > kMaxFresh || s.planes.empty()) return;
   const PlaneSpec& plane = s.planes.back().spec;
   for (const StrokeChange& c : edit.changes) {
-    if (c.before || !s.visible[c.after_place.layer]) continue;
+    const double opacity = s.opacities[c.after_place.layer];
+    if (c.before || !(opacity > 0.0)) continue;
     if (c.after->segment_count() > kMaxFreshSegments) continue;
-    s.fresh.push_back({order, c.id, c.after, c.after_place.layer});
+    s.fresh.push_back({order, c.id, c.after, c.after_place.layer, opacity});
     const Rect px = plane.view.area_px(c.after->bounds()).inflated(2.0);
     const auto whole = [](double x) { return std::llround(std::clamp(x, -2e9, 2e9)); };
     Q_EMIT changed(
@@ -452,6 +454,7 @@ void InkView::State::paint_fresh(QPainter& painter, Plane& plane, const QRect& d
     if (f.layer == new_ink) cover(image, box.topLeft());
     painter.save();
     painter.setClipRegion(stale, Qt::IntersectClip);
+    painter.setOpacity(f.opacity);
     painter.drawImage(box.topLeft(), image);
     painter.restore();
   }

@@ -11,6 +11,7 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_document.h"
+#include "felt/render/picture_pixels.h"
 #include "felt/render/raster.h"
 
 namespace felt::desktop::ink_view_test {
@@ -19,7 +20,7 @@ namespace {
 constexpr QSize kSize(300, 220);
 
 /// Returns the expected picture, in which all visible strokes are drawn directly, one after the
-/// other.
+/// other, each layer as a whole over its picture.
 QImage drawn_straight(const Document& document, const QTransform& to_px, double dpr, bool outline,
                       QSize size = kSize) {
   QImage image(size * dpr, QImage::Format_ARGB32_Premultiplied);
@@ -34,14 +35,23 @@ QImage drawn_straight(const Document& document, const QTransform& to_px, double 
   Rasterizer rasterizer;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
+    QImage whole = image;
+    whole.fill(Qt::transparent);
+    Pixels to = pixels;
+    if (layer.opacity < 1.0) to.data = whole.bits();
+    if (layer.picture) {
+      const auto picture = PicturePixels::decode(*layer.picture->data).value();
+      picture->draw(layer.picture->place, view, pixels.rect(), 1.0, to);
+    }
     for (const StrokeId id : layer.strokes) {
       if (outline) {
         rasterizer.draw_center_line(*document.find(id), view, pixels.rect(), std::max(1.0, dpr),
-                                    pixels);
+                                    to);
       } else {
-        rasterizer.draw(*document.find(id), view, pixels.rect(), pixels);
+        rasterizer.draw(*document.find(id), view, pixels.rect(), to);
       }
     }
+    if (layer.opacity < 1.0) blend(to, pixels.rect(), layer.opacity, pixels);
   }
   image.setDevicePixelRatio(dpr);
   return image;

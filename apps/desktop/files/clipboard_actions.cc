@@ -47,8 +47,8 @@ std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, Vec by_mm) {
 }  // namespace
 
 ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs,
-                                   QWidget* window)
-    : QObject(window), studio_(studio), dialogs_(dialogs), window_(window) {
+                                   PictureActions& pictures, QWidget* window)
+    : QObject(window), studio_(studio), dialogs_(dialogs), pictures_(pictures), window_(window) {
   cut_ = actions.add(QStringLiteral("edit.cut"), tr("Cu&t"), {QKeySequence::Cut},
                      tr("Move the selected strokes to the clipboard"), [this] { cut(); });
   actions.add(QStringLiteral("edit.copy"), tr("&Copy"), {QKeySequence::Copy},
@@ -136,7 +136,12 @@ std::optional<Imported> ClipboardActions::pasted() {
                         QString::fromStdString(pasted.error().message));
     return std::nullopt;
   }
-  if (visible_strokes(pasted->drawing.document).empty()) {
+  const bool is_empty = visible_strokes(pasted->drawing.document).empty();
+  if (is_empty && data && data->hasImage()) {
+    pictures_.add_image(tr("Picture"), qvariant_cast<QImage>(data->imageData()));
+    return std::nullopt;
+  }
+  if (is_empty) {
     Q_EMIT studio_.refused(tr("The clipboard holds no strokes."));
     return std::nullopt;
   }

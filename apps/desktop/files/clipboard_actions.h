@@ -10,6 +10,7 @@
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_dialogs.h"
+#include "desktop/files/picture_actions.h"
 #include "felt/document/drawing.h"
 #include "felt/io/import.h"
 #include "felt/stroke/stroke.h"
@@ -20,14 +21,16 @@ namespace felt::desktop {
 /// "edit.copy_as_png", "edit.paste_in_place". Copy copies every visible stroke that is at least
 /// partly selected, or all visible strokes if nothing is selected. Cut copies and deletes only
 /// strokes that are selected as a whole. The clipboard also gets those media of the strokes that
-/// Feltline does not ship. A paste is one step of undo. Strokes that were copied in this window are
+/// Feltline does not ship. A paste is one step of undo. A clipboard with a picture instead of
+/// strokes gives a layer to draw over (PictureActions). Strokes that were copied in this window are
 /// pasted with a small offset from the originals, or with their middle at the pointer if it is over
 /// the page; "edit.paste_in_place" pastes at the original position.
 class ClipboardActions : public QObject {
   Q_OBJECT
 
  public:
-  ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, QWidget* window);
+  ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, PictureActions& pictures,
+                   QWidget* window);
 
   /// Sets a function that returns the position of the pointer on the page, or nullopt if it is
   /// elsewhere. Without a function, pastes are not moved to the pointer.
@@ -53,6 +56,7 @@ class ClipboardActions : public QObject {
 
   Studio& studio_;
   FileDialogs& dialogs_;
+  PictureActions& pictures_;
   QWidget* window_;
   QAction* cut_;
   std::function<std::optional<Point>()> pointer_;

@@ -77,6 +77,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
       background_(new QCheckBox(tr("With the &paper’s colour"), this)),
       grain_(new QCheckBox(tr("&Grain of the surface in dry media"), this)),
       compact_(new QCheckBox(tr("Small file for &web pages"), this)),
+      pictures_(new QCheckBox(tr("P&ictures to draw over"), this)),
       picture_(new QLabel(this)),
       size_(new QLabel(this)),
       kept_(new QLabel(this)),
@@ -103,6 +104,10 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   compact_->setChecked(settings.flag(files_keys::kExportCompact, false));
   compact_->setToolTip(
       tr("Only the visible ink, which other programs show but cannot edit as lines"));
+  const auto layers = drawing.document.layers();
+  has_pictures_ = std::any_of(layers.begin(), layers.end(),
+                              [](const Layer& l) { return l.visible && l.picture; });
+  pictures_->setToolTip(tr("Not in the preview"));
   build();
   follow_choices();
 }
@@ -120,6 +125,7 @@ void ExportDialog::build() {
   form_->addRow(QString(), background_);
   form_->addRow(QString(), grain_);
   form_->addRow(QString(), compact_);
+  form_->addRow(QString(), pictures_);
   form_->addRow(tr("Size:"), size_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(18);
@@ -180,7 +186,8 @@ ExportOptions ExportDialog::options() const {
           background_->isChecked(),
           static_cast<ExportPart>(area_->currentIndex()),
           grain_->isChecked(),
-          format == FileFormat::kSvg && compact_->isChecked()};
+          format == FileFormat::kSvg && compact_->isChecked(),
+          pictures_->isEnabled() && pictures_->isChecked()};
 }
 
 void ExportDialog::accept() {
@@ -207,6 +214,8 @@ void ExportDialog::show_result() {
   dpi_->setEnabled(is_png || (is_picture && chosen.grain && !chosen.compact));
   grain_->setEnabled(is_picture && surface_grain_ && !chosen.compact);
   compact_->setEnabled(chosen.format == FileFormat::kSvg);
+  pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection &&
+                        (is_png || (chosen.format == FileFormat::kSvg && !chosen.compact)));
   area_->setEnabled(is_picture || !selected_.empty());
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);

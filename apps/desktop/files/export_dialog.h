@@ -36,6 +36,7 @@ class ExportDialog : public QDialog {
   std::vector<StrokePtr> strokes_;
   std::vector<StrokePtr> selected_;
   Page page_;
+  bool has_pictures_ = false;
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
                                         // unknown
   QComboBox* format_;
@@ -45,6 +46,7 @@ class ExportDialog : public QDialog {
   QCheckBox* background_;
   QCheckBox* grain_;
   QCheckBox* compact_;
+  QCheckBox* pictures_;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

@@ -19,7 +19,7 @@ Drawing selected_only(Drawing drawing, const Selection& selection) {
     std::optional<std::size_t> kept;
     for (const StrokeId id : layer.strokes) {
       if (!selection.find(id)) continue;
-      if (!kept) kept = builder.add_layer({layer.name, layer.visible, layer.locked});
+      if (!kept) kept = builder.add_layer({layer.name, layer.visible, layer.locked, layer.opacity});
       builder.add(*kept, drawing.document.find(id), id);
     }
   }
@@ -37,6 +37,7 @@ Result<void> export_drawing(const QString& path, const Drawing& drawing,
   WriteOptions how;
   how.dpi = options.dpi;
   how.compact = options.compact;
+  if (options.pictures) how.pictures = PictureChoice::kAll;
   if (options.grain && !options.compact && traits_of(options.format).picture) {
     Result<Grain> grain = grain_of(drawing);
     if (!grain) return tl::unexpected(grain.error());

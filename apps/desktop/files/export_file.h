@@ -20,8 +20,9 @@ struct ExportOptions {
   double dpi = 300.0;      ///< resolution of a .png, and of the grain in an .svg or .pdf
   bool background = true;  ///< paint the paper's colour, if the page has one
   ExportPart part = ExportPart::kPage;  ///< see selected_only()
-  bool grain = false;    ///< show the surface's grain in dry ink, if the format supports it
-  bool compact = false;  ///< make an .svg small, for web pages; it then shows no grain
+  bool grain = false;     ///< show the surface's grain in dry ink, if the format supports it
+  bool compact = false;   ///< make an .svg small, for web pages; it then shows no grain
+  bool pictures = false;  ///< show the pictures of all visible layers, if the format supports it
 };
 
 /// Returns the drawing with only those strokes that are selected wholly or in part. Layers without

@@ -5,6 +5,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -21,6 +22,7 @@
 #include "desktop/files/files_setting_keys.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
+#include "desktop/files/picture_actions.h"
 #include "desktop/files/recent_pictures.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_materials.h"
@@ -72,7 +74,8 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
       dialogs_(dialogs ? std::move(dialogs) : std::make_unique<FileDialogs>()),
       recent_menu_(new QMenu(tr("Open &recent"), window)) {
   add_file_actions(actions);
-  clipboard_ = new ClipboardActions(studio, actions, *dialogs_, window);
+  pictures_ = new PictureActions(studio, actions, *dialogs_, window);
+  clipboard_ = new ClipboardActions(studio, actions, *dialogs_, *pictures_, window);
   connect(clipboard_, &ClipboardActions::taken, this, &FileActions::taken);
   auto* output = new OutputActions(*this, studio, actions, window);
   connect(output, &OutputActions::exported, this, [this](const QString& path, bool done) {
@@ -286,7 +289,9 @@ void FileActions::ask_import() {
 
 void FileActions::take_dropped(const QStringList& paths) {
   for (const QString& path : paths) {
-    if (is_pristine()) {
+    if (is_picture_path(path)) {
+      pictures_->add_file(path);
+    } else if (is_pristine()) {
       open(path);
     } else {
       import(path);
@@ -297,18 +302,25 @@ void FileActions::take_dropped(const QStringList& paths) {
 bool FileActions::eventFilter(QObject* object, QEvent* event) {
   if (object == window_ && event->type() == QEvent::DragEnter) {
     auto* drag = static_cast<QDragEnterEvent*>(event);
-    if (!local_files(drag->mimeData()).isEmpty()) drag->acceptProposedAction();
+    const QMimeData* data = drag->mimeData();
+    if (!local_files(data).isEmpty() || data->hasImage()) drag->acceptProposedAction();
     return true;
   }
   if (object == window_ && event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
     const QStringList paths = local_files(drop->mimeData());
-    if (paths.isEmpty()) return false;
+    const auto image = qvariant_cast<QImage>(drop->mimeData()->imageData());
+    if (paths.isEmpty() && image.isNull()) return false;
     drop->acceptProposedAction();
     // Queued, because the program from which the user drags waits for the answer, and a dialog may
     // open.
     QMetaObject::invokeMethod(
-        this, [this, paths] { take_dropped(paths); }, Qt::QueuedConnection);
+        this,
+        [this, paths, image] {
+          take_dropped(paths);
+          if (paths.isEmpty()) pictures_->add_image(tr("Picture"), image);
+        },
+        Qt::QueuedConnection);
     return true;
   }
   return QObject::eventFilter(object, event);

@@ -26,6 +26,7 @@ class QMenu;
 namespace felt::desktop {
 
 class ClipboardActions;
+class PictureActions;
 
 /// Functions for palette and view, the parts of a drawing that FileActions does not own.
 struct DrawingLooks {
@@ -73,7 +74,8 @@ class FileActions : public QObject {
   bool may_close();
   /// Adds the strokes of another file, as one step of undo, with their media (added_strokes.h).
   bool import(const QString& path);
-  /// Opens the first file if this window is pristine. Imports all other files.
+  /// Opens the first file if this window is pristine. Imports all other files. Pictures
+  /// (is_picture_path) become layers to draw over.
   void take_dropped(const QStringList& paths);
   /// Shows a drawing that has no file, such as an example, under this name and without unsaved
   /// changes. Does not ask the user; requires that the window is pristine.
@@ -148,6 +150,7 @@ class FileActions : public QObject {
   std::vector<AbandonedAutosave> rescued_;  // autosaves of recovered drawings, kept until these
                                             // drawings are saved
   QPointer<QLabel> warning_;                // shown while the autosave fails
+  PictureActions* pictures_ = nullptr;
   QMenu* recent_menu_;
   ClipboardActions* clipboard_ = nullptr;
   QString path_;

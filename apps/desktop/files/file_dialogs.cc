@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <utility>
@@ -104,6 +105,14 @@ bool FileDialogs::ask_salvage(QWidget* window, const QString& name, const QStrin
   box.setEscapeButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == rescue;
+}
+
+int FileDialogs::ask_page(QWidget* window, const QString& name, int pages) {
+  bool is_chosen = false;
+  const int page = QInputDialog::getInt(window, tr("Import a page"),
+                                        tr("Page of “%1” (1 to %2):").arg(name).arg(pages), 1, 1,
+                                        pages, 1, &is_chosen);
+  return is_chosen ? page : 0;
 }
 
 void FileDialogs::show_error(QWidget* window, const QString& what, const QString& why,

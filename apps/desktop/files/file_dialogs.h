@@ -38,6 +38,8 @@ class FileDialogs {
   /// Reports that a drawing is damaged; `strokes` is the number of strokes that can be recovered.
   /// Returns true if the user wants to see these strokes.
   virtual bool ask_salvage(QWidget* window, const QString& name, const QString& why, int strokes);
+  /// Asks which page of a file with `pages` pages to import. Returns 0 if the user cancelled.
+  virtual int ask_page(QWidget* window, const QString& name, int pages);
   /// Shows an error until the user closes it, without blocking the program. `details` is the
   /// library's own message.
   virtual void show_error(QWidget* window, const QString& what, const QString& why,

@@ -109,8 +109,14 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
   // painted without grain, so that all strokes look alike.
   const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
   if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());
+  std::vector<double> opacities;  // of the layers of the strokes
+  for (const Layer& layer : drawing.document.layers()) {
+    if (layer.visible) opacities.insert(opacities.end(), layer.strokes.size(), layer.opacity);
+  }
   Rasterizer rasterizer;
-  for (const StrokePtr& stroke : strokes) {
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const StrokePtr& stroke = strokes[i];
+    painter.setOpacity(opacities[i]);
     const auto mask = masks ? masks->of(*stroke).value_or(std::nullopt) : std::nullopt;
     if (mask) {
       paint_grained(painter, *stroke, *grain, *mask, rasterizer);

@@ -21,6 +21,19 @@ void add_order(Actions& actions, LayersPanel& panel) {
            [&panel] { panel.apply(Do::kAdd); })
       ->setIcon(icon_of("layer-add"));
   actions
+      .add(QStringLiteral("layer.duplicate"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Duplicate layer")), {},
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Adds a copy of the layer above it.")),
+           [&panel] { panel.apply(Do::kDuplicate); })
+      ->setIcon(icon_of("layer-duplicate"));
+  actions
+      .add(QStringLiteral("layer.merge"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Merge layer down")), {},
+           layer_text(
+               QT_TRANSLATE_NOOP("LayerActions", "Moves the lines of the layer to the one below.")),
+           [&panel] { panel.apply(Do::kMerge); })
+      ->setIcon(icon_of("layer-merge"));
+  actions
       .add(QStringLiteral("layer.remove"),
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")), {},
            layer_text(QT_TRANSLATE_NOOP("LayerActions", "Removes the layer and its lines.")),
@@ -83,15 +96,30 @@ void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
         if (chosen() && chosen()->locked != on) panel.toggle_locked();
       });
   lock->setIcon(icon_of("lock"));
+  QAction* exported =
+      actions.add_switch(QStringLiteral("layer.export_picture"),
+                         layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Export the picture")), {},
+                         layer_text(QT_TRANSLATE_NOOP(
+                             "LayerActions", "Shows the picture of the layer in exported files.")),
+                         false, [&panel, chosen](bool on) {
+                           const Layer* layer = chosen();
+                           if (!layer || !layer->picture || layer->picture->exported == on) return;
+                           panel.apply(on ? Do::kExport : Do::kLeaveOut);
+                         });
+  exported->setIcon(icon_of("picture"));
   add_use(actions, panel);
-  const auto follow = [&actions, &studio, chosen, show, lock] {
+  const auto follow = [&actions, &studio, chosen, show, lock, exported] {
     const Layer* layer = chosen();
     if (!layer) return;
     show->setChecked(layer->visible);
     lock->setChecked(layer->locked);
+    exported->setEnabled(layer->picture != nullptr);
+    exported->setChecked(layer->picture && layer->picture->exported);
     const auto layers = studio.session().document().layers();
     actions.find(QStringLiteral("layer.raise"))->setEnabled(layers.back().id != layer->id);
-    actions.find(QStringLiteral("layer.lower"))->setEnabled(layers.front().id != layer->id);
+    const bool is_lowest = layers.front().id == layer->id;
+    actions.find(QStringLiteral("layer.lower"))->setEnabled(!is_lowest);
+    actions.find(QStringLiteral("layer.merge"))->setEnabled(!is_lowest);
   };
   QObject::connect(&panel, &LayersPanel::changed, show, follow);
   follow();

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPixmap>
 #include <algorithm>
 
 #include "desktop/panels/layers_model.h"
@@ -25,10 +26,20 @@ QRect mark_of(const QRect& row) {
   return slot(row, LayerDelegate::eye_of(row).right() + kGapPx);
 }
 
-QRect name_of(const QRect& row) {
+QRect thumbnail_of(const QRect& row) {
+  const QSize size = LayerThumbnails::kSize;
+  return {mark_of(row).right() + kGapPx, row.center().y() - size.height() / 2, size.width(),
+          size.height()};
+}
+
+QRect picture_of(const QRect& row) {
+  return slot(row, LayerDelegate::lock_of(row).left() - kGapPx - kIconPx);
+}
+
+QRect name_of(const QRect& row, bool has_picture) {
   QRect rect = row;
-  rect.setLeft(mark_of(row).right() + kGapPx);
-  rect.setRight(LayerDelegate::lock_of(row).left() - kGapPx);
+  rect.setLeft(thumbnail_of(row).right() + kGapPx);
+  rect.setRight((has_picture ? picture_of(row) : LayerDelegate::lock_of(row)).left() - kGapPx);
   return rect;
 }
 
@@ -63,6 +74,16 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   draw(visible ? "eye" : "eye-off", eye_of(row), visible ? 1.0 : kHiddenOpacity);
   draw(locked ? "lock" : "unlock", lock_of(row), locked ? 1.0 : kIdleOpacity);
   if (in_use) draw("in-use", mark_of(row), 1.0);
+  const bool has_picture = index.data(LayersModel::kHasPicture).toBool();
+  if (has_picture) draw("picture", picture_of(row), 1.0);
+  const auto thumbnail = index.data(LayersModel::kThumbnail).value<QPixmap>();
+  if (!thumbnail.isNull()) {
+    QRectF place({0.0, 0.0}, thumbnail.deviceIndependentSize());
+    place.moveCenter(QRectF(thumbnail_of(row)).center());
+    painter->drawPixmap(place.topLeft(), thumbnail);
+    painter->setPen(look.palette.color(QPalette::Mid));
+    painter->drawRect(place);
+  }
   QFont font = look.font;
   font.setBold(in_use);
   font.setItalic(!visible);
@@ -70,7 +91,7 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setFont(font);
   painter->setOpacity(visible ? 1.0 : kHiddenOpacity);
   painter->setPen(look.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
-  const QRect name = name_of(row);
+  const QRect name = name_of(row, has_picture);
   painter->drawText(
       name, Qt::AlignVCenter | Qt::AlignLeft,
       QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, name.width()));
@@ -82,8 +103,9 @@ QSize LayerDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
 }
 
 void LayerDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
-                                         const QModelIndex&) const {
-  editor->setGeometry(name_of(option.rect).adjusted(-3, 2, 3, -2));
+                                         const QModelIndex& index) const {
+  const bool has_picture = index.data(LayersModel::kHasPicture).toBool();
+  editor->setGeometry(name_of(option.rect, has_picture).adjusted(-3, 2, 3, -2));
 }
 
 bool LayerDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,

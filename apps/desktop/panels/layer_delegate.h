@@ -4,8 +4,9 @@
 
 namespace felt::desktop {
 
-/// Paints a row of the layers panel: an eye, a pencil if the row is the current layer, the layer's
-/// name, and a lock. The user can click the eye and the lock.
+/// Paints a row of the layers panel: an eye, a pencil if the row is the current layer, a thumbnail,
+/// the layer's name, a mark if it has a picture, and a lock. The user can click the eye and the
+/// lock.
 class LayerDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

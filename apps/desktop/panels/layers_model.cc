@@ -6,7 +6,9 @@
 namespace felt::desktop {
 
 LayersModel::LayersModel(Studio& studio, QObject* parent)
-    : QAbstractListModel(parent), studio_(studio) {
+    : QAbstractListModel(parent), studio_(studio), thumbnails_(new LayerThumbnails(studio, this)) {
+  connect(thumbnails_, &LayerThumbnails::painted, this,
+          [this] { Q_EMIT dataChanged(index(0), index(rowCount() - 1), {kThumbnail}); });
   connect(&studio, &Studio::edited, this, [this](const Edit& edit) {
     if (!edit.layers.empty()) refresh();
   });
@@ -52,6 +54,10 @@ QString LayersModel::spoken(const Layer& layer) const {
   QString text = tr("%1, %2, %3")
                      .arg(shown_name(layer), layer.visible ? tr("visible") : tr("hidden"),
                           layer.locked ? tr("locked") : tr("unlocked"));
+  if (layer.picture) text += tr(", picture");
+  if (layer.opacity < 1.0) {
+    text += tr(", opacity %1 %").arg(qRound(100.0 * layer.opacity));
+  }
   if (layer.id == studio_.session().layer()) text += tr(", current");
   return text;
 }
@@ -73,6 +79,10 @@ QVariant LayersModel::data(const QModelIndex& index, int role) const {
       return layer->locked;
     case kInUse:
       return layer->id == studio_.session().layer();
+    case kThumbnail:
+      return thumbnails_->of(layer->id);
+    case kHasPicture:
+      return layer->picture != nullptr;
     default:
       return {};
   }

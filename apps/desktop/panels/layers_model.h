@@ -3,6 +3,7 @@
 #include <QAbstractListModel>
 
 #include "desktop/engine/studio.h"
+#include "desktop/panels/layer_thumbnails.h"
 
 namespace felt::desktop {
 
@@ -13,7 +14,13 @@ class LayersModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { kVisible = Qt::UserRole, kLocked, kInUse };
+  enum Role {
+    kVisible = Qt::UserRole,
+    kLocked,
+    kInUse,
+    kThumbnail,   ///< a QPixmap, or nothing
+    kHasPicture,  ///< the layer has a picture to draw over
+  };
 
   explicit LayersModel(Studio& studio, QObject* parent = nullptr);
 
@@ -43,6 +50,7 @@ class LayersModel : public QAbstractListModel {
   [[nodiscard]] QString spoken(const Layer& layer) const;
 
   Studio& studio_;
+  LayerThumbnails* thumbnails_;
 };
 
 }  // namespace felt::desktop

@@ -2,6 +2,8 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "desktop/panels/layer_delegate.h"
@@ -22,11 +24,13 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       model_(new LayersModel(studio, this)),
-      list_(new QListView(this)) {
+      list_(new QListView(this)),
+      opacity_(new QSlider(Qt::Horizontal, this)) {
   auto* lines = new QVBoxLayout(this);
   lines->setContentsMargins(0, 0, 0, 0);
   lines->setSpacing(0);
   auto* delegate = new LayerDelegate(list_);
+  add_opacity(*lines);
   list_->setModel(model_);
   list_->setItemDelegate(delegate);
   list_->setFrameShape(QFrame::NoFrame);
@@ -47,17 +51,26 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
     return made;
   };
   add("layer-add", tr("Add a layer"), tr("A new layer above this one"), Do::kAdd);
+  add("layer-duplicate", tr("Duplicate the layer"), tr("A copy of this layer above it"),
+      Do::kDuplicate);
+  merge_ = add("layer-merge", tr("Merge the layer with the one below"),
+               tr("Moves the lines to the layer below"), Do::kMerge);
   row->addStretch(1);
   raise_ = add("raise", tr("Raise the layer"), tr("Moves the layer up by one"), Do::kRaise);
   lower_ = add("lower", tr("Lower the layer"), tr("Moves the layer down by one"), Do::kLower);
   add("delete", tr("Remove the layer"), tr("Removes the layer and its lines"), Do::kRemove);
   lines->addLayout(row);
-  connect(delegate, &LayerDelegate::eye_clicked, this, [this](const QModelIndex& index) {
+  connect_list(*delegate);
+  follow_model();
+}
+
+void LayersPanel::connect_list(LayerDelegate& delegate) {
+  connect(&delegate, &LayerDelegate::eye_clicked, this, [this](const QModelIndex& index) {
     was_icon_ = true;
     toggle_visible(model_->layer_at(index.row()));
     choose(studio_.session().layer());
   });
-  connect(delegate, &LayerDelegate::lock_clicked, this, [this](const QModelIndex& index) {
+  connect(&delegate, &LayerDelegate::lock_clicked, this, [this](const QModelIndex& index) {
     was_icon_ = true;
     toggle_locked(model_->layer_at(index.row()));
     choose(studio_.session().layer());
@@ -73,9 +86,38 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
             if (now.isValid()) follow_chosen();
           });
   connect(model_, &LayersModel::refreshed, this, &LayersPanel::follow_model);
-  connect(&studio, &Studio::layer_changed, this, [this] { choose(studio_.session().layer()); });
-  connect(&studio, &Studio::opened, this, [this] { choose(studio_.session().layer()); });
-  follow_model();
+  connect(&studio_, &Studio::layer_changed, this, [this] { choose(studio_.session().layer()); });
+  connect(&studio_, &Studio::opened, this, [this] { choose(studio_.session().layer()); });
+}
+
+void LayersPanel::add_opacity(QVBoxLayout& lines) {
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 4);
+  auto* label = new QLabel(tr("&Opacity:"), this);
+  label->setBuddy(opacity_);
+  opacity_->setObjectName(QStringLiteral("opacity"));
+  opacity_->setRange(0, 100);
+  opacity_->setPageStep(10);
+  opacity_->setAccessibleName(tr("Opacity of the layer"));
+  row->addWidget(label);
+  row->addWidget(opacity_, 1);
+  lines.addLayout(row);
+  connect(opacity_, &QSlider::valueChanged, this,
+          [this](int percent) { set_opacity(percent / 100.0, opacity_->isSliderDown()); });
+  connect(opacity_, &QSlider::sliderPressed, this, [this] { dragged_steps_.reset(); });
+  connect(opacity_, &QSlider::sliderReleased, this, [this] { dragged_steps_.reset(); });
+}
+
+void LayersPanel::set_opacity(double opacity, bool is_dragging) {
+  const LayerId id = chosen();
+  const auto steps = [this] { return studio_.session().history().undo_count(); };
+  if (is_dragging && dragged_steps_ == steps()) studio_.apply(UndoEvent{});
+  LayerEvent event{Do::kOpacity, id};
+  event.opacity = opacity;
+  const std::size_t before = steps();
+  studio_.apply(event);
+  dragged_steps_.reset();
+  if (is_dragging && steps() > before) dragged_steps_ = steps();
 }
 
 QToolButton* LayersPanel::button(const char* icon, const QString& name, const QString& tip) {
@@ -108,7 +150,8 @@ void LayersPanel::apply(Do what) {
 void LayersPanel::apply(Do what, LayerId id) {
   const auto count = [this] { return studio_.session().document().layers().size(); };
   const std::size_t before = count();
-  if (!studio_.apply(LayerEvent{what, id}) || what == Do::kAdd || count() <= before) return;
+  const bool adds = what == Do::kAdd || what == Do::kDuplicate;
+  if (!studio_.apply(LayerEvent{what, id}) || adds || count() <= before) return;
   const Layer* added = studio_.session().document().layer(studio_.session().layer());
   Q_EMIT studio_.refused(tr("All layers were hidden or locked, so “%1” was added to draw on.")
                              .arg(model_->shown_name(*added)));
@@ -150,6 +193,10 @@ void LayersPanel::follow_chosen() {
   const int row = model_->row_of(kept_);
   raise_->setEnabled(row > 0);
   lower_->setEnabled(row >= 0 && row + 1 < model_->rowCount());
+  merge_->setEnabled(lower_->isEnabled());
+  const Layer* layer = studio_.session().document().layer(kept_);
+  const QSignalBlocker blocker(opacity_);
+  if (layer && !opacity_->isSliderDown()) opacity_->setValue(qRound(100.0 * layer->opacity));
   Q_EMIT changed();
 }
 

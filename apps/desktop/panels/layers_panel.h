@@ -1,21 +1,28 @@
 #pragma once
 
 #include <QListView>
+#include <QSlider>
 #include <QToolButton>
 #include <QWidget>
+#include <cstddef>
+#include <optional>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/panels/layers_model.h"
 
+class QVBoxLayout;
+
 namespace felt::desktop {
 
+class LayerDelegate;
+
 /// Lists the layers, the topmost first. The user can show, lock, rename and reorder them and choose
-/// the current layer, which receives new ink. A click on a row makes its layer the current one; a
-/// click on the eye or the lock at the ends of the row shows, hides, locks or unlocks the layer; a
-/// double click or F2 renames the layer; dragging a row moves its layer. With the keyboard, the
-/// arrow keys move the highlight, Enter makes the highlighted layer current, and Space shows or
-/// hides it.
+/// the current layer, which receives new ink. The slider sets the opacity of the highlighted layer.
+/// A click on a row makes its layer the current one; a click on the eye or the lock at the ends of
+/// the row shows, hides, locks or unlocks the layer; a double click or F2 renames the layer;
+/// dragging a row moves its layer. With the keyboard, the arrow keys move the highlight, Enter
+/// makes the highlighted layer current, and Space shows or hides it.
 class LayersPanel : public QWidget {
   Q_OBJECT
 
@@ -36,6 +43,9 @@ class LayersPanel : public QWidget {
   void use_next(bool above);
   /// Opens the text field in the highlighted row.
   void rename();
+  /// Sets the opacity of the highlighted layer, 0..1. Values that follow each other while
+  /// `is_dragging` is true are one step of undo.
+  void set_opacity(double opacity, bool is_dragging);
 
  Q_SIGNALS:
   /// Emitted when another layer is highlighted, or its visibility, lock or position changed.
@@ -46,6 +56,8 @@ class LayersPanel : public QWidget {
 
  private:
   QToolButton* button(const char* icon, const QString& name, const QString& tip);
+  void add_opacity(QVBoxLayout& lines);
+  void connect_list(LayerDelegate& delegate);
   void follow_model();
   void follow_chosen();
   void use_chosen();
@@ -55,14 +67,18 @@ class LayersPanel : public QWidget {
   Studio& studio_;
   LayersModel* model_;
   QListView* list_;
+  QSlider* opacity_;
   QToolButton* raise_ = nullptr;
   QToolButton* lower_ = nullptr;
-  bool was_icon_ = false;  // the current click was on an eye or a lock
-  LayerId kept_;           // layer that was highlighted before the list was rebuilt
+  QToolButton* merge_ = nullptr;
+  bool was_icon_ = false;                     // the current click was on an eye or a lock
+  std::optional<std::size_t> dragged_steps_;  // steps of undo after the last value of a drag
+  LayerId kept_;  // layer that was highlighted before the list was rebuilt
 };
 
-/// Adds layer.add, layer.remove, layer.rename, layer.raise, layer.lower, layer.show, layer.lock,
-/// layer.use_above and layer.use_below; layer.show and layer.lock are switches. layer.add,
+/// Adds layer.add, layer.duplicate, layer.merge, layer.remove, layer.rename, layer.raise,
+/// layer.lower, layer.show, layer.lock, layer.export_picture, layer.use_above and layer.use_below;
+/// layer.show, layer.lock and layer.export_picture are switches. layer.add,
 /// layer.use_above and layer.use_below start from the current layer; the other commands apply to
 /// the layer that is highlighted in the panel. All arguments must outlive the actions.
 void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel);

@@ -9,6 +9,7 @@
 
 #include "desktop/panels/layer_delegate.h"
 #include "desktop/panels/testing/panels_fixture.h"
+#include "felt/document/testing/small_picture.h"
 
 namespace felt::desktop::layers_panel_test {
 namespace {
@@ -206,6 +207,59 @@ TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
   fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
   EXPECT_EQ(fixture.list->model()->rowCount(), 4);
   EXPECT_EQ(said.count(), 1) << "a layer came by itself";
+}
+
+TEST(LayersPanel, TheSliderSetsTheOpacityOfTheHighlightedLayerAsOneStep) {
+  LayerFixture fixture;
+  auto* slider = fixture.panel.findChild<QSlider*>(QStringLiteral("opacity"));
+  ASSERT_NE(slider, nullptr);
+  EXPECT_EQ(slider->value(), 100);
+  const std::size_t steps = fixture.studio.session().history().undo_count();
+  slider->setSliderDown(true);
+  for (const int percent : {90, 60, 30}) {
+    slider->setValue(percent);
+    EXPECT_EQ(fixture.layer(3)->opacity, percent / 100.0) << "live";
+  }
+  slider->setSliderDown(false);
+  EXPECT_EQ(fixture.studio.session().history().undo_count(), steps + 1);
+  EXPECT_EQ(fixture.spoken(0), QStringLiteral("c, visible, unlocked, opacity 30 %, current"));
+  slider->setValue(50);
+  EXPECT_EQ(fixture.studio.session().history().undo_count(), steps + 2);
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(slider->value(), 30);
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(slider->value(), 100);
+  fixture.panel.choose({1});
+  EXPECT_EQ(slider->value(), 100);
+}
+
+TEST(LayersPanel, ButtonsDuplicateAndMerge) {
+  LayerFixture fixture;
+  fixture.press("layer-duplicate");
+  EXPECT_EQ(layer_names(fixture.studio), "c copy* c b Ink");
+  fixture.press("layer-merge");
+  EXPECT_EQ(layer_names(fixture.studio), "c* b Ink");
+  fixture.panel.choose({1});
+  EXPECT_FALSE(fixture.panel.findChild<QToolButton*>(QStringLiteral("layer-merge"))->isEnabled());
+}
+
+TEST(LayersPanel, ThumbnailsShowTheInkAndThePictureOfEachLayer) {
+  LayerFixture fixture;
+  const Page& page = fixture.studio.page();
+  fixture.studio.apply(AddPicture{
+      "Photo",
+      felt::testing::picture_data(),
+      {page.width_mm / 2.0, 0.0, 0.0, page.height_mm, 0.0, 0.0}});  // red left, blue right
+  auto* thumbnails = fixture.panel.findChild<LayerThumbnails*>();
+  ASSERT_NE(thumbnails, nullptr);
+  thumbnails->paint_now();
+  const QImage photo = thumbnails->of({4}).toImage();
+  ASSERT_FALSE(photo.isNull());
+  EXPECT_EQ(photo.pixelColor(2, photo.height() / 2), QColor(Qt::red));
+  EXPECT_EQ(photo.pixelColor(photo.width() - 3, photo.height() / 2), QColor(Qt::blue));
+  const QImage empty = thumbnails->of({1}).toImage();
+  EXPECT_NE(empty.pixelColor(2, empty.height() / 2), QColor(Qt::red));
+  EXPECT_TRUE(fixture.spoken(1).contains(QStringLiteral("picture")));
 }
 
 }  // namespace

@@ -623,6 +623,30 @@
         <source>Protects the layer against changes.</source>
         <translation>Schützt die Ebene vor Änderungen.</translation>
     </message>
+    <message>
+        <source>&amp;Duplicate layer</source>
+        <translation>Ebene &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the layer above it.</source>
+        <translation>Fügt darüber eine Kopie der Ebene hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Merge layer down</source>
+        <translation>Mit der Ebene darunter &amp;vereinen</translation>
+    </message>
+    <message>
+        <source>Moves the lines of the layer to the one below.</source>
+        <translation>Verschiebt die Linien der Ebene auf die Ebene darunter.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the picture</source>
+        <translation>Bild &amp;exportieren</translation>
+    </message>
+    <message>
+        <source>Shows the picture of the layer in exported files.</source>
+        <translation>Zeigt das Bild der Ebene in exportierten Dateien.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -1746,6 +1770,30 @@
         <source>Shape</source>
         <translation>Form</translation>
     </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation>Deckkraft der Ebene</translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation>Ebene duplizieren</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>Ebenen vereinen</translation>
+    </message>
+    <message>
+        <source>Add picture</source>
+        <translation>Bild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Place picture</source>
+        <translation>Bild verschieben</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1994,6 +2042,10 @@
     <message>
         <source>Add the strokes from the clipboard at their original position</source>
         <translation>Fügt die Striche aus der Zwischenablage an ihrer ursprünglichen Stelle ein</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
     </message>
 </context>
 <context>
@@ -2541,6 +2593,14 @@
         <source>1× is 96 dots per inch, as on a screen of usual resolution</source>
         <translation>1× sind 96 Punkte pro Zoll, wie auf einem Bildschirm mit üblicher Auflösung</translation>
     </message>
+    <message>
+        <source>P&amp;ictures to draw over</source>
+        <translation>B&amp;ilder zum Nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Not in the preview</source>
+        <translation>Nicht in der Vorschau</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -2748,6 +2808,10 @@ Ihre Zeichnung ist noch geöffnet: Speichern Sie sie an einem anderen Ort.</tran
         <source>The drawing is autosaved in %1, because the usual place fails: %2</source>
         <translation>Die Zeichnung wird automatisch in %1 gesichert, weil der übliche Ort nicht funktioniert: %2</translation>
     </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
@@ -2801,6 +2865,14 @@ Ihre Zeichnung ist noch geöffnet: Speichern Sie sie an einem anderen Ort.</tran
     <message>
         <source>Save &amp;as…</source>
         <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Import a page</source>
+        <translation>Eine Seite importieren</translation>
+    </message>
+    <message>
+        <source>Page of “%1” (1 to %2):</source>
+        <translation>Seite von „%1“ (1 bis %2):</translation>
     </message>
 </context>
 <context>
@@ -3326,6 +3398,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Layer %1</source>
         <translation>Ebene %1</translation>
     </message>
+    <message>
+        <source>, picture</source>
+        <translation>, Bild</translation>
+    </message>
+    <message>
+        <source>, opacity %1 %</source>
+        <translation>, Deckkraft %1 %</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3376,6 +3456,30 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>“%1” is hidden. Show it to draw there.</source>
         <translation>„%1“ ist ausgeblendet. Blenden Sie die Ebene ein, um darauf zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Duplicate the layer</source>
+        <translation>Ebene duplizieren</translation>
+    </message>
+    <message>
+        <source>A copy of this layer above it</source>
+        <translation>Eine Kopie dieser Ebene darüber</translation>
+    </message>
+    <message>
+        <source>Merge the layer with the one below</source>
+        <translation>Ebene mit der Ebene darunter vereinen</translation>
+    </message>
+    <message>
+        <source>Moves the lines to the layer below</source>
+        <translation>Verschiebt die Linien auf die Ebene darunter</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity:</source>
+        <translation>&amp;Deckkraft:</translation>
+    </message>
+    <message>
+        <source>Opacity of the layer</source>
+        <translation>Deckkraft der Ebene</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4347,29 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>The tilt of the pen is not known</source>
         <translation>Die Neigung des Stifts ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PictureActions</name>
+    <message>
+        <source>Import p&amp;icture…</source>
+        <translation>B&amp;ild importieren …</translation>
+    </message>
+    <message>
+        <source>Add a picture or a page of a PDF file to draw over</source>
+        <translation>Ein Bild oder eine Seite einer PDF-Datei zum Nachzeichnen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Import a picture</source>
+        <translation>Ein Bild importieren</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be imported</source>
+        <translation>„%1“ lässt sich nicht importieren</translation>
     </message>
 </context>
 <context>

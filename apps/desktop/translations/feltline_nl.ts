@@ -623,6 +623,30 @@
         <source>Protects the layer against changes.</source>
         <translation>Beschermt de laag tegen wijzigingen.</translation>
     </message>
+    <message>
+        <source>&amp;Duplicate layer</source>
+        <translation>Laag &amp;dupliceren</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the layer above it.</source>
+        <translation>Voegt erboven een kopie van de laag toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Merge layer down</source>
+        <translation>Met de laag eronder sa&amp;menvoegen</translation>
+    </message>
+    <message>
+        <source>Moves the lines of the layer to the one below.</source>
+        <translation>Verplaatst de lijnen van de laag naar de laag eronder.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the picture</source>
+        <translation>Afbeelding &amp;exporteren</translation>
+    </message>
+    <message>
+        <source>Shows the picture of the layer in exported files.</source>
+        <translation>Toont de afbeelding van de laag in geëxporteerde bestanden.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -1746,6 +1770,30 @@
         <source>Shape</source>
         <translation>Vorm</translation>
     </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation>Dekking van de laag</translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation>Laag dupliceren</translation>
+    </message>
+    <message>
+        <source>Merge layers</source>
+        <translation>Lagen samenvoegen</translation>
+    </message>
+    <message>
+        <source>Add picture</source>
+        <translation>Afbeelding toevoegen</translation>
+    </message>
+    <message>
+        <source>Place picture</source>
+        <translation>Afbeelding plaatsen</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Afbeelding exporteren</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1994,6 +2042,10 @@
     <message>
         <source>Add the strokes from the clipboard at their original position</source>
         <translation>Voegt de streken van het klembord op hun oorspronkelijke plaats toe</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Afbeelding</translation>
     </message>
 </context>
 <context>
@@ -2541,6 +2593,14 @@
         <source>1× is 96 dots per inch, as on a screen of usual resolution</source>
         <translation>1× is 96 punten per inch, zoals op een scherm met gewone resolutie</translation>
     </message>
+    <message>
+        <source>P&amp;ictures to draw over</source>
+        <translation>Afbeeld&amp;ingen om over te trekken</translation>
+    </message>
+    <message>
+        <source>Not in the preview</source>
+        <translation>Niet in het voorbeeld</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -2748,6 +2808,10 @@ Je tekening is nog open: sla haar op een andere plaats op.</translation>
         <source>The drawing is autosaved in %1, because the usual place fails: %2</source>
         <translation>De tekening wordt automatisch opgeslagen in %1, omdat de gebruikelijke plaats niet werkt: %2</translation>
     </message>
+    <message>
+        <source>Picture</source>
+        <translation>Afbeelding</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
@@ -2801,6 +2865,14 @@ Je tekening is nog open: sla haar op een andere plaats op.</translation>
     <message>
         <source>Save &amp;as…</source>
         <translation>Opslaan &amp;als…</translation>
+    </message>
+    <message>
+        <source>Import a page</source>
+        <translation>Een pagina importeren</translation>
+    </message>
+    <message>
+        <source>Page of “%1” (1 to %2):</source>
+        <translation>Pagina van ‘%1’ (1 tot %2):</translation>
     </message>
 </context>
 <context>
@@ -3326,6 +3398,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Layer %1</source>
         <translation>Laag %1</translation>
     </message>
+    <message>
+        <source>, picture</source>
+        <translation>, afbeelding</translation>
+    </message>
+    <message>
+        <source>, opacity %1 %</source>
+        <translation>, dekking %1 %</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3376,6 +3456,30 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>“%1” is hidden. Show it to draw there.</source>
         <translation>‘%1’ is verborgen. Maak de laag zichtbaar om erop te tekenen.</translation>
+    </message>
+    <message>
+        <source>Duplicate the layer</source>
+        <translation>De laag dupliceren</translation>
+    </message>
+    <message>
+        <source>A copy of this layer above it</source>
+        <translation>Een kopie van deze laag erboven</translation>
+    </message>
+    <message>
+        <source>Merge the layer with the one below</source>
+        <translation>De laag met de laag eronder samenvoegen</translation>
+    </message>
+    <message>
+        <source>Moves the lines to the layer below</source>
+        <translation>Verplaatst de lijnen naar de laag eronder</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity:</source>
+        <translation>&amp;Dekking:</translation>
+    </message>
+    <message>
+        <source>Opacity of the layer</source>
+        <translation>Dekking van de laag</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4347,29 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>The tilt of the pen is not known</source>
         <translation>De kanteling van de pen is niet bekend</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PictureActions</name>
+    <message>
+        <source>Import p&amp;icture…</source>
+        <translation>Afbeeld&amp;ing importeren…</translation>
+    </message>
+    <message>
+        <source>Add a picture or a page of a PDF file to draw over</source>
+        <translation>Een afbeelding of een pagina van een PDF-bestand toevoegen om over te trekken</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Afbeeldingen</translation>
+    </message>
+    <message>
+        <source>Import a picture</source>
+        <translation>Een afbeelding importeren</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be imported</source>
+        <translation>‘%1’ kan niet worden geïmporteerd</translation>
     </message>
 </context>
 <context>

@@ -29,7 +29,8 @@ constexpr auto kRecent = "file.recent_menu";
 constexpr std::array kMenus{
     MenuRow{"file", QT_TRANSLATE_NOOP("Menus", "&File"),
             "file.new file.new_window file.open file.recent_menu - file.save file.save_as "
-            "file.revert - file.import file.export* file.page* file.print* - file.* - file.close "
+            "file.revert - file.import file.import_picture file.export* file.page* file.print* - "
+            "file.* - file.close "
             "file.quit"},
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
@@ -45,8 +46,8 @@ constexpr std::array kMenus{
             "view.hide_panels view.full_screen"},
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
-            "layer.add layer.rename layer.remove - layer.show layer.lock - layer.raise "
-            "layer.lower - layer.*"},
+            "layer.add layer.duplicate layer.merge layer.rename layer.remove - layer.show "
+            "layer.lock layer.export_picture - layer.raise layer.lower - layer.*"},
     MenuRow{
         "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
         "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "
@@ -80,6 +81,7 @@ constexpr std::array kIcons{
     IconRow{"file.save_as", "save"},      IconRow{"edit.broader", "size-up"},
     IconRow{"edit.thinner", "size-down"}, IconRow{"edit.to_front", "raise"},
     IconRow{"edit.to_back", "lower"},     IconRow{"edit.paste_in_place", "paste"},
+    IconRow{"file.import_picture", "import"},
 };
 
 class MenuFiller {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/fill_blob.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxTextBytes = 1 << 16;
 constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
 constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
-constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
+constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2, kRowHasLook = 4;
 
 /// Appends a drawing without its strokes and layers, as the bytes of a .felt file.
 Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
@@ -47,6 +48,7 @@ Result<void> read_layers(ByteReader& in, Document& document) {
     const std::uint8_t flags = in.u8();
     change.after->visible = (flags & kRowVisible) != 0;
     change.after->locked = (flags & kRowLocked) != 0;
+    if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr);
     if (change.id == first.id) {
       edit.layers.front().after = std::move(change.after);
       edit.layers.front().after_index = i;
@@ -95,10 +97,13 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
   out.u64(drawing.layer.value);
   out.u32(static_cast<std::uint32_t>(document.layers().size()));
   for (const Layer& layer : document.layers()) {
+    const bool has_look = layer.opacity != 1.0 || layer.picture;
     out.u64(layer.id.value);
     out.text(std::string_view(layer.name).substr(0, kMaxTextBytes));
     out.u8(static_cast<std::uint8_t>((layer.visible ? kRowVisible : 0) |
-                                     (layer.locked ? kRowLocked : 0)));
+                                     (layer.locked ? kRowLocked : 0) |
+                                     (has_look ? kRowHasLook : 0)));
+    if (has_look) append_layer_look(out, layer.state(), nullptr);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
   return bytes;

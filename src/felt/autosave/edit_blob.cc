@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/stroke_blob.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kVersionWithFills = 2;
 constexpr std::size_t kMaxNameBytes = 4096;
-constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4;  // flags
+constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
 
 Result<void> write_stroke(ByteWriter& out, const StrokeChange& c) {
@@ -48,10 +49,13 @@ void write_layer(ByteWriter& out, const LayerChange& c) {
     out.u8(0);
     return;
   }
+  const bool has_look = c.after->opacity != 1.0 || c.after->picture;
   out.u8(static_cast<std::uint8_t>(kIsThere | (c.after->visible ? kVisible : 0) |
-                                   (c.after->locked ? kLocked : 0)));
+                                   (c.after->locked ? kLocked : 0) | (has_look ? kHasLook : 0)));
   out.u64(c.after_index);
   out.text(c.after->name);
+  const LayerPicture* before = c.before ? c.before->picture.get() : nullptr;
+  if (has_look) append_layer_look(out, *c.after, before ? before->data.get() : nullptr);
 }
 
 Result<StrokeChange> read_stroke(ByteReader& in) {
@@ -82,7 +86,7 @@ Result<FillChange> read_fill(ByteReader& in) {
   return c;
 }
 
-LayerChange read_layer(ByteReader& in) {
+LayerChange read_layer(ByteReader& in, const Document& document) {
   LayerChange c;
   c.id = {in.u64()};
   const std::uint8_t flags = in.u8();
@@ -90,6 +94,9 @@ LayerChange read_layer(ByteReader& in) {
   c.after_index = in.u64();
   c.after = LayerState{std::string(in.text(kMaxNameBytes)), (flags & kVisible) != 0,
                        (flags & kLocked) != 0};
+  if ((flags & kHasLook) == 0) return c;
+  const Layer* before = document.layer(c.id);
+  read_layer_look(in, *c.after, before && before->picture ? before->picture->data : nullptr);
   return c;
 }
 
@@ -160,8 +167,9 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
 
 namespace {
 
-/// Parses the bytes. The state before the edit is not filled in.
-Result<Edit> parse(std::string_view bytes) {
+/// Parses the bytes. The state before the edit is not filled in, but pictures that the edit keeps
+/// come from the document.
+Result<Edit> parse(std::string_view bytes, const Document& document) {
   ByteReader in(bytes);
   const std::uint8_t version = in.u8();
   if (version != kVersion && version != kVersionWithFills)
@@ -170,7 +178,7 @@ Result<Edit> parse(std::string_view bytes) {
   edit.label = std::string(in.text(kMaxNameBytes));
   const std::uint32_t layers = in.u32();
   if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is incomplete");
-  for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in));
+  for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in, document));
   const std::uint32_t strokes = in.u32();
   if (!in.has(strokes, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   edit.changes.reserve(strokes);
@@ -227,7 +235,7 @@ void force(FillChange change, Document& document) {
 }  // namespace
 
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
-  Result<Edit> edit = parse(bytes);
+  Result<Edit> edit = parse(bytes, document);
   if (!edit) return edit;
   if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_fills(document, edit->fills); !ok) return tl::unexpected(ok.error());
@@ -236,7 +244,7 @@ Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
 }
 
 Result<void> apply_what_fits(std::string_view bytes, Document& document) {
-  Result<Edit> edit = parse(bytes);
+  Result<Edit> edit = parse(bytes, document);
   if (!edit) return tl::unexpected(edit.error());
   for (const LayerChange& change : edit->layers) {
     if (!change.after || document.layer(change.id)) continue;

@@ -191,6 +191,8 @@ class Document::Plan {
       l->name = c.after->name;
       l->visible = c.after->visible;
       l->locked = c.after->locked;
+      l->opacity = c.after->opacity;
+      l->picture = c.after->picture;
     }
     document_.last_layer_id_ = std::max(document_.last_layer_id_, c.id.value);
   }

@@ -12,18 +12,23 @@
 
 namespace felt {
 
-/// A layer: its strokes and fills in drawing order, its name, and whether it is visible and locked.
-/// All fills are below all strokes of the layer.
+/// A layer: its strokes and fills in drawing order, and its state (LayerState). All fills are below
+/// all strokes of the layer.
 struct Layer {
   LayerId id;
   std::string name;
   bool visible = true;
   bool locked = false;
+  double opacity = 1.0;
+  LayerPicturePtr picture = {};
   std::vector<StrokeId> strokes;  ///< the lowest first
   std::vector<FillId> fills{};    ///< the lowest first
 
-  [[nodiscard]] LayerState state() const { return {name, visible, locked}; }
-  friend bool operator==(const Layer&, const Layer&) = default;
+  [[nodiscard]] LayerState state() const { return {name, visible, locked, opacity, picture}; }
+  friend bool operator==(const Layer& a, const Layer& b) {
+    return a.id == b.id && a.state() == b.state() && a.strokes == b.strokes &&
+           a.fills == b.fills;
+  }
 };
 
 /// A table of immutable strokes and fills by id, in layers. Only edits change a document, so that

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "felt/document/layer_picture.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -66,19 +67,26 @@ struct FillChange {
   friend bool operator==(const FillChange&, const FillChange&) = default;
 };
 
-/// The name of a layer, and whether it is visible and locked.
+/// Everything about a layer except its strokes, its fills and its position.
 struct LayerState {
   std::string name;
   bool visible = true;
-  bool locked = false;  ///< tools do not change its strokes; undo can
+  bool locked = false;           ///< tools do not change its strokes; undo can
+  double opacity = 1.0;          ///< 0..1, of the layer as a whole: its strokes do not show through
+  LayerPicturePtr picture = {};  ///< below the strokes; null for most layers
 
-  friend bool operator==(const LayerState&, const LayerState&) = default;
+  /// Compares by value.
+  friend bool operator==(const LayerState& a, const LayerState& b) {
+    return a.name == b.name && a.visible == b.visible && a.locked == b.locked &&
+           a.opacity == b.opacity &&
+           (a.picture == b.picture || (a.picture && b.picture && *a.picture == *b.picture));
+  }
 };
 
 /// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
-/// must remove or move its strokes and fills), renamed, hidden, locked, or moved. Indices are
-/// absolute, like the positions of strokes: `before_index` is the index before the whole edit,
-/// `after_index` the index after it. Index 0 is the lowest layer.
+/// must remove or move its strokes and fills), moved, or given another state. Indices are absolute,
+/// like the positions of strokes: `before_index` is the index before the whole edit, `after_index`
+/// the index after it. Index 0 is the lowest layer.
 struct LayerChange {
   LayerId id;
   std::optional<LayerState> before;

@@ -1,6 +1,7 @@
 #include "felt/document/history.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace felt {
@@ -23,6 +24,10 @@ std::size_t memory_of(const FillPtr& fill) noexcept {
   return bytes;
 }
 
+const PictureData* data_of(const std::optional<LayerState>& state) noexcept {
+  return state && state->picture ? state->picture->data.get() : nullptr;
+}
+
 }  // namespace
 
 std::size_t memory_of(const Edit& edit) noexcept {
@@ -34,6 +39,10 @@ std::size_t memory_of(const Edit& edit) noexcept {
   for (const LayerChange& c : edit.layers) {
     if (c.before) bytes += c.before->name.capacity();
     if (c.after) bytes += c.after->name.capacity();
+    // The document has the picture, too, unless the edit adds or removes it.
+    const PictureData *before = data_of(c.before), *after = data_of(c.after);
+    if (before && before != after) bytes += before->png.size();
+    if (after && before != after) bytes += after->png.size();
   }
   return bytes;
 }

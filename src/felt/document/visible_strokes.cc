@@ -11,6 +11,12 @@ std::vector<StrokePtr> visible_strokes(const Document& document) {
   return strokes;
 }
 
+const LayerPicture* exported_picture(const Layer& layer, PictureChoice pictures) noexcept {
+  const bool is_shown = layer.picture && layer.visible &&
+                        (pictures == PictureChoice::kAll || layer.picture->exported);
+  return is_shown ? layer.picture.get() : nullptr;
+}
+
 Rect ink_bounds(const Document& document, LayerChoice layers) {
   Rect ink;
   for (const Layer& layer : document.layers()) {

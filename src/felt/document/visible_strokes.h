@@ -14,6 +14,9 @@ enum class LayerChoice { kAll, kVisible };
 /// Returns the strokes of visible layers in drawing order. The strokes are shared, not copied.
 std::vector<StrokePtr> visible_strokes(const Document& document);
 
+/// Returns the picture of a layer if an exported file shows it, otherwise null.
+const LayerPicture* exported_picture(const Layer& layer, PictureChoice pictures) noexcept;
+
 /// Returns the bounds of the ink and fills in these layers; empty if they contain none.
 Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);
 

@@ -1,10 +1,12 @@
 #include "felt/formats/drawing_writer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
 #include "felt/base/atomic_file.h"
-#include "felt/document/visible_strokes.h"
+#include "felt/base/check.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/io/inkml/inkml_writer.h"
 #include "felt/io/picture/pdf_writer.h"
@@ -26,7 +28,9 @@ Result<std::string> png_bytes(const Drawing& drawing, const WriteOptions& option
   options_of_page.grain = options.grain;
   Result<PagePainter> page = PagePainter::create({}, options_of_page);
   if (!page) return tl::unexpected(page.error());
-  page->draw(drawing.document);
+  if (auto ok = page->draw(drawing.document, options.pictures); !ok) {
+    return tl::unexpected(ok.error());
+  }
   return encode_png(page->image(), options.dpi);
 }
 
@@ -53,10 +57,74 @@ std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
   return std::make_unique<WholeFile>(std::move(bytes));
 }
 
+/// Returns the drawing with the opacity of each layer applied to its strokes, for formats without
+/// translucent layers. Where strokes of such a layer overlap, they show through.
+Drawing with_faded_strokes(const Drawing& drawing) {
+  Drawing faded = drawing;
+  Edit edit{"Fade", {}, {}};
+  std::size_t position = 0;
+  for (const Layer& layer : drawing.document.layers()) {
+    const std::size_t at = position++;
+    if (layer.opacity == 1.0) continue;
+    LayerState state = layer.state();
+    state.opacity = 1.0;
+    edit.layers.push_back({layer.id, layer.state(), std::move(state), at, at});
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+      const StrokePtr stroke = drawing.document.find(layer.strokes[i]);
+      StrokeData data = stroke->data();
+      data.color.a = static_cast<std::uint8_t>(std::lround(layer.opacity * data.color.a));
+      const StrokePlace place{layer.id, i};
+      edit.changes.push_back(
+          {layer.strokes[i], stroke,
+           std::make_shared<const Stroke>(Stroke::create(std::move(data)).value()), place, place});
+    }
+  }
+  FELT_CHECK(faded.document.apply(edit).has_value());
+  return faded;
+}
+
+/// Parts of a drawing that it owns.
+class PartsOfCopy final : public DrawingParts {
+ public:
+  explicit PartsOfCopy(Drawing drawing) : drawing_(std::move(drawing)) {}
+  Result<void> begin(FileFormat format, const WriteOptions& options) {
+    auto parts = drawing_parts(drawing_, format, options);
+    if (!parts) return tl::unexpected(parts.error());
+    parts_ = *std::move(parts);
+    return {};
+  }
+
+  [[nodiscard]] std::size_t count() const override { return parts_->count(); }
+  Result<void> make(std::size_t i, DrawingPart& out) const override { return parts_->make(i, out); }
+  [[nodiscard]] bool any_order() const override { return parts_->any_order(); }
+  void add(const DrawingPart& part) override { parts_->add(part); }
+  std::string tail() override { return parts_->tail(); }
+
+ private:
+  Drawing drawing_;
+  std::unique_ptr<DrawingParts> parts_;
+};
+
+/// Returns true if the format and the options cannot show a translucent layer as a whole.
+bool must_fade_strokes(const Drawing& drawing, FileFormat format, const WriteOptions& options) {
+  const bool has_layers = format == FileFormat::kFelt || format == FileFormat::kPng ||
+                          format == FileFormat::kNdjson || format == FileFormat::kInkml ||
+                          (format == FileFormat::kSvg && !options.compact);
+  const std::span<const Layer> layers = drawing.document.layers();
+  return !has_layers && std::any_of(layers.begin(), layers.end(),
+                                    [](const Layer& layer) { return layer.opacity < 1.0; });
+}
+
 }  // namespace
 
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options) {
+  if (must_fade_strokes(drawing, format, options)) {
+    auto parts = std::make_unique<PartsOfCopy>(with_faded_strokes(drawing));
+    return parts->begin(format, options).map([&]() -> std::unique_ptr<DrawingParts> {
+      return std::move(parts);
+    });
+  }
   const Rect area = options.area.value_or(drawing.page.area());
   const Rgba paper = options.paper.value_or(drawing.page.paper);
   switch (format) {
@@ -70,8 +138,10 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, File
           return svg_compact_text(drawing, {.area = area, .paper = paper});
         });
       }
-      return svg_parts(drawing,
-                       {.area = options.area, .paper = paper, .grain = options.grain_print});
+      return svg_parts(drawing, {.area = options.area,
+                                 .paper = paper,
+                                 .grain = options.grain_print,
+                                 .pictures = options.pictures});
     case FileFormat::kPdf:
       return pdf_parts(drawing, {.area = area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPng:

@@ -22,7 +22,9 @@ struct WriteOptions {
   /// Background colour instead of the page's colour. If alpha is 0, no background is drawn.
   std::optional<Rgba> paper{};
   double dpi = 300.0;  ///< resolution of a .png file
-  Grain grain{};       ///< how the surface shows in the ink of a .png file
+  /// Pictures of layers that .png and .svg files show.
+  PictureChoice pictures = PictureChoice::kMarked;
+  Grain grain{};  ///< how the surface shows in the ink of a .png file
   /// How the surface shows in the ink of .svg and .pdf files. Their strokes are outlines with or
   /// without the grain (GrainPrint). If absent, the grain is not shown.
   std::optional<GrainPrint> grain_print{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,23 @@ void fill(Pixels target, PixelRect area, Rgba color) noexcept {
   for (int y = part.y0; y < part.y1; ++y) {
     std::uint8_t* p = target.data + y * target.stride + std::ptrdiff_t{4} * part.x0;
     for (int x = part.x0; x < part.x1; ++x) p = std::copy(pixel.begin(), pixel.end(), p);
+  }
+}
+
+void blend(Pixels from, PixelRect area, double opacity, Pixels target) noexcept {
+  const PixelRect part = area.intersected(target.rect()).intersected(from.rect());
+  const auto weight = static_cast<unsigned>(std::lround(std::clamp(opacity, 0.0, 1.0) * 256.0));
+  for (int y = part.y0; y < part.y1; ++y) {
+    const std::uint8_t* p = from.data + y * from.stride + std::ptrdiff_t{4} * part.x0;
+    std::uint8_t* to = target.data + y * target.stride + std::ptrdiff_t{4} * part.x0;
+    for (int x = part.x0; x < part.x1; ++x, p += 4, to += 4) {
+      // All values are in units of 1 / 256 of a level.
+      const unsigned left = 255U * 256U - p[3] * weight;
+      for (std::ptrdiff_t k = 0; k < 4; ++k) {
+        const unsigned level = p[k] * weight + (to[k] * left + 127U) / 255U;
+        to[k] = static_cast<std::uint8_t>(std::min(255U, (level + 128U) / 256U));
+      }
+    }
   }
 }
 

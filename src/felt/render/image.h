@@ -45,6 +45,10 @@ struct Pixels {
 /// Sets every pixel of `area`, clipped to the picture, to one colour.
 void fill(Pixels target, PixelRect area, Rgba color) noexcept;
 
+/// Blends `area` of a picture, made more transparent by `opacity` (0..1), over the same area of
+/// another one. Requires that both have the same order of bytes and contain the area.
+void blend(Pixels from, PixelRect area, double opacity, Pixels target) noexcept;
+
 /// A picture in memory, RGBA, premultiplied.
 class Image {
  public:

@@ -69,7 +69,7 @@ InkScene::InkScene(const Document& document) {
   for (const Layer& from : document.layers()) {
     SceneLayer& layer = layers_[from.id];
     layer.id = from.id;
-    layer.is_visible = from.visible;
+    set_look(layer, from.state());
     layer.position = layer_order_.size();
     layer_order_.push_back(from.id);
     layer.fills = from.fills;
@@ -118,6 +118,7 @@ Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& dama
     add_layers(back, damage);
     only_replaces(back) ? replace(back) : carry_out(back);
     add_layers(back, damage);
+    if (!back.layers.empty()) ++revision_;
   }
   preview_.reset();
   previewed_.clear();
@@ -131,9 +132,8 @@ Result<void> InkScene::change(const Edit* next, bool is_preview, InkDamage& dama
       add_ids(*next, previewed_);
       std::sort(previewed_.begin(), previewed_.end());
       mark_previewed(true);
-    } else {
-      ++revision_;
     }
+    if (!is_preview || !next->layers.empty()) ++revision_;
   }
   compare(std::move(before), look(ids), damage);
   compare_fills(fills_before, look_at_fills(fill_ids), damage);
@@ -230,18 +230,33 @@ void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage)
   }
 }
 
-/// Adds all ink of the layers that are shown, hidden or moved. Call before and after the change.
+void InkScene::set_look(SceneLayer& layer, const LayerState& state) {
+  layer.is_visible = state.visible;
+  layer.opacity = state.opacity;
+  const bool is_decoded =
+      layer.picture && state.picture &&
+      (layer.picture->data == state.picture->data || *layer.picture->data == *state.picture->data);
+  layer.picture = state.picture;
+  if (is_decoded) return;
+  layer.pixels =
+      layer.picture ? PicturePixels::decode(*layer.picture->data).value_or(nullptr) : nullptr;
+}
+
+/// Adds the area of the layers that look different: all ink of those that are shown, hidden, moved
+/// or faded, and the pictures. Call before and after the change.
 void InkScene::add_layers(const Edit& edit, InkDamage& damage) const {
   for (const LayerChange& c : edit.layers) {
     const auto found = layers_.find(c.id);
     if (found == layers_.end() || !found->second.is_visible) continue;
-    if (c.before && c.after && c.before->visible == c.after->visible &&
-        c.before_index == c.after_index) {
-      continue;
+    const bool same_ink = c.before && c.after && c.before->visible == c.after->visible &&
+                          c.before_index == c.after_index && c.before->opacity == c.after->opacity;
+    if (same_ink && c.before->picture == c.after->picture) continue;
+    const SceneLayer& layer = found->second;
+    Rect all = layer.picture ? bounds_of(*layer.picture) : Rect{};
+    if (!same_ink) layer.order.for_each([&all](const SceneStroke& s) { all.extend(s.box); });
+    if (!same_ink) {
+      for (const FillId id : layer.fills) all.extend(fills_.at(id).box);
     }
-    Rect all;
-    found->second.order.for_each([&all](const SceneStroke& s) { all.extend(s.box); });
-    for (const FillId id : found->second.fills) all.extend(fills_.at(id).box);
     if (!all.empty()) damage.push_back(all);
   }
 }
@@ -396,7 +411,7 @@ void InkScene::carry_out(const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     SceneLayer& layer = layers_[c.id];
     layer.id = c.id;
-    if (c.after) layer.is_visible = c.after->visible;
+    if (c.after) set_look(layer, *c.after);
   }
   change_fills(edit);
   const std::map<LayerId, LayerWork> work = plan(edit);
@@ -461,10 +476,10 @@ void InkScene::find_ink(const Rect& area, std::vector<SceneInk>& found,
     if (!layer.is_visible) continue;
     for (const FillId fill_id : layer.fills) {
       const SceneFill& fill = fills_.at(fill_id);
-      if (fill.box.intersects(area)) found.push_back({nullptr, &fill});
+      if (fill.box.intersects(area)) found.push_back({nullptr, &fill, &layer});
     }
     for (; next != strokes.end() && (*next)->layer == &layer; ++next) {
-      found.push_back({*next, nullptr});
+      found.push_back({*next, nullptr, &layer});
     }
   }
 }
@@ -473,6 +488,19 @@ bool InkScene::has_fill(const Rect& area) const {
   return std::any_of(fills_.begin(), fills_.end(), [&](const auto& entry) {
     return entry.second.box.intersects(area) && layers_.at(entry.second.layer).is_visible;
   });
+}
+
+std::vector<const SceneLayer*> InkScene::special_layers(std::optional<LayerId> above) const {
+  std::vector<const SceneLayer*> special;
+  for (const LayerId id : layer_order_) {
+    if (above) {
+      if (id == *above) above.reset();
+      continue;
+    }
+    const SceneLayer& layer = layers_.at(id);
+    if (layer.is_visible && layer.is_special()) special.push_back(&layer);
+  }
+  return special;
 }
 
 const SceneStroke* InkScene::find(StrokeId id) const {

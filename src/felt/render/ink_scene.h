@@ -3,12 +3,14 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/render/ink_damage.h"
+#include "felt/render/picture_pixels.h"
 #include "felt/render/scene_stroke.h"
 #include "felt/render/stroke_grid.h"
 #include "felt/render/stroke_order.h"
@@ -27,15 +29,22 @@ struct SceneLayer {
   LayerId id;
   bool is_visible = true;
   std::size_t position = 0;  ///< position among the layers; 0 is the lowest
+  double opacity = 1.0;
+  LayerPicturePtr picture;                      ///< null for most layers
+  std::shared_ptr<const PicturePixels> pixels;  ///< of `picture`; null if it is damaged
   StrokeOrder order;
   StrokeGrid grid;
   std::vector<FillId> fills;  ///< the lowest first; all are below the strokes
+
+  /// Returns true if drawing its strokes one by one does not give the picture of the layer.
+  [[nodiscard]] bool is_special() const noexcept { return opacity < 1.0 || pixels; }
 };
 
 /// A stroke or a fill that was found in a scene: one of the two pointers is set.
 struct SceneInk {
   const SceneStroke* stroke = nullptr;
   const SceneFill* fill = nullptr;
+  const SceneLayer* layer = nullptr;  ///< the layer of either
 };
 
 /// Position of a stroke in the drawing order. A smaller value is drawn first.
@@ -76,6 +85,10 @@ class InkScene {
   /// Does the same for strokes and fills. The fills of a layer come before its strokes.
   void find_ink(const Rect& area, std::vector<SceneInk>& found,
                 std::optional<LayerId> above = {}) const;
+  /// Returns the visible layers for which SceneLayer::is_special() is true, lowest first. If
+  /// `above` is set, returns only layers above that layer.
+  [[nodiscard]] std::vector<const SceneLayer*> special_layers(
+      std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
     return {stroke.layer->position, stroke.rank()};
   }
@@ -86,7 +99,8 @@ class InkScene {
   [[nodiscard]] const std::vector<StrokeId>& previewed() const noexcept { return previewed_; }
   /// Returns true if the bounds of a fill of a visible layer touch the area.
   [[nodiscard]] bool has_fill(const Rect& area) const;
-  /// Returns a number that changes with every change of the document, but not with previews.
+  /// Returns a number that changes with every change of the document, and with previews that change
+  /// layers, but not with other previews.
   [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
 
  private:
@@ -118,6 +132,7 @@ class InkScene {
   [[nodiscard]] Result<FillLists> new_fills(const Edit& edit) const;
   void change_fills(const Edit& edit);
   [[nodiscard]] Result<void> check_places(const Edit& edit) const;
+  static void set_look(SceneLayer& layer, const LayerState& state);
   void carry_out(const Edit& edit);
   [[nodiscard]] Result<std::vector<LayerId>> new_order(const Edit& edit) const;
   void replace(const Edit& edit);

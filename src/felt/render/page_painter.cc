@@ -1,6 +1,10 @@
 #include "felt/render/page_painter.h"
 
 #include <cmath>
+#include <optional>
+
+#include "felt/document/visible_strokes.h"
+#include "felt/render/picture_pixels.h"
 
 #include "felt/document/visible_strokes.h"
 
@@ -56,22 +60,50 @@ void PagePainter::draw(const Stroke& stroke) {
   rasterizer_.draw(stroke, view_, pixels.rect(), grain_, pixels);
 }
 
-void PagePainter::draw(const Document& document) {
-  const Pixels pixels = image_.pixels();
+Result<void> PagePainter::draw(const Document& document, PictureChoice pictures) {
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
-    for (const FillId id : layer.fills) {
-      rasterizer_.draw_fill(*document.find_fill(id), view_, pixels.rect(), pixels);
+    const LayerPicture* picture = exported_picture(layer, pictures);
+    if (layer.strokes.empty() && layer.fills.empty() && !picture) continue;
+    if (auto ok = draw_layer(document, layer, picture); !ok) {
+      return tl::unexpected(with_context(ok.error(), "layer \"" + layer.name + '"'));
     }
-    for (const StrokeId id : layer.strokes) draw(*document.find(id));
   }
+  return {};
 }
 
-Result<Image> render_document(const Document& document, const PageOptions& options) {
-  Result<PagePainter> page = PagePainter::create(ink_bounds(document), options);
-  if (!page) return tl::unexpected(page.error());
-  page->draw(document);
-  return std::move(page->image());
+Result<void> PagePainter::draw_layer(const Document& document, const Layer& layer,
+                                     const LayerPicture* picture) {
+  const bool is_group = layer.opacity < 1.0 && !(layer.strokes.empty() && layer.fills.empty());
+  std::optional<Image> group;
+  if (is_group) {
+    Result<Image> made = Image::create(image_.width(), image_.height());
+    if (!made) return tl::unexpected(made.error());
+    group = *std::move(made);
+  }
+  const Pixels pixels = group ? group->pixels() : image_.pixels();
+  if (picture) {
+    const auto decoded = PicturePixels::decode(*picture->data);
+    if (!decoded) return tl::unexpected(decoded.error());
+    (*decoded)->draw(picture->place, view_, pixels.rect(), is_group ? 1.0 : layer.opacity, pixels);
+  }
+  for (const FillId id : layer.fills) {
+    rasterizer_.draw_fill(*document.find_fill(id), view_, pixels.rect(), pixels);
+  }
+  for (const StrokeId id : layer.strokes) {
+    rasterizer_.draw(*document.find(id), view_, pixels.rect(), grain_, pixels);
+  }
+  if (group) blend(pixels, pixels.rect(), layer.opacity, image_.pixels());
+  return {};
+}
+
+Result<Image> render_page(const Document& document, const PageOptions& options,
+                          PictureChoice pictures) {
+  return PagePainter::create(ink_bounds(document), options)
+      .and_then([&](PagePainter page) -> Result<Image> {
+        if (auto ok = page.draw(document, pictures); !ok) return tl::unexpected(ok.error());
+        return std::move(page.image());
+      });
 }
 
 Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options) {

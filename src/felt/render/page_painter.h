@@ -41,12 +41,15 @@ class PagePainter {
 
   /// Draws a stroke on top of the others.
   void draw(const Stroke& stroke);
-  /// Draws the fills and strokes of the visible layers.
-  void draw(const Document& document);
+  /// Draws the visible layers of a document with their opacities, and these pictures. Fails if a
+  /// picture is damaged, or if the memory limit of Image does not allow a translucent layer.
+  Result<void> draw(const Document& document, PictureChoice pictures);
   [[nodiscard]] const View& view() const noexcept { return view_; }
   [[nodiscard]] Image& image() noexcept { return image_; }
 
  private:
+  Result<void> draw_layer(const Document& document, const Layer& layer,
+                          const LayerPicture* picture);
   PagePainter(Image image, const View& view, const Grain& grain)
       : image_(std::move(image)), view_(view), grain_(grain) {}
 
@@ -56,9 +59,12 @@ class PagePainter {
   Rasterizer rasterizer_;
 };
 
+/// Returns a picture of the visible layers of a document, with these pictures in them. Fails like
+/// PagePainter::create and PagePainter::draw.
+Result<Image> render_page(const Document& document, const PageOptions& options,
+                          PictureChoice pictures);
+
 /// Returns a picture of the strokes in their order. Fails like PagePainter::create.
 Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options);
-/// Returns a picture of the visible layers of a document, with their fills.
-Result<Image> render_document(const Document& document, const PageOptions& options);
 
 }  // namespace felt

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <utility>
 
 namespace felt {
 namespace {
@@ -67,19 +68,60 @@ Gap gap_of(const InkScene& scene, const TileSplit& split) {
   return gap;
 }
 
+/// Returns the job that draws this ink, which is in drawing order, and the special layers.
+InkJob job_from(const std::vector<SceneInk>& ink,
+                const std::vector<const SceneLayer*>& special, const View& view, PixelRect part) {
+  InkJob job;
+  job.view = view;
+  job.part = part;
+  job.items.reserve(ink.size());
+  for (const SceneInk& i : ink) {
+    job.items.push_back({i.stroke ? i.stroke->stroke : nullptr, i.fill ? i.fill->fill : nullptr});
+  }
+  const Rect area = area_of(view, part);
+  for (const SceneLayer* layer : special) {
+    const auto first = std::partition_point(
+        ink.begin(), ink.end(),
+        [layer](const SceneInk& i) { return i.layer->position < layer->position; });
+    const auto last = std::partition_point(
+        first, ink.end(), [layer](const SceneInk& i) { return i.layer == layer; });
+    const bool shows_picture = layer->pixels && bounds_of(*layer->picture).intersects(area);
+    if (first == last && !shows_picture) continue;
+    InkGroup group{static_cast<std::size_t>(first - ink.begin()),
+                   static_cast<std::size_t>(last - ink.begin()),
+                   layer->opacity,
+                   nullptr,
+                   {}};
+    if (shows_picture) {
+      group.pixels = layer->pixels;
+      group.place = layer->picture->place;
+    }
+    job.groups.push_back(std::move(group));
+  }
+  return job;
+}
+
+/// Returns true if all special layers are below the strokes of the preview, so that a TileSplit can
+/// contain them.
+bool is_special_below(const InkScene& scene) {
+  const std::vector<const SceneLayer*> special = scene.special_layers();
+  if (special.empty()) return true;
+  const SceneLayer& highest = *special.back();
+  return std::all_of(scene.previewed().begin(), scene.previewed().end(), [&](StrokeId id) {
+    const SceneStroke* stroke = scene.find(id);
+    if (!stroke) return true;
+    const std::size_t position = stroke->layer->position;
+    return position > highest.position || (position == highest.position && highest.opacity == 1.0);
+  });
+}
+
 }  // namespace
 
 InkJob TilePainter::job_of(const InkScene& scene, const View& view, PixelRect part,
                            std::optional<LayerId> above) {
   std::vector<SceneInk> found;
   scene.find_ink(area_of(view, part), found, above);
-  InkJob job{view, part, {}, 0};
-  job.items.reserve(found.size());
-  for (const SceneInk& ink : found) {
-    job.items.push_back(
-        {ink.stroke ? ink.stroke->stroke : nullptr, ink.fill ? ink.fill->fill : nullptr});
-  }
-  return job;
+  return job_from(found, scene.special_layers(above), view, part);
 }
 
 void TilePainter::draw(const Stroke& stroke, const View& view, PixelRect part,
@@ -91,13 +133,38 @@ void TilePainter::draw(const Stroke& stroke, const View& view, PixelRect part,
   }
 }
 
-void TilePainter::draw_next(InkJob& job, const InkStyle& style, Pixels target) {
+void TilePainter::draw_item(InkJob& job, const InkStyle& style, Pixels target) {
   const InkItem& item = job.items[job.next++];
   if (item.stroke) {
     draw(*item.stroke, job.view, job.part, style, target);
   } else if (style.hair_px == 0.0) {
     rasterizer_.draw_fill(*item.fill, job.view, job.part, target);
   }
+}
+
+void TilePainter::draw_next(InkJob& job, const InkStyle& style, Pixels target) {
+  const bool is_grouped =
+      job.next_group < job.groups.size() && job.next >= job.groups[job.next_group].first;
+  if (!is_grouped) return draw_item(job, style, target);
+  const InkGroup& group = job.groups[job.next_group];
+  const bool is_translucent = group.opacity < 1.0 && group.last > group.first;
+  Pixels to = target;
+  if (is_translucent) {
+    if (!job.is_in_group)
+      job.group_pixels.assign(
+          4 * static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height), 0);
+    to.data = job.group_pixels.data();
+    to.stride = std::ptrdiff_t{4} * target.width;
+  }
+  if (!std::exchange(job.is_in_group, true) && group.pixels) {
+    group.pixels->draw(group.place, job.view, job.part, is_translucent ? 1.0 : group.opacity, to);
+  } else if (job.next < group.last) {
+    draw_item(job, style, to);
+  }
+  if (job.next < group.last) return;
+  if (is_translucent) blend(to, job.part, group.opacity, target);
+  job.is_in_group = false;
+  ++job.next_group;
 }
 
 /// Returns true if the kept content still matches the scene without the preview.
@@ -138,6 +205,7 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
   const auto highest = std::find_if(found_.rbegin(), found_.rend(), is_previewed).base();
   if (lowest == found_.end()) return false;
   const auto kept = static_cast<std::size_t>((lowest - found_.begin()) + (found_.end() - highest));
+  const std::vector<const SceneLayer*> special = scene.special_layers();
   if (kept < kWorthKeeping) return false;
   const View shifted = view.from({static_cast<double>(valid.x0), static_cast<double>(valid.y0)});
   const bool was_rounded = split.is_rounded;
@@ -146,18 +214,22 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
   split.valid = valid;
   split.revision = scene.revision();
   split.previewed = scene.previewed();
-  const auto draw_all = [&](auto first, auto last, std::vector<std::uint8_t>& bytes) {
+  const auto draw_all = [&](auto first, auto last, std::vector<std::uint8_t>& bytes,
+                            const std::vector<const SceneLayer*>& layers) {
     bytes.assign(std::size_t{4} * static_cast<std::size_t>(valid.width()) *
                      static_cast<std::size_t>(valid.height()),
                  0);
     const Pixels pixels = pixels_of(bytes, valid, PixelOrder::kBgra);
-    for (auto s = first; s != last; ++s) {
-      draw(*(*s)->stroke, shifted, pixels.rect(), style, pixels);
-      split.drawn.push_back((*s)->id);
+    std::vector<SceneInk> ink;
+    for (; first != last; ++first) {
+      ink.push_back({*first, nullptr, (*first)->layer});
+      split.drawn.push_back((*first)->id);
     }
+    InkJob job = job_from(ink, layers, shifted, pixels.rect());
+    while (!job.is_done()) draw_next(job, style, pixels);
   };
-  draw_all(found_.begin(), lowest, split.below);
-  draw_all(highest, found_.end(), split.above);
+  draw_all(found_.begin(), lowest, split.below, special);
+  draw_all(highest, found_.end(), split.above, {});
   if (lowest != found_.begin()) split.below_top = (*std::prev(lowest))->id;
   if (highest != found_.end()) split.above_bottom = (*highest)->id;
   std::sort(split.drawn.begin(), split.drawn.end());
@@ -169,7 +241,10 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
 // does not fit, first makes it again for a larger area.
 bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect part,
                               const InkStyle& style, TileSplit& split, Pixels target) {
-  if (scene.previewed().empty() || scene.has_fill(area_of(view, part))) return false;
+  if (scene.previewed().empty() || scene.has_fill(area_of(view, part)) ||
+      !is_special_below(scene)) {
+    return false;
+  }
   if (!is_valid(scene, view, split)) split.valid = {};
   scene.find(area_of(view, part), found_);
   if (found_.size() < kWorthKeeping) return false;

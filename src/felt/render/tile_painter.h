@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,15 @@ struct InkItem {
   FillPtr fill;
 };
 
+/// A layer of an InkJob that is drawn as a whole: its picture first, then the items from `first` to
+/// `last` (not included) of the job.
+struct InkGroup {
+  std::size_t first = 0, last = 0;
+  double opacity = 1.0;
+  std::shared_ptr<const PicturePixels> pixels;  ///< null if the layer has no picture
+  Affine place;                                 ///< of the picture
+};
+
 /// The strokes and fills that a part of a picture shows, drawn one at a time, so that a long job
 /// can be interrupted and resumed. The job shares ownership of them, so the scene may change
 /// meanwhile.
@@ -33,9 +43,17 @@ struct InkJob {
   View view;
   PixelRect part;
   std::vector<InkItem> items;
+  std::vector<InkGroup> groups;  ///< only of layers that are special, lowest first
   std::size_t next = 0;
+  std::size_t next_group = 0;
+  bool is_in_group = false;                ///< the group `next_group` has begun
+  std::vector<std::uint8_t> group_pixels;  ///< its strokes so far, if it is translucent
 
-  [[nodiscard]] bool is_done() const noexcept { return next == items.size(); }
+  [[nodiscard]] bool has_begun() const noexcept { return next + next_group > 0 || is_in_group; }
+  [[nodiscard]] bool is_done() const noexcept {
+    return next == items.size() && next_group == groups.size();
+  }
+  [[nodiscard]] bool is_blank() const noexcept { return items.empty() && groups.empty(); }
 };
 
 /// Two pictures of a tile: one of the strokes below the strokes of a preview, and one of the
@@ -61,8 +79,8 @@ class TilePainter {
   /// If `above` is set, the job draws only the layers above that layer.
   [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
                                      std::optional<LayerId> above = {});
-  /// Draws the next item of a job. Requires that the part was cleared before the first one. The
-  /// outline view (InkStyle::hair_px) has no fills.
+  /// Draws the next stroke, fill or picture of a job. Requires that the part was cleared before the
+  /// first one. The outline view (InkStyle::hair_px) has no fills.
   void draw_next(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws one stroke.
   void draw(const Stroke& stroke, const View& view, PixelRect part, const InkStyle& style,
@@ -79,6 +97,8 @@ class TilePainter {
  private:
   [[nodiscard]] static bool is_valid(const InkScene& scene, const View& view,
                                      const TileSplit& split);
+  /// Draws the next item of a job.
+  void draw_item(InkJob& job, const InkStyle& style, Pixels target);
   bool fits(const InkScene& scene, const TileSplit& split, PixelRect part) const;
   bool make(const InkScene& scene, const View& view, PixelRect valid, const InkStyle& style,
             TileSplit& split);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -143,12 +144,32 @@ struct LayerEvent {
     kLower,  ///< one position down; no effect at the bottom
     kUse,    ///< makes it the current layer for new ink; not an undo step
     kMove,   ///< to position `index`
+    kOpacity,
+    kDuplicate,  ///< adds a copy with all strokes above the layer and uses it
+    kMerge,      ///< moves the strokes on top of the layer below and removes the layer
+    kPlace,      ///< sets the place of the layer's picture
+    kExport,     ///< exported files show the layer's picture
+    kLeaveOut,   ///< exported files do not show the layer's picture
   };
   Do what = Do::kAdd;
   LayerId layer;          ///< unused for kAdd
   std::string name = {};  ///< for kAdd and kRename
   std::size_t index = 0;  ///< for kMove: 0 is the lowest; greater values are clamped to the highest
+  double opacity = 1.0;   ///< for kOpacity: 0..1
+  Affine place = {};      ///< for kPlace: LayerPicture::place
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
+};
+
+/// Adds a layer with a picture below the current layer and uses it.
+/// {"event":"picture","name":"Photo","png":"iVBORw0K...","matrix":[a,b,c,d,e,f]}
+struct AddPicture {
+  std::string name = {};  ///< name of the layer; empty gives "Layer N"
+  std::shared_ptr<const PictureData> data = {};
+  Affine place = {};  ///< LayerPicture::place
+  friend bool operator==(const AddPicture& a, const AddPicture& b) {
+    return a.name == b.name && a.place == b.place &&
+           (a.data == b.data || (a.data && b.data && *a.data == *b.data));
+  }
 };
 
 /// The version of the tools' default options. A recording contains this version, because a
@@ -192,7 +213,7 @@ struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent, OrderEvent,
-               RestyleEvent, LayerEvent, UseDevice, UseMaterial, UseGuide>
+               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

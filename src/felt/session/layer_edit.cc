@@ -33,6 +33,17 @@ std::string label_of(Do what) {
       return "Lower layer";
     case Do::kMove:
       return "Move layer";
+    case Do::kOpacity:
+      return "Layer opacity";
+    case Do::kDuplicate:
+      return "Duplicate layer";
+    case Do::kMerge:
+      return "Merge layers";
+    case Do::kPlace:
+      return "Place picture";
+    case Do::kExport:
+    case Do::kLeaveOut:
+      return "Export picture";
     case Do::kUse:
       break;
   }
@@ -65,6 +76,13 @@ LayerState changed(LayerState state, const LayerEvent& event) {
   if (event.what == Do::kLock || event.what == Do::kUnlock) {
     state.locked = event.what == Do::kLock;
   }
+  if (event.what == Do::kOpacity) state.opacity = event.opacity;
+  if (event.what == Do::kPlace) state.picture = placed(*state.picture, event.place);
+  if (event.what == Do::kExport || event.what == Do::kLeaveOut) {
+    LayerPicture picture = *state.picture;
+    picture.exported = event.what == Do::kExport;
+    state.picture = std::make_shared<const LayerPicture>(std::move(picture));
+  }
   return state;
 }
 
@@ -91,6 +109,104 @@ Edit removal_of(const Document& document, const Layer& layer) {
   Edit edit = std::move(builder).build(label_of(Do::kRemove));
   edit.layers.push_back({layer.id, layer.state(), {}, index_of(document, layer.id), 0});
   return edit;
+}
+
+/// Lets the pieces of a copied loop name the copies of the strokes of its layer.
+void name_copies(const Document& document, const Layer& layer, FillLoop& loop) {
+  for (FillPiece& piece : loop.pieces) {
+    const auto at = std::find(layer.strokes.begin(), layer.strokes.end(), piece.stroke);
+    if (at == layer.strokes.end()) continue;
+    piece.stroke = document.new_id(static_cast<std::size_t>(at - layer.strokes.begin()));
+  }
+}
+
+/// Returns an edit that adds a copy of the layer with all its strokes and fills above it.
+Edit copy_of(const Document& document, const Layer& layer) {
+  LayerState state = layer.state();
+  state.name += " copy";
+  const LayerId id = document.new_layer_id();
+  Edit edit{label_of(Do::kDuplicate), {}, {}};
+  edit.layers.push_back({id, std::nullopt, std::move(state), 0, index_of(document, layer.id) + 1});
+  edit.changes.reserve(layer.strokes.size());
+  for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+    edit.changes.push_back(
+        {document.new_id(i), nullptr, document.find(layer.strokes[i]), {}, {id, i}});
+  }
+  for (std::size_t i = 0; i < layer.fills.size(); ++i) {
+    Fill fill = *document.find_fill(layer.fills[i]);
+    for (FillLoop& loop : fill.loops) name_copies(document, layer, loop);
+    const FillId copy = document.new_fill_id(layer.strokes.size() + i);
+    edit.fills.push_back(
+        {copy, nullptr, std::make_shared<const Fill>(std::move(fill)), {}, {id, i}});
+  }
+  return edit;
+}
+
+Edit merge_of(const Document& document, const Layer& layer) {
+  const std::size_t index = index_of(document, layer.id);
+  const Layer& below = document.layers()[index - 1];
+  Edit edit{label_of(Do::kMerge), {}, {}};
+  edit.layers.push_back({layer.id, layer.state(), std::nullopt, index, 0});
+  edit.changes.reserve(layer.strokes.size());
+  for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+    const StrokePtr stroke = document.find(layer.strokes[i]);
+    edit.changes.push_back(
+        {layer.strokes[i], stroke, stroke, {layer.id, i}, {below.id, below.strokes.size() + i}});
+  }
+  for (std::size_t i = 0; i < layer.fills.size(); ++i) {
+    const FillPtr fill = document.find_fill(layer.fills[i]);
+    edit.fills.push_back(
+        {layer.fills[i], fill, fill, {layer.id, i}, {below.id, below.fills.size() + i}});
+  }
+  return edit;
+}
+
+tl::unexpected<Error> refusal(const Layer& layer, const std::string& why) {
+  return fail(ErrorCode::kInvalidArgument, title_of(layer) + ' ' + why);
+}
+
+Result<void> check_merge(const Document& document, const Layer& layer) {
+  const std::size_t index = index_of(document, layer.id);
+  if (index == 0) return refusal(layer, "is the lowest: there is no layer to merge it with");
+  const Layer& below = document.layers()[index - 1];
+  for (const Layer* part : {&layer, &below}) {
+    if (is_open(*part)) continue;
+    return refusal(
+        *part, part->visible ? "is locked and cannot be merged" : "is hidden and cannot be merged");
+  }
+  if (layer.picture) return refusal(layer, "has a picture and cannot be merged");
+  if (layer.opacity != below.opacity) {
+    return refusal(layer, "and " + title_of(below) +
+                              " differ in opacity: make it equal before you merge them");
+  }
+  return {};
+}
+
+/// Returns an error if the event cannot be applied to the layer.
+Result<void> check_event(const Document& document, const Layer& layer, const LayerEvent& event) {
+  switch (event.what) {
+    case Do::kUse:
+      if (is_open(layer)) return {};
+      return refusal(layer, std::string(layer.visible ? "is locked" : "is hidden") +
+                                ": you cannot draw on it");
+    case Do::kOpacity:
+      if (event.opacity >= 0.0 && event.opacity <= 1.0) return {};
+      return fail(ErrorCode::kInvalidArgument, "opacity: is not a number from 0 to 1");
+    case Do::kMerge:
+      return check_merge(document, layer);
+    case Do::kPlace:
+      if (layer.locked) return refusal(layer, "is locked: its picture cannot be moved");
+      if (!is_picture_place(event.place)) {
+        return fail(ErrorCode::kInvalidArgument, "matrix: a picture cannot be placed like this");
+      }
+      break;
+    case Do::kExport:
+    case Do::kLeaveOut:
+      break;
+    default:
+      return {};
+  }
+  return layer.picture ? Result<void>() : refusal(layer, "has no picture");
 }
 
 /// Completes an edit of one layer. If no open layer would remain, the edit also adds one on top.
@@ -123,16 +239,33 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
   if (!layer) {
     return fail(ErrorCode::kNotFound, "no layer " + std::to_string(event.layer.value));
   }
-  if (event.what == Do::kUse) {
-    if (is_open(*layer)) return Edit{};
-    return fail(ErrorCode::kInvalidArgument, title_of(*layer) +
-                                                 (layer->visible ? " is locked" : " is hidden") +
-                                                 ": you cannot draw on it");
-  }
+  if (auto ok = check_event(document, *layer, event); !ok) return tl::unexpected(ok.error());
+  if (event.what == Do::kUse) return Edit{};
+  if (event.what == Do::kDuplicate) return copy_of(document, *layer);
+  if (event.what == Do::kMerge) return merge_of(document, *layer);
   Edit edit =
       event.what == Do::kRemove ? removal_of(document, *layer) : change_of(document, *layer, event);
   keep_one_open(document, edit);
   return edit;
+}
+
+Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use) {
+  if (!event.data) return fail(ErrorCode::kInvalidArgument, "picture: has no data");
+  if (!is_picture_place(event.place)) {
+    return fail(ErrorCode::kInvalidArgument, "matrix: a picture cannot be placed like this");
+  }
+  const std::size_t index = std::min(index_of(document, in_use), document.layers().size());
+  LayerChange change = new_layer(document, event.name, index);
+  change.after->picture =
+      std::make_shared<const LayerPicture>(LayerPicture{event.data, event.place});
+  return Edit{"Add picture", {}, {std::move(change)}};
+}
+
+LayerId used_after(const Document& document, const LayerEvent& event, const Edit& edit) {
+  if (event.what == Do::kUse) return event.layer;
+  if (event.what == Do::kAdd || event.what == Do::kDuplicate) return edit.layers.front().id;
+  if (event.what != Do::kMerge) return {};
+  return document.layers()[index_of(document, event.layer) - 1].id;
 }
 
 Edit add_layer_on_top(const Document& document) {

@@ -21,9 +21,19 @@ LayerId highest_open_layer(const Document& document) noexcept;
 /// the edit also adds an open layer on top, because ink must never go to a layer that the user
 /// cannot see.
 ///
-/// Fails if the layer does not exist, or if the event is kUse and the layer is not open. The
-/// message names the layer and the reason.
+/// Fails if the layer does not exist; if the event is kUse and the layer is not open; if a value is
+/// out of range; if the event changes a picture and the layer has none, or is locked; or if layers
+/// cannot be merged: both must be open and have the same opacity, and the upper one must have no
+/// picture. The message names the layer and the reason.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
+
+/// Returns an edit that adds a layer with a picture below the layer `in_use`. Fails if the event
+/// has no data, or a place that is_picture_place() refuses.
+Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use);
+
+/// Returns the layer that the event makes the current one; an empty id if it leaves the current
+/// layer. `document` is the document before `edit`, which layer_edit() has returned for the event.
+LayerId used_after(const Document& document, const LayerEvent& event, const Edit& edit);
 
 /// Returns an edit that adds an open layer on top.
 Edit add_layer_on_top(const Document& document);

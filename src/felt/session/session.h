@@ -53,7 +53,8 @@ struct SessionOptions {
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
-///   redo, select, delete, duplicate, move, order, restyle, layer    have no effect
+///   redo, select, delete, duplicate, move, order, restyle, layer,
+///   picture                                            have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
@@ -171,6 +172,7 @@ class Session {
   Result<void> order_selected(OrderEvent::To to);
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
+  Result<void> add_picture(const AddPicture& event);
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);

@@ -106,10 +106,25 @@ Result<void> Session::change_layer(const LayerEvent& event) {
   if (Result<void> settled = settle(); !settled) return settled;
   Result<Edit> edit = layer_edit(document_, event, layer_);
   if (!edit) return tl::unexpected(edit.error());
-  const LayerId added = event.what == LayerEvent::Do::kAdd ? edit->layers.front().id : LayerId{};
+  const LayerId used = used_after(document_, event, *edit);
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
-  if (added) layer_ = added;
-  if (event.what == LayerEvent::Do::kUse) layer_ = event.layer;
+  if (used) layer_ = used;
+  keep_layer_open();
+  return {};
+}
+
+Result<void> Session::add_picture(const AddPicture& event) {
+  if (gesture_in_progress()) return {};
+  // Reports an error before anything changes.
+  if (Result<Edit> edit = picture_edit(document_, event, layer_); !edit) {
+    return tl::unexpected(edit.error());
+  }
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = picture_edit(document_, event, layer_);
+  if (!edit) return tl::unexpected(edit.error());
+  const LayerId added = edit->layers.front().id;
+  if (Result<void> done = commit(*std::move(edit)); !done) return done;
+  layer_ = added;
   return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include "felt/base/check.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 
 namespace felt {
@@ -173,10 +174,17 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
     schema.recordings.push_back(std::move(table));
     return {};
   }
-  if (table.name == "material") {
-    if (table.sql != kMaterialTable)
-      return invalid_data("the table 'material' has an unexpected definition");
-    schema.has_materials = true;
+  struct PlainTable {
+    std::string_view name, sql;
+    bool& has;
+  };
+  for (const PlainTable& plain : {PlainTable{"material", kMaterialTable, schema.has_materials},
+                                  PlainTable{"layer_look", kLayerLookTable, schema.has_layer_looks},
+                                  PlainTable{"picture", kPictureTable, schema.has_pictures}}) {
+    if (table.name != plain.name) continue;
+    if (table.sql != plain.sql)
+      return invalid_data("the table '" + table.name + "' has an unexpected definition");
+    plain.has = true;
     return {};
   }
   if (table.name == "fill") {

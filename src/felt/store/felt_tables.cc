@@ -8,6 +8,7 @@
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/stroke_blob.h"
 
@@ -233,6 +234,7 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
   return make_tables(database, like)
       .and_then([&] { return write_drawing_row(database, drawing); })
       .and_then([&] { return write_layers(database, drawing.document); })
+      .and_then([&] { return write_layer_looks(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
       .and_then([&] { return write_fills(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
@@ -245,14 +247,14 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   if (!head) return tl::unexpected(head.error());
   Edit edit;
   edit.label = "Open";
-  Result<void> done = read_layers(database, drawing.document, edit)
-                          .and_then([&] { return read_strokes(database, edit); })
-                          .and_then([&]() -> Result<void> {
-                            if (!schema.has_fills) return {};
-                            return read_fills(database, edit);
-                          })
-                          .and_then([&] { return drawing.document.apply(edit); })
-                          .and_then([&] { return read_page(database, drawing); });
+  Result<void> done = read_layers(database, drawing.document, edit);
+  if (done && schema.has_layer_looks) done = read_layer_opacities(database, edit);
+  if (done && schema.has_pictures) done = read_pictures(database, edit);
+  if (done) done = read_strokes(database, edit);
+  if (done && schema.has_fills) done = read_fills(database, edit);
+  if (done) {
+    done = drawing.document.apply(edit).and_then([&] { return read_page(database, drawing); });
+  }
   if (done && schema.has_materials) done = read_materials(database, drawing);
   if (!done) return tl::unexpected(done.error());
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});

@@ -34,6 +34,10 @@ class ScriptedDialogs : public FileDialogs {
     salvageable = strokes;
     return salvage;
   }
+  int ask_page(QWidget*, const QString& name, int) override {
+    asked.push_back(name);
+    return page;
+  }
   void show_error(QWidget*, const QString& what, const QString& why,
                   const QString& details) override {
     errors.push_back(what + QStringLiteral(": ") + why + QLatin1Char(' ') + details);
@@ -52,6 +56,7 @@ class ScriptedDialogs : public FileDialogs {
   std::function<void()> save_elsewhere;  ///< the action that the last failed save offered
   bool salvage = false;
   int salvageable = 0;  ///< number of strokes in the last question
+  int page = 1;         ///< the next page that is chosen
   QStringList asked;
   QStringList errors;
 };

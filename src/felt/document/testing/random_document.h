@@ -7,6 +7,7 @@
 
 #include "felt/document/document.h"
 #include "felt/document/testing/random_fills.h"
+#include "felt/document/testing/small_picture.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::testing {
@@ -103,6 +104,12 @@ class RandomEdits {
     state.visible = random_.chance(0.5);
     state.locked = random_.chance(0.5);
     state.name += "'";
+    state.opacity = random_.chance(0.5) ? 1.0 : random_.uniform(0.0, 1.0);
+    if (random_.chance(0.3)) state.picture = nullptr;
+    if (random_.chance(0.3)) state.picture = red_blue_picture(random_.uniform(-9.0, 99.0), 0.5);
+    if (state.picture && random_.chance(0.3)) {
+      state.picture = placed(*state.picture, {0.1, 0.2, -0.2, 0.1, random_.uniform(0.0, 9.0), 5.0});
+    }
   }
 
   static std::vector<std::pair<StrokeId, StrokePlace>> places(const Orders& orders) {

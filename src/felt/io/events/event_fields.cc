@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/base64.h"
 #include "felt/geometry/tilt.h"
 #include "felt/io/events/event_words.h"
 #include "felt/material/material_file.h"
+#include "felt/render/picture_pixels.h"
 
 namespace felt::json {
 namespace {
@@ -229,6 +231,37 @@ Result<void> parse_index(Value& value, EventFields& out) {
   return {};
 }
 
+Result<void> parse_matrix(Value& value, EventFields& out) {
+  std::array<double, 6> m{};
+  std::size_t count = 0;
+  const auto add = [&](Value& item) -> Result<void> {
+    const std::string_view token = token_of(item);
+    if (count == m.size()) return bad("a matrix has only six numbers");
+    if (read_number(item, kCoordinateLimit, m[count++])) return {};
+    return tl::unexpected(number_error(token, kCoordinateLimit));
+  };
+  if (Result<void> read = for_each_element(value, "matrix", add); !read) return read;
+  if (count < m.size()) return bad("matrix: has fewer than six numbers");
+  out.matrix = Affine{m[0], m[1], m[2], m[3], m[4], m[5]};
+  if (is_picture_place(*out.matrix)) return {};
+  return bad("matrix: a picture cannot be placed like this");
+}
+
+Result<void> parse_png(Value& value, EventFields& out) {
+  std::string text;
+  constexpr std::size_t kMaxText = PictureData::kMaxBytes / 3 * 4 + 4;
+  if (Result<void> read = parse_text(value, "png", text, kMaxText); !read) return read;
+  std::optional<std::string> bytes = base64_bytes(text);
+  if (!bytes) return bad("png: is not base64");
+  auto data = make_picture_data(*std::move(bytes));
+  if (!data) return tl::unexpected(with_context(data.error(), "png"));
+  if (auto pixels = PicturePixels::decode(**data); !pixels) {
+    return tl::unexpected(with_context(pixels.error(), "png"));
+  }
+  out.picture = *std::move(data);
+  return {};
+}
+
 /// Adds a point [x,y] of a guide.
 Result<void> parse_guide_point(Value& value, std::vector<Point>& out) {
   if (out.size() == kMaxGuidePoints) return bad("a guide has at most 20000 points");
@@ -306,7 +339,9 @@ constexpr std::array kLayerFields = {
     EventField{"id", false, parse_layer},
     EventField{"index", false, parse_index},
     EventField{"name", false,
-               [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }}};
+               [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }},
+    EventField{"opacity", false, parse_opacity},
+    EventField{"matrix", false, parse_matrix}};
 constexpr std::array kMoveFields = {
     kEvent, kTime,
     EventField{"dx", false,
@@ -317,6 +352,11 @@ constexpr std::array kOrderFields = {kEvent, kTime,
                                      EventField{"to", true, [](Value& v, EventFields& e) {
                                                   return parse_word(v, "to", kOrderWords, e.order);
                                                 }}};
+constexpr std::array kPictureFields = {
+    kEvent, kTime,
+    EventField{"name", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }},
+    EventField{"png", true, parse_png}, EventField{"matrix", true, parse_matrix}};
 constexpr std::array kMaterialFields = {
     kEvent, kTime, EventField{"text", true, [](Value& v, EventFields& e) {
                                 return parse_text(v, "text", e.text, kMaxMaterialBytes);
@@ -439,6 +479,7 @@ constexpr NamedEvent kEvents[] = {
     {"order", EventName::kOrder, kOrderFields},
     {"restyle", EventName::kRestyle, kRestyleFields},
     {"layer", EventName::kLayer, kLayerFields},
+    {"picture", EventName::kPicture, kPictureFields},
     {"device", EventName::kDevice, kDeviceFields},
     {"material", EventName::kMaterial, kMaterialFields},
     {"guide", EventName::kGuide, kGuideFields},

@@ -39,6 +39,8 @@ struct EventFields {
   std::string medium;
   std::optional<double> opacity;
   std::optional<double> width_factor;
+  std::shared_ptr<const PictureData> picture;
+  std::optional<Affine> matrix;
   GuideLine guide;
 };
 
@@ -59,6 +61,7 @@ enum class EventName {
   kOrder,
   kRestyle,
   kLayer,
+  kPicture,
   kDevice,
   kMaterial,
   kGuide

@@ -29,6 +29,8 @@ LayerEvent layer_event(EventFields&& fields) {
   if (event.what == Do::kAdd) event.layer = {};
   if (event.what == Do::kAdd || event.what == Do::kRename) event.name = std::move(fields.name);
   if (event.what == Do::kMove) event.index = fields.index.value_or(0);
+  if (event.what == Do::kOpacity) event.opacity = fields.opacity.value_or(1.0);
+  if (event.what == Do::kPlace) event.place = fields.matrix.value_or(Affine{});
   return event;
 }
 
@@ -81,6 +83,10 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kLayer:
       event.what = layer_event(std::move(fields));
       break;
+    case EventName::kPicture:
+      event.what = AddPicture{std::move(fields.name), std::move(fields.picture),
+                              fields.matrix.value_or(Affine{})};
+      break;
     case EventName::kDevice:
       event.what = UseDevice{fields.device, fields.defaults};
       break;
@@ -111,6 +117,12 @@ Result<void> check_layer(EventName name, const EventFields& fields) {
   }
   if (fields.action == LayerEvent::Do::kMove && !fields.index) {
     return json::bad("key \"index\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kOpacity && !fields.opacity) {
+    return json::bad("key \"opacity\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kPlace && !fields.matrix) {
+    return json::bad("key \"matrix\" is missing");
   }
   return {};
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "felt/document/testing/small_picture.h"
+
 namespace felt::event_reader_test {
 namespace {
 
@@ -139,7 +141,7 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   EXPECT_EQ(error_of(R"({"event":"layer","id":1,"t_ms":0})"), "key \"do\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"fly","id":1,"t_ms":0})"),
             "do: \"fly\" is not one of add, remove, rename, show, hide, lock, unlock, raise, "
-            "lower, use, move");
+            "lower, use, move, opacity, duplicate, merge, place, export, leave-out");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0})"), "key \"id\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"t_ms":0})"),
             "key \"name\" is missing");
@@ -243,7 +245,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
-      "delete, duplicate, move, order, restyle, layer, device, material, guide");
+      "delete, duplicate, move, order, restyle, layer, picture, device, material, guide");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");
@@ -361,6 +363,47 @@ TEST(ReadScript, HoldsAScriptOfAnyLengthALineAtATime) {
   const Result<void> done = read_script("c", source, sink);
   EXPECT_TRUE(done) << done.error().message;
   EXPECT_EQ(seen, kEvents);
+}
+
+TEST(EventReader, ReadsPicturesAndTheirPlaces) {
+  using Do = LayerEvent::Do;
+  const std::string png(testing::kRedBluePng);
+  EXPECT_EQ(
+      event_of(R"({"event":"picture","t_ms":0,"name":"Photo","matrix":[2,0,0,3,4,5],"png":")" +
+               png + "\"}"),
+      (Event{0, AddPicture{"Photo", testing::picture_data(), {2, 0, 0, 3, 4, 5}}}));
+  LayerEvent faded{Do::kOpacity, {3}};
+  faded.opacity = 0.25;
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"opacity","id":3,"opacity":0.25,"t_ms":0})"),
+            (Event{0, faded}));
+  LayerEvent moved{Do::kPlace, {3}};
+  moved.place = {1, 0, 0, 1, -7, 8};
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"place","id":3,"matrix":[1,0,0,1,-7,8],"t_ms":0})"),
+            (Event{0, moved}));
+}
+
+TEST(EventReader, RefusesBadPictures) {
+  const auto error = [](const std::string& keys) {
+    return error_of(R"({"event":"picture","t_ms":0,"matrix":[1,0,0,1,0,0],)" + keys + "}");
+  };
+  EXPECT_EQ(error(R"("name":"a")"), "key \"png\" is missing");
+  EXPECT_EQ(error(R"("png":"***")"), "png: is not base64");
+  EXPECT_EQ(error(R"("png":"Zm9v")"), "png: the picture is not a PNG file");
+  std::string cut(testing::kColorfulPng);
+  cut.resize(80);
+  EXPECT_THAT(error("\"png\":\"" + cut + "\""),
+              ::testing::StartsWith("png: the PNG file is damaged"));
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"opacity","id":1,"t_ms":0})"),
+            "key \"opacity\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"place","id":1,"t_ms":0})"),
+            "key \"matrix\" is missing");
+  for (const char* matrix :
+       {"[1,0,0,1,0]", "[1,0,0,1,0,0,0]", "[1,1,1,1,0,0]", "[1e5,0,0,1,0,0]"}) {
+    EXPECT_THAT(error_of(R"({"event":"layer","do":"place","id":1,"t_ms":0,"matrix":)" +
+                         std::string(matrix) + "}"),
+                ::testing::StartsWith("matrix"))
+        << matrix;
+  }
 }
 
 }  // namespace

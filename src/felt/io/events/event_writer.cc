@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/base/base64.h"
 #include "felt/io/events/event_words.h"
 #include "felt/io/ndjson/json_text.h"
 
@@ -19,6 +20,12 @@ void add_pose(JsonObject& out, const Vec3& at, const Pose& pose) {
   if (pose.pressure) out.add_number("pressure", *pose.pressure);
   if (pose.buttons != 0) out.add_number("buttons", pose.buttons);
   if (pose.tilt_deg) out.add_number("tilt", *pose.tilt_deg);
+}
+
+void add_matrix(JsonObject& out, const Affine& m) {
+  std::vector<std::string> numbers;
+  for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) numbers.push_back(json_number(x));
+  out.add_raw("matrix", json_array(numbers));
 }
 
 /// Adds the kind of an event and its own keys.
@@ -81,6 +88,14 @@ struct AddWhat {
     if (e.layer) out.add_raw("id", std::to_string(e.layer.value));
     if (!e.name.empty()) out.add_text("name", e.name);
     if (e.what == LayerEvent::Do::kMove) out.add_raw("index", std::to_string(e.index));
+    if (e.what == LayerEvent::Do::kOpacity) out.add_number("opacity", e.opacity);
+    if (e.what == LayerEvent::Do::kPlace) add_matrix(out, e.place);
+  }
+  void operator()(const AddPicture& e) const {
+    kind("picture");
+    if (!e.name.empty()) out.add_text("name", e.name);
+    add_matrix(out, e.place);
+    out.add_text("png", base64_text(e.data ? e.data->png : std::string()));
   }
   void operator()(const UseDevice& e) const {
     const Capabilities& can = e.capabilities;

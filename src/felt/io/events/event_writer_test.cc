@@ -1,4 +1,5 @@
 #include "felt/io/events/event_writer.h"
+#include "felt/document/testing/small_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -112,13 +113,20 @@ std::optional<double> any_tilt() {
   return 90.0 * (*rc::gen::inRange(0, (1 << 20) + 1) / 1048576.0);
 }
 
+Affine any_picture_place() {
+  const double x = std::fmod(*numbers(), 1e5), y = std::fmod(*numbers(), 1e5);
+  return {*rc::gen::inRange(1, 1000) / 7.0, 0.1, -0.1, *rc::gen::inRange(1, 1000) / 3.0, x, y};
+}
+
 LayerEvent any_layer_event() {
   using Do = LayerEvent::Do;
-  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 11)), {}, {}};
+  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 17)), {}, {}};
   if (event.what != Do::kAdd) event.layer.value = *rc::gen::positive<std::uint64_t>();
   const bool is_named = event.what == Do::kAdd ? *rc::gen::arbitrary<bool>() : false;
   if (is_named || event.what == Do::kRename) event.name = *event_texts();
   if (event.what == Do::kMove) event.index = *rc::gen::arbitrary<std::uint32_t>();
+  if (event.what == Do::kOpacity) event.opacity = *rc::gen::inRange(0, 1001) / 1000.0;
+  if (event.what == Do::kPlace) event.place = any_picture_place();
   return event;
 }
 
@@ -160,7 +168,7 @@ GuideLine any_guide() {
 
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 16)) {
+  switch (*rc::gen::inRange(0, 17)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -207,6 +215,9 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 14:
       event.what = UseGuide{any_guide()};
+      break;
+    case 13:
+      event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};
       break;
     default:
       event.what = ImportEvent{*event_texts(), *rc::gen::arbitrary<bool>()};

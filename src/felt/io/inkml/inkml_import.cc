@@ -184,8 +184,11 @@ class InkmlReader {
     if (label.size() > limits::kMaxNameBytes) {
       notice(node, "has a name of more than 4096 bytes, which was skipped");
     }
+    const double opacity =
+        inkml::number_of(node.attribute((felt_ + "opacity").c_str()).value()).value_or(1.0);
     group.layer =
-        builder_.add_layer({std::string(label), !is("visible", "false"), is("locked", "true")});
+        builder_.add_layer({std::string(label), !is("visible", "false"), is("locked", "true"),
+                            opacity >= 0.0 && opacity <= 1.0 ? opacity : 1.0});
     return group;
   }
 

@@ -117,6 +117,11 @@ class InkmlParts final : public DrawingParts {
     out += '"';
     if (!layer.visible) out += " felt:visible=\"false\"";
     if (layer.locked) out += " felt:locked=\"true\"";
+    if (layer.opacity < 1.0) {
+      std::array<char, 32> number{};
+      const auto end = std::to_chars(number.begin(), number.end(), layer.opacity).ptr;
+      out += " felt:opacity=\"" + std::string(number.data(), end) + '"';
+    }
     out += ">\n";
     return {};
   }

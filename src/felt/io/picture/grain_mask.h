@@ -62,7 +62,4 @@ class GrainMasks {
   std::vector<std::uint8_t> ink_, covered_, coverage_;
 };
 
-/// Encodes bytes as base64 for a data: URI.
-std::string base64_text(std::string_view bytes);
-
 }  // namespace felt

@@ -163,15 +163,6 @@ TEST(GrainMask, ForAllStrokesIsAsFineAsTheyFit) {
   EXPECT_FALSE(GrainMasks::dpi_for_all(std::vector<StrokePtr>(20000, one.front()), page, 300.0));
 }
 
-TEST(GrainMask, Base64IsThatOfRfc4648) {
-  EXPECT_EQ(base64_text(""), "");
-  EXPECT_EQ(base64_text("f"), "Zg==");
-  EXPECT_EQ(base64_text("fo"), "Zm8=");
-  EXPECT_EQ(base64_text("foo"), "Zm9v");
-  EXPECT_EQ(base64_text("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64_text(std::string_view("\xff\xfe\x00", 3)), "//4A");
-}
-
 /// Removes the masks and the references to them.
 std::string unmasked(std::string svg) {
   const auto cut = [&svg](const std::string& from, const std::string& to) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "felt/base/base64.h"
 #include "felt/io/exact_numbers.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/picture/grain_mask.h"
@@ -426,8 +427,27 @@ Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::s
   out += "<g id=\"layer" + std::to_string(number) +
          "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
   if (layer.locked) out += " sodipodi:insensitive=\"true\"";
-  out += layer.visible ? " style=\"display:inline\">\n" : " style=\"display:none\">\n";
+  out += layer.visible ? " style=\"display:inline" : " style=\"display:none";
+  if (layer.opacity < 1.0) {
+    out += ";opacity:";
+    append_number(out, layer.opacity);
+  }
+  out += "\">\n";
   return {};
+}
+
+void append_svg_picture(std::string& out, const LayerPicture& picture) {
+  const Affine& m = picture.place;
+  out += "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\" transform=\"matrix(";
+  for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) {
+    append_number(out, x);
+    out += ' ';
+  }
+  out.back() = ')';
+  out += "\" width=\"" + std::to_string(picture.data->width_px) + "\" height=\"" +
+         std::to_string(picture.data->height_px) +
+         "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64," +
+         base64_text(picture.data->png) + "\"/>\n";
 }
 
 void append_svg_tail(std::string& out) {

@@ -54,6 +54,9 @@ Result<std::string> svg_model_text(const Drawing& drawing, const Page* page);
 /// appends nothing, if XML cannot hold the name.
 Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number);
 
+/// Appends a picture as an image element that contains its file.
+void append_svg_picture(std::string& out, const LayerPicture& picture);
+
 /// Begins a group for strokes outside all layers.
 void append_svg_group_begin(std::string& out);
 /// Ends a layer or group.

@@ -118,7 +118,7 @@ void SvgInk::layer(const SvgLayer& layer) {
     return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
   }
   std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
-  layer_state_ = {std::move(name), layer.visible, layer.locked};
+  layer_state_ = {std::move(name), layer.visible, layer.locked, layer.opacity};
   builder_.add_layer(layer_state_);
   layer_ink_.clear();
 }

@@ -69,6 +69,7 @@ struct SvgLayer {
   std::size_t number = 0;  ///< 0: content outside all layers
   bool visible = true;
   bool locked = false;
+  double opacity = 1.0;
 };
 
 /// Properties of the root element.

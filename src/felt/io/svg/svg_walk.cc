@@ -176,7 +176,7 @@ bool SvgWalker::resolve(Element& e) {
     notice(e.node, "is hidden in the file and was skipped");
     return false;
   }
-  s.opacity *= s.style.opacity;
+  if (!is_layer) s.opacity *= s.style.opacity;
   apply_transform(e);
   notice_effects(e);
   return true;
@@ -232,8 +232,9 @@ void SvgWalker::notice_effects(Element& e) {
 
 void SvgWalker::dispatch(Element& e, const Frame& from) {
   if (e.name == "g" || e.name == "a") {
-    if (document_.inkscape(e.node, "groupmode") == "layer") enter_layer(e);
-    if (e.state.style.opacity < 1.0) {
+    const bool is_layer = document_.inkscape(e.node, "groupmode") == "layer";
+    if (is_layer) enter_layer(e);
+    if (!is_layer && e.state.style.opacity < 1.0) {
       notice(e.node, "is transparent as a whole; the transparency was applied to each stroke");
     }
     return push(e, from);
@@ -263,6 +264,7 @@ void SvgWalker::enter_layer(Element& e) {
   s.layer.label = document_.inkscape(e.node, "label");
   s.layer.visible = s.layer.visible && s.style.displayed;
   s.layer.locked = s.layer.locked || document_.sodipodi(e.node, "insensitive") == "true";
+  s.layer.opacity *= s.style.opacity;
   s.layer.number = ++layers_;
   current_layer_ = s.layer.number;
   has_layer_ = true;

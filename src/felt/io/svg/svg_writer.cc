@@ -21,6 +21,7 @@ class SvgParts final : public DrawingParts {
       : document_(document),
         ranges_(stroke_ranges(document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
+        pictures_(options.pictures),
         head_(std::move(head)),
         layers_(layers) {
     if (options.grain) masks_.emplace(*options.grain, area);
@@ -67,9 +68,11 @@ class SvgParts final : public DrawingParts {
   Result<void> begin(std::string& text, const Layer& layer, std::size_t number) const {
     if (layers_ == SvgLayers::kLeftOut) {
       append_svg_group_begin(text);
-    } else if (auto ok = append_svg_layer_begin(text, layer, number); !ok) {
-      return ok;
+      return {};
     }
+    if (auto ok = append_svg_layer_begin(text, layer, number); !ok) return ok;
+    const LayerPicture* picture = exported_picture(layer, pictures_);
+    if (picture) append_svg_picture(text, *picture);
     for (const FillId id : layer.fills) {
       if (auto ok = append_svg_fill(text, fill_name(id), *document_.find_fill(id)); !ok) return ok;
     }
@@ -88,6 +91,7 @@ class SvgParts final : public DrawingParts {
   const Document& document_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;
+  PictureChoice pictures_;
   std::string head_;
   SvgLayers layers_;
   mutable std::optional<GrainMasks> masks_;  // one thread only, because any_order() is false

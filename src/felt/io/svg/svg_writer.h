@@ -29,6 +29,8 @@ struct SvgOptions {
   /// If set, each stroke has a mask that shows the grain of the surface. All viewers support such
   /// masks. Lines and outlines do not change, and import_svg reads the same drawing.
   std::optional<GrainPrint> grain{};
+  /// Pictures of layers that the file shows.
+  PictureChoice pictures = PictureChoice::kMarked;
 };
 
 /// Returns a whole drawing as the parts of an SVG file. The layers become layers of Inkscape,

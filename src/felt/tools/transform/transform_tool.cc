@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -76,21 +77,27 @@ void TransformTool::look_at_stroke(Point p, const Scene& scene) {
 
 /// Updates the frame. Resets the centre if other points are selected or if something other than
 /// this tool has moved them.
-void TransformTool::follow_selection() {
+void TransformTool::follow_selection(const Scene& scene) {
   if (selected_.fingerprint() != centre_is_for_) {
     if (selected_.marks_fingerprint() != moved_marks_) centre_.reset();
     moved_marks_.reset();
     centre_is_for_ = selected_.fingerprint();
   }
   frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
+  const Layer* layer = scene.document.layer(scene.layer);
+  picture_ = scene.selection.empty() && layer ? layer->picture : nullptr;
+  if (picture_) frame_ = TransformFrame(bounds_of(*picture_));
 }
 
 ToolResult TransformTool::hover(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
   selected_.look(scene.document, scene.selection);
-  follow_selection();
+  follow_selection(scene);
   under_pen_ = nullptr;
-  if (grip_at(pen_).part == TransformFrame::Part::kNone) look_at_stroke(pen_, scene);
+  const TransformFrame::Part part = grip_at(pen_).part;
+  if (part == TransformFrame::Part::kNone || (picture_ && part != TransformFrame::Part::kHandle)) {
+    look_at_stroke(pen_, scene);
+  }
   return {};
 }
 
@@ -100,10 +107,14 @@ ToolResult TransformTool::begin(const PenSample& sample, const Scene& scene) {
   ++gesture_;
   doing_ = Doing::kNothing;
   selected_.look_at_all(scene.document, scene.selection);
-  follow_selection();
+  follow_selection(scene);
   old_centre_ = centre_;
   under_pen_ = nullptr;
   const TransformFrame::Grip grip = grip_at(pen_);
+  if (picture_) {
+    begin_with_picture(grip, scene, sample.buttons);
+    return {};
+  }
   switch (grip.part) {
     case TransformFrame::Part::kInside:
     case TransformFrame::Part::kHandle:
@@ -122,6 +133,31 @@ ToolResult TransformTool::begin(const PenSample& sample, const Scene& scene) {
       break;
   }
   return {};
+}
+
+/// A stroke at the touch has priority over the inside of the picture, but not over its handles.
+void TransformTool::begin_with_picture(const TransformFrame::Grip& grip, const Scene& scene,
+                                       std::uint32_t buttons) {
+  using Part = TransformFrame::Part;
+  if (grip.part != Part::kHandle) look_at_stroke(pen_, scene);
+  if (under_pen_) return hold_stroke(scene, buttons);
+  if (grip.part == Part::kNone) return;
+  const TransformKind kind = grip.part == Part::kCentre ? TransformKind::kMove : grip.kind;
+  drag_ = TransformDrag(kind, frame_.centre(), grab_);
+  doing_ = Doing::kPicture;
+}
+
+/// Returns the edit that moves the picture, or nullopt if the picture cannot be there.
+std::optional<Edit> TransformTool::picture_edit(const Scene& scene) const {
+  const std::span<const Layer> layers = scene.document.layers();
+  const auto layer = std::find_if(layers.begin(), layers.end(),
+                                  [&scene](const Layer& l) { return l.id == scene.layer; });
+  const Affine place = picture_ ? then(picture_->place, drag_.map()) : Affine{};
+  if (layer == layers.end() || layer->picture != picture_ || !is_picture_place(place)) return {};
+  const auto index = static_cast<std::size_t>(layer - layers.begin());
+  LayerChange change{layer->id, layer->state(), layer->state(), index, index};
+  change.after->picture = placed(*picture_, place);
+  return Edit{drag_.label(), {}, {std::move(change)}};
 }
 
 void TransformTool::hold_stroke(const Scene& scene, std::uint32_t buttons) {
@@ -145,13 +181,17 @@ double TransformTool::width_factor() const {
   return settings_.scale_widths ? drag_.width_factor() : 1.0;
 }
 
-ToolResult TransformTool::move(const PenSample& sample, const Scene&) {
+ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
   farthest_mm_ = std::max(farthest_mm_, distance(grab_, pen_));
   if (farthest_mm_ < kClickMm) return {.same_preview = true};
   if (doing_ == Doing::kCentre) {
     centre_ = pen_;
     frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
+  }
+  if (doing_ == Doing::kPicture) {
+    drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0);
+    return {.preview = picture_edit(scene), .same_preview = true};
   }
   if (doing_ != Doing::kTransform) return {.same_preview = true};
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0);
@@ -165,6 +205,9 @@ ToolResult TransformTool::end(const Scene& scene) {
       break;
     case Doing::kTransform:
       result = end_transform();
+      break;
+    case Doing::kPicture:
+      if (!drag_.is_identity()) result.commit = picture_edit(scene);
       break;
     case Doing::kCentre:
       if (farthest_mm_ < kClickMm) centre_.reset();
@@ -225,7 +268,8 @@ ForceModel TransformTool::force(const Scene& scene) const {
 }
 
 void TransformTool::draw(Overlay& overlay) const {
-  if (in_gesture() && doing_ == Doing::kTransform) return draw_gesture(overlay);
+  const bool drags = doing_ == Doing::kTransform || doing_ == Doing::kPicture;
+  if (in_gesture() && drags) return draw_gesture(overlay);
   if (!frame_.empty()) {
     selected_.draw(overlay);
     frame_.draw(overlay);

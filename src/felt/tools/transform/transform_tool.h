@@ -23,6 +23,8 @@ namespace felt {
 ///   - a drag of the centre of turning and scaling, or a click on the centre, which resets it;
 ///     neither makes an edit;
 ///   - a click outside the frame, which selects another stroke, or nothing.
+/// If nothing is selected and the current layer has a picture, the frame is around the picture, and
+/// a transform that does not begin on a stroke changes the place of the picture.
 class TransformTool final : public GestureTool {
  public:
   /// A touch that stays within this distance of its start is a click.
@@ -44,12 +46,15 @@ class TransformTool final : public GestureTool {
   void take_options(const OptionValues& options) override;
 
  private:
-  enum class Doing : std::uint8_t { kNothing, kTransform, kCentre, kElsewhere };
+  enum class Doing : std::uint8_t { kNothing, kTransform, kPicture, kCentre, kElsewhere };
 
   /// Returns the part of the frame that a touch at a point would grab.
   [[nodiscard]] TransformFrame::Grip grip_at(Point p) const;
   void look_at_stroke(Point p, const Scene& scene);
-  void follow_selection();
+  void follow_selection(const Scene& scene);
+  void begin_with_picture(const TransformFrame::Grip& grip, const Scene& scene,
+                          std::uint32_t buttons);
+  [[nodiscard]] std::optional<Edit> picture_edit(const Scene& scene) const;
   void take_hold(TransformKind kind, const Scene& scene, const Selection& selection,
                  std::uint32_t buttons);
   void hold_stroke(const Scene& scene, std::uint32_t buttons);
@@ -67,6 +72,7 @@ class TransformTool final : public GestureTool {
       moved_marks_;  // marks_fingerprint of points that this tool has moved
   TransformFrame frame_;
 
+  LayerPicturePtr picture_;  // the picture in the frame; null if the frame is of the selection
   Point pen_;
   StrokeId under_pen_id_;
   StrokePtr under_pen_;  // the stroke that a touch would grab

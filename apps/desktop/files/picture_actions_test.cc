@@ -1,0 +1,160 @@
+#include "desktop/files/picture_actions.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QImage>
+#include <QMimeData>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QStandardPaths>
+
+#include "desktop/files/export_file.h"
+#include "desktop/files/testing/studio_fixture.h"
+
+namespace felt::desktop::picture_actions_test {
+namespace {
+
+QImage red_image(int width, int height) {
+  QImage image(width, height, QImage::Format_RGB32);
+  image.fill(Qt::red);
+  return image;
+}
+
+void write_bytes(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+}
+
+const Layer& lowest(const StudioFixture& fixture) {
+  return fixture.document().layers()[0];
+}
+
+TEST(PictureActions, ADroppedPictureBecomesALayerThatFitsThePage) {
+  StudioFixture fixture;
+  fixture.studio.set_page({200.0, 100.0, {255, 255, 255, 255}});
+  ASSERT_TRUE(red_image(300, 300).save(fixture.at("photo.jpg")));
+  fixture.files->take_dropped({fixture.at("photo.jpg")});
+  ASSERT_EQ(fixture.document().layers().size(), 2u);
+  const Layer& layer = lowest(fixture);
+  EXPECT_EQ(layer.name, "photo.jpg");
+  ASSERT_TRUE(layer.picture);
+  const Rect box = bounds_of(*layer.picture);
+  EXPECT_NEAR(box.width(), 80.0, 1e-9);
+  EXPECT_NEAR(box.x0, 60.0, 1e-9);
+  EXPECT_NEAR(box.y0, 10.0, 1e-9);
+  EXPECT_EQ(fixture.studio.session().layer(), layer.id);
+  EXPECT_EQ(fixture.studio.session().tool().info().id, "transform");
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(fixture.document().layers().size(), 1u);
+}
+
+TEST(PictureActions, TheMenuAsksForAFile) {
+  StudioFixture fixture;
+  ASSERT_TRUE(red_image(10, 20).save(fixture.at("small.png")));
+  fixture.person->next = fixture.at("small.png");
+  fixture.actions.find(QStringLiteral("file.import_picture"))->trigger();
+  ASSERT_TRUE(lowest(fixture).picture);
+  EXPECT_EQ(lowest(fixture).picture->data->height_px, 20);
+}
+
+TEST(PictureActions, APastedPictureBecomesALayer) {
+  StudioFixture fixture;
+  auto* data = new QMimeData;
+  data->setImageData(red_image(40, 30));
+  QGuiApplication::clipboard()->setMimeData(data);
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  ASSERT_TRUE(lowest(fixture).picture);
+  EXPECT_EQ(lowest(fixture).picture->data->width_px, 40);
+}
+
+TEST(PictureActions, AnSvgIsPaintedAndALargePictureIsMadeSmaller) {
+  StudioFixture fixture;
+  write_bytes(fixture.at("a.svg"),
+              "<svg xmlns='http://www.w3.org/2000/svg' width='20' height='10'>"
+              "<rect width='20' height='10' fill='blue'/></svg>");
+  const Result<ReadPicture> svg = read_picture(fixture.at("a.svg"));
+  ASSERT_TRUE(svg) << svg.error().message;
+  EXPECT_EQ(svg->image.width(), kPictureSidePx / 2);
+  EXPECT_EQ(svg->image.pixelColor(100, 100), QColor(Qt::blue));
+  ASSERT_TRUE(red_image(6000, 3).save(fixture.at("long.png")));
+  EXPECT_EQ(read_picture(fixture.at("long.png")).value().image.width(), kPictureSidePx);
+}
+
+TEST(PictureActions, BadFilesAreErrorsThatNameTheFileAndTheReason) {
+  StudioFixture fixture;
+  ASSERT_TRUE(red_image(50, 50).save(fixture.at("good.png")));
+  QFile good(fixture.at("good.png"));
+  ASSERT_TRUE(good.open(QIODevice::ReadOnly));
+  const QByteArray bytes = good.readAll();
+  write_bytes(fixture.at("cut.png"), bytes.left(60));
+  write_bytes(fixture.at("text.png"), "Dear all,");
+  // The head of a PNG file of 40000 x 1 pixels.
+  write_bytes(
+      fixture.at("huge.png"),
+      QByteArray::fromBase64("iVBORw0KGgoAAAANSUhEUgAAnEAAAAABCAIAAAAyAlzT") + bytes.mid(33));
+  for (const char* name : {"cut.png", "text.png", "huge.png", "missing.png"}) {
+    const Result<ReadPicture> read = read_picture(fixture.at(name));
+    ASSERT_FALSE(read) << name;
+    EXPECT_EQ(read.error().message.find(fixture.at(name).toStdString() + ": "), 0u);
+    fixture.files->take_dropped({fixture.at(name)});
+  }
+  EXPECT_EQ(fixture.person->errors.size(), 4);
+  EXPECT_EQ(fixture.document().layers().size(), 1u);
+  const std::string huge = read_picture(fixture.at("huge.png")).error().message;
+  EXPECT_NE(huge.find("is 40000 x 1 pixels large; at most 32000 are allowed"), std::string::npos)
+      << huge;
+}
+
+TEST(PictureActions, APageOfAPdfComesInItsTrueSize) {
+  if (QStandardPaths::findExecutable(QStringLiteral("pdftoppm")).isEmpty()) {
+    GTEST_SKIP() << "poppler-utils is not installed";
+  }
+  StudioFixture fixture;
+  {
+    QPdfWriter writer(fixture.at("two.pdf"));
+    writer.setPageSize(QPageSize(QPageSize::A6));
+    QPainter painter(&writer);
+    painter.fillRect(0, 0, 100, 100, Qt::green);
+    writer.newPage();
+    painter.fillRect(0, 0, 100, 100, Qt::red);
+  }
+  EXPECT_EQ(page_count(fixture.at("two.pdf")).value(), 2);
+  fixture.person->page = 2;
+  fixture.files->take_dropped({fixture.at("two.pdf")});
+  EXPECT_EQ(fixture.person->asked, QStringList{QStringLiteral("two.pdf")});
+  ASSERT_TRUE(lowest(fixture).picture);
+  const Rect box = bounds_of(*lowest(fixture).picture);
+  EXPECT_NEAR(box.width(), 105.0, 0.6);
+  EXPECT_NEAR(box.height(), 148.0, 0.6);
+  fixture.person->page = 0;  // cancelled
+  fixture.files->take_dropped({fixture.at("two.pdf")});
+  EXPECT_EQ(fixture.document().layers().size(), 2u);
+  write_bytes(fixture.at("bad.pdf"), "%PDF-1.4 nonsense");
+  EXPECT_FALSE(page_count(fixture.at("bad.pdf")));
+  EXPECT_FALSE(read_picture(fixture.at("two.pdf"), 3));
+}
+
+TEST(PictureActions, AnExportShowsThePictureOnlyIfAsked) {
+  StudioFixture fixture;
+  ASSERT_TRUE(red_image(30, 30).save(fixture.at("a.png")));
+  fixture.files->take_dropped({fixture.at("a.png")});
+  ExportOptions options;
+  options.format = FileFormat::kPng;
+  options.dpi = 30.0;
+  const auto middle = [&] {
+    EXPECT_TRUE(export_drawing(fixture.at("out.png"), fixture.files->drawing(), options));
+    const QImage image(fixture.at("out.png"));
+    return image.pixelColor(image.width() / 2, image.height() / 2);
+  };
+  EXPECT_NE(middle(), QColor(Qt::red));
+  options.pictures = true;
+  EXPECT_EQ(middle(), QColor(Qt::red));
+}
+
+}  // namespace
+}  // namespace felt::desktop::picture_actions_test

@@ -1,0 +1,67 @@
+// Translucent layers and pictures in every format.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "felt/document/testing/small_picture.h"
+#include "felt/formats/drawing_reader.h"
+#include "felt/formats/drawing_writer.h"
+#include "felt/io/drawing_builder.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt::layer_looks_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Drawing faded_drawing() {
+  DrawingBuilder builder;
+  LayerState state{"Ink"};
+  state.opacity = 0.5;
+  state.picture = testing::red_blue_picture(10.0, 10.0);
+  const std::size_t layer = builder.add_layer(std::move(state));
+  StrokeData data = testing::random_stroke(1).data();
+  data.color = {20, 40, 60, 200};
+  builder.add(layer, Stroke::create(std::move(data)).value(), "s1");
+  return std::move(builder).build();
+}
+
+std::string bytes_in(FileFormat format, PictureChoice pictures = PictureChoice::kMarked) {
+  return drawing_bytes(faded_drawing(), format, {.dpi = 72.0, .pictures = pictures}).value();
+}
+
+Drawing read_back(FileFormat format) {
+  return parse_drawing(bytes_in(format), "file").value().drawing;
+}
+
+TEST(LayerLooks, SvgKeepsTheOpacityOfALayer) {
+  EXPECT_THAT(bytes_in(FileFormat::kSvg), HasSubstr("opacity:0.5"));
+  const Drawing back = read_back(FileFormat::kSvg);
+  EXPECT_EQ(back.document.layers()[0].opacity, 0.5);
+  const StrokePtr stroke = back.document.find(back.document.layers()[0].strokes[0]);
+  EXPECT_EQ(stroke->color(), (Rgba{20, 40, 60, 200}));
+}
+
+TEST(LayerLooks, InkmlKeepsTheOpacityOfALayer) {
+  EXPECT_EQ(read_back(FileFormat::kInkml).document.layers()[0].opacity, 0.5);
+}
+
+TEST(LayerLooks, OtherFormatsFadeTheStrokes) {
+  const Drawing back = read_back(FileFormat::kXopp);
+  const StrokePtr stroke = back.document.find(back.document.layers()[0].strokes[0]);
+  EXPECT_EQ(stroke->color().a, 100);
+  EXPECT_THAT(bytes_in(FileFormat::kPdf), HasSubstr("/A100"));
+}
+
+TEST(LayerLooks, PicturesAreLeftOutUnlessAskedFor) {
+  EXPECT_THAT(bytes_in(FileFormat::kSvg), Not(HasSubstr("<image")));
+  const std::string svg = bytes_in(FileFormat::kSvg, PictureChoice::kAll);
+  EXPECT_THAT(svg, HasSubstr("transform=\"matrix(10 0 0 10 10 10)\" width=\"2\" height=\"1\""));
+  EXPECT_THAT(svg, HasSubstr(std::string(testing::kRedBluePng)));
+  EXPECT_NE(bytes_in(FileFormat::kPng), bytes_in(FileFormat::kPng, PictureChoice::kAll));
+  EXPECT_EQ(read_back(FileFormat::kFelt).document.layers()[0].picture->data->png,
+            testing::picture_data()->png);
+}
+
+}  // namespace
+}  // namespace felt::layer_looks_test

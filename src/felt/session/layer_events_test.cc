@@ -1,0 +1,153 @@
+// Tests of opacity, pictures, copies and merging of layers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "felt/document/testing/small_picture.h"
+#include "felt/session/session.h"
+#include "felt/session/testing/fake_tools.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt::layer_events_test {
+namespace {
+
+using Do = LayerEvent::Do;
+using ::testing::HasSubstr;
+
+struct LayerFixture {
+  LayerFixture() {
+    std::vector<std::unique_ptr<Tool>> tools;
+    tools.push_back(std::make_unique<FakePencil>());
+    session = std::make_unique<Session>(std::move(tools), SessionOptions{});
+    add_strokes(2);
+  }
+
+  void add_strokes(std::uint64_t count) {
+    std::vector<StrokePtr> strokes;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      strokes.push_back(std::make_shared<const Stroke>(testing::random_stroke(++seed)));
+    }
+    EXPECT_TRUE(session->import(0, ImportEvent{}, strokes));
+  }
+  template <class What>
+  std::string apply(What what) {
+    const Result<void> done = session->apply({0, std::move(what)});
+    return done ? "" : done.error().message;
+  }
+  std::string layer(Do what, std::uint64_t id, double opacity = 1.0) {
+    LayerEvent event{what, {id}};
+    event.opacity = opacity;
+    return apply(event);
+  }
+  std::string place(std::uint64_t id, const Affine& place) {
+    LayerEvent event{Do::kPlace, {id}};
+    event.place = place;
+    return apply(event);
+  }
+  [[nodiscard]] const Layer& at(std::size_t i) const { return session->document().layers()[i]; }
+
+  std::uint64_t seed = 0;
+  std::unique_ptr<Session> session;
+};
+
+TEST(LayerEvents, OpacityIsAStepOfUndo) {
+  LayerFixture f;
+  EXPECT_EQ(f.layer(Do::kOpacity, 1, 0.25), "");
+  EXPECT_EQ(f.at(0).opacity, 0.25);
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_EQ(f.at(0).opacity, 1.0);
+  for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THAT(f.layer(Do::kOpacity, 1, bad), HasSubstr("from 0 to 1"));
+  }
+}
+
+TEST(LayerEvents, APictureComesBelowTheCurrentLayerAndIsUsed) {
+  LayerFixture f;
+  const Affine place{2, 0, 0, 2, 10, 20};
+  EXPECT_EQ(f.apply(AddPicture{"Photo", testing::picture_data(), place}), "");
+  ASSERT_EQ(f.session->document().layers().size(), 2U);
+  EXPECT_EQ(f.at(0).name, "Photo");
+  ASSERT_TRUE(f.at(0).picture);
+  EXPECT_EQ(f.at(0).picture->place, place);
+  EXPECT_FALSE(f.at(0).picture->exported);
+  EXPECT_EQ(f.session->layer(), f.at(0).id);
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_EQ(f.session->document().layers().size(), 1U);
+  EXPECT_EQ(f.apply(AddPicture{"", nullptr, place}), "picture: has no data");
+  EXPECT_THAT(f.apply(AddPicture{"", testing::picture_data(), {0, 0, 0, 0, 1, 1}}),
+              HasSubstr("cannot be placed"));
+}
+
+TEST(LayerEvents, APictureIsPlacedAndMarkedForExportUnlessItIsLocked) {
+  LayerFixture f;
+  ASSERT_EQ(f.apply(AddPicture{"Photo", testing::picture_data(), {}}), "");
+  EXPECT_EQ(f.place(2, {0, 3, -3, 0, 1, 2}), "");
+  EXPECT_EQ(f.at(0).picture->place, (Affine{0, 3, -3, 0, 1, 2}));
+  EXPECT_EQ(f.layer(Do::kExport, 2), "");
+  EXPECT_TRUE(f.at(0).picture->exported);
+  EXPECT_EQ(f.layer(Do::kLeaveOut, 2), "");
+  EXPECT_FALSE(f.at(0).picture->exported);
+  EXPECT_EQ(f.place(1, {}), "layer 1 (Ink) has no picture");
+  EXPECT_EQ(f.layer(Do::kExport, 1), "layer 1 (Ink) has no picture");
+  EXPECT_EQ(f.layer(Do::kLock, 2), "");
+  EXPECT_EQ(f.place(2, {}), "layer 2 (Photo) is locked: its picture cannot be moved");
+  EXPECT_EQ(f.at(0).picture->place, (Affine{0, 3, -3, 0, 1, 2}));
+}
+
+TEST(LayerEvents, ADuplicateHasTheSameLookAndStrokes) {
+  LayerFixture f;
+  ASSERT_EQ(f.layer(Do::kOpacity, 1, 0.5), "");
+  EXPECT_EQ(f.layer(Do::kDuplicate, 1), "");
+  ASSERT_EQ(f.session->document().layers().size(), 2U);
+  const Layer &original = f.at(0), &copy = f.at(1);
+  EXPECT_EQ(copy.name, "Ink copy");
+  EXPECT_EQ(copy.opacity, 0.5);
+  EXPECT_EQ(f.session->layer(), copy.id);
+  ASSERT_EQ(copy.strokes.size(), original.strokes.size());
+  for (std::size_t i = 0; i < copy.strokes.size(); ++i) {
+    EXPECT_NE(copy.strokes[i], original.strokes[i]);
+    EXPECT_EQ(*f.session->document().find(copy.strokes[i]),
+              *f.session->document().find(original.strokes[i]));
+  }
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_EQ(f.session->document().layers().size(), 1U);
+}
+
+TEST(LayerEvents, MergingMovesTheStrokesOnTopOfTheLayerBelow) {
+  LayerFixture f;
+  const Document before = f.session->document();
+  ASSERT_EQ(f.apply(LayerEvent{}), "");
+  f.add_strokes(3);
+  const Document parted = f.session->document();
+  EXPECT_EQ(f.layer(Do::kMerge, 2), "");
+  ASSERT_EQ(f.session->document().layers().size(), 1U);
+  std::vector<StrokeId> all = parted.layers()[0].strokes;
+  all.insert(all.end(), parted.layers()[1].strokes.begin(), parted.layers()[1].strokes.end());
+  EXPECT_EQ(f.at(0).strokes, all);
+  EXPECT_EQ(f.session->layer(), f.at(0).id);
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_TRUE(f.session->document() == parted);
+}
+
+TEST(LayerEvents, MergingIsRefusedWhereThePictureWouldChange) {
+  LayerFixture f;
+  EXPECT_THAT(f.layer(Do::kMerge, 1), HasSubstr("is the lowest"));
+  ASSERT_EQ(f.apply(LayerEvent{}), "");
+  ASSERT_EQ(f.layer(Do::kOpacity, 2, 0.5), "");
+  EXPECT_THAT(f.layer(Do::kMerge, 2), HasSubstr("differ in opacity"));
+  ASSERT_EQ(f.layer(Do::kOpacity, 2, 1.0), "");
+  ASSERT_EQ(f.layer(Do::kLock, 1), "");
+  EXPECT_THAT(f.layer(Do::kMerge, 2), HasSubstr("layer 1 (Ink) is locked"));
+  ASSERT_EQ(f.layer(Do::kUnlock, 1), "");
+  ASSERT_EQ(f.layer(Do::kHide, 1), "");
+  EXPECT_THAT(f.layer(Do::kMerge, 2), HasSubstr("layer 1 (Ink) is hidden"));
+  ASSERT_EQ(f.layer(Do::kShow, 1), "");
+  ASSERT_EQ(f.apply(AddPicture{"Photo", testing::picture_data(), {}}), "");  // between the two
+  EXPECT_THAT(f.layer(Do::kMerge, 3), HasSubstr("has a picture"));
+  EXPECT_EQ(f.layer(Do::kMerge, 2), "") << "strokes may go onto the layer of a picture";
+  EXPECT_TRUE(f.at(1).picture);
+}
+
+}  // namespace
+}  // namespace felt::layer_events_test

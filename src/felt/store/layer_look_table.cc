@@ -1,0 +1,144 @@
+#include "felt/store/layer_look_table.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "felt/document/document.h"
+#include "felt/store/byte_writer.h"
+#include "felt/store/crc32c.h"
+#include "felt/store/stroke_blob.h"
+
+namespace felt {
+namespace {
+
+// A database reads values up to kMaxStrokeBlobBytes: a picture, and also the event that adds it to
+// a recording, in base64.
+static_assert(PictureData::kMaxBytes / 3 * 4 + 10'000 < kMaxStrokeBlobBytes);
+
+tl::unexpected<Error> invalid_look(std::string_view table) {
+  return fail(ErrorCode::kInvalidData,
+              "the table '" + std::string(table) + "' contains an invalid value");
+}
+
+/// Returns the checksum of a picture and its place.
+std::int64_t picture_checksum(const LayerPicture& picture) {
+  std::string numbers;
+  ByteWriter out(numbers);
+  const Affine& m = picture.place;
+  for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) out.f64(x);
+  out.u8(picture.exported ? 1 : 0);
+  return static_cast<std::int64_t>(crc32c(picture.data->png, crc32c(numbers)));
+}
+
+Result<void> write_opacities(Database& database, const Document& document) {
+  if (auto ok = database.run(std::string(kLayerLookTable).c_str()); !ok) return ok;
+  const auto row = database.prepare("INSERT INTO layer_look VALUES(?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t id = 0;
+  for (const Layer& layer : document.layers()) {
+    if (layer.opacity == 1.0) continue;
+    row->bind(1, ++id);
+    row->bind(2, static_cast<std::int64_t>(layer.id.value));
+    row->bind(3, layer.opacity);
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
+  }
+  return {};
+}
+
+Result<void> write_pictures(Database& database, const Document& document) {
+  if (auto ok = database.run(std::string(kPictureTable).c_str()); !ok) return ok;
+  const auto row = database.prepare("INSERT INTO picture VALUES(?,?,?,?,?,?,?,?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t id = 0;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.picture) continue;
+    const Affine& m = layer.picture->place;
+    row->bind(1, ++id);
+    row->bind(2, static_cast<std::int64_t>(layer.id.value));
+    int column = 3;
+    for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) row->bind(column++, x);
+    row->bind(9, std::int64_t{layer.picture->exported});
+    row->bind_blob(10, layer.picture->data->png);
+    row->bind(11, picture_checksum(*layer.picture));
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
+  }
+  return {};
+}
+
+/// Returns the state that an edit gives to a layer, or null if it adds no such layer.
+LayerState* state_of(Edit& edit, std::int64_t layer) {
+  const auto found = std::find_if(edit.layers.begin(), edit.layers.end(), [layer](const auto& c) {
+    return c.after && static_cast<std::int64_t>(c.id.value) == layer;
+  });
+  return found == edit.layers.end() ? nullptr : &*found->after;
+}
+
+/// Calls read(row, state) for each row of a table; its first column is the id of a layer.
+template <class Read>
+Result<void> for_each_look(const Database& database, const char* select, std::string_view table,
+                           Edit& edit, Read read) {
+  const auto row = database.prepare(select);
+  if (!row) return tl::unexpected(row.error());
+  std::set<std::int64_t> seen;
+  for (;;) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return {};
+    LayerState* state = row->is_integer(0) ? state_of(edit, row->integer(0)) : nullptr;
+    if (!state || !seen.insert(row->integer(0)).second || !read(*row, *state)) {
+      return invalid_look(table);
+    }
+  }
+}
+
+bool read_picture(const Statement& row, LayerState& state) {
+  std::array<double, 6> m{};
+  for (int i = 0; i < 6; ++i) {
+    if (!row.is_real(i + 1)) return false;
+    m[static_cast<std::size_t>(i)] = row.real(i + 1);
+  }
+  if (!row.is_integer(7) || (row.integer(7) | 1) != 1 || !row.is_blob(8) || !row.is_integer(9)) {
+    return false;
+  }
+  auto data = make_picture_data(std::string(row.blob(8)));
+  if (!data) return false;
+  LayerPicture picture{*std::move(data), {m[0], m[1], m[2], m[3], m[4], m[5]}, row.integer(7) != 0};
+  if (!is_picture_place(picture.place) || picture_checksum(picture) != row.integer(9)) return false;
+  state.picture = std::make_shared<const LayerPicture>(std::move(picture));
+  return true;
+}
+
+}  // namespace
+
+Result<void> write_layer_looks(Database& database, const Document& document) {
+  const std::span<const Layer> layers = document.layers();
+  const auto is_faded = [](const Layer& layer) { return layer.opacity != 1.0; };
+  const auto has_picture = [](const Layer& layer) { return layer.picture != nullptr; };
+  if (std::any_of(layers.begin(), layers.end(), is_faded)) {
+    if (auto ok = write_opacities(database, document); !ok) return ok;
+  }
+  if (std::none_of(layers.begin(), layers.end(), has_picture)) return {};
+  return write_pictures(database, document);
+}
+
+Result<void> read_layer_opacities(const Database& database, Edit& edit) {
+  return for_each_look(database, "SELECT layer, opacity FROM layer_look", "layer_look", edit,
+                       [](const Statement& row, LayerState& state) {
+                         if (!row.is_real(1)) return false;
+                         state.opacity = row.real(1);
+                         return state.opacity >= 0.0 && state.opacity <= 1.0;
+                       });
+}
+
+Result<void> read_pictures(const Database& database, Edit& edit) {
+  return for_each_look(database,
+                       "SELECT layer, a, b, c, d, e, f, exported, png, checksum FROM picture",
+                       "picture", edit, read_picture);
+}
+
+}  // namespace felt

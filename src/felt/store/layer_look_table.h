@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "felt/base/result.h"
+#include "felt/document/edit.h"
+#include "felt/store/database.h"
+
+namespace felt {
+
+class Document;
+
+/// Opacities and pictures of layers. Each table exists only if a layer needs it. An older program
+/// that saves the file keeps the rows of the layers that still exist.
+inline constexpr std::string_view kLayerLookTable =
+    "CREATE TABLE layer_look(id INTEGER PRIMARY KEY, layer INTEGER NOT NULL, "
+    "opacity REAL NOT NULL)";
+inline constexpr std::string_view kPictureTable =
+    "CREATE TABLE picture(id INTEGER PRIMARY KEY, layer INTEGER NOT NULL, a REAL NOT NULL, "
+    "b REAL NOT NULL, c REAL NOT NULL, d REAL NOT NULL, e REAL NOT NULL, f REAL NOT NULL, "
+    "exported INTEGER NOT NULL, png BLOB NOT NULL, checksum INTEGER NOT NULL)";
+
+/// Creates and fills the tables that the document needs.
+Result<void> write_layer_looks(Database& database, const Document& document);
+
+/// Reads the table `layer_look` or `picture` of an untrusted database into the layers that an edit
+/// adds. Requires that the database has the table. Fails if a value is invalid, or if a layer does
+/// not exist or has two rows.
+Result<void> read_layer_opacities(const Database& database, Edit& edit);
+Result<void> read_pictures(const Database& database, Edit& edit);
+
+}  // namespace felt
