@@ -198,9 +198,10 @@ void Canvas::take_layers() {
   const auto& layers = session.document().layers();
   const auto use = std::find_if(layers.begin(), layers.end(),
                                 [&](const Layer& l) { return l.id == session.layer(); });
-  const bool is_covered = use != layers.end() && std::any_of(use + 1, layers.end(), [](auto& l) {
-                            return l.visible && !(l.strokes.empty() && l.fills.empty() && !l.picture);
-                          });
+  const bool is_covered =
+      use != layers.end() && std::any_of(use + 1, layers.end(), [](auto& l) {
+        return l.visible && !(l.strokes.empty() && l.fills.empty() && !l.picture);
+      });
   ink_.draw_below(is_covered ? std::optional(session.layer()) : std::nullopt);
 }
 

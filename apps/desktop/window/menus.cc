@@ -77,10 +77,10 @@ struct IconRow {
 };
 /// The commands whose icons have other names.
 constexpr std::array kIcons{
-    IconRow{"view.fit_page", "fit"},      IconRow{"view.hide_panels", "panels"},
-    IconRow{"file.save_as", "save"},      IconRow{"edit.broader", "size-up"},
-    IconRow{"edit.thinner", "size-down"}, IconRow{"edit.to_front", "raise"},
-    IconRow{"edit.to_back", "lower"},     IconRow{"edit.paste_in_place", "paste"},
+    IconRow{"view.fit_page", "fit"},          IconRow{"view.hide_panels", "panels"},
+    IconRow{"file.save_as", "save"},          IconRow{"edit.broader", "size-up"},
+    IconRow{"edit.thinner", "size-down"},     IconRow{"edit.to_front", "raise"},
+    IconRow{"edit.to_back", "lower"},         IconRow{"edit.paste_in_place", "paste"},
     IconRow{"file.import_picture", "import"},
 };
 

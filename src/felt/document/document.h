@@ -26,8 +26,7 @@ struct Layer {
 
   [[nodiscard]] LayerState state() const { return {name, visible, locked, opacity, picture}; }
   friend bool operator==(const Layer& a, const Layer& b) {
-    return a.id == b.id && a.state() == b.state() && a.strokes == b.strokes &&
-           a.fills == b.fills;
+    return a.id == b.id && a.state() == b.state() && a.strokes == b.strokes && a.fills == b.fills;
   }
 };
 

@@ -69,8 +69,8 @@ Gap gap_of(const InkScene& scene, const TileSplit& split) {
 }
 
 /// Returns the job that draws this ink, which is in drawing order, and the special layers.
-InkJob job_from(const std::vector<SceneInk>& ink,
-                const std::vector<const SceneLayer*>& special, const View& view, PixelRect part) {
+InkJob job_from(const std::vector<SceneInk>& ink, const std::vector<const SceneLayer*>& special,
+                const View& view, PixelRect part) {
   InkJob job;
   job.view = view;
   job.part = part;
@@ -80,11 +80,11 @@ InkJob job_from(const std::vector<SceneInk>& ink,
   }
   const Rect area = area_of(view, part);
   for (const SceneLayer* layer : special) {
-    const auto first = std::partition_point(
-        ink.begin(), ink.end(),
-        [layer](const SceneInk& i) { return i.layer->position < layer->position; });
-    const auto last = std::partition_point(
-        first, ink.end(), [layer](const SceneInk& i) { return i.layer == layer; });
+    const auto first = std::partition_point(ink.begin(), ink.end(), [layer](const SceneInk& i) {
+      return i.layer->position < layer->position;
+    });
+    const auto last = std::partition_point(first, ink.end(),
+                                           [layer](const SceneInk& i) { return i.layer == layer; });
     const bool shows_picture = layer->pixels && bounds_of(*layer->picture).intersects(area);
     if (first == last && !shows_picture) continue;
     InkGroup group{static_cast<std::size_t>(first - ink.begin()),

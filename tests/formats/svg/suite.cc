@@ -31,10 +31,11 @@ Result<Image> drawing_picture(const std::string& svg, int width_px) {
   if (!read) return tl::unexpected(read.error());
   const Page& page = read->drawing.page;
   const bool has_paper = page.paper != Page{}.paper;
-  return render_document(read->drawing.document,
+  return render_page(read->drawing.document,
                          {.dpi = width_px * 25.4 / page.width_mm,
                           .area = page.area(),
-                          .paper = has_paper ? page.paper : Rgba{0, 0, 0, 0}});
+                          .paper = has_paper ? page.paper : Rgba{0, 0, 0, 0}},
+                     PictureChoice::kMarked);
 }
 
 }  // namespace

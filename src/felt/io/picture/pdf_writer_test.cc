@@ -89,9 +89,9 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
     Result<PngPicture> theirs =
         decode_png(read_file(folder + "/a.png", std::size_t{1} << 26).value());
     ASSERT_TRUE(theirs);
-    Image ours =
-        render_page(drawing.document, {.dpi = kDpi, .area = area, .paper = paper},
-                    PictureChoice::kNone).value();
+    Image ours = render_page(drawing.document, {.dpi = kDpi, .area = area, .paper = paper},
+                             PictureChoice::kMarked)
+                     .value();
     ASSERT_EQ(theirs->image.width(), ours.width());
     ASSERT_EQ(theirs->image.height(), ours.height());
     double sum = 0.0;
