@@ -1663,6 +1663,10 @@
         <source>Recolour</source>
         <translation>Umfärben</translation>
     </message>
+    <message>
+        <source>Gather</source>
+        <translation>Zusammenfassen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>

@@ -1663,6 +1663,10 @@
         <source>Recolour</source>
         <translation>Herkleuren</translation>
     </message>
+    <message>
+        <source>Gather</source>
+        <translation>Bundelen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>

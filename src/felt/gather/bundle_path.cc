@@ -16,7 +16,7 @@ namespace {
 // large at first, because the first positions may be wrong by more than that width.
 constexpr std::array kSmoothShares{2.0, 1.5, 1.0, 0.7, 0.25};
 constexpr double kRampShare = 0.5;
-constexpr double kTailShare = 2.0;  // a single line goes on for at most so many widths of the strip
+constexpr double kTailShare = 1.5;  // the last widths of a strip, in which lines end one by one
 constexpr double kEndSlack = 0.3;   // bins: lines that end so near to each other end together
 constexpr double kMaxBins = 4000.0;
 constexpr double kMaxJump = 8.0;  // bins from one point of a line to the next
@@ -142,10 +142,9 @@ void StripAverage::blend_ends(const std::vector<Bin>& bins, std::vector<Vec>& me
       Vec jump = before[index(i)] - (bin.sum - bin.end_sums[side]) / others;
       const Vec along = normalized(before[index(i + step)] - before[index(i)] + jump);
       jump = jump - dot(jump, along) * along;  // the end of a line may lie between two bins
-      // A single line that soon ends, too, is no reason to swerve to it.
+      // Lines that soon end, too, are no reason to swerve to them.
       const std::ptrdiff_t tail = side == 0 ? n - 1 - i : i;
-      const bool keeps =
-          !closed_ && others < 1.5 && static_cast<double>(tail) * step_mm_ <= kTailShare * wide_mm_;
+      const bool keeps = !closed_ && static_cast<double>(tail) * step_mm_ <= kTailShare * wide_mm_;
       for (std::ptrdiff_t k = 1; keeps || static_cast<double>(k) < steps; ++k) {
         const std::ptrdiff_t at = i + step * k;
         if (!in_range(at) || bins[index(at)].weight == 0.0 || k >= n) break;
