@@ -32,7 +32,9 @@ void add_options(CLI::App& command, GatherArguments& args) {
                   "content: " +
                       readable_names())
       ->required();
-  command.add_flag("--all", args.all, "Gather all strokes of the drawing, layer by layer")
+  command
+      .add_flag("--all", args.all,
+                "Gather the strokes of all layers that are visible and not locked, layer by layer")
       ->required();
   command
       .add_option("-o,--output", args.output,
@@ -78,15 +80,19 @@ void run_gather(const GatherArguments& args, Console& console) {
   }
   const GatheredWidth width =
       args.width == "strip" ? GatheredWidth::kStrip : GatheredWidth::kMedian;
-  const Result<std::vector<StrokeGroup>> groups =
+  const Result<GatheredDrawing> gathered =
       gather_drawing(opened->drawing.document, {.width = width});
-  if (!groups) return console.error(input->name() + ": " + groups.error().message);
+  if (!gathered) return console.error(input->name() + ": " + gathered.error().message);
+  if (gathered->left_alone > 0) {
+    console.notice(fmt::format("{}: left {} strokes of locked or hidden layers as they are",
+                               input->name(), gathered->left_alone));
+  }
   const Result<void> done =
       DrawingOutput::create(args.output, *format, *picture).and_then([&](DrawingOutput output) {
         return output.write(std::move(opened->drawing));
       });
   if (!done) return console.error(done.error().message);
-  if (!args.groups.empty()) write_groups(*groups, args.groups, console);
+  if (!args.groups.empty()) write_groups(gathered->groups, args.groups, console);
 }
 
 }  // namespace

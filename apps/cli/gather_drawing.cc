@@ -62,16 +62,21 @@ Result<void> LayerGatherer::gather(const Layer& layer) {
 
 }  // namespace
 
-Result<std::vector<StrokeGroup>> gather_drawing(Document& document, const GatherOptions& options) {
+Result<GatheredDrawing> gather_drawing(Document& document, const GatherOptions& options) {
   LayerGatherer gatherer(document, options);
+  std::size_t left_alone = 0;
   for (const Layer& layer : document.layers()) {
+    if (layer.locked || !layer.visible) {
+      left_alone += layer.strokes.size();
+      continue;
+    }
     if (Result<void> done = gatherer.gather(layer); !done) return tl::unexpected(done.error());
   }
   std::vector<StrokeGroup> groups = std::move(gatherer).groups();
   if (Result<void> applied = document.apply(std::move(gatherer).edit()); !applied) {
     return tl::unexpected(applied.error());
   }
-  return groups;
+  return GatheredDrawing{std::move(groups), left_alone};
 }
 
 }  // namespace felt::cli

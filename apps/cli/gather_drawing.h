@@ -16,10 +16,18 @@ struct StrokeGroup {
   std::uint32_t group = 0;
 };
 
+/// The result of gather_drawing.
+struct GatheredDrawing {
+  /// The groups of the strokes in drawing order, numbered from 1 over all layers; without the
+  /// strokes of locked and hidden layers.
+  std::vector<StrokeGroup> groups;
+  std::size_t left_alone = 0;  ///< strokes of locked and hidden layers
+};
+
 /// Replaces the strokes of each group (line_groups) by one stroke. Layers are gathered one by one;
 /// strokes without companions stay as they are, and a gathered stroke lies where the lowest stroke
-/// of its group was. Returns the groups of all strokes in drawing order, numbered from 1 over all
-/// layers. Fails, and changes nothing, if the strokes cannot be gathered.
-Result<std::vector<StrokeGroup>> gather_drawing(Document& document, const GatherOptions& options);
+/// of its group was. Locked and hidden layers do not change. Fails, and changes nothing, if the
+/// strokes cannot be gathered.
+Result<GatheredDrawing> gather_drawing(Document& document, const GatherOptions& options);
 
 }  // namespace felt::cli

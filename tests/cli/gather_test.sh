@@ -45,6 +45,25 @@ cmp -s wide.ndjson clean.ndjson && fail "--width strip changes nothing"
 run 0 "$feltline" gather --all - -o - --to ndjson <rough.ndjson
 same out clean.ndjson
 
+# Strokes of locked and hidden layers stay as they are, with a message.
+for how in lock hide; do
+  awk -v how="$how" 'BEGIN {
+    for (s = 0; s < 3; s++) {
+      t = 1000 * s
+      split("5 -1 -1 5", z); split("20 20 100 100", x)
+      for (i = 1; i <= 4; i++)
+        printf "{\"t_ms\":%d,\"event\":\"pen\",\"x\":%d,\"y\":%.1f,\"z\":%d}\n", t + 200 * i, x[i], 40 + s, z[i]
+    }
+    printf "{\"t_ms\":4000,\"event\":\"layer\",\"do\":\"%s\",\"id\":1}\n", how
+  }' >events.ndjson
+  run 0 "$feltline" replay events.ndjson -o layers.felt
+  run 0 "$feltline" gather --all layers.felt -o left.felt --groups left.csv
+  has err "left 3 strokes of locked or hidden layers as they are"
+  [ "$(cat left.csv)" = "stroke,group" ] || fail "strokes of a layer to $how are in groups"
+  run 0 "$feltline" info left.felt
+  has out "3 strokes"
+done
+
 # Errors: nothing is written, and an existing file stays.
 run 2 "$feltline" gather rough.ndjson -o x.svg
 run 2 "$feltline" gather --all rough.ndjson

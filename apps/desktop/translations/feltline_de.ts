@@ -1794,6 +1794,10 @@
         <source>Export picture</source>
         <translation>Bild exportieren</translation>
     </message>
+    <message>
+        <source>Gather</source>
+        <translation>Zusammenfassen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -6298,6 +6302,42 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>straight, in steps of 15°</source>
         <translation>gerade, in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>Gather</source>
+        <translation>Zusammenfassen</translation>
+    </message>
+    <message>
+        <source>Presses a bundle of rough strokes into one line.</source>
+        <translation>Fasst ein Bündel roher Striche zu einer Linie zusammen.</translation>
+    </message>
+    <message>
+        <source>Brush along rough strokes to press them into one line.</source>
+        <translation>Streichen Sie an rohen Strichen entlang, um sie zu einer Linie zusammenzufassen.</translation>
+    </message>
+    <message>
+        <source>The brush gathers lines within this distance that run along its path.</source>
+        <translation>Der Pinsel fasst Linien zusammen, die innerhalb dieses Abstands entlang seines Weges verlaufen.</translation>
+    </message>
+    <message>
+        <source>Width of the line</source>
+        <translation>Breite der Linie</translation>
+    </message>
+    <message>
+        <source>The line gets the median width of its strokes, or the width of the strip that they cover.</source>
+        <translation>Die Linie erhält die mittlere Breite (Median) ihrer Striche oder die Breite des Streifens, den sie bedecken.</translation>
+    </message>
+    <message>
+        <source>Force level of friction, grain and the resistance of the bundle. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Körnung und Widerstand des Bündels. Wirkt nicht auf die Härte der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>strip</source>
+        <translation>Streifen</translation>
     </message>
 </context>
 </TS>

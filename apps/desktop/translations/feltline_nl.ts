@@ -1794,6 +1794,10 @@
         <source>Export picture</source>
         <translation>Afbeelding exporteren</translation>
     </message>
+    <message>
+        <source>Gather</source>
+        <translation>Bundelen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -6298,6 +6302,42 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>straight, in steps of 15°</source>
         <translation>recht, in stappen van 15°</translation>
+    </message>
+    <message>
+        <source>Gather</source>
+        <translation>Bundelen</translation>
+    </message>
+    <message>
+        <source>Presses a bundle of rough strokes into one line.</source>
+        <translation>Maakt van een bundel ruwe streken één lijn.</translation>
+    </message>
+    <message>
+        <source>Brush along rough strokes to press them into one line.</source>
+        <translation>Strijk langs ruwe streken om er één lijn van te maken.</translation>
+    </message>
+    <message>
+        <source>The brush gathers lines within this distance that run along its path.</source>
+        <translation>Het penseel bundelt lijnen binnen deze afstand die langs zijn weg lopen.</translation>
+    </message>
+    <message>
+        <source>Width of the line</source>
+        <translation>Breedte van de lijn</translation>
+    </message>
+    <message>
+        <source>The line gets the median width of its strokes, or the width of the strip that they cover.</source>
+        <translation>De lijn krijgt de mediane breedte van haar streken, of de breedte van de strook die zij bedekken.</translation>
+    </message>
+    <message>
+        <source>Force level of friction, grain and the resistance of the bundle. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving, korrel en weerstand van de bundel. Heeft geen invloed op de hardheid van het oppervlak.</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>mediaan</translation>
+    </message>
+    <message>
+        <source>strip</source>
+        <translation>strook</translation>
     </message>
 </context>
 </TS>

@@ -14,9 +14,10 @@ namespace {
 
 // The standard deviation of the smoothing in each round, relative to the width of the strip. It is
 // large at first, because the first positions may be wrong by more than that width.
-constexpr std::array kSmoothShares{2.0, 1.5, 1.0, 0.7, 0.4, 0.25};
+constexpr std::array kSmoothShares{2.0, 1.5, 1.0, 0.7, 0.25};
 constexpr double kRampShare = 0.5;
-constexpr double kEndSlack = 0.3;  // bins: lines that end so near to each other end together
+constexpr double kTailShare = 1.5;  // the last widths of a strip, in which lines end one by one
+constexpr double kEndSlack = 0.3;   // bins: lines that end so near to each other end together
 constexpr double kMaxBins = 4000.0;
 constexpr double kMaxJump = 8.0;  // bins from one point of a line to the next
 
@@ -43,6 +44,9 @@ class StripAverage {
     Vec sum;
     double weight = 0.0;
     Rect box;
+    /// The lines that end here, forwards and backwards.
+    std::array<Vec, 2> end_sums;
+    std::array<double, 2> end_weights{};
   };
   [[nodiscard]] double range_mm() const {
     return closed_ ? *strip_.period_mm : strip_.last_mm - strip_.first_mm;
@@ -52,6 +56,7 @@ class StripAverage {
   [[nodiscard]] Point middle(std::ptrdiff_t i) const;
   void average(double smooth_share);
   void add_piece(std::size_t i, Point origin, std::vector<Bin>& bins) const;
+  void blend_ends(const std::vector<Bin>& bins, std::vector<Vec>& means) const;
   void smooth(double share);
   void project();
 
@@ -60,7 +65,7 @@ class StripAverage {
   double step_mm_ = 0.0;
   double width_mm_ = 0.0;  // of the strip
   double wide_mm_ = 0.0;   // of its widest tenth
-  double ramp_mm_ = 0.0;   // lines fade in and out over this length
+  double ramp_mm_ = 0.0;   // beyond its end, a line fades out over this length
   double blur_mm_ = 0.0;
   std::vector<Point> middle_;
 };
@@ -101,13 +106,52 @@ void StripAverage::add_piece(std::size_t i, Point origin, std::vector<Bin>& bins
     const double t = forwards ? share : 1.0 - share;
     const auto k = static_cast<std::size_t>(
         std::clamp(closed_ ? at - n * std::floor(at / n) : at, 0.0, n - 1.0));
-    // Lines fade in and out, so that the average does not jump where one ends.
-    const double to_end = (1.0 - t) * p.to_end_mm + t * q.to_end_mm;
-    const double weight = ramp_mm_ > 0.0 ? std::min(1.0, 0.02 + to_end / ramp_mm_) : 1.0;
     const Point at_bin = lerp(p.point, q.point, t);
-    bins[k].sum += weight * (at_bin - origin);
+    bins[k].sum += at_bin - origin;
     bins[k].box.extend(at_bin);
-    bins[k].weight += weight;
+    bins[k].weight += 1.0;
+  }
+  const auto add_end = [&](const StripPoint& end, double at, std::size_t backwards) {
+    if (end.to_end_mm > 0.0) return;
+    at = backwards != 0 ? std::ceil(at - kEndSlack) : std::floor(at + kEndSlack);
+    Bin& bin = bins[static_cast<std::size_t>(
+        std::clamp(closed_ ? at - n * std::floor(at / n) : at, 0.0, n - 1.0))];
+    bin.end_sums[backwards] += end.point - origin;
+    bin.end_weights[backwards] += 1.0;
+  };
+  add_end(p, from, forwards ? 1 : 0);
+  add_end(q, to, forwards ? 0 : 1);
+}
+
+// Where lines end, the average jumps to that of the lines that go on. Adds this jump to the average
+// beyond the end, so that it fades out over the ramp: up to the end, the average stays the middle
+// of all lines.
+void StripAverage::blend_ends(const std::vector<Bin>& bins, std::vector<Vec>& means) const {
+  const auto n = static_cast<std::ptrdiff_t>(bins.size());
+  const double steps = ramp_mm_ / step_mm_;
+  const auto in_range = [&](std::ptrdiff_t i) { return closed_ || (i >= 0 && i < n); };
+  const auto index = [&](std::ptrdiff_t i) { return static_cast<std::size_t>((i % n + n) % n); };
+  const std::vector<Vec> before = means;
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    for (const std::size_t side : {0U, 1U}) {
+      const Bin& bin = bins[index(i)];
+      const std::ptrdiff_t step = side == 0 ? 1 : -1;
+      const double others = bin.weight - bin.end_weights[side];
+      if (bin.end_weights[side] == 0.0 || others < 0.5 || !in_range(i + step)) continue;
+      if (bins[index(i + step)].weight == 0.0) continue;
+      Vec jump = before[index(i)] - (bin.sum - bin.end_sums[side]) / others;
+      const Vec along = normalized(before[index(i + step)] - before[index(i)] + jump);
+      jump = jump - dot(jump, along) * along;  // the end of a line may lie between two bins
+      // Lines that soon end, too, are no reason to swerve to them.
+      const std::ptrdiff_t tail = side == 0 ? n - 1 - i : i;
+      const bool keeps = !closed_ && static_cast<double>(tail) * step_mm_ <= kTailShare * wide_mm_;
+      for (std::ptrdiff_t k = 1; keeps || static_cast<double>(k) < steps; ++k) {
+        const std::ptrdiff_t at = i + step * k;
+        if (!in_range(at) || bins[index(at)].weight == 0.0 || k >= n) break;
+        const double x = static_cast<double>(k) / steps;
+        means[index(at)] += (keeps ? 1.0 : 1.0 - x * x * (3.0 - 2.0 * x)) * jump;
+      }
+    }
   }
 }
 
@@ -125,9 +169,14 @@ void StripAverage::average(double smooth_share) {
   }
   width_mm_ = percentile(widths, 0.5);
   wide_mm_ = percentile(widths, 0.9);
+  std::vector<Vec> means(bins.size());
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i].weight > 0.0) means[i] = bins[i].sum / bins[i].weight;
+  }
+  blend_ends(bins, means);
   std::vector<Point> filled;
-  for (const Bin& bin : bins) {
-    if (bin.weight > 0.0) filled.push_back(origin + bin.sum / bin.weight);
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i].weight > 0.0) filled.push_back(origin + means[i]);
   }
   if (filled.size() == 1) filled.push_back(filled.front());
   if (closed_) filled.push_back(filled.front());

@@ -18,7 +18,8 @@ struct BundlePath {
 };
 
 /// Returns the middle line of rough lines that belong to one strip (line_groups). It covers all
-/// lines, from the first end to the last, and the lines count equally at each position.
+/// lines, from the first end to the last, and the lines count equally at each position. Beyond the
+/// end of a line, its effect fades out.
 ///
 /// 1. Directs all lines the same way and gives each point a position along the strip: lines that
 ///    lie beside each other get matching positions, from the longest line outwards along the
