@@ -102,6 +102,7 @@ void StripAverage::add_piece(std::size_t i, Point origin, std::vector<Bin>& bins
   const double at_to = q.to_end_mm > 0.0 ? 0.0 : kEndSlack;
   const double last = high + (forwards ? at_to : at_from);
   for (double at = std::ceil(low - (forwards ? at_from : at_to)); at <= last; ++at) {
+    if (at == to && at_to == 0.0) continue;  // the next piece begins here
     const double share = high > low ? std::clamp((at - low) / (high - low), 0.0, 1.0) : 0.0;
     const double t = forwards ? share : 1.0 - share;
     const auto k = static_cast<std::size_t>(
