@@ -43,6 +43,10 @@ QImage drawn_straight(const Document& document, const QTransform& to_px, double 
       const auto picture = PicturePixels::decode(*layer.picture->data).value();
       picture->draw(layer.picture->place, view, pixels.rect(), 1.0, to);
     }
+    for (const FillId id : layer.fills) {
+      if (outline) break;
+      rasterizer.draw_fill(*document.find_fill(id), view, pixels.rect(), to);
+    }
     for (const StrokeId id : layer.strokes) {
       if (outline) {
         rasterizer.draw_center_line(*document.find(id), view, pixels.rect(), std::max(1.0, dpr),

@@ -149,6 +149,7 @@ QWidget* ExportDialog::resolution_row() {
   }
   scale_->setPlaceholderText(tr("Scale"));
   scale_->setAccessibleName(tr("Scale"));
+  dpi_->setAccessibleName(tr("Resolution"));
   scale_->setToolTip(tr("1× is 96 dots per inch, as on a screen of usual resolution"));
   const auto follow = [this] { scale_->setCurrentIndex(scale_->findData(dpi_->value())); };
   connect(dpi_, &QDoubleSpinBox::valueChanged, this, follow);

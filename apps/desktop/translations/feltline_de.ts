@@ -2586,6 +2586,10 @@
         <translation>Das Bild, für Browser. Feltline liest die Linien nicht zurück.</translation>
     </message>
     <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
         <source>%1×</source>
         <translation>%1×</translation>
     </message>

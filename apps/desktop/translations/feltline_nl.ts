@@ -2586,6 +2586,10 @@
         <translation>De afbeelding, voor browsers. Feltline leest de lijnen niet terug.</translation>
     </message>
     <message>
+        <source>Resolution</source>
+        <translation>Resolutie</translation>
+    </message>
+    <message>
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
