@@ -7,6 +7,7 @@
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/stroke_index.h"
+#include "felt/fill/document_map.h"
 #include "felt/geometry/tilt.h"
 #include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
@@ -335,10 +336,12 @@ void Session::show(std::optional<Edit> preview) {
   // begins without a touch.
   preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
   preview_ = std::move(preview);
+  shown_is_current_ = false;
 }
 
 Result<void> Session::commit(Edit edit) {
   if (edit.empty()) return {};
+  let_fills_follow(edit);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   history_.record(std::move(edit));
@@ -346,6 +349,7 @@ Result<void> Session::commit(Edit edit) {
 }
 
 Result<void> Session::commit_with_previous(Edit edit) {
+  let_fills_follow(edit);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   if (!history_.extend(edit)) history_.record(std::move(edit));

@@ -2,6 +2,7 @@
 
 #include "felt/tools/connect/connect_tool.h"
 #include "felt/tools/eraser/eraser_tool.h"
+#include "felt/tools/fill/fill_tool.h"
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/pull/pull_tool.h"
@@ -26,6 +27,7 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   tools.push_back(make_connect());
   tools.push_back(make_recolor());
   tools.push_back(make_shape());
+  tools.push_back(make_fill());
   return tools;
 }
 
