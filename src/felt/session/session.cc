@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/stroke_index.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/fill/document_map.h"
 #include "felt/geometry/tilt.h"
 #include "felt/material/material_file.h"
@@ -48,9 +50,17 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   return {id.substr(0, dot), id.substr(dot + 1)};
 }
 
-Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes) {
+Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes,
+                 std::span<const FillPtr> fills = {}) {
   EditBuilder builder(document);
-  for (const StrokePtr& stroke : strokes) builder.add(layer, stroke);
+  std::map<StrokeId, StrokeId> ids;
+  for (const StrokePtr& stroke : strokes) {
+    ids[StrokeId{ids.size() + 1}] = builder.add(layer, stroke);
+  }
+  for (const FillPtr& fill : fills) {
+    RenamedFill renamed = with_other_strokes(*fill, ids);
+    builder.add_fill(layer, std::make_shared<const Fill>(std::move(renamed.fill)));
+  }
   return std::move(builder).build("Import");
 }
 
@@ -192,9 +202,9 @@ Result<void> Session::sample(const PenSample& reported) {
 }
 
 Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
-                             std::span<const StrokePtr> strokes) {
+                             std::span<const StrokePtr> strokes, std::span<const FillPtr> fills) {
   if (Result<void> ended = finish(); !ended) return ended;
-  Edit edit = import_edit(document_, layer_, strokes);
+  Edit edit = import_edit(document_, layer_, strokes, fills);
   Selection added = made_by(edit);
   if (Result<void> done = commit(std::move(edit)); !done) return done;
   if (event.select) set_selection(std::move(added));

@@ -89,9 +89,9 @@ class Session {
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& sample);
   /// Handles an ImportEvent: adds the strokes of its file on top of the current layer, as one undo
-  /// step.
+  /// step. The pieces of the fills name the strokes by their numbers, from 1 (VisibleInk).
   Result<void> import(std::int64_t time_ns, const ImportEvent& event,
-                      std::span<const StrokePtr> strokes);
+                      std::span<const StrokePtr> strokes, std::span<const FillPtr> fills = {});
   /// Ends the gesture as if the pen had been lifted. Call it when the sample stream stops: the
   /// device was disconnected, or the script or program ends.
   Result<void> finish();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/fill/fill_shape.h"
 #include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -112,6 +113,26 @@ TEST(SessionFills, TheEraserOpensOrClosesAsTheOptionSays) {
     f.must(UndoEvent{});
     EXPECT_EQ(f.session->document(), before);
   }
+}
+
+TEST(SessionFills, CopiesAndImportsTakeTheirFillsAlong) {
+  FilledSquare f;
+  f.must(SelectStrokes{SelectStrokes::What::kAll});
+  f.must(DuplicateEvent{});
+  ASSERT_EQ(f.session->document().fill_count(), 2U);
+  f.must(MoveEvent{{100, 0}});
+  const LayerId low = f.session->document().layers().front().id;
+  const FillId copy = f.session->document().layer(low)->fills.back();
+  EXPECT_GT(fill_bounds(*f.session->document().find_fill(copy)).x0, 100.0) << "it follows the copies";
+  EXPECT_NEAR(fill_bounds(*f.fill()).x0, 0.0, 1e-6);
+
+  const VisibleInk ink = visible_ink(f.session->document());
+  FilledSquare other;
+  ASSERT_TRUE(other.session->import(other.now_ns, {"a.felt", true}, ink.strokes, ink.fills));
+  EXPECT_EQ(other.session->document().fill_count(), 3U);
+  other.must(MoveEvent{{0, 100}});
+  const auto& fills = other.session->document().layers().front().fills;
+  EXPECT_GT(fill_bounds(*other.session->document().find_fill(fills.back())).y0, 90.0);
 }
 
 TEST(SessionFills, AFillInALockedLayerStays) {
