@@ -5,7 +5,7 @@
 
 namespace felt {
 
-FillMap& DocumentMap::after(const Document& document, const Edit& edit) {
+FillMap* DocumentMap::after(const Document& document, const Edit& edit, const Rect& area) {
   std::map<StrokeId, StrokePtr> wanted;
   for (const Layer& layer : document.layers()) {
     if (strokes_ == Of::kVisibleStrokes && !layer.visible) continue;
@@ -13,6 +13,12 @@ FillMap& DocumentMap::after(const Document& document, const Edit& edit) {
   }
   for (auto& [id, stroke] : wanted) stroke = document.find(id);
   for (const StrokeChange& change : edit.changes) wanted[change.id] = change.after;
+  if (wanted.size() > kMaxStrokes) {
+    std::erase_if(wanted, [&area](const auto& entry) {
+      return entry.second && !entry.second->bounds().intersects(area);
+    });
+    if (wanted.size() > kMaxStrokes) return nullptr;
+  }
   std::vector<FillLine> changes;
   for (const auto& [id, line] : map_.meetings().lines()) {
     if (!wanted.contains(id)) changes.push_back({id, nullptr});
@@ -22,7 +28,7 @@ FillMap& DocumentMap::after(const Document& document, const Edit& edit) {
     if (stroke != (known ? known->stroke : nullptr)) changes.push_back({id, std::move(stroke)});
   }
   map_.update(changes);
-  return map_;
+  return &map_;
 }
 
 }  // namespace felt

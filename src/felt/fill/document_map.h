@@ -14,9 +14,13 @@ class DocumentMap {
 
   explicit DocumentMap(Of strokes) : strokes_(strokes) {}
 
-  /// Returns the map of the document as it is after `edit`. The reference is valid until the next
-  /// call.
-  FillMap& after(const Document& document, const Edit& edit = {});
+  /// The largest number of strokes of a map, because its first update takes quadratic time.
+  static constexpr std::size_t kMaxStrokes = 2'000;
+
+  /// Returns the map of the document as it is after `edit`, valid until the next call. In a
+  /// document of more than kMaxStrokes strokes the map has only those that reach `area`. Returns
+  /// null if these are more than kMaxStrokes, too.
+  FillMap* after(const Document& document, const Edit& edit, const Rect& area);
 
  private:
   Of strokes_;

@@ -75,24 +75,32 @@ std::vector<FillChange> following_fills(const Document& document, const Edit& ed
   const std::set<StrokeId> changed = changed_strokes(edit);
   if (changed.empty() || document.fill_count() == 0) return {};
   const std::set<LayerId> left_out = layers_with_changed_fills(edit);
-  EditBuilder builder(document);
-  FillMap* now = nullptr;
-  std::vector<LineEdit> lines;
+  std::vector<FillId> affected;
+  Rect area;
   for (const Layer& layer : document.layers()) {
     if (layer.locked || left_out.contains(layer.id)) continue;
     for (const FillId id : layer.fills) {
       const FillPtr fill = document.find_fill(id);
       if (!has_changed_piece(*fill, changed)) continue;
-      if (!now) {
-        now = &map.after(document, edit);
-        lines = line_edits(edit);
-      }
-      std::optional<Fill> followed = follow_fill(*fill, *now, lines, when_opened);
-      if (!followed || !check_fill(*followed)) {
-        builder.remove_fill(id);
-      } else if (*followed != *fill) {
-        builder.replace_fill(id, std::make_shared<const Fill>(*std::move(followed)));
-      }
+      affected.push_back(id);
+      area.extend(fill_bounds(*fill));
+    }
+  }
+  if (affected.empty()) return {};
+  for (const StrokeChange& c : edit.changes) {
+    if (c.after && changed.contains(c.id)) area.extend(c.after->bounds());
+  }
+  FillMap* now = map.after(document, edit, area);
+  if (!now) return {};
+  const std::vector<LineEdit> lines = line_edits(edit);
+  EditBuilder builder(document);
+  for (const FillId id : affected) {
+    const FillPtr fill = document.find_fill(id);
+    std::optional<Fill> followed = follow_fill(*fill, *now, lines, when_opened);
+    if (!followed || !check_fill(*followed)) {
+      builder.remove_fill(id);
+    } else if (*followed != *fill) {
+      builder.replace_fill(id, std::make_shared<const Fill>(*std::move(followed)));
     }
   }
   return std::move(builder).build({}).fills;

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-FillGesture::FillGesture(const Scene& scene, FillMap& map, double gap_mm, bool removes)
+FillGesture::FillGesture(const Scene& scene, FillMap* map, double gap_mm, bool removes)
     : map_(map), gap_mm_(gap_mm), removes_(removes) {
   for (const Layer& layer : scene.document.layers()) {
     if (!can_fill_in(layer)) continue;
@@ -35,10 +35,10 @@ bool FillGesture::visit(Point p, const Scene& scene) {
     return true;
   }
   const Layer* layer = scene.document.layer(scene.layer);
-  if (removes_ || !layer || !can_fill_in(*layer)) return false;
+  if (removes_ || !map_ || !layer || !can_fill_in(*layer)) return false;
   // Asks this first, because looking for the gap of an open area takes much longer.
-  if (!map_.map(gap_mm_).loop_around(p)) return false;
-  Result<FoundFill> found = map_.face_at(p, gap_mm_, scene.color);
+  if (!map_->map(gap_mm_).loop_around(p)) return false;
+  Result<FoundFill> found = map_->face_at(p, gap_mm_, scene.color);
   if (!found || !check_fill(found->fill)) return false;
   bridges_.insert(bridges_.end(), found->bridges.begin(), found->bridges.end());
   const auto fill = std::make_shared<const Fill>(std::move(found->fill));

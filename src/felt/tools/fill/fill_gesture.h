@@ -17,8 +17,8 @@ inline bool can_fill_in(const Layer& layer) noexcept {
 /// must not change while it is used.
 class FillGesture {
  public:
-  /// Starts a gesture. If `removes` is true, it removes the fills that it reaches.
-  FillGesture(const Scene& scene, FillMap& map, double gap_mm, bool removes);
+  /// Starts a gesture; null as `map`: no area can be found. If `removes` is true, it removes the fills that it reaches.
+  FillGesture(const Scene& scene, FillMap* map, double gap_mm, bool removes);
 
   /// Looks for a fill, or an area without one, at a point. Returns true if it is a new one.
   bool visit(Point p, const Scene& scene);
@@ -42,7 +42,7 @@ class FillGesture {
 
   static const Target* find(const std::vector<Target>& targets, Point p);
 
-  FillMap& map_;
+  FillMap* map_;
   double gap_mm_;
   bool removes_;
   std::vector<Target> present_;  // the fills of all open layers, the highest first

@@ -31,6 +31,12 @@ constexpr double kMaxFillSteps = 200.0;
 constexpr double kTapMm = 2.0;
 constexpr double kEdgeToleranceMm = 0.05;
 
+/// Returns the part of the page whose strokes count in drawings of very many strokes.
+Rect reach_of(Point pen) {
+  constexpr double kReachMm = 150.0;
+  return {pen.x - kReachMm, pen.y - kReachMm, pen.x + kReachMm, pen.y + kReachMm};
+}
+
 void draw_bridge(Overlay& overlay, const TipLink& link, Overlay::Role role) {
   const Point middle = link.corner.value_or(link.to.point);
   overlay.lines.push_back({link.from.point, middle, role});
@@ -70,7 +76,7 @@ ToolResult FillTool::hover(const PenSample&, const Scene&) {
 ToolResult FillTool::begin(const PenSample& sample, const Scene& scene) {
   stop_hovering();
   start_ = pen_ = on_page(sample.position);
-  gesture_.emplace(scene, map_.after(scene.document), settings_.gap_mm,
+  gesture_.emplace(scene, map_.after(scene.document, {}, reach_of(start_)), settings_.gap_mm,
                    (sample.buttons & kSecondModifier) != 0);
   if (visit(pen_, scene)) edit_ = gesture_->edit(scene);
   feel_edge(sample);
@@ -116,7 +122,8 @@ ToolResult FillTool::end(const Scene& scene) {
   const bool is_tap = distance(start_, pen_) < kTapMm;
   const Layer* layer = scene.document.layer(scene.layer);
   if (gesture_->is_empty() && !gesture_->removes() && is_tap && layer && can_fill_in(*layer)) {
-    gap_ = map_.after(scene.document).find_gap(start_, settings_.gap_mm);
+    FillMap* map = map_.after(scene.document, {}, reach_of(start_));
+    if (map) gap_ = map->find_gap(start_, settings_.gap_mm);
   }
   stop();
   return result;
