@@ -194,7 +194,7 @@ SessionView view_of(const Session& session, std::optional<Point> pen) {
   session.draw(view.overlay);
   view.document = session.document();
   // If the preview is invalid, that is a bug of the tool, and its commit will report it.
-  if (session.preview()) (void)view.document.apply(*session.preview());
+  if (session.preview()) (void)view.document.apply(*session.preview_with_fills());
   return view;
 }
 

@@ -11,7 +11,7 @@
 namespace felt::cli {
 
 /// Reads the strokes of a file: .ndjson, .felt (visible layers only), or .svg written by Feltline.
-Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
+Result<VisibleInk> read_strokes(const std::string& path);
 
 /// Reads a file of one of the formats of read_strokes() as a drawing. The layers, ids and materials
 /// of a .felt file are kept; strokes in .ndjson become one layer.

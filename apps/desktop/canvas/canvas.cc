@@ -244,7 +244,7 @@ void Canvas::refresh() {
   is_stale_ = false;
   Shown& s = *shown_;
   const Session& session = studio_.session();
-  ink_.show(session.preview());
+  ink_.show(session.preview_with_fills());
   session.draw(s.overlay);
   // Removes the size ring, because the line itself shows its width.
   if (in_contact(studio_.pen().sample)) s.size_ring.stop();

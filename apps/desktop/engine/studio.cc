@@ -204,10 +204,12 @@ void Studio::finish_gesture() {
   if (session_->gesture_in_progress()) apply(loop_.used_device());
 }
 
-bool Studio::import(const QString& path, std::span<const StrokePtr> strokes) {
+bool Studio::import(const QString& path, std::span<const StrokePtr> strokes,
+                    std::span<const FillPtr> fills) {
   loop_.wake();
   drain();
-  const Result<void> done = session_->import(event_time_ns(), {path.toStdString(), true}, strokes);
+  const Result<void> done =
+      session_->import(event_time_ns(), {path.toStdString(), true}, strokes, fills);
   publish();
   report_changes();
   Q_EMIT shown();

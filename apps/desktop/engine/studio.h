@@ -91,7 +91,8 @@ class Studio : public QObject {
   /// Ends the gesture as if the pen had been lifted and commits its result.
   void finish_gesture();
   /// Adds strokes as one step of undo. Returns false if the session refuses them, as apply() does.
-  bool import(const QString& path, std::span<const StrokePtr> strokes);
+  bool import(const QString& path, std::span<const StrokePtr> strokes,
+              std::span<const FillPtr> fills = {});
   /// Adds those media of the strokes that are not known yet; call it before import(). `texts` are
   /// the materials that come with the strokes; a text that cannot be read is skipped. If a medium
   /// is already known but with other values, the known medium stays. Returns the labels of such

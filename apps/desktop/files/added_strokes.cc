@@ -4,14 +4,14 @@
 
 namespace felt::desktop {
 
-bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr> strokes,
+bool add_strokes(Studio& studio, const QString& from, const VisibleInk& ink,
                  std::span<const std::string> materials, ImportReport& report) {
-  for (const std::string& label : studio.add_media(materials, strokes)) {
+  for (const std::string& label : studio.add_media(materials, ink.strokes)) {
     const QString what = QCoreApplication::translate(
         "AddedStrokes", "“%1” differs here: the added strokes look as it does in this drawing");
     report.add(0, {}, what.arg(QString::fromStdString(label)).toStdString());
   }
-  return studio.import(from, strokes);
+  return studio.import(from, ink.strokes, ink.fills);
 }
 
 }  // namespace felt::desktop

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QCryptographicHash>
 #include <QGuiApplication>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -31,9 +32,9 @@ QByteArray fingerprint(const QMimeData& data) {
                                   QCryptographicHash::Sha1);
 }
 
-std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, Vec by_mm) {
-  if (by_mm == Vec{}) return strokes;
-  for (StrokePtr& s : strokes) {
+VisibleInk moved(VisibleInk ink, Vec by_mm) {
+  if (by_mm == Vec{}) return ink;
+  for (StrokePtr& s : ink.strokes) {
     StrokeData data = s->data();
     for (Point& p : data.points) p = p + by_mm;
     mend_rounding(data);
@@ -41,7 +42,14 @@ std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, Vec by_mm) {
       s = std::make_shared<const Stroke>(*std::move(stroke));
     }
   }
-  return strokes;
+  for (FillPtr& f : ink.fills) {
+    Fill fill = *f;
+    for (FillLoop& loop : fill.loops) {
+      for (Point& point : loop.points) point = point + by_mm;
+    }
+    f = std::make_shared<const Fill>(std::move(fill));
+  }
+  return ink;
 }
 
 }  // namespace
@@ -80,7 +88,7 @@ Drawing ClipboardActions::chosen() const {
       [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
 }
 
-/// Returns the visible strokes for which `keep` is true, with the present texts of their media. The
+/// Returns the visible strokes for which `keep` is true and the fills between them, with the present texts of their media. The
 /// texts are needed because the user may change the media before the paste, or paste in another
 /// program.
 Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
@@ -88,6 +96,7 @@ Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep
   DrawingBuilder builder;
   const std::size_t kept = builder.add_layer({"Ink"});
   std::set<std::string> media;
+  std::map<StrokeId, StrokeId> kept_ids;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) {
@@ -95,6 +104,16 @@ Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep
       const StrokePtr stroke = document.find(id);
       media.insert(stroke->medium());
       builder.add(kept, stroke, id);
+      kept_ids[id] = id;
+    }
+  }
+  // A fill is copied with all strokes of its boundary.
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const FillId id : layer.fills) {
+      if (with_other_strokes(*document.find_fill(id), kept_ids).is_complete) {
+        builder.add_fill(kept, document.find_fill(id), fill_name(id));
+      }
     }
   }
   const std::vector<std::string> ids(media.begin(), media.end());
@@ -175,7 +194,7 @@ void ClipboardActions::paste_at(Point middle) {
 
 void ClipboardActions::add(Imported pasted, Vec by_mm) {
   add_strokes(studio_, QStringLiteral("clipboard"),
-              moved(visible_strokes(pasted.drawing.document), by_mm), pasted.drawing.materials,
+              moved(visible_ink(pasted.drawing.document), by_mm), pasted.drawing.materials,
               pasted.report);
   Q_EMIT taken(tr("the clipboard"), pasted.report);
 }

@@ -273,7 +273,7 @@ bool FileActions::import(const QString& given) {
   }
   Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
   const Drawing& drawing = opened->drawing;
-  if (!add_strokes(studio_, path, visible_strokes(drawing.document), drawing.materials,
+  if (!add_strokes(studio_, path, visible_ink(drawing.document), drawing.materials,
                    opened->report)) {
     return false;
   }

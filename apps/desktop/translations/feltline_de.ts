@@ -1798,6 +1798,10 @@
         <source>Gather</source>
         <translation>Zusammenfassen</translation>
     </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -6342,6 +6346,58 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>strip</source>
         <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Tap an area to fill it, or drag across several. Tap again to remove the fill.</source>
+        <translation>Tippen Sie eine Fläche an, um sie zu füllen, oder ziehen Sie über mehrere. Erneutes Tippen entfernt die Füllung.</translation>
+    </message>
+    <message>
+        <source>removes fills</source>
+        <translation>entfernt Füllungen</translation>
+    </message>
+    <message>
+        <source>Fills the areas between lines. Fills follow their lines.</source>
+        <translation>Füllt die Flächen zwischen Linien. Füllungen folgen ihren Linien.</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Gaps of the outline up to this size count as closed. 0: only outlines that touch.</source>
+        <translation>Lücken im Umriss bis zu dieser Größe gelten als geschlossen. 0: nur Umrisse, die sich berühren.</translation>
+    </message>
+    <message>
+        <source>Opened areas</source>
+        <translation>Geöffnete Flächen</translation>
+    </message>
+    <message>
+        <source>If an edit opens the outline of a fill: a straight edge closes it, or the fill is removed.</source>
+        <translation>Wenn eine Änderung den Umriss einer Füllung öffnet: Eine gerade Kante schließt ihn, oder die Füllung wird entfernt.</translation>
+    </message>
+    <message>
+        <source>Felt edge</source>
+        <translation>Fühlbarer Rand</translation>
+    </message>
+    <message>
+        <source>Height of the soft ridge at the edge of the area under the pen while it fills.</source>
+        <translation>Höhe der weichen Erhebung am Rand der Fläche unter dem Stift, während er füllt.</translation>
+    </message>
+    <message>
+        <source>Force level of the surface&apos;s friction and grain, and of the ridge. Does not affect the surface&apos;s hardness.</source>
+        <translation>Stärke von Reibung und Körnung der Oberfläche und der Erhebung. Beeinflusst nicht die Härte der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>schließen</translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation>entfernen</translation>
     </message>
 </context>
 </TS>

@@ -1798,6 +1798,10 @@
         <source>Gather</source>
         <translation>Bundelen</translation>
     </message>
+    <message>
+        <source>Fill</source>
+        <translation>Vullen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -6342,6 +6346,58 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>strip</source>
         <translation>strook</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Vullen</translation>
+    </message>
+    <message>
+        <source>Tap an area to fill it, or drag across several. Tap again to remove the fill.</source>
+        <translation>Tik een gebied aan om het te vullen, of sleep over meerdere. Nogmaals tikken verwijdert de vulling.</translation>
+    </message>
+    <message>
+        <source>removes fills</source>
+        <translation>verwijdert vullingen</translation>
+    </message>
+    <message>
+        <source>Fills the areas between lines. Fills follow their lines.</source>
+        <translation>Vult de gebieden tussen lijnen. Vullingen volgen hun lijnen.</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Opening</translation>
+    </message>
+    <message>
+        <source>Gaps of the outline up to this size count as closed. 0: only outlines that touch.</source>
+        <translation>Openingen in de omtrek tot deze grootte gelden als gesloten. 0: alleen omtrekken die elkaar raken.</translation>
+    </message>
+    <message>
+        <source>Opened areas</source>
+        <translation>Geopende gebieden</translation>
+    </message>
+    <message>
+        <source>If an edit opens the outline of a fill: a straight edge closes it, or the fill is removed.</source>
+        <translation>Als een bewerking de omtrek van een vulling opent: een rechte rand sluit hem, of de vulling wordt verwijderd.</translation>
+    </message>
+    <message>
+        <source>Felt edge</source>
+        <translation>Voelbare rand</translation>
+    </message>
+    <message>
+        <source>Height of the soft ridge at the edge of the area under the pen while it fills.</source>
+        <translation>Hoogte van de zachte richel aan de rand van het gebied onder de pen terwijl die vult.</translation>
+    </message>
+    <message>
+        <source>Force level of the surface&apos;s friction and grain, and of the ridge. Does not affect the surface&apos;s hardness.</source>
+        <translation>Krachtniveau van de wrijving en korrel van het oppervlak en van de richel. Heeft geen invloed op de hardheid van het oppervlak.</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>sluiten</translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation>verwijderen</translation>
     </message>
 </context>
 </TS>

@@ -28,6 +28,26 @@ const PictureData* data_of(const std::optional<LayerState>& state) noexcept {
   return state && state->picture ? state->picture->data.get() : nullptr;
 }
 
+/// Adds changes of fills to those of the edit before. Returns false and changes nothing if one of
+/// them adds, removes or moves a fill.
+bool extend_fills(std::vector<FillChange>& fills, const std::vector<FillChange>& further) {
+  const auto stays = [](const FillChange& c) {
+    return c.before && c.after && c.before_place == c.after_place;
+  };
+  if (!std::all_of(fills.begin(), fills.end(), stays)) return false;
+  if (!std::all_of(further.begin(), further.end(), stays)) return false;
+  for (const FillChange& c : further) {
+    const auto known = std::find_if(fills.begin(), fills.end(),
+                                    [&c](const FillChange& first) { return first.id == c.id; });
+    if (known == fills.end()) {
+      fills.push_back(c);
+    } else {
+      known->after = c.after;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::size_t memory_of(const Edit& edit) noexcept {
@@ -78,6 +98,7 @@ bool History::extend(const Edit& edit) {
                   edit.changes.end(), continues)) {
     return false;
   }
+  if (!extend_fills(step.edit.fills, edit.fills)) return false;
   for (std::size_t i = 0; i < edit.changes.size(); ++i) {
     step.edit.changes[i].after = edit.changes[i].after;
     step.edit.changes[i].after_place = edit.changes[i].after_place;

@@ -1,5 +1,8 @@
 #include "felt/document/visible_strokes.h"
 
+#include <memory>
+#include <utility>
+
 namespace felt {
 
 std::vector<StrokePtr> visible_strokes(const Document& document) {
@@ -15,6 +18,39 @@ const LayerPicture* exported_picture(const Layer& layer, PictureChoice pictures)
   const bool is_shown = layer.picture && layer.visible &&
                         (pictures == PictureChoice::kAll || layer.picture->exported);
   return is_shown ? layer.picture.get() : nullptr;
+}
+
+VisibleInk visible_ink(const Document& document) {
+  VisibleInk ink{visible_strokes(document), {}};
+  std::map<StrokeId, StrokeId> numbers;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) numbers[id] = StrokeId{numbers.size() + 1};
+  }
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const FillId id : layer.fills) {
+      RenamedFill renamed = with_other_strokes(*document.find_fill(id), numbers);
+      ink.fills.push_back(std::make_shared<const Fill>(std::move(renamed.fill)));
+    }
+  }
+  return ink;
+}
+
+RenamedFill with_other_strokes(Fill fill, const std::map<StrokeId, StrokeId>& new_ids) {
+  bool is_complete = true;
+  for (FillLoop& loop : fill.loops) {
+    bool is_known = true;
+    for (FillPiece& piece : loop.pieces) {
+      if (!piece.stroke) continue;
+      const auto found = new_ids.find(piece.stroke);
+      is_known = is_known && found != new_ids.end();
+      if (is_known) piece.stroke = found->second;
+    }
+    if (!is_known) loop.pieces.clear();
+    is_complete = is_complete && is_known;
+  }
+  return {std::move(fill), is_complete};
 }
 
 Rect ink_bounds(const Document& document, LayerChoice layers) {

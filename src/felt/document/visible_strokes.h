@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,24 @@ std::vector<StrokePtr> visible_strokes(const Document& document);
 
 /// Returns the picture of a layer if an exported file shows it, otherwise null.
 const LayerPicture* exported_picture(const Layer& layer, PictureChoice pictures) noexcept;
+/// Strokes with their fills, apart from a document. The pieces of the fills name strokes by their
+/// numbers, from 1, in `strokes`.
+struct VisibleInk {
+  std::vector<StrokePtr> strokes;
+  std::vector<FillPtr> fills;
+};
+
+/// Returns the strokes and fills of visible layers in drawing order. A loop of a fill that also has
+/// a piece of another stroke keeps its points, but has no pieces.
+VisibleInk visible_ink(const Document& document);
+
+/// Returns a fill whose pieces name other strokes. A loop with a piece of a stroke that is not in
+/// the table has no pieces; `is_complete` is false then.
+struct RenamedFill {
+  Fill fill;
+  bool is_complete = true;
+};
+RenamedFill with_other_strokes(Fill fill, const std::map<StrokeId, StrokeId>& new_ids);
 
 /// Returns the bounds of the ink and fills in these layers; empty if they contain none.
 Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);

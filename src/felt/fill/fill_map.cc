@@ -77,7 +77,10 @@ Result<FoundFill> FillMap::face_at(Point p, double max_gap_mm, Rgba color) {
   }
   const PlanarMap& planar = map(max_gap_mm);
   const auto loop = planar.loop_around(p);
-  if (!loop) return open_error(p, max_gap_mm);
+  if (!loop) {
+    const std::optional<TipLink> gap = find_gap(p, max_gap_mm);
+    return fail(ErrorCode::kNotFound, "the area is open" + (gap ? gap_text(*gap) : ""));
+  }
   FoundFill found = fill_of(*loop, max_gap_mm, color);
   std::size_t points = 0;
   for (const FillLoop& part : found.fill.loops) points += part.points.size();
@@ -90,10 +93,8 @@ Result<FoundFill> FillMap::face_at(Point p, double max_gap_mm, Rgba color) {
   return found;
 }
 
-/// Returns the error for a point outside of all areas. Looks for the gap with larger and larger
-/// bridges.
-tl::unexpected<Error> FillMap::open_error(Point p, double max_gap_mm) {
-  std::string message = "the area is open";
+std::optional<TipLink> FillMap::find_gap(Point p, double max_gap_mm) {
+  // Looks with larger and larger bridges.
   for (double gap = 0.5; gap <= kMaxNamedGapMm; gap *= 2.0) {
     if (gap <= max_gap_mm) continue;
     const bool was_known = maps_.contains(gap);
@@ -105,11 +106,9 @@ tl::unexpected<Error> FillMap::open_error(Point p, double max_gap_mm) {
       }
     }
     if (!was_known) maps_.erase(gap);
-    if (!loop) continue;
-    if (widest) message += gap_text(*widest);
-    break;
+    if (loop) return widest;
   }
-  return fail(ErrorCode::kNotFound, message);
+  return std::nullopt;
 }
 
 }  // namespace felt

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,10 @@ class FillMap {
   /// has more than kMaxCubics cubics.
   Result<FoundFill> face_at(Point p, double max_gap_mm, Rgba color);
 
+  /// Returns the widest gap that would have to be closed for face_at() to find an area at p, or
+  /// nullopt if there is none up to kMaxNamedGapMm.
+  std::optional<TipLink> find_gap(Point p, double max_gap_mm);
+
   /// Returns the strokes and their meetings.
   [[nodiscard]] const LineMeetings& meetings() const noexcept { return meetings_; }
   /// Returns the links for this size of gaps. The reference is valid until the next update.
@@ -50,8 +55,6 @@ class FillMap {
     TipLinks links;
     std::unique_ptr<PlanarMap> map;  // null after an update
   };
-
-  tl::unexpected<Error> open_error(Point p, double max_gap_mm);
 
   LineMeetings meetings_;
   std::map<double, MapOfGap> maps_;

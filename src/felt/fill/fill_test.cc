@@ -118,6 +118,14 @@ TEST(PlanarMap, circles_have_the_faces_that_their_crossings_give) {
   }
 }
 
+TEST(FaceAt, a_map_without_strokes_is_open_everywhere) {
+  MapDrawing d;
+  EXPECT_FALSE(d.map.face_at({1, 1}, 3.0, {}));
+  d.set(d.circle({0, 0}, 10.0), nullptr);
+  EXPECT_FALSE(d.map.face_at({1, 1}, 3.0, {}));
+  EXPECT_EQ(d.map.map(0.0).loops().size(), 0U);
+}
+
 TEST(FaceAt, nested_circles_have_holes) {
   MapDrawing drawing;
   for (const double r : {20.0, 12.0, 5.0}) drawing.circle({30.0, 30.0}, r);

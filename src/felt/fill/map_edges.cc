@@ -32,7 +32,7 @@ class NodeSnapper {
   NodeSnapper(std::span<const Point> points, double snap_mm)
       : points_(points), snap_mm_(snap_mm), node_of_(points.size()), order_(points.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    divide(order_, 0);
+    if (!points.empty()) divide(order_, 0);
   }
 
   std::vector<std::size_t> node_of() && { return std::move(node_of_); }

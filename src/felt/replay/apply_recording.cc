@@ -11,9 +11,9 @@ namespace {
 Result<void> apply(const Event& event, const ReadImport& read_import, Session& session) {
   const auto* import = std::get_if<ImportEvent>(&event.what);
   if (!import) return session.apply(event);
-  const Result<std::vector<StrokePtr>> strokes = read_import(import->path);
-  if (!strokes) return tl::unexpected(strokes.error());
-  return session.import(event.time_ns, *import, *strokes);
+  const Result<VisibleInk> ink = read_import(import->path);
+  if (!ink) return tl::unexpected(ink.error());
+  return session.import(event.time_ns, *import, ink->strokes, ink->fills);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "felt/base/result.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
@@ -17,7 +18,7 @@
 namespace felt {
 
 /// Reads the strokes of the file that an import event names.
-using ReadImport = std::function<Result<std::vector<StrokePtr>>(const std::string& path)>;
+using ReadImport = std::function<Result<VisibleInk>(const std::string& path)>;
 
 /// Applies a script. `name` is for errors, "NAME:LINE: reason".
 Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImport& read_import,

@@ -50,7 +50,7 @@ Drawing drawing_after(Drawing drawing, const Session& session, Document document
 Document seen_document(const Session& session) {
   Document seen = session.document();
   // An invalid preview is a bug of the tool. The commit will report it.
-  if (session.preview()) (void)seen.apply(*session.preview());
+  if (session.preview()) (void)seen.apply(*session.preview_with_fills());
   return seen;
 }
 

@@ -33,7 +33,7 @@ struct ReplaySettings {
   /// Surfaces and media that options may name.
   Materials materials = Materials::built_in();
   /// Reads the strokes of a drawing that a script imports. If null, an import is an error.
-  std::function<Result<std::vector<StrokePtr>>(const std::string& path)> read_import{};
+  std::function<Result<VisibleInk>(const std::string& path)> read_import{};
 };
 
 /// Returns the settings for a preset and a hand. `rate_hz` and `delay_ticks` default to the

@@ -248,9 +248,9 @@ class Player::Run {
 
   Result<void> import(std::int64_t time_ns, const ImportEvent& event) {
     if (!options_.read_import) return session_.apply({time_ns, event});
-    const Result<std::vector<StrokePtr>> strokes = options_.read_import(event);
-    if (!strokes) return tl::unexpected(strokes.error());
-    return session_.import(time_ns, event, *strokes);
+    const Result<VisibleInk> ink = options_.read_import(event);
+    if (!ink) return tl::unexpected(ink.error());
+    return session_.import(time_ns, event, ink->strokes, ink->fills);
   }
 
   [[nodiscard]] bool is_over(std::int64_t now_ns, std::int64_t last_ns) const noexcept {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/rt/servo.h"
 #include "felt/session/session.h"
 
@@ -25,8 +26,8 @@ struct PlayerOptions {
 
   /// Called at each tick of the loop, for example to write the CSV file of forces or to make plots.
   std::function<void(const TickReport&)> on_tick = {};
-  /// Reads the strokes that an import event names. Without it, import events are errors.
-  std::function<Result<std::vector<StrokePtr>>(const ImportEvent&)> read_import = {};
+  /// Reads the strokes and fills that an import event names. Without it, import events are errors.
+  std::function<Result<VisibleInk>(const ImportEvent&)> read_import = {};
   /// Called every edit_period_ns. If it returns true, the play ends with the ink drawn so far.
   std::function<bool()> is_cancelled = {};
 };

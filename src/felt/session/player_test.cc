@@ -318,9 +318,9 @@ TEST(Player, ImportsWhatTheCallerReads) {
   const std::vector<Event> script = {
       {5 * kMs, ImportEvent{"a.ndjson"}}, {9 * kMs, UndoEvent{}}, {10 * kMs, RedoEvent{}}};
   PlayerOptions options;
-  options.read_import = [&source](const ImportEvent& event) -> Result<std::vector<StrokePtr>> {
+  options.read_import = [&source](const ImportEvent& event) -> Result<VisibleInk> {
     if (event.path != "a.ndjson") return fail(ErrorCode::kNotFound, event.path);
-    return visible_strokes(source.document);
+    return visible_ink(source.document);
   };
   const Played played = play(script, options);
   ASSERT_TRUE(played.report) << played.report.error().message;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "felt/document/edit_builder.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/edit/mend_joints.h"
 
@@ -49,6 +52,11 @@ Result<RestyledInk> restyled_ink(const RestyleEvent& event) {
   return ink;
 }
 
+bool has_pieces(const Fill& fill) {
+  return std::any_of(fill.loops.begin(), fill.loops.end(),
+                     [](const FillLoop& loop) { return !loop.pieces.empty(); });
+}
+
 }  // namespace
 
 Selection selected(const Document& document, const Selection& before, SelectStrokes::What what) {
@@ -74,18 +82,30 @@ Edit delete_edit(const Document& document, const Selection& selection) {
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection) {
   EditBuilder builder(document);
   if (selection.empty()) return std::move(builder).build("Duplicate");
+  const Vec shift{kDuplicateShiftMm, kDuplicateShiftMm};
+  std::map<StrokeId, StrokeId> copies;
   // Visits the strokes in drawing order, because a selection does not store it.
   for (const Layer& layer : document.layers()) {
     for (const StrokeId id : layer.strokes) {
       if (!selection.is_whole(id)) continue;
       StrokeData data = document.find(id)->data();
-      for (Point& p : data.points) p = p + Vec{kDuplicateShiftMm, kDuplicateShiftMm};
+      for (Point& p : data.points) p = p + shift;
       Result<Stroke> copy = Stroke::create(std::move(data));
       if (!copy) {
         return tl::unexpected(
             with_context(copy.error(), "stroke " + std::to_string(id.value) + ", shifted"));
       }
-      builder.add(layer.id, std::make_shared<const Stroke>(*std::move(copy)));
+      copies[id] = builder.add(layer.id, std::make_shared<const Stroke>(*std::move(copy)));
+    }
+  }
+  for (const Layer& layer : document.layers()) {
+    for (const FillId id : layer.fills) {
+      RenamedFill copy = with_other_strokes(*document.find_fill(id), copies);
+      if (!copy.is_complete || !has_pieces(copy.fill) || layer.locked) continue;
+      for (FillLoop& loop : copy.fill.loops) {
+        for (Point& p : loop.points) p = p + shift;
+      }
+      builder.add_fill(layer.id, std::make_shared<const Fill>(std::move(copy.fill)));
     }
   }
   return std::move(builder).build("Duplicate");

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/stroke_index.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/fill/document_map.h"
 #include "felt/geometry/tilt.h"
 #include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
@@ -47,9 +50,17 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   return {id.substr(0, dot), id.substr(dot + 1)};
 }
 
-Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes) {
+Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes,
+                 std::span<const FillPtr> fills = {}) {
   EditBuilder builder(document);
-  for (const StrokePtr& stroke : strokes) builder.add(layer, stroke);
+  std::map<StrokeId, StrokeId> ids;
+  for (const StrokePtr& stroke : strokes) {
+    ids[StrokeId{ids.size() + 1}] = builder.add(layer, stroke);
+  }
+  for (const FillPtr& fill : fills) {
+    RenamedFill renamed = with_other_strokes(*fill, ids);
+    builder.add_fill(layer, std::make_shared<const Fill>(std::move(renamed.fill)));
+  }
   return std::move(builder).build("Import");
 }
 
@@ -192,9 +203,9 @@ Result<void> Session::sample(const PenSample& reported) {
 }
 
 Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
-                             std::span<const StrokePtr> strokes) {
+                             std::span<const StrokePtr> strokes, std::span<const FillPtr> fills) {
   if (Result<void> ended = finish(); !ended) return ended;
-  Edit edit = import_edit(document_, layer_, strokes);
+  Edit edit = import_edit(document_, layer_, strokes, fills);
   Selection added = made_by(edit);
   if (Result<void> done = commit(std::move(edit)); !done) return done;
   if (event.select) set_selection(std::move(added));
@@ -336,10 +347,12 @@ void Session::show(std::optional<Edit> preview) {
   // begins without a touch.
   preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
   preview_ = std::move(preview);
+  shown_is_current_ = false;
 }
 
 Result<void> Session::commit(Edit edit) {
   if (edit.empty()) return {};
+  let_fills_follow(edit);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   history_.record(std::move(edit));
@@ -347,6 +360,7 @@ Result<void> Session::commit(Edit edit) {
 }
 
 Result<void> Session::commit_with_previous(Edit edit) {
+  let_fills_follow(edit);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   if (!history_.extend(edit)) history_.record(std::move(edit));

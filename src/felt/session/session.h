@@ -19,6 +19,8 @@
 
 namespace felt {
 
+class DocumentMap;
+
 struct SessionOptions {
   /// The device that will output forces. A mouse or tablet has zero forces. UseDevice changes the
   /// device.
@@ -88,9 +90,9 @@ class Session {
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& sample);
   /// Handles an ImportEvent: adds the strokes of its file on top of the current layer, as one undo
-  /// step.
+  /// step. The pieces of the fills name the strokes by their numbers, from 1 (VisibleInk).
   Result<void> import(std::int64_t time_ns, const ImportEvent& event,
-                      std::span<const StrokePtr> strokes);
+                      std::span<const StrokePtr> strokes, std::span<const FillPtr> fills = {});
   /// Ends the gesture as if the pen had been lifted. Call it when the sample stream stops: the
   /// device was disconnected, or the script or program ends.
   Result<void> finish();
@@ -103,6 +105,9 @@ class Session {
   /// the document. It is the result so far of the gesture in progress, or the result of a gesture
   /// that would begin at the position of the pen.
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
+  /// Returns preview() with the fills that follow it. This may take longer than a sample does, so
+  /// it is meant for displays, once per frame.
+  [[nodiscard]] const std::optional<Edit>& preview_with_fills() const;
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
@@ -177,6 +182,8 @@ class Session {
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
   Result<void> commit(Edit edit);
+  /// Adds the changes of fills whose boundary the edit changes.
+  void let_fills_follow(Edit& edit) const;
   /// Commits an edit as a part of the previous undo step, if History::extend() allows it.
   Result<void> commit_with_previous(Edit edit);
   void follow(const Edit& applied);
@@ -192,6 +199,9 @@ class Session {
   History history_;
   LayerId layer_;
   std::optional<Edit> preview_;
+  mutable std::optional<Edit> shown_preview_;     // preview_with_fills()
+  mutable bool shown_is_current_ = true;          // shown_preview_ belongs to preview_
+  mutable std::unique_ptr<DocumentMap> fill_map_;  // of all strokes; null while there is no fill
   bool preview_is_of_gesture_ = false;
   std::int64_t last_sample_ns_ = 0;
   bool must_lift_ = false;  // the pen must be lifted before it can begin a gesture

@@ -2,6 +2,7 @@
 
 #include "felt/tools/connect/connect_tool.h"
 #include "felt/tools/eraser/eraser_tool.h"
+#include "felt/tools/fill/fill_tool.h"
 #include "felt/tools/gather/gather_tool.h"
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
@@ -28,6 +29,7 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   tools.push_back(make_recolor());
   tools.push_back(make_shape());
   tools.push_back(make_gather());
+  tools.push_back(make_fill());
   return tools;
 }
 

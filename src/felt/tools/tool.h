@@ -31,6 +31,8 @@ enum class ToolKind : std::uint8_t {
   kEdits,    ///< changes strokes under the pen
   kErases,   ///< removes ink; its medium is "eraser"
   kSelects,  ///< changes the selection and shows it
+  kFills,    ///< adds, changes and removes fills; its option "opened" says what becomes of a fill
+             ///< whose boundary is opened: "close" or "remove"
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
 };

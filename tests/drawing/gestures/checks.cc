@@ -52,6 +52,18 @@ std::size_t control_points(const Document& document) {
 }  // namespace
 
 Broken check_edit(const Document& before, const Edit& edit) {
+  for (const FillChange& change : edit.fills) {
+    const std::string name = "fill " + std::to_string(change.id.value);
+    if (change.after) {
+      if (const Result<void> kept = check_fill(*change.after); !kept) {
+        return name + ": " + kept.error().message;
+      }
+    }
+    if (!change.before) continue;
+    if (before.find_fill(change.id) != change.before) return name + " is not what it was";
+    const Layer* layer = before.layer(before.layer_of_fill(change.id));
+    if (layer->locked) return name + " is locked";
+  }
   for (const StrokeChange& change : edit.changes) {
     if (Broken broken = check_change(before, change)) return broken;
   }

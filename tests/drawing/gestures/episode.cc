@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdio>
+#include <initializer_list>
 #include <utility>
 
 #include "felt/base/hash.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
 #include "tests/drawing/gestures/random_gesture.h"
 #include "tests/drawing/gestures/random_sketch.h"
@@ -54,8 +57,15 @@ OptionValue any_value(Dice& dice, const OptionSpec& spec) {
   return std::clamp(dice.between(spec.min, spec.max), spec.min, spec.max);
 }
 
+void add_numbers(std::string& bytes, std::initializer_list<double> numbers) {
+  for (const double x : numbers) {
+    const auto raw = std::bit_cast<std::array<char, sizeof x>>(x);
+    bytes.append(raw.data(), raw.size());
+  }
+}
+
 bool changes_something(const Edit& edit) {
-  return !edit.layers.empty() ||
+  return !edit.layers.empty() || !edit.fills.empty() ||
          std::any_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
            return !c.before || !c.after || !(*c.before == *c.after) ||
                   !(c.before_place == c.after_place);
@@ -70,6 +80,17 @@ std::string bytes_of(const Document& document) {
     bytes += layer.name + (layer.visible ? " visible" : "") + (layer.locked ? " locked\n" : "\n");
     for (const StrokeId id : layer.strokes) {
       append_sketch_line(bytes, std::to_string(id.value), document.find(id)->data());
+    }
+    for (const FillId id : layer.fills) {
+      const Fill& fill = *document.find_fill(id);
+      bytes += "fill " + std::to_string(id.value) + ' ' + color_to_text(fill.color);
+      for (const FillLoop& loop : fill.loops) {
+        for (const Point& p : loop.points) add_numbers(bytes, {p.x, p.y});
+        for (const FillPiece& piece : loop.pieces) {
+          add_numbers(bytes, {static_cast<double>(piece.stroke.value), piece.from, piece.to});
+        }
+      }
+      bytes += '\n';
     }
   }
   return bytes;
