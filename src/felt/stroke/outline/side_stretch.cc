@@ -140,7 +140,7 @@ struct EdgePoint {
 EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
   const Vec v = derivative(piece.center, t), a = second_derivative(piece.center, t);
   const double v2 = norm_squared(v), ds = std::sqrt(v2);
-  const double dr = piece.radius1_mm - piece.radius0_mm, r = piece.radius(t);
+  const double dr = piece.radius_derivative(t), r = piece.radius(t);
   EdgePoint e;
   e.dab = {evaluate(piece.center, t), r};
   e.frame = EnvelopeFrame::of(tangent(piece.center, t), dr, ds);
@@ -149,12 +149,19 @@ EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
   e.is_regular = e.frame.height > 0.0 && ds > 0.0;
   if (e.is_regular) {
     const double turning = cross(v, a) / v2;
-    const double leaning = -dr * dot(v, a) / (v2 * ds) / e.frame.height;
+    const double leaning =
+        (piece.bend_mm.second_derivative(t) - dr * dot(v, a) / v2) / (ds * e.frame.height);
     const double onward = ds * e.frame.height, backward = r * (turning + leaning);
     if (backward >= onward) e.share = onward / backward;
   }
   e.place = e.dab.center + (e.share * r) * e.frame.normal();
   return e;
+}
+
+/// Returns the number of lines that keep within the tolerance of a part of a piece.
+int lines_of(const InkPiece& piece, double t0, double t1, double tolerance_mm) noexcept {
+  const double bends = std::ceil((t1 - t0) * piece.bend_mm.steps(tolerance_mm));
+  return std::max(flatten_steps(piece.center, t1 - t0, tolerance_mm), static_cast<int>(bends));
 }
 
 using Samples = std::array<EdgePoint, kSamples>;
@@ -209,7 +216,7 @@ class LeftEdge {
     }
     Cubic c;
     if (on_edge == kSamples && slow && fit(samples, c)) return add_curve(samples, c);
-    const bool last = halvings == 0 || flatten_steps(piece.center, t1 - t0, tolerance_mm_) == 1;
+    const bool last = halvings == 0 || lines_of(piece, t0, t1, tolerance_mm_) == 1;
     const bool is_inside = on_edge == 0 || last;
     if (regular == kSamples && slow && lines && is_inside) return add_inside(samples);
     if (regular == 0 || last) return append_lines(piece, t0, t1);
@@ -360,7 +367,7 @@ class LeftEdge {
   void append_lines(const InkPiece& piece, double t0, double t1) {
     finish();
     const auto dab = [&](double t) { return Dab{evaluate(piece.center, t), piece.radius(t)}; };
-    const int steps = flatten_steps(piece.center, t1 - t0, 0.5 * tolerance_mm_);
+    const int steps = lines_of(piece, t0, t1, 0.5 * tolerance_mm_);
     EdgePoint from, to;
     from.dab = dab(t0);
     for (int i = 1; i <= steps; ++i) {

@@ -1,0 +1,138 @@
+#include "felt/stroke/drawn_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+/// Bounds the memory if a tolerance is extremely fine.
+constexpr int kMaxBendSteps = 1 << 10;
+
+/// Returns the slope that is drawn at a node between lines with the slopes `before` and `after`.
+double drawn_slope(double before, double after) noexcept {
+  return before * after > 0.0 ? 2.0 * before * (after / (before + after)) : 0.0;
+}
+
+/// What counts as a kink of a width or tone, in units per mm.
+struct Kink {
+  double unseen;
+  double jump;  ///< lines as steep as this are jumps, which stay as they are
+};
+constexpr Kink kRadiusKink{kUnseenKink, kJump}, kToneKink{kUnseenToneKink, 1e6};
+
+/// Sets the bends of two lines at the node between them. Each line is given by its change and its
+/// speed in mm per piece. If a speed is 0, the slope per mm has no meaning, and the kink stays.
+void bend_node(double change0, double speed0, double change1, double speed1, const Kink& kink,
+               double& end, double& start) noexcept {
+  end = start = 0.0;
+  if (!(speed0 > 0.0 && speed1 > 0.0)) return;
+  const double before = change0 / speed0, after = change1 / speed1;
+  if (!(std::max(std::fabs(before), std::fabs(after)) < kink.jump)) return;
+  if (std::fabs(before - after) <= kink.unseen) return;
+  const double slope = drawn_slope(before, after);
+  end = slope * speed0 - change0;
+  start = slope * speed1 - change1;
+}
+
+}  // namespace
+
+int ProfileBend::steps(double tolerance) const noexcept {
+  if (is_straight()) return 1;
+  // The second derivative is linear in x, so it is largest at an end.
+  const double most =
+      std::max(std::fabs(second_derivative(0.0)), std::fabs(second_derivative(1.0)));
+  const double steps = std::sqrt(most / (8.0 * tolerance));
+  if (!(steps < kMaxBendSteps)) return kMaxBendSteps;
+  return std::max(1, static_cast<int>(std::ceil(steps)));
+}
+
+DrawnProfile::DrawnProfile(const Stroke& stroke, int first) noexcept : stroke_(stroke) {
+  const auto knots = stroke.widths();
+  const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
+                                      [](double u, const WidthKnot& knot) { return u < knot.u; });
+  ahead_ = line_from(first, 0.0, static_cast<std::size_t>(after - knots.begin()) - 1);
+  if (const auto before = line_before(*ahead_)) {
+    double end = 0.0;
+    bend_node(before->radius_mm, before->speed1_mm, ahead_->radius_mm, ahead_->speed0_mm,
+              kRadiusKink, end, radius_start_.start);
+    bend_node(before->tone, before->speed1_mm, ahead_->tone, ahead_->speed0_mm, kToneKink, end,
+              tone_start_.start);
+  }
+}
+
+const DrawnPiece* DrawnProfile::next() noexcept {
+  if (!ahead_) return nullptr;
+  now_ = *ahead_;
+  now_.piece.radius_mm.start = radius_start_.start;
+  now_.piece.tone.start = tone_start_.start;
+  ahead_ = line_after(now_);
+  // At the end of a closed stroke, the next piece is the first one.
+  const auto wrapped = !ahead_ && is_seam_smooth() ? std::optional(line_from(0, 0.0, 0)) : ahead_;
+  if (wrapped) {
+    bend_node(now_.radius_mm, now_.speed1_mm, wrapped->radius_mm, wrapped->speed0_mm, kRadiusKink,
+              now_.piece.radius_mm.end, radius_start_.start);
+    bend_node(now_.tone, now_.speed1_mm, wrapped->tone, wrapped->speed0_mm, kToneKink,
+              now_.piece.tone.end, tone_start_.start);
+  }
+  return &now_.piece;
+}
+
+bool DrawnProfile::is_seam_smooth() const noexcept {
+  const WidthKnot &a = stroke_.widths().front(), &b = stroke_.widths().back();
+  return stroke_.closed() && a.width_mm == b.width_mm && a.tone == b.tone;
+}
+
+/// Returns the piece of equation (3) between two nodes; `knot` is as in DrawnPiece.
+DrawnProfile::Line DrawnProfile::line(int segment, double t0, double t1,
+                                      std::size_t knot) const noexcept {
+  const WidthKnot &a = stroke_.widths()[knot], &b = stroke_.widths()[knot + 1];
+  const double part = (t1 - t0) / (b.u - a.u);
+  Line line{.piece = {segment, t0, t1, knot, {}, {}},
+            .radius_mm = 0.5 * (b.width_mm - a.width_mm) * part,
+            .tone = (b.tone - a.tone) * part};
+  const Cubic c = stroke_.segment(segment);
+  line.speed0_mm = norm(derivative(c, t0)) * (t1 - t0);
+  line.speed1_mm = norm(derivative(c, t1)) * (t1 - t0);
+  return line;
+}
+
+DrawnProfile::Line DrawnProfile::line_from(int segment, double t0,
+                                           std::size_t knot) const noexcept {
+  const double end = stroke_.widths()[knot + 1].u;
+  return line(segment, t0, end < segment + 1 ? end - segment : 1.0, knot);
+}
+
+std::optional<DrawnProfile::Line> DrawnProfile::line_after(const Line& before) const noexcept {
+  const DrawnPiece& piece = before.piece;
+  if (piece.t1 < 1.0) return line_from(piece.segment, piece.t1, piece.knot + 1);
+  const int i = piece.segment + 1;
+  if (i == stroke_.segment_count()) return std::nullopt;
+  return line_from(i, 0.0, piece.knot + (stroke_.widths()[piece.knot + 1].u <= i ? 1 : 0));
+}
+
+std::optional<DrawnProfile::Line> DrawnProfile::line_before(const Line& after) const noexcept {
+  const auto knots = stroke_.widths();
+  if (after.piece.segment == 0) {
+    if (!is_seam_smooth()) return std::nullopt;
+    const int last = stroke_.segment_count() - 1;
+    const std::size_t knot = knots.size() - 2;
+    return line(last, std::max(0.0, knots[knot].u - last), 1.0, knot);
+  }
+  const int i = after.piece.segment;  // `after` starts at a joint
+  const std::size_t knot = knots[after.piece.knot].u < i ? after.piece.knot : after.piece.knot - 1;
+  return line(i - 1, std::max(0.0, knots[knot].u - (i - 1)), 1.0, knot);
+}
+
+double drawn_width_mm(const Stroke& stroke, double u) noexcept {
+  const double end = stroke.segment_count();
+  u = u > 0.0 ? std::min(u, end) : 0.0;
+  const int i = std::min(static_cast<int>(u), stroke.segment_count() - 1);
+  DrawnProfile profile(stroke, i);
+  const DrawnPiece* piece = profile.next();
+  while (piece->segment == i && i + piece->t1 < u) piece = profile.next();
+  const double x = std::clamp((u - i - piece->t0) / (piece->t1 - piece->t0), 0.0, 1.0);
+  return stroke.width_mm(u) + 2.0 * piece->radius_mm.at(x);
+}
+
+}  // namespace felt
