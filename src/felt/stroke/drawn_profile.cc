@@ -8,6 +8,8 @@ namespace {
 
 /// Bounds the memory if a tolerance is extremely fine.
 constexpr int kMaxBendSteps = 1 << 10;
+/// A piece whose end passes more slowly than this stands still there.
+constexpr double kStandstillMm = 1e-100;
 
 /// Returns the slope that is drawn at a node between lines with the slopes `before` and `after`.
 double drawn_slope(double before, double after) noexcept {
@@ -21,15 +23,14 @@ struct Kink {
 };
 constexpr Kink kRadiusKink{kUnseenKink, kJump}, kToneKink{kUnseenToneKink, 1e6};
 
-/// Sets the bends of two lines at the node between them. Each line is given by its change and its
-/// speed in mm per piece. If a speed is 0, the slope per mm has no meaning, and the kink stays.
-void bend_node(double change0, double speed0, double change1, double speed1, const Kink& kink,
-               double& end, double& start) noexcept {
-  end = start = 0.0;
-  if (!(speed0 > 0.0 && speed1 > 0.0)) return;
-  const double before = change0 / speed0, after = change1 / speed1;
-  if (!(std::max(std::fabs(before), std::fabs(after)) < kink.jump)) return;
-  if (std::fabs(before - after) <= kink.unseen) return;
+/// Sets the bends at the node between two lines, which are given by their changes along the piece,
+/// their slopes per mm at the node, and their speeds in mm per piece.
+void bend_node(double change0, double before, double speed0, double change1, double after,
+               double speed1, const Kink& kink, double& end, double& start) noexcept {
+  if (std::fabs(before - after) <= kink.unseen ||
+      std::max(std::fabs(before), std::fabs(after)) >= kink.jump) {
+    return;
+  }
   const double slope = drawn_slope(before, after);
   end = slope * speed0 - change0;
   start = slope * speed1 - change1;
@@ -37,14 +38,15 @@ void bend_node(double change0, double speed0, double change1, double speed1, con
 
 }  // namespace
 
-int ProfileBend::steps(double tolerance) const noexcept {
-  if (is_straight()) return 1;
+int ProfileBend::steps(double tolerance, int least) const noexcept {
+  if (is_straight()) return least;
   // The second derivative is linear in x, so it is largest at an end.
   const double most =
       std::max(std::fabs(second_derivative(0.0)), std::fabs(second_derivative(1.0)));
-  const double steps = std::sqrt(most / (8.0 * tolerance));
-  if (!(steps < kMaxBendSteps)) return kMaxBendSteps;
-  return std::max(1, static_cast<int>(std::ceil(steps)));
+  const double enough = most / (8.0 * tolerance);  // the square of the number of steps
+  if (enough <= static_cast<double>(least) * least) return least;
+  if (!(enough < kMaxBendSteps * kMaxBendSteps)) return std::max(least, kMaxBendSteps);
+  return static_cast<int>(std::ceil(std::sqrt(enough)));
 }
 
 DrawnProfile::DrawnProfile(const Stroke& stroke, int first) noexcept : stroke_(stroke) {
@@ -52,30 +54,33 @@ DrawnProfile::DrawnProfile(const Stroke& stroke, int first) noexcept : stroke_(s
   const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
                                       [](double u, const WidthKnot& knot) { return u < knot.u; });
   ahead_ = line_from(first, 0.0, static_cast<std::size_t>(after - knots.begin()) - 1);
-  if (const auto before = line_before(*ahead_)) {
-    double end = 0.0;
-    bend_node(before->radius_mm, before->speed1_mm, ahead_->radius_mm, ahead_->speed0_mm,
-              kRadiusKink, end, radius_start_.start);
-    bend_node(before->tone, before->speed1_mm, ahead_->tone, ahead_->speed0_mm, kToneKink, end,
-              tone_start_.start);
-  }
+  if (auto before = line_before(ahead_)) bend(*before, ahead_);
 }
 
 const DrawnPiece* DrawnProfile::next() noexcept {
-  if (!ahead_) return nullptr;
-  now_ = *ahead_;
-  now_.piece.radius_mm.start = radius_start_.start;
-  now_.piece.tone.start = tone_start_.start;
-  ahead_ = line_after(now_);
-  // At the end of a closed stroke, the next piece is the first one.
-  const auto wrapped = !ahead_ && is_seam_smooth() ? std::optional(line_from(0, 0.0, 0)) : ahead_;
-  if (wrapped) {
-    bend_node(now_.radius_mm, now_.speed1_mm, wrapped->radius_mm, wrapped->speed0_mm, kRadiusKink,
-              now_.piece.radius_mm.end, radius_start_.start);
-    bend_node(now_.tone, now_.speed1_mm, wrapped->tone, wrapped->speed0_mm, kToneKink,
-              now_.piece.tone.end, tone_start_.start);
+  if (!has_ahead_) return nullptr;
+  now_ = ahead_;
+  has_ahead_ = find_after(now_);
+  if (has_ahead_) {
+    bend(now_, ahead_);
+  } else if (is_seam_smooth()) {  // the next piece is the first one
+    Line first = line_from(0, 0.0, 0);
+    bend(now_, first);
   }
   return &now_.piece;
+}
+
+/// Sets the bends of two neighbouring lines at the node between them. If a speed is 0, the slope
+/// per mm has no meaning, and the kink stays.
+void DrawnProfile::bend(Line& a, Line& b) noexcept {
+  if (a.radius_mm == 0.0 && b.radius_mm == 0.0 && a.tone == 0.0 && b.tone == 0.0) return;
+  const double speed0 = a.speed1_mm, speed1 = b.speed0_mm;
+  if (!(speed0 > kStandstillMm && speed1 > kStandstillMm)) return;
+  const double per0 = 1.0 / speed0, per1 = 1.0 / speed1;
+  bend_node(a.radius_mm, a.radius_mm * per0, speed0, b.radius_mm, b.radius_mm * per1, speed1,
+            kRadiusKink, a.piece.radius_mm.end, b.piece.radius_mm.start);
+  bend_node(a.tone, a.tone * per0, speed0, b.tone, b.tone * per1, speed1, kToneKink,
+            a.piece.tone.end, b.piece.tone.start);
 }
 
 bool DrawnProfile::is_seam_smooth() const noexcept {
@@ -92,8 +97,8 @@ DrawnProfile::Line DrawnProfile::line(int segment, double t0, double t1,
             .radius_mm = 0.5 * (b.width_mm - a.width_mm) * part,
             .tone = (b.tone - a.tone) * part};
   const Cubic c = stroke_.segment(segment);
-  line.speed0_mm = norm(derivative(c, t0)) * (t1 - t0);
-  line.speed1_mm = norm(derivative(c, t1)) * (t1 - t0);
+  line.speed0_mm = (t0 == 0.0 ? 3.0 * norm(c.p[1] - c.p[0]) : norm(derivative(c, t0))) * (t1 - t0);
+  line.speed1_mm = (t1 == 1.0 ? 3.0 * norm(c.p[3] - c.p[2]) : norm(derivative(c, t1))) * (t1 - t0);
   return line;
 }
 
@@ -103,12 +108,18 @@ DrawnProfile::Line DrawnProfile::line_from(int segment, double t0,
   return line(segment, t0, end < segment + 1 ? end - segment : 1.0, knot);
 }
 
-std::optional<DrawnProfile::Line> DrawnProfile::line_after(const Line& before) const noexcept {
+/// Replaces ahead_ by the line after `before`. Returns false if `before` is the last one.
+bool DrawnProfile::find_after(const Line& before) noexcept {
   const DrawnPiece& piece = before.piece;
-  if (piece.t1 < 1.0) return line_from(piece.segment, piece.t1, piece.knot + 1);
   const int i = piece.segment + 1;
-  if (i == stroke_.segment_count()) return std::nullopt;
-  return line_from(i, 0.0, piece.knot + (stroke_.widths()[piece.knot + 1].u <= i ? 1 : 0));
+  if (piece.t1 < 1.0) {
+    ahead_ = line_from(piece.segment, piece.t1, piece.knot + 1);
+  } else if (i < stroke_.segment_count()) {
+    ahead_ = line_from(i, 0.0, piece.knot + (stroke_.widths()[piece.knot + 1].u <= i ? 1 : 0));
+  } else {
+    return false;
+  }
+  return true;
 }
 
 std::optional<DrawnProfile::Line> DrawnProfile::line_before(const Line& after) const noexcept {

@@ -26,9 +26,9 @@ struct ProfileBend {
   }
   /// Returns the bend of the same piece in the opposite direction.
   [[nodiscard]] constexpr ProfileBend reversed() const noexcept { return {-end, -start}; }
-  /// Returns the number of equal steps of x, at least 1, after which straight lines are within the
-  /// tolerance of the bend.
-  [[nodiscard]] int steps(double tolerance) const noexcept;
+  /// Returns the number of equal steps of x, at least `least` >= 1, between which straight lines
+  /// are within the tolerance of the bend.
+  [[nodiscard]] int steps(double tolerance, int least) const noexcept;
 };
 
 /// A part of a segment between neighbouring nodes. The joints and the width breakpoints are nodes.
@@ -78,14 +78,14 @@ class DrawnProfile {
 
   [[nodiscard]] Line line(int segment, double t0, double t1, std::size_t knot) const noexcept;
   [[nodiscard]] Line line_from(int segment, double t0, std::size_t knot) const noexcept;
-  [[nodiscard]] std::optional<Line> line_after(const Line& before) const noexcept;
+  bool find_after(const Line& before) noexcept;
   [[nodiscard]] std::optional<Line> line_before(const Line& after) const noexcept;
+  static void bend(Line& a, Line& b) noexcept;
   [[nodiscard]] bool is_seam_smooth() const noexcept;
 
   const Stroke& stroke_;
-  std::optional<Line> ahead_;
-  Line now_;
-  ProfileBend radius_start_, tone_start_;  // only `start`: the bends at the start of ahead_
+  Line now_, ahead_;
+  bool has_ahead_ = true;
 };
 
 /// Returns the drawn width at u, clamped to [0, n]; Stroke::width_mm returns that of equation (3).

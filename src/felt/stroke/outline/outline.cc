@@ -174,20 +174,28 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
     const int i = piece->segment;
     const double t0 = piece->t0, t1 = piece->t1;
     const Cubic c = stroke.segment(i);
-    const int steps = std::min(largest, std::max({flatten_steps(c, t1 - t0, tolerance_mm),
-                                                  piece->radius_mm.steps(tolerance_mm),
-                                                  piece->tone.steps(kToneTolerance)}));
+    const int for_center = flatten_steps(c, t1 - t0, tolerance_mm);
+    const int steps = std::min(
+        largest,
+        piece->tone.steps(kToneTolerance, piece->radius_mm.steps(tolerance_mm, for_center)));
     const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
     const double tone_slope = (b.tone - a.tone) / (b.u - a.u);
-    const auto dab_at = [&](Point center, double u, double x) {
-      return Dab{center, 0.5 * a.width_mm + slope * (u - a.u) + piece->radius_mm.at(x),
-                 std::clamp(a.tone + tone_slope * (u - a.u) + piece->tone.at(x), 0.0, 1.0)};
+    const auto line_at = [&](Point center, double u) {
+      return Dab{center, 0.5 * a.width_mm + slope * (u - a.u),
+                 std::clamp(a.tone + tone_slope * (u - a.u), 0.0, 1.0)};
     };
+    std::size_t next = out.size();
+    out.resize(next + static_cast<std::size_t>(steps));
+    const bool bends = !piece->radius_mm.is_straight() || !piece->tone.is_straight();
     for (int s = 1; s < steps; ++s) {
-      const double x = static_cast<double>(s) / steps, t = t0 + (t1 - t0) * s / steps;
-      out.push_back(dab_at(evaluate(c, t), i + t, x));
+      const double t = t0 + (t1 - t0) * s / steps;
+      Dab& dab = out[next++] = line_at(evaluate(c, t), i + t);
+      if (!bends) continue;
+      const double x = (t - t0) / (t1 - t0);
+      dab.radius_mm += piece->radius_mm.at(x);
+      dab.tone = std::clamp(dab.tone + piece->tone.at(x), 0.0, 1.0);
     }
-    out.push_back(dab_at(t1 < 1.0 ? evaluate(c, t1) : c.p[3], i + 1, 1.0));
+    out.back() = line_at(t1 < 1.0 ? evaluate(c, t1) : c.p[3], i + 1);
     if (b.u <= i + 1) {
       out.back().radius_mm = 0.5 * b.width_mm;
       out.back().tone = b.tone;

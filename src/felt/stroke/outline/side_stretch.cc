@@ -160,7 +160,7 @@ EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
 
 /// Returns the number of lines that keep within the tolerance of a part of a piece.
 int lines_of(const InkPiece& piece, double t0, double t1, double tolerance_mm) noexcept {
-  const double bends = std::ceil((t1 - t0) * piece.bend_mm.steps(tolerance_mm));
+  const double bends = std::ceil((t1 - t0) * piece.bend_mm.steps(tolerance_mm, 1));
   return std::max(flatten_steps(piece.center, t1 - t0, tolerance_mm), static_cast<int>(bends));
 }
 
