@@ -15,7 +15,7 @@ namespace {
 /// without the rest. If that needs no breakpoint, returns the stroke itself.
 StrokePtr as_drawn(const StrokePtr& stroke) {
   StrokeData data = stroke->data();
-  data.widths = drawn_knots(*stroke, 0.4 * InkNarrowing::kWidthErrorMm);
+  data.widths = drawn_knots(*stroke, 0.1 * InkNarrowing::kWidthErrorMm);
   if (data.widths.size() == stroke->widths().size()) return stroke;
   auto drawn = Stroke::create(std::move(data));
   return drawn ? std::make_shared<const Stroke>(*std::move(drawn)) : stroke;
@@ -99,7 +99,10 @@ void EraserGesture::sweep(Point from, Point to, const Scene& scene) {
 void EraserGesture::meet_touched(StrokeId id, int segment, const Capsule& capsule,
                                  const Scene& scene) {
   const auto known = lines_.find(id);
-  const StrokePtr& stroke = known != lines_.end() ? known->second.stroke : looked_at(id, scene);
+  // The drawn ink may be wider than that of equation (3), so the line is made before it is touched.
+  const StrokePtr& stroke = known != lines_.end()   ? known->second.stroke
+                            : settings_.include_width ? line_of(id, scene).stroke
+                                                      : looked_at(id, scene);
   covered_ = {};
   if (!stroke || !add_swept(*stroke, segment, capsule, covered_)) return;
   Line& line = line_of(id, scene);
