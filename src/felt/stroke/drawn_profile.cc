@@ -49,30 +49,7 @@ int ProfileBend::steps(double tolerance, int least) const noexcept {
   return static_cast<int>(std::ceil(std::sqrt(enough)));
 }
 
-DrawnProfile::DrawnProfile(const Stroke& stroke, int first) noexcept : stroke_(stroke) {
-  const auto knots = stroke.widths();
-  const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
-                                      [](double u, const WidthKnot& knot) { return u < knot.u; });
-  ahead_ = line_from(first, 0.0, static_cast<std::size_t>(after - knots.begin()) - 1);
-  if (auto before = line_before(ahead_)) bend(*before, ahead_);
-}
-
-const DrawnPiece* DrawnProfile::next() noexcept {
-  if (!has_ahead_) return nullptr;
-  now_ = ahead_;
-  has_ahead_ = find_after(now_);
-  if (has_ahead_) {
-    bend(now_, ahead_);
-  } else if (is_seam_smooth()) {  // the next piece is the first one
-    Line first = line_from(0, 0.0, 0);
-    bend(now_, first);
-  }
-  return &now_.piece;
-}
-
-/// Sets the bends of two neighbouring lines at the node between them. If a speed is 0, the slope
-/// per mm has no meaning, and the kink stays.
-void DrawnProfile::bend(Line& a, Line& b) noexcept {
+void smooth_node(ProfileLine& a, ProfileLine& b) noexcept {
   if (a.radius_mm == 0.0 && b.radius_mm == 0.0 && a.tone == 0.0 && b.tone == 0.0) return;
   const double speed0 = a.speed1_mm, speed1 = b.speed0_mm;
   if (!(speed0 > kStandstillMm && speed1 > kStandstillMm)) return;
@@ -83,17 +60,38 @@ void DrawnProfile::bend(Line& a, Line& b) noexcept {
             a.piece.tone.end, b.piece.tone.start);
 }
 
+DrawnProfile::DrawnProfile(const Stroke& stroke, int first) noexcept : stroke_(stroke) {
+  const auto knots = stroke.widths();
+  const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
+                                      [](double u, const WidthKnot& knot) { return u < knot.u; });
+  ahead_ = line_from(first, 0.0, static_cast<std::size_t>(after - knots.begin()) - 1);
+  if (auto before = line_before(ahead_)) smooth_node(*before, ahead_);
+}
+
+const DrawnPiece* DrawnProfile::next() noexcept {
+  if (!has_ahead_) return nullptr;
+  now_ = ahead_;
+  has_ahead_ = find_after(now_);
+  if (has_ahead_) {
+    smooth_node(now_, ahead_);
+  } else if (is_seam_smooth()) {  // the next piece is the first one
+    ProfileLine first = line_from(0, 0.0, 0);
+    smooth_node(now_, first);
+  }
+  return &now_.piece;
+}
+
 bool DrawnProfile::is_seam_smooth() const noexcept {
   const WidthKnot &a = stroke_.widths().front(), &b = stroke_.widths().back();
   return stroke_.closed() && a.width_mm == b.width_mm && a.tone == b.tone;
 }
 
 /// Returns the piece of equation (3) between two nodes; `knot` is as in DrawnPiece.
-DrawnProfile::Line DrawnProfile::line(int segment, double t0, double t1,
+ProfileLine DrawnProfile::line(int segment, double t0, double t1,
                                       std::size_t knot) const noexcept {
   const WidthKnot &a = stroke_.widths()[knot], &b = stroke_.widths()[knot + 1];
   const double part = (t1 - t0) / (b.u - a.u);
-  Line line{.piece = {segment, t0, t1, knot, {}, {}},
+  ProfileLine line{.piece = {segment, t0, t1, knot, {}, {}},
             .radius_mm = 0.5 * (b.width_mm - a.width_mm) * part,
             .tone = (b.tone - a.tone) * part};
   const Cubic c = stroke_.segment(segment);
@@ -102,14 +100,14 @@ DrawnProfile::Line DrawnProfile::line(int segment, double t0, double t1,
   return line;
 }
 
-DrawnProfile::Line DrawnProfile::line_from(int segment, double t0,
+ProfileLine DrawnProfile::line_from(int segment, double t0,
                                            std::size_t knot) const noexcept {
   const double end = stroke_.widths()[knot + 1].u;
   return line(segment, t0, end < segment + 1 ? end - segment : 1.0, knot);
 }
 
 /// Replaces ahead_ by the line after `before`. Returns false if `before` is the last one.
-bool DrawnProfile::find_after(const Line& before) noexcept {
+bool DrawnProfile::find_after(const ProfileLine& before) noexcept {
   const DrawnPiece& piece = before.piece;
   const int i = piece.segment + 1;
   if (piece.t1 < 1.0) {
@@ -122,7 +120,7 @@ bool DrawnProfile::find_after(const Line& before) noexcept {
   return true;
 }
 
-std::optional<DrawnProfile::Line> DrawnProfile::line_before(const Line& after) const noexcept {
+std::optional<ProfileLine> DrawnProfile::line_before(const ProfileLine& after) const noexcept {
   const auto knots = stroke_.widths();
   if (after.piece.segment == 0) {
     if (!is_seam_smooth()) return std::nullopt;

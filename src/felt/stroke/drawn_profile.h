@@ -49,6 +49,17 @@ inline constexpr double kJump = 1.0;
 /// Largest change of the tone per mm at a node that is not smoothed.
 inline constexpr double kUnseenToneKink = 0.02;
 
+/// A piece by equation (3): its changes from start to end, and the speeds at which its ends pass.
+struct ProfileLine {
+  DrawnPiece piece;
+  double radius_mm = 0.0, tone = 0.0;
+  double speed0_mm = 0.0, speed1_mm = 0.0;  ///< mm per piece
+};
+
+/// Sets the bends of two neighbouring pieces at the node between them. If a speed is 0, the slope
+/// per mm has no meaning, and the kink stays.
+void smooth_node(ProfileLine& before, ProfileLine& after) noexcept;
+
 /// Walks along the profile that is drawn (docs/decisions/0013-widths-are-drawn-smooth.md). It has
 /// the width and tone of equation (3) at every node, is monotonic between nodes, and has no visible
 /// kink beside jumps: the slope per length at a node is the harmonic mean of the slopes of equation
@@ -69,22 +80,14 @@ class DrawnProfile {
   const DrawnPiece* next() noexcept;
 
  private:
-  /// A piece by equation (3): the changes along it, and how fast its ends pass, in mm per piece.
-  struct Line {
-    DrawnPiece piece;
-    double radius_mm = 0.0, tone = 0.0;
-    double speed0_mm = 0.0, speed1_mm = 0.0;
-  };
-
-  [[nodiscard]] Line line(int segment, double t0, double t1, std::size_t knot) const noexcept;
-  [[nodiscard]] Line line_from(int segment, double t0, std::size_t knot) const noexcept;
-  bool find_after(const Line& before) noexcept;
-  [[nodiscard]] std::optional<Line> line_before(const Line& after) const noexcept;
-  static void bend(Line& a, Line& b) noexcept;
+  [[nodiscard]] ProfileLine line(int segment, double t0, double t1, std::size_t knot) const noexcept;
+  [[nodiscard]] ProfileLine line_from(int segment, double t0, std::size_t knot) const noexcept;
+  bool find_after(const ProfileLine& before) noexcept;
+  [[nodiscard]] std::optional<ProfileLine> line_before(const ProfileLine& after) const noexcept;
   [[nodiscard]] bool is_seam_smooth() const noexcept;
 
   const Stroke& stroke_;
-  Line now_, ahead_;
+  ProfileLine now_, ahead_;
   bool has_ahead_ = true;
 };
 

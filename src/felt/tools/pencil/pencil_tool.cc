@@ -54,9 +54,9 @@ ToolResult PencilTool::hover(const PenSample& sample, const Scene& scene) {
 
 ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
-  make_fitter(scene);
+  const InkFitOptions ink = make_fitter(scene);
   fitter_->begin();
-  wet_.begin(fitted_widths_);
+  wet_.begin(ink);
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
@@ -65,11 +65,13 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
 }
 
 /// Makes a new fitter only if the widths have changed, so that all lines use the same buffers.
-void PencilTool::make_fitter(const Scene& scene) {
-  const InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
-  if (fitter_ && fitted_widths_ == ink.width_map) return;
+/// Returns the options of the fit.
+InkFitOptions PencilTool::make_fitter(const Scene& scene) {
+  InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
+  if (fitter_ && fitted_widths_ == ink.width_map) return ink;
   fitter_ = std::make_unique<InkFitter>(ink);
   fitted_widths_ = ink.width_map;
+  return ink;
 }
 
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {

@@ -50,7 +50,7 @@ class PencilTool final : public GestureTool {
   void take_options(const OptionValues& options) override;
 
  private:
-  void make_fitter(const Scene& scene);
+  InkFitOptions make_fitter(const Scene& scene);
   [[nodiscard]] InkConnections connections(const Scene& scene) const;
   [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
 
