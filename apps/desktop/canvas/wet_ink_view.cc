@@ -122,10 +122,8 @@ QRegion WetInkView::update(const Overlay& overlay) {
   box.extend(wet_.dabs.bounds(n));
   // Segments that two changes left as they were will probably not change again, so they are added
   // to the mask. In the mask they may look slightly different, so their area is repainted.
-  // If the stroke is known, only stable segments are added, because others may change later.
   const std::size_t settled = wet_.settled;
-  const std::size_t most = overlay.ink_stroke != 0 ? std::min(overlay.ink_stable, n) : n;
-  if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), most));
+  if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), n));
   return QRegion(view_.part_of(box)) + view_.part_of(wet_.dabs.bounds(settled, wet_.settled));
 }
 
