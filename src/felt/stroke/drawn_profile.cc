@@ -87,21 +87,19 @@ bool DrawnProfile::is_seam_smooth() const noexcept {
 }
 
 /// Returns the piece of equation (3) between two nodes; `knot` is as in DrawnPiece.
-ProfileLine DrawnProfile::line(int segment, double t0, double t1,
-                                      std::size_t knot) const noexcept {
+ProfileLine DrawnProfile::line(int segment, double t0, double t1, std::size_t knot) const noexcept {
   const WidthKnot &a = stroke_.widths()[knot], &b = stroke_.widths()[knot + 1];
   const double part = (t1 - t0) / (b.u - a.u);
   ProfileLine line{.piece = {segment, t0, t1, knot, {}, {}},
-            .radius_mm = 0.5 * (b.width_mm - a.width_mm) * part,
-            .tone = (b.tone - a.tone) * part};
+                   .radius_mm = 0.5 * (b.width_mm - a.width_mm) * part,
+                   .tone = (b.tone - a.tone) * part};
   const Cubic c = stroke_.segment(segment);
   line.speed0_mm = (t0 == 0.0 ? 3.0 * norm(c.p[1] - c.p[0]) : norm(derivative(c, t0))) * (t1 - t0);
   line.speed1_mm = (t1 == 1.0 ? 3.0 * norm(c.p[3] - c.p[2]) : norm(derivative(c, t1))) * (t1 - t0);
   return line;
 }
 
-ProfileLine DrawnProfile::line_from(int segment, double t0,
-                                           std::size_t knot) const noexcept {
+ProfileLine DrawnProfile::line_from(int segment, double t0, std::size_t knot) const noexcept {
   const double end = stroke_.widths()[knot + 1].u;
   return line(segment, t0, end < segment + 1 ? end - segment : 1.0, knot);
 }

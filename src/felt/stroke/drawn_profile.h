@@ -80,7 +80,8 @@ class DrawnProfile {
   const DrawnPiece* next() noexcept;
 
  private:
-  [[nodiscard]] ProfileLine line(int segment, double t0, double t1, std::size_t knot) const noexcept;
+  [[nodiscard]] ProfileLine line(int segment, double t0, double t1,
+                                 std::size_t knot) const noexcept;
   [[nodiscard]] ProfileLine line_from(int segment, double t0, std::size_t knot) const noexcept;
   bool find_after(const ProfileLine& before) noexcept;
   [[nodiscard]] std::optional<ProfileLine> line_before(const ProfileLine& after) const noexcept;

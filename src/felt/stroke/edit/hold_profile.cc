@@ -27,7 +27,7 @@ std::vector<WidthKnot> with_more_knots(const Stroke& stroke, Visit visit) {
     const WidthKnot &a = stroke.widths()[piece->knot], &b = stroke.widths()[piece->knot + 1];
     if (a.u == u0) append_knot(knots, a);
     visit(
-        *piece, [&](double x) { return u0 + x * (u1 - u0); }, knots);
+        *piece, [&](double x) { return x < 1.0 ? u0 + x * (u1 - u0) : u1; }, knots);
     if (b.u == u1) append_knot(knots, b);
   }
   return knots;

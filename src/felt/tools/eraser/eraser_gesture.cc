@@ -100,7 +100,7 @@ void EraserGesture::meet_touched(StrokeId id, int segment, const Capsule& capsul
                                  const Scene& scene) {
   const auto known = lines_.find(id);
   // The drawn ink may be wider than that of equation (3), so the line is made before it is touched.
-  const StrokePtr& stroke = known != lines_.end()   ? known->second.stroke
+  const StrokePtr& stroke = known != lines_.end()     ? known->second.stroke
                             : settings_.include_width ? line_of(id, scene).stroke
                                                       : looked_at(id, scene);
   covered_ = {};

@@ -185,8 +185,9 @@ InkWidth WetInk::open_width(double path_mm) const {
           a.ink.tone + share * (end.tone - a.ink.tone)};
 }
 
-/// Adds the stable pieces, then the open line, then the tail. The tail does not have samples of its own, so a point of
-/// the tail gets the width of the point at the same relative length along the pen's path.
+/// Adds the stable pieces, then the open line, then the tail. The tail does not have samples of its
+/// own, so a point of the tail gets the width of the point at the same relative length along the
+/// pen's path.
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   overlay.add_stable_ink(stroke_, pieces_);
   const auto tail = fitter.live_tail();

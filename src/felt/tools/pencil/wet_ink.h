@@ -68,16 +68,16 @@ class WetInk {
 
   std::uint64_t stroke_ = 0;  // Overlay::ink_stroke
   std::vector<Overlay::InkSegment> pieces_;
-  int segments_ = 0;         // fitter segments in pieces_
-  std::size_t places_ = 0;   // fitter positions in pieces_
-  std::size_t samples_ = 0;  // fitter samples in pieces_
-  WidthMap stable_widths_;   // of the fitter's samples, up to samples_
-  bool has_tone_ = false;    // samples have a tone of their own
-  WidthFitter profile_;      // of the same samples
-  std::size_t knots_ = 0;    // breakpoints of profile_ that were used
-  WidthKnot open_{};         // start of the open line
+  int segments_ = 0;          // fitter segments in pieces_
+  std::size_t places_ = 0;    // fitter positions in pieces_
+  std::size_t samples_ = 0;   // fitter samples in pieces_
+  WidthMap stable_widths_;    // of the fitter's samples, up to samples_
+  bool has_tone_ = false;     // samples have a tone of their own
+  WidthFitter profile_;       // of the same samples
+  std::size_t knots_ = 0;     // breakpoints of profile_ that were used
+  WidthKnot open_{};          // start of the open line
   std::optional<Line> bent_;  // the line before it, whose end may still bend
-  WidthMap pen_widths_;      // of all samples, as they arrived
+  WidthMap pen_widths_;       // of all samples, as they arrived
   InkWidth stable_;
 
   // Widths of the tail, one node per kNodeMm; no node is added while the pen rests.
