@@ -122,8 +122,10 @@ QRegion WetInkView::update(const Overlay& overlay) {
   box.extend(wet_.dabs.bounds(n));
   // Segments that two changes left as they were will probably not change again, so they are added
   // to the mask. In the mask they may look slightly different, so their area is repainted.
+  // If the stroke is known, only stable segments are added, because the others may change later.
   const std::size_t settled = wet_.settled;
-  if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), n));
+  const std::size_t most = overlay.ink_stroke != 0 ? std::min(overlay.ink_stable, n) : n;
+  if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), most));
   return QRegion(view_.part_of(box)) + view_.part_of(wet_.dabs.bounds(settled, wet_.settled));
 }
 
@@ -147,7 +149,8 @@ void WetInkView::settle(Row& row, std::size_t to) {
   const QRect part = view_.part_of(row.dabs.bounds(from, to));
   const PixelRect pixels = view_.pixels_of(QRectF(part)).intersected(all);
   if (part.isEmpty() || pixels.empty()) return;
-  const QImage& cover = brush_.cover(row.dabs, from, to, pixels);
+  // Fills earlier segments here, too: if the line crosses itself, two coverages cannot be combined.
+  const QImage& cover = brush_.cover(row.dabs, 0, to, pixels);
   for (int y = pixels.y0; y < pixels.y1; ++y) {
     const auto* line = reinterpret_cast<const QRgb*>(cover.constScanLine(y - pixels.y0));
     std::uint8_t* kept = row.mask.data() + static_cast<std::ptrdiff_t>(y) * all.width() + pixels.x0;

@@ -129,6 +129,12 @@ void WidthFitter::finish(double u_end) {
   }
 }
 
+WidthKnot WidthFitter::open_end() const noexcept {
+  const double span = reach_ - knots_.back().u;
+  if (span <= 0.0) return knots_.back();
+  return knot(reach_, width_.end_at_best(span, sum_uu_), tone_.end_at_best(span, sum_uu_));
+}
+
 // Adds the samples collected at one position. If no slope of the open segment reaches them, that
 // segment ends at the previous position, and the next segment starts there.
 void WidthFitter::take_place() {
@@ -137,9 +143,7 @@ void WidthFitter::take_place() {
   if (du < kSameWidthPlace) return;  // the segment starts at this position
 
   if (!width_.can_reach(du) || (has_tone_ && !tone_.can_reach(du))) {
-    const double span = reach_ - knots_.back().u;
-    start_segment(
-        knot(reach_, width_.end_at_best(span, sum_uu_), tone_.end_at_best(span, sum_uu_)));
+    start_segment(open_end());
     du = place_u_ - knots_.back().u;
   }
   width_.take(du, count_);

@@ -58,6 +58,9 @@ class WidthFitter {
   /// Returns the knots so far, with u strictly increasing from 0; after finish() they end exactly
   /// at u_end.
   [[nodiscard]] std::span<const WidthKnot> knots() const noexcept { return knots_; }
+  /// Returns the end of the segment that is still open, as if it ended at the last position that it
+  /// covers. Requires that knots() is not empty and finish() was not called.
+  [[nodiscard]] WidthKnot open_end() const noexcept;
 
  private:
   struct Range {

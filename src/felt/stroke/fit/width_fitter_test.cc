@@ -255,6 +255,23 @@ TEST(WidthFitter, ToleranceZeroMeetsEverySample) {
   EXPECT_LE(largest_residual(samples, fit(samples, 2.0, {.tolerance_mm = 0.0})), 1e-12);
 }
 
+/// What is known while a stroke is drawn is the profile that comes, up to the last breakpoint.
+TEST(WidthFitter, TheOpenSegmentEndsNearTheLastSample) {
+  const auto samples = sampled(20.0, 500, [](double u) { return 3.0 + 2.0 * std::sin(3.0 * u); });
+  const auto whole = fit(samples, 20.0);
+  WidthFitter fitter;
+  fitter.begin();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    fitter.push(samples[i].u, samples[i].width_mm);
+    if (i == 0) continue;
+    const auto knots = fitter.knots();
+    ASSERT_TRUE(std::equal(knots.begin(), knots.end(), whole.begin()));
+    const WidthKnot end = fitter.open_end();
+    ASSERT_EQ(end.u, samples[i - 1].u);  // the last position still collects samples
+    ASSERT_NEAR(end.width_mm, samples[i - 1].width_mm, kTolerance);
+  }
+}
+
 TEST(WidthFitter, IsReusedWithoutGrowing) {
   WidthFitter fitter;
   const auto samples = sampled(20.0, 5000, [](double u) { return 3.0 + 2.0 * std::sin(30.0 * u); });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/outline/envelope.h"
 
 namespace felt {
@@ -11,6 +12,9 @@ namespace {
 
 /// The share of the tolerance for the centre line; the rest is for the arcs around it.
 constexpr double kShare = 0.5;
+
+/// The tolerance of tones between dabs: one of 50 steps from none to full.
+constexpr double kToneTolerance = 0.02;
 
 /// Returns the largest angle that an edge of a polygon may span if the polygon is to stay within
 /// the tolerance of a circle of radius r.
@@ -163,34 +167,38 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
   const int largest = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
   out.push_back({stroke.segment(first).p[0], 0.5 * stroke.width_mm(first), stroke.tone(first)});
-  // The current width piece runs from knot k to k + 1.
-  const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
-                                      [](double u, const WidthKnot& knot) { return u < knot.u; });
-  auto k = static_cast<std::size_t>(after - knots.begin()) - 1;
-  for (int i = first; i < last; ++i) {
+  DrawnProfile profile(stroke, first);
+  for (const DrawnPiece* piece = profile.next(); piece && piece->segment < last;
+       piece = profile.next()) {
+    const WidthKnot &a = knots[piece->knot], &b = knots[piece->knot + 1];
+    const int i = piece->segment;
+    const double t0 = piece->t0, t1 = piece->t1;
     const Cubic c = stroke.segment(i);
-    for (double t0 = 0.0; t0 < 1.0;) {
-      const WidthKnot a = knots[k], b = knots[k + 1];
-      const bool knot_first = b.u < i + 1;
-      const double t1 = knot_first ? b.u - i : 1.0;
-      const int steps = std::min(largest, flatten_steps(c, t1 - t0, tolerance_mm));
-      const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
-      const double tone_slope = (b.tone - a.tone) / (b.u - a.u);
-      const auto dab_at = [&](Point center, double u) {
-        return Dab{center, 0.5 * a.width_mm + slope * (u - a.u),
-                   std::clamp(a.tone + tone_slope * (u - a.u), 0.0, 1.0)};
-      };
-      for (int s = 1; s < steps; ++s) {
-        const double t = t0 + (t1 - t0) * s / steps;
-        out.push_back(dab_at(evaluate(c, t), i + t));
-      }
-      out.push_back(dab_at(knot_first ? evaluate(c, t1) : c.p[3], i + 1));
-      if (b.u <= i + 1) {
-        out.back().radius_mm = 0.5 * b.width_mm;
-        out.back().tone = b.tone;
-      }
-      if (b.u <= i + 1 && k + 2 < knots.size()) ++k;
-      t0 = t1;
+    const int for_center = flatten_steps(c, t1 - t0, tolerance_mm);
+    const int steps = std::min(
+        largest,
+        piece->tone.steps(kToneTolerance, piece->radius_mm.steps(tolerance_mm, for_center)));
+    const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
+    const double tone_slope = (b.tone - a.tone) / (b.u - a.u);
+    const auto line_at = [&](Point center, double u) {
+      return Dab{center, 0.5 * a.width_mm + slope * (u - a.u),
+                 std::clamp(a.tone + tone_slope * (u - a.u), 0.0, 1.0)};
+    };
+    std::size_t next = out.size();
+    out.resize(next + static_cast<std::size_t>(steps));
+    const bool bends = !piece->radius_mm.is_straight() || !piece->tone.is_straight();
+    for (int s = 1; s < steps; ++s) {
+      const double t = t0 + (t1 - t0) * s / steps;
+      Dab& dab = out[next++] = line_at(evaluate(c, t), i + t);
+      if (!bends) continue;
+      const double x = (t - t0) / (t1 - t0);
+      dab.radius_mm += piece->radius_mm.at(x);
+      dab.tone = std::clamp(dab.tone + piece->tone.at(x), 0.0, 1.0);
+    }
+    out.back() = line_at(t1 < 1.0 ? evaluate(c, t1) : c.p[3], i + 1);
+    if (b.u <= i + 1) {
+      out.back().radius_mm = 0.5 * b.width_mm;
+      out.back().tone = b.tone;
     }
   }
 }

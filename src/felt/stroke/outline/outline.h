@@ -33,9 +33,9 @@ inline constexpr int kMaxStrokeSteps = 1 << 24;
 int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 
 /// Replaces `out` by dabs along the stroke. If radius and centre are interpolated linearly between
-/// dabs, they are within the tolerance of the values of the stroke at the same parameter, unless
-/// this needs more than the maximum number of steps. Tones are exact. Each end of a segment and
-/// each width breakpoint gets a dab. The seam of a closed stroke appears at both ends.
+/// dabs, they are within the tolerance of the drawn values (DrawnProfile) at the same parameter,
+/// unless this needs more than the maximum number of steps; tones are within 0.02. Each end of a
+/// segment and each width breakpoint gets a dab. The seam of a closed stroke appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
 /// Replaces `out` by the dabs of the segments from `first` up to, but not including, `last`. They

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/outline/side_stretch.h"
 
 namespace felt {
@@ -15,18 +16,13 @@ constexpr double kNoticeableMm = 1e-6;
 /// Returns the stroke cut at joints and width breakpoints.
 std::vector<InkPiece> pieces_of(const Stroke& stroke) {
   std::vector<InkPiece> pieces;
-  std::size_t k = 0;
-  const auto knots = stroke.widths();
-  for (int i = 0; i < stroke.segment_count(); ++i) {
-    double u = i;
-    while (u < i + 1) {
-      const double next = std::min(knots[k + 1].u, i + 1.0);
-      const Cubic c = stroke.segment(i);
-      pieces.push_back({sub_segment(c, u - i, next - i), 0.5 * stroke.width_mm(u),
-                        0.5 * stroke.width_mm(next), tangent(c, u - i)});
-      if (knots[k + 1].u <= next && k + 2 < knots.size()) ++k;
-      u = next;
-    }
+  DrawnProfile profile(stroke);
+  while (const DrawnPiece* piece = profile.next()) {
+    const Cubic c = stroke.segment(piece->segment);
+    pieces.push_back({sub_segment(c, piece->t0, piece->t1),
+                      0.5 * stroke.width_mm(piece->segment + piece->t0),
+                      0.5 * stroke.width_mm(piece->segment + piece->t1), tangent(c, piece->t0),
+                      piece->radius_mm});
   }
   return pieces;
 }

@@ -79,16 +79,24 @@ bool EdgeFit::fit_handles(Vec d0, Vec d1, Cubic& c) const noexcept {
 /// largest squared distance of a point from the curve at its parameter.
 double EdgeFit::move_parameters(const Cubic& c) noexcept {
   constexpr int kSteps = 2;
+  // Powers of t are evaluated three times as fast as Bernstein polynomials.
+  const Vec c1 = 3.0 * (c.p[1] - c.p[0]);
+  const Vec c2 = 3.0 * ((c.p[2] - c.p[1]) - (c.p[1] - c.p[0]));
+  const Vec c3 = (c.p[3] - c.p[0]) - c1 - c2;
   double worst = 0.0;
   for (std::size_t i = 1; i + 1 < points_.size(); ++i) {
+    const Vec start = c.p[0] - points_[i];
+    const auto off_at = [&](double t) { return start + t * (c1 + t * (c2 + t * c3)); };
     double t = t_[i];
+    Vec off = off_at(t);
     for (int step = 0; step < kSteps; ++step) {
-      const Vec off = evaluate(c, t) - points_[i], v = derivative(c, t);
-      const double curve = norm_squared(v) + dot(off, second_derivative(c, t));
+      const Vec v = c1 + t * (2.0 * c2 + 3.0 * t * c3);
+      const double curve = norm_squared(v) + dot(off, 2.0 * c2 + 6.0 * t * c3);
       if (curve > 0.0) t = std::clamp(t - dot(off, v) / curve, 0.0, 1.0);
+      off = off_at(t);
     }
     t_[i] = t;
-    worst = std::max(worst, norm_squared(evaluate(c, t) - points_[i]));
+    worst = std::max(worst, norm_squared(off));
   }
   return worst;
 }
@@ -137,24 +145,36 @@ struct EdgePoint {
   bool is_regular = false;
 };
 
+/// Larger derivatives than this are no rounding errors of coordinates (tangent()).
+constexpr double kMovingMm = 1e-3;
+
 EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
   const Vec v = derivative(piece.center, t), a = second_derivative(piece.center, t);
   const double v2 = norm_squared(v), ds = std::sqrt(v2);
-  const double dr = piece.radius1_mm - piece.radius0_mm, r = piece.radius(t);
+  const double dr = piece.radius_derivative(t), r = piece.radius(t);
   EdgePoint e;
   e.dab = {evaluate(piece.center, t), r};
-  e.frame = EnvelopeFrame::of(tangent(piece.center, t), dr, ds);
+  // Far from a standstill, the derivative has the direction, and tangent() need not look for it.
+  const bool moves = t > 0.0 && t < 1.0 && v2 > kMovingMm * kMovingMm;
+  e.frame = EnvelopeFrame::of(moves ? v / ds : tangent(piece.center, t), dr, ds);
   // The normal is at the angle acos(-slope) from the tangent and turns with both. As t grows, the
   // point at the fraction s of the normal moves forward by `onward` - s * `backward`.
   e.is_regular = e.frame.height > 0.0 && ds > 0.0;
   if (e.is_regular) {
     const double turning = cross(v, a) / v2;
-    const double leaning = -dr * dot(v, a) / (v2 * ds) / e.frame.height;
+    const double leaning =
+        (piece.bend_mm.second_derivative(t) - dr * dot(v, a) / v2) / (ds * e.frame.height);
     const double onward = ds * e.frame.height, backward = r * (turning + leaning);
     if (backward >= onward) e.share = onward / backward;
   }
   e.place = e.dab.center + (e.share * r) * e.frame.normal();
   return e;
+}
+
+/// Returns the number of lines that keep within the tolerance of a part of a piece.
+int lines_of(const InkPiece& piece, double t0, double t1, double tolerance_mm) noexcept {
+  const double bends = std::ceil((t1 - t0) * piece.bend_mm.steps(tolerance_mm, 1));
+  return std::max(flatten_steps(piece.center, t1 - t0, tolerance_mm), static_cast<int>(bends));
 }
 
 using Samples = std::array<EdgePoint, kSamples>;
@@ -209,7 +229,7 @@ class LeftEdge {
     }
     Cubic c;
     if (on_edge == kSamples && slow && fit(samples, c)) return add_curve(samples, c);
-    const bool last = halvings == 0 || flatten_steps(piece.center, t1 - t0, tolerance_mm_) == 1;
+    const bool last = halvings == 0 || lines_of(piece, t0, t1, tolerance_mm_) == 1;
     const bool is_inside = on_edge == 0 || last;
     if (regular == kSamples && slow && lines && is_inside) return add_inside(samples);
     if (regular == 0 || last) return append_lines(piece, t0, t1);
@@ -360,7 +380,7 @@ class LeftEdge {
   void append_lines(const InkPiece& piece, double t0, double t1) {
     finish();
     const auto dab = [&](double t) { return Dab{evaluate(piece.center, t), piece.radius(t)}; };
-    const int steps = flatten_steps(piece.center, t1 - t0, 0.5 * tolerance_mm_);
+    const int steps = lines_of(piece, t0, t1, 0.5 * tolerance_mm_);
     EdgePoint from, to;
     from.dab = dab(t0);
     for (int i = 1; i <= steps; ++i) {

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "felt/geometry/cubic.h"
+#include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/outline/envelope.h"
 #include "felt/stroke/outline/outline.h"
 
 namespace felt {
 
-/// The part of a stroke from one joint or width breakpoint to the next. Its radius is linear in the
-/// parameter of the centre line.
+/// The part of a stroke from one joint or width breakpoint to the next. Its radius is the drawn one
+/// (DrawnProfile), as a cubic in the parameter of the centre line.
 struct InkPiece {
   Cubic center;
   double radius0_mm = 0.0;
@@ -18,15 +19,20 @@ struct InkPiece {
   /// Unit direction to use if the radius changes but the centre does not move. Any direction is
   /// valid, but both sides must use the same one.
   Vec heading;
+  ProfileBend bend_mm{};
 
   [[nodiscard]] double radius(double t) const noexcept {
-    return radius0_mm + t * (radius1_mm - radius0_mm);
+    return radius0_mm + t * (radius1_mm - radius0_mm) + bend_mm.at(t);
+  }
+  [[nodiscard]] double radius_derivative(double t) const noexcept {
+    return radius1_mm - radius0_mm + bend_mm.derivative(t);
   }
 };
 
 /// Returns the same piece in the opposite direction.
 constexpr InkPiece reversed(const InkPiece& piece) noexcept {
-  return {reversed(piece.center), piece.radius1_mm, piece.radius0_mm, -piece.heading};
+  return {reversed(piece.center), piece.radius1_mm, piece.radius0_mm, -piece.heading,
+          piece.bend_mm.reversed()};
 }
 
 /// One curve or line of the left edge, with the data that a turn at its ends needs.

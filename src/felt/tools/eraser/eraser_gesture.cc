@@ -5,15 +5,30 @@
 #include <utility>
 
 #include "felt/document/stroke_index.h"
+#include "felt/stroke/drawn_profile.h"
+#include "felt/stroke/edit/hold_profile.h"
 
 namespace felt {
+namespace {
+
+/// Returns the stroke with the drawn widths as breakpoints, so that the widths of a part can change
+/// without the rest. If that needs no breakpoint, returns the stroke itself.
+StrokePtr as_drawn(const StrokePtr& stroke) {
+  StrokeData data = stroke->data();
+  data.widths = drawn_knots(*stroke, 0.1 * InkNarrowing::kWidthErrorMm);
+  if (data.widths.size() == stroke->widths().size()) return stroke;
+  auto drawn = Stroke::create(std::move(data));
+  return drawn ? std::make_shared<const Stroke>(*std::move(drawn)) : stroke;
+}
+
+}  // namespace
 
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene) {
   const double more = settings.include_width ? scene.index.widest_half_mm() : 0.0;
   const auto hit = scene.index.nearest(pen, settings.radius_mm + more);
   if (!hit || !settings.include_width) return hit;
   const StrokePtr stroke = scene.document.find(hit->stroke);
-  const double half_width = stroke ? 0.5 * stroke->width_mm(hit->u) : 0.0;
+  const double half_width = stroke ? 0.5 * drawn_width_mm(*stroke, hit->u) : 0.0;
   return hit->distance_mm < settings.radius_mm + half_width ? hit : std::nullopt;
 }
 
@@ -84,7 +99,10 @@ void EraserGesture::sweep(Point from, Point to, const Scene& scene) {
 void EraserGesture::meet_touched(StrokeId id, int segment, const Capsule& capsule,
                                  const Scene& scene) {
   const auto known = lines_.find(id);
-  const StrokePtr& stroke = known != lines_.end() ? known->second.stroke : looked_at(id, scene);
+  // The drawn ink may be wider than that of equation (3), so the line is made before it is touched.
+  const StrokePtr& stroke = known != lines_.end()     ? known->second.stroke
+                            : settings_.include_width ? line_of(id, scene).stroke
+                                                      : looked_at(id, scene);
   covered_ = {};
   if (!stroke || !add_swept(*stroke, segment, capsule, covered_)) return;
   Line& line = line_of(id, scene);
@@ -127,7 +145,7 @@ EraserGesture::Line& EraserGesture::line_of(StrokeId id, const Scene& scene) {
   if (known != lines_.end()) return known->second;
   const StrokePtr stroke = scene.document.find(id);
   if (mode_ == EraserMode::kTouched && settings_.include_width) {
-    return lines_.try_emplace(id, stroke, settings_.radius_mm).first->second;
+    return lines_.try_emplace(id, as_drawn(stroke), settings_.radius_mm).first->second;
   }
   return lines_.try_emplace(id, stroke).first->second;
 }

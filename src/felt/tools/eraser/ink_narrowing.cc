@@ -100,8 +100,9 @@ bool InkNarrowing::add(int segment, const ParameterSet& covered, const Capsule& 
     for (int k = first; k <= last; ++k) {
       changed |= add_sample({segment, static_cast<double>(k) / steps}, curve, capsule);
     }
-    // A segment of many metres may be covered between two samples.
-    if (first > last) {
+    // A segment of many metres may be covered between two samples. Elsewhere, such a part is beside
+    // the samples of a larger one, and other capsules would not lower a sample of its own.
+    if (first > last && steps == kMaxSteps) {
       changed |= add_sample({segment, 0.5 * (part.from + part.to) - segment}, curve, capsule);
     }
   }

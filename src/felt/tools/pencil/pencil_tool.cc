@@ -58,7 +58,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
   make_fitter(scene);
   fitter_->begin();
-  wet_.begin(fitted_.width_map);
+  wet_.begin(fitted_);
   straight_.begin(pen_point_, fitted_.width_map);
   is_straight_ = has_steps_ = false;
   stabiliser_ = Stabiliser(settings_.stabiliser);

@@ -8,18 +8,61 @@ namespace felt {
 
 namespace {
 
-/// Returns the number of pieces of a segment over which the width changes linearly.
-double pieces_of(const Cubic& segment) {
-  return std::clamp(std::ceil(control_length(segment) / WetInk::kPieceMm), 1.0, 64.0);
+/// Returns the least number of pieces of a segment.
+int pieces_of(const Cubic& segment) {
+  const double pieces = std::ceil(control_length(segment) / WetInk::kPieceMm);
+  return static_cast<int>(std::clamp(pieces, 1.0, 64.0));
 }
 
-Overlay::InkSegment piece(const Cubic& curve, const InkWidth& from, const InkWidth& to) {
-  return {curve, from.width_mm, to.width_mm, from.tone, to.tone};
+/// Returns the width and tone at a share of a line.
+InkWidth between(const InkWidth& from, const InkWidth& to, double share) {
+  return {from.width_mm + share * (to.width_mm - from.width_mm),
+          from.tone + share * (to.tone - from.tone)};
+}
+
+/// Appends a line as pieces over which width and tone change linearly.
+template <class Line>
+void append_pieces(const Line& line, std::vector<Overlay::InkSegment>& out) {
+  const ProfileBend &radius = line.profile.piece.radius_mm, &tone = line.profile.piece.tone;
+  const int enough =
+      tone.steps(WetInk::kBendToneError, radius.steps(0.5 * WetInk::kBendErrorMm, 1));
+  const double most = std::max(control_length(line.curve) / WetInk::kMinBendMm, 1.0);
+  const int steps = std::max(static_cast<int>(std::min(1.0 * enough, most)), pieces_of(line.curve));
+  InkWidth from = line.from;
+  for (int s = 1; s <= steps; ++s) {
+    const double x0 = (s - 1.0) / steps, x1 = static_cast<double>(s) / steps;
+    InkWidth to = s == steps ? line.to : between(line.from, line.to, x1);
+    if (s < steps) {
+      to.width_mm += 2.0 * radius.at(x1);
+      to.tone = std::clamp(to.tone + tone.at(x1), 0.0, 1.0);
+    }
+    const Cubic curve = steps == 1 ? line.curve : sub_segment(line.curve, x0, x1);
+    out.push_back({curve, from.width_mm, to.width_mm, from.tone, to.tone});
+    from = to;
+  }
+}
+
+/// Receives lines in order, and appends each one as soon as its end can be drawn smooth.
+template <class Line>
+void append_smooth(Line line, std::optional<Line>& last, std::vector<Overlay::InkSegment>& out) {
+  if (last) {
+    smooth_node(last->profile, line.profile);
+    append_pieces(*last, out);
+  }
+  last.emplace(line);
 }
 
 }  // namespace
 
-void WetInk::begin(const WidthMapOptions& widths) {
+WetInk::Line::Line(const Cubic& c, const InkWidth& start, const InkWidth& end) noexcept
+    : curve(c), from(start), to(end) {
+  profile.radius_mm = 0.5 * (end.width_mm - start.width_mm);
+  profile.tone = end.tone - start.tone;
+  profile.speed0_mm = 3.0 * distance(c.p[0], c.p[1]);
+  profile.speed1_mm = 3.0 * distance(c.p[2], c.p[3]);
+}
+
+void WetInk::begin(const InkFitOptions& options) {
   static std::atomic<std::uint64_t> strokes{0};
   stroke_ = ++strokes;
   pieces_.clear();
@@ -28,14 +71,22 @@ void WetInk::begin(const WidthMapOptions& widths) {
   nodes_.clear();
   first_node_ = taken_ = 0;
   path_mm_ = 0.0;
-  stable_widths_ = WidthMap(widths);
-  pen_widths_ = WidthMap(widths);
+  stable_widths_ = WidthMap(options.width_map);
+  pen_widths_ = WidthMap(options.width_map);
+  has_tone_ = options.width_map.tone.has_value();
+  profile_ = WidthFitter(options.width);
+  profile_.begin();
+  knots_ = 0;
+  open_ = {};
+  bent_.reset();
 }
 
 void WetInk::update(const InkFitter& fitter, const InkSample& sample) {
   pen_ = pen_widths_.push(sample);
   add_node(sample.position);
+  if (segments_ == fitter.segment_count()) return;
   while (segments_ < fitter.segment_count()) add_segment(fitter, segments_++);
+  add_lines(fitter);
 }
 
 void WetInk::add_node(Point pen) {
@@ -49,34 +100,76 @@ void WetInk::add_node(Point pen) {
   ++taken_;
 }
 
-/// Passes the samples of a segment through the width map again and divides the segment into pieces,
-/// each at least 1/pieces of the parameter range long.
+/// Passes the samples of a segment through the width map again, and fits their widths.
 void WetInk::add_segment(const InkFitter& fitter, int i) {
-  const Cubic segment = fitter.segment(i);
-  const double pieces = pieces_of(segment);
-  double t0 = 0.0;
-  InkWidth from = stable_;
-  const auto add_piece = [&](double t1) {
-    pieces_.push_back(piece(sub_segment(segment, t0, t1), from, stable_));
-    t0 = t1;
-    from = stable_;
-  };
   const auto& places = fitter.places();
   const auto& samples = fitter.samples();
   for (; places_ < places.size() && places[places_].u <= i + 1; ++places_) {
     for (std::uint32_t k = 0; k < places[places_].count && samples_ < samples.size(); ++k) {
-      const bool first = samples_ == 0;
       stable_ = stable_widths_.push(samples[samples_++]);
-      if (first) from = stable_;
+      if (has_tone_) {
+        profile_.push(places[places_].u, stable_.width_mm, stable_.tone);
+      } else {
+        profile_.push(places[places_].u, stable_.width_mm);
+      }
     }
-    const double t = places[places_].u - i;
-    if (t < 1.0 && (t - t0) * pieces >= 1.0) add_piece(t);
   }
-  add_piece(1.0);
   // Keeps the node before the tail, because the tail's widths begin between this node and the next.
   while (first_node_ + 1 < nodes_.size() && nodes_[first_node_ + 1].sample <= samples_) {
     ++first_node_;
   }
+}
+
+template <class Visit>
+void WetInk::for_each_line(const InkFitter& fitter, const WidthKnot& end, Visit visit) const {
+  const InkWidth first{open_.width_mm, open_.tone}, last{end.width_mm, end.tone};
+  InkWidth from = first;
+  for (double u0 = open_.u; u0 < end.u;) {
+    const int i = static_cast<int>(u0);
+    const double u1 = std::min(i + 1.0, end.u);
+    const InkWidth to =
+        u1 < end.u ? between(first, last, (u1 - open_.u) / (end.u - open_.u)) : last;
+    visit(Line(sub_segment(fitter.segment(i), u0 - i, u1 - i), from, to));
+    from = to;
+    u0 = u1;
+  }
+}
+
+void WetInk::close_line(const InkFitter& fitter, const WidthKnot& end) {
+  for_each_line(fitter, end, [&](const Line& line) { append_smooth(line, bent_, pieces_); });
+  open_ = end;
+}
+
+/// Makes pieces of the lines that no longer change: those up to the last breakpoint.
+void WetInk::add_lines(const InkFitter& fitter) {
+  const auto knots = profile_.knots();
+  if (knots_ == 0 && !knots.empty()) open_ = knots[knots_++];
+  for (; knots_ < knots.size(); ++knots_) {
+    if (knots[knots_].u > open_.u) close_line(fitter, knots[knots_]);
+  }
+  fix_open_line(fitter);
+}
+
+/// If the open line is long, ends it at a joint far behind the pen.
+void WetInk::fix_open_line(const InkFitter& fitter) {
+  int joint = segments_;
+  double length = 0.0;
+  while (joint > open_.u && length < kOpenMm) length += control_length(fitter.segment(--joint));
+  if (joint > open_.u) close_line(fitter, open_end(joint));
+}
+
+/// Returns width and tone of the open line at u.
+WidthKnot WetInk::open_end(double u) const noexcept {
+  InkWidth end = stable_;
+  if (!profile_.knots().empty()) {
+    const WidthKnot fitted = profile_.open_end();
+    // Widths a little behind the last sample are on the same line.
+    const double share = (u - open_.u) / (fitted.u - open_.u);
+    if (fitted.u > open_.u && share < 2.0) {
+      end = between({open_.width_mm, open_.tone}, {fitted.width_mm, fitted.tone}, share);
+    }
+  }
+  return {u, std::max(end.width_mm, kMinWidthMm), std::clamp(end.tone, 0.0, 1.0)};
 }
 
 InkWidth WetInk::open_width(double path_mm) const {
@@ -92,26 +185,35 @@ InkWidth WetInk::open_width(double path_mm) const {
           a.ink.tone + share * (end.tone - a.ink.tone)};
 }
 
-/// Adds the stable pieces, then the tail. The tail does not have samples of its own, so a point of
-/// the tail gets the width of the point at the same relative length along the pen's path.
+/// Adds the stable pieces, then the open line, then the tail. The tail does not have samples of its
+/// own, so a point of the tail gets the width of the point at the same relative length along the
+/// pen's path.
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   overlay.add_stable_ink(stroke_, pieces_);
   const auto tail = fitter.live_tail();
   double length = 0.0, along = 0.0;
   for (const Cubic& c : tail) length += control_length(c);
   const double from = nodes_.empty() ? 0.0 : nodes_[first_node_].path_mm;
-  InkWidth ink = pieces_.empty() ? open_width(from) : stable_;
+  std::optional<Line> last_line = bent_;
+  const auto add = [&](const Line& line) { append_smooth(line, last_line, overlay.ink); };
+  InkWidth ink = open_width(from);
+  if (segments_ > 0) {
+    const WidthKnot end = open_end(segments_);
+    for_each_line(fitter, end, add);
+    ink = {end.width_mm, end.tone};
+  }
   for (const Cubic& c : tail) {
-    const double pieces = pieces_of(c);
-    for (double k = 0; k < pieces; ++k) {
+    const int pieces = pieces_of(c);
+    for (int k = 0; k < pieces; ++k) {
       along += control_length(c) / pieces;
       const bool last = &c == &tail.back() && k + 1 == pieces;
       const double share = length > 0.0 ? along / length : 1.0;
       const InkWidth next = last ? pen_ : open_width(from + share * (path_mm_ - from));
-      overlay.ink.push_back(piece(sub_segment(c, k / pieces, (k + 1) / pieces), ink, next));
+      add(Line(sub_segment(c, 1.0 * k / pieces, (k + 1.0) / pieces), ink, next));
       ink = next;
     }
   }
+  if (last_line) append_pieces(*last_line, overlay.ink);
 }
 
 }  // namespace felt

@@ -1,26 +1,36 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/fit/width_fitter.h"
 #include "felt/stroke/fit/width_map.h"
 #include "felt/tools/overlay.h"
 
 namespace felt {
 
-/// The picture of a stroke being drawn: the fitter's stable prefix, cut into pieces over which
-/// width and tone change linearly, and the provisional tail.
+/// The picture of a stroke being drawn: the fitter's stable prefix and the provisional tail, cut
+/// into pieces over which width and tone change linearly.
 ///
-/// A piece is made once, when its segment becomes stable, so the time per sample does not depend on
-/// the length of the stroke. If the stroke is drawn into the same overlay again, only the new
-/// pieces and the tail are copied.
+/// The prefix has the breakpoints of the finished stroke, and the widths that are drawn between
+/// them (DrawnProfile). The last breakpoint so far starts an *open line*, whose slope may still
+/// change; behind kOpenMm, it is fixed. A piece is made once, when it no longer changes, so the
+/// time per sample does not depend on the length of the stroke. If the stroke is drawn into the
+/// same overlay again, only the new pieces, the open line and the tail are copied.
 class WetInk {
  public:
-  static constexpr double kPieceMm = 2.0;
+  static constexpr double kPieceMm = 2.0;  ///< about the longest piece
   static constexpr double kNodeMm = 0.25;
+  static constexpr double kOpenMm = 30.0;
+  /// Errors of the widths and tones within a piece. A piece is not shorter than kMinBendMm if it is
+  /// cut only for these errors.
+  static constexpr double kBendErrorMm = 0.002, kBendToneError = 0.02, kMinBendMm = 0.1;
 
-  void begin(const WidthMapOptions& widths);
+  /// Starts a stroke with the widths and the width fit of these options.
+  void begin(const InkFitOptions& options);
   /// Updates the picture. Call it after each InkFitter::push() with the same sample.
   void update(const InkFitter& fitter, const InkSample& sample);
   /// Returns the width at the pen, mm.
@@ -36,17 +46,38 @@ class WetInk {
     InkWidth ink;
   };
 
+  /// A part of the stroke from one node of the drawn profile to the next.
+  struct Line {
+    Cubic curve;
+    InkWidth from, to;
+    ProfileLine profile;
+
+    Line(const Cubic& c, const InkWidth& start, const InkWidth& end) noexcept;
+  };
+
   void add_segment(const InkFitter& fitter, int i);
+  void add_lines(const InkFitter& fitter);
+  void fix_open_line(const InkFitter& fitter);
+  /// Calls visit(line) for the lines from the start of the open line to its end `end`.
+  template <class Visit>
+  void for_each_line(const InkFitter& fitter, const WidthKnot& end, Visit visit) const;
+  void close_line(const InkFitter& fitter, const WidthKnot& end);
+  [[nodiscard]] WidthKnot open_end(double u) const noexcept;
   void add_node(Point pen);
   [[nodiscard]] InkWidth open_width(double path_mm) const;
 
   std::uint64_t stroke_ = 0;  // Overlay::ink_stroke
   std::vector<Overlay::InkSegment> pieces_;
-  int segments_ = 0;         // fitter segments in pieces_
-  std::size_t places_ = 0;   // fitter positions in pieces_
-  std::size_t samples_ = 0;  // fitter samples in pieces_
-  WidthMap stable_widths_;   // of the fitter's samples, up to samples_
-  WidthMap pen_widths_;      // of all samples, as they arrived
+  int segments_ = 0;          // fitter segments in pieces_
+  std::size_t places_ = 0;    // fitter positions in pieces_
+  std::size_t samples_ = 0;   // fitter samples in pieces_
+  WidthMap stable_widths_;    // of the fitter's samples, up to samples_
+  bool has_tone_ = false;     // samples have a tone of their own
+  WidthFitter profile_;       // of the same samples
+  std::size_t knots_ = 0;     // breakpoints of profile_ that were used
+  WidthKnot open_{};          // start of the open line
+  std::optional<Line> bent_;  // the line before it, whose end may still bend
+  WidthMap pen_widths_;       // of all samples, as they arrived
   InkWidth stable_;
 
   // Widths of the tail, one node per kNodeMm; no node is added while the pen rests.

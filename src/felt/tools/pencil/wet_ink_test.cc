@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "felt/stroke/drawn_profile.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/testing/tool_fixture.h"
 
@@ -68,6 +69,42 @@ TEST(WetInk, ARefreshCostsTheSameWhateverTheLengthOfTheStroke) {
   EXPECT_LT(10 * early.copied, overlay.ink.size());
   EXPECT_LT(late.copied, 2 * early.copied);
   EXPECT_LT(late.compared, 2 * early.compared);
+}
+
+/// The stable pieces have the widths that the finished stroke is drawn with, also between its
+/// breakpoints.
+TEST(WetInk, StablePiecesHaveTheDrawnWidthsOfTheStroke) {
+  testing::Fixture fixture;
+  PencilTool tool;
+  ASSERT_TRUE(tool.set_option("refine", false));
+  ASSERT_TRUE(tool.set_option("snap", std::string("off")));
+  testing::Pen pen{tool, fixture};
+  Overlay overlay;
+  pen.up(scribble(0));
+  for (int ms = 0; ms < 2'000; ++ms) {
+    pen.pressure = 0.5 + 0.4 * std::sin(0.011 * ms);
+    pen.down(scribble(ms));
+    if (ms % 16 != 0) continue;
+    overlay.clear();
+    tool.draw(overlay);
+  }
+  pen.up(scribble(2'000));
+  ASSERT_EQ(fixture.strokes().size(), 1U);
+  const Stroke& stroke = *fixture.strokes()[0];
+  ASSERT_GT(overlay.ink_stable, 100U);
+  double bend = 0.0, u = 0.0;
+  for (std::size_t i = 0; i < overlay.ink_stable; ++i) {
+    const Overlay::InkSegment& piece = overlay.ink[i];
+    // The pieces are in order, so the search goes on from the last one.
+    const auto off = [&](double at) { return distance(stroke.position(at), piece.curve.p[0]); };
+    double nearest = u;
+    for (double at = u; at < u + 1.0; at += 1e-4) nearest = off(at) < off(nearest) ? at : nearest;
+    u = nearest;
+    ASSERT_LE(off(u), 0.02);
+    ASSERT_NEAR(piece.start_width_mm, drawn_width_mm(stroke, u), 0.02) << u;
+    bend = std::max(bend, std::fabs(piece.start_width_mm - stroke.width_mm(u)));
+  }
+  EXPECT_GT(bend, 0.05) << "otherwise the test compares nothing that is drawn smooth";
 }
 
 }  // namespace
