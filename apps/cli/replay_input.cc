@@ -81,9 +81,10 @@ Result<Drawing> read_start(const std::string& path) {
 Result<VisibleInk> read_strokes(const std::string& path) {
   const Result<Input> input = Input::open_regular(path);
   if (!input) return input_error(path, input.error());
-  if (input->is_lines()) return read_lines(*input).map([](std::vector<StrokePtr> strokes) {
-    return VisibleInk{std::move(strokes), {}};
-  });
+  if (input->is_lines())
+    return read_lines(*input).map([](std::vector<StrokePtr> strokes) {
+      return VisibleInk{std::move(strokes), {}};
+    });
   return read_whole(*input).map(
       [](const Drawing& drawing) { return visible_ink(drawing.document); });
 }

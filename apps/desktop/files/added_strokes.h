@@ -10,11 +10,11 @@
 
 namespace felt::desktop {
 
-/// Adds the strokes and fills of another drawing as one step of undo, together with their media. `materials`
-/// contains the texts of the media. If the studio's drawing already has a medium with the same name
-/// but other values, that medium stays as it is, and `report` names it. `from` is the name of the
-/// strokes' source; a recording stores it. Returns false if the session refuses the strokes
-/// (Studio::import).
+/// Adds the strokes and fills of another drawing as one step of undo, together with their media.
+/// `materials` contains the texts of the media. If the studio's drawing already has a medium with
+/// the same name but other values, that medium stays as it is, and `report` names it. `from` is the
+/// name of the strokes' source; a recording stores it. Returns false if the session refuses the
+/// strokes (Studio::import).
 bool add_strokes(Studio& studio, const QString& from, const VisibleInk& ink,
                  std::span<const std::string> materials, ImportReport& report);
 

@@ -88,9 +88,9 @@ Drawing ClipboardActions::chosen() const {
       [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
 }
 
-/// Returns the visible strokes for which `keep` is true and the fills between them, with the present texts of their media. The
-/// texts are needed because the user may change the media before the paste, or paste in another
-/// program.
+/// Returns the visible strokes for which `keep` is true and the fills between them, with the
+/// present texts of their media. The texts are needed because the user may change the media before
+/// the paste, or paste in another program.
 Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
   const Document& document = studio_.session().document();
   DrawingBuilder builder;

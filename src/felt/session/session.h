@@ -199,8 +199,8 @@ class Session {
   History history_;
   LayerId layer_;
   std::optional<Edit> preview_;
-  mutable std::optional<Edit> shown_preview_;     // preview_with_fills()
-  mutable bool shown_is_current_ = true;          // shown_preview_ belongs to preview_
+  mutable std::optional<Edit> shown_preview_;      // preview_with_fills()
+  mutable bool shown_is_current_ = true;           // shown_preview_ belongs to preview_
   mutable std::unique_ptr<DocumentMap> fill_map_;  // of all strokes; null while there is no fill
   bool preview_is_of_gesture_ = false;
   std::int64_t last_sample_ns_ = 0;

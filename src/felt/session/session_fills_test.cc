@@ -123,7 +123,8 @@ TEST(SessionFills, CopiesAndImportsTakeTheirFillsAlong) {
   f.must(MoveEvent{{100, 0}});
   const LayerId low = f.session->document().layers().front().id;
   const FillId copy = f.session->document().layer(low)->fills.back();
-  EXPECT_GT(fill_bounds(*f.session->document().find_fill(copy)).x0, 100.0) << "it follows the copies";
+  EXPECT_GT(fill_bounds(*f.session->document().find_fill(copy)).x0, 100.0)
+      << "it follows the copies";
   EXPECT_NEAR(fill_bounds(*f.fill()).x0, 0.0, 1e-6);
 
   const VisibleInk ink = visible_ink(f.session->document());

@@ -17,7 +17,8 @@ inline bool can_fill_in(const Layer& layer) noexcept {
 /// must not change while it is used.
 class FillGesture {
  public:
-  /// Starts a gesture; null as `map`: no area can be found. If `removes` is true, it removes the fills that it reaches.
+  /// Starts a gesture; null as `map`: no area can be found. If `removes` is true, it removes the
+  /// fills that it reaches.
   FillGesture(const Scene& scene, FillMap* map, double gap_mm, bool removes);
 
   /// Looks for a fill, or an area without one, at a point. Returns true if it is a new one.

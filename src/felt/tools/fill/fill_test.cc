@@ -128,9 +128,7 @@ TEST(Fill, HiddenLinesBoundNothing) {
   const LayerId top = f.fixture.document.new_layer_id();
   f.fixture.apply({"Add layer", {}, {{top, std::nullopt, LayerState{"Top"}, 0, 1}}});
   const Layer low = f.fixture.document.layers().front();
-  f.fixture.apply({"Hide",
-                   {},
-                   {{low.id, low.state(), LayerState{low.name, false, false}, 0, 0}}});
+  f.fixture.apply({"Hide", {}, {{low.id, low.state(), LayerState{low.name, false, false}, 0, 0}}});
   f.fixture.layer = top;
   f.tap({10, 5});
   EXPECT_EQ(f.pen.commits, 0);
