@@ -12,6 +12,7 @@
 #include "felt/io/svg/svg_fill.h"
 #include "felt/io/svg/svg_line_width.h"
 #include "felt/io/svg/svg_scan.h"
+#include "felt/io/svg/svg_sharp_line.h"
 #include "felt/io/svg/svg_variable_width.h"
 #include "felt/io/xml/material_texts.h"
 #include "felt/stroke/color_text.h"
@@ -181,6 +182,31 @@ bool SvgInk::add_wide(const SvgShape& shape) {
   return true;
 }
 
+namespace {
+
+/// Returns how the line of a shape ends and turns, if it is wide enough for sharp_line(). A line
+/// that a transform stretches has no single width, so its ends and corners become round.
+std::optional<SvgSharpForm> sharp_form(const SvgShape& shape) {
+  const SvgLine& line = *shape.line;
+  if (line.cap == SvgCap::kRound && line.join == SvgJoin::kRound) return std::nullopt;
+  const double width_mm = line.width * std::sqrt(std::fabs(determinant(shape.to_mm)));
+  if (!(width_mm >= kMinSharpWidthMm) || !svg_is_similarity(shape.to_mm)) return std::nullopt;
+  return SvgSharpForm{width_mm, line.cap, line.join, line.miter_limit};
+}
+
+/// Replaces the widths of a line, which are constant, by those at the joints of its contour.
+void set_widths(std::vector<WidthKnot>& knots, const SvgCenterLine& line,
+                const std::vector<double>& widths_mm) {
+  const double end = static_cast<double>(line.segment_count());
+  knots.clear();
+  for (std::size_t i = 0; i < widths_mm.size(); ++i) {
+    const double u = i + 1 == widths_mm.size() ? end : line.place(static_cast<double>(i));
+    if (knots.empty() || u > knots.back().u) knots.push_back({u, widths_mm[i]});
+  }
+}
+
+}  // namespace
+
 void SvgInk::notice_ends(const SvgShape& shape) {
   const bool has_ends =
       !shape.line->dashes.empty() || std::any_of(shape.contours.begin(), shape.contours.end(),
@@ -224,7 +250,8 @@ RoundDashes round_dashes(const SvgLine& line) {
 
 void SvgInk::add_line(SvgShape& shape) {
   SvgLine line = *shape.line;
-  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt;
+  const bool is_sharp = sharp_form(shape).has_value();
+  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt && !is_sharp;
   if (is_flat) {
     RoundDashes round = round_dashes(line);
     const bool changes = round.pattern != line.dashes;
@@ -234,7 +261,7 @@ void SvgInk::add_line(SvgShape& shape) {
     if (round.runs_together) say(shape, "has dashes that merge, because their ends became round");
     if (changes) line.cap = shape.line->cap = SvgCap::kRound;
   }
-  notice_ends(shape);
+  if (!is_sharp) notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
     say(shape, "is transparent and has several parts; it became darker at their crossings");
   }
@@ -317,6 +344,13 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
                                     [&](Point p) { return p == moved.points.front(); });
   // As in SVG, a line without length and without caps shows nothing.
   if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
+  std::vector<double> sharp_widths_mm;
+  if (const std::optional<SvgSharpForm> form = sharp_form(shape)) {
+    SvgSharpLine sharp = sharp_line(moved, *form);
+    if (!sharp.is_exact) say(shape, "has ends or corners too close together, which became round");
+    moved = std::move(sharp.contour);
+    sharp_widths_mm = std::move(sharp.widths_mm);
+  }
   SvgCenterLine line = svg_center_line(moved);
   moved.points = std::vector<Point>();  // frees memory: paths can be long
   if (line.joined_short) {
@@ -324,6 +358,7 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   }
   SvgLineWidths widths = svg_line_widths(line, shape.to_mm, width);
   if (widths.knots.empty()) return say(shape, "has no extent after its transform and was skipped");
+  if (!sharp_widths_mm.empty()) set_widths(widths.knots, line, sharp_widths_mm);
   if (widths.is_stretched) {
     say(shape, "has a line that is stretched in one direction; its width was sampled");
   }
