@@ -33,9 +33,9 @@ Result<Image> drawing_picture(const std::string& svg, int width_px) {
   const Page& page = read->drawing.page;
   const bool has_paper = page.paper != Page{}.paper;
   return render_page(read->drawing.document,
-                         {.dpi = width_px * 25.4 / page.width_mm,
-                          .area = page.area(),
-                          .paper = has_paper ? page.paper : Rgba{0, 0, 0, 0}},
+                     {.dpi = width_px * 25.4 / page.width_mm,
+                      .area = page.area(),
+                      .paper = has_paper ? page.paper : Rgba{0, 0, 0, 0}},
                      PictureChoice::kMarked);
 }
 

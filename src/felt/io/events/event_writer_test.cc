@@ -216,7 +216,7 @@ Event any_event(std::int64_t time_ns) {
     case 14:
       event.what = UseGuide{any_guide()};
       break;
-    case 13:
+    case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};
       break;
     default:

@@ -30,7 +30,8 @@ class SvgInk final : public SvgSceneSink {
 
  private:
   void say(const SvgShape& shape, std::string what);
-  bool outside_frame(const SvgShape& shape);
+  /// Returns true if the frame of a shape hides it. Resets the frame if it hides nothing of it.
+  bool outside_frame(SvgShape& shape);
   bool take_as_paper(const SvgShape& shape);
   bool add_wide(const SvgShape& shape);
   void add_line(SvgShape& shape);
@@ -38,6 +39,7 @@ class SvgInk final : public SvgSceneSink {
   void begin_cover_layer(const SvgShape& shape, const Rect& box);
   void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
   void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
+  void add_moved(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
   void push(const SvgShape& shape, StrokeData data, std::string_view name);
 

@@ -53,19 +53,21 @@ class SharpPen {
  public:
   SharpPen(Point begin, double width) : width_(width) {
     line_.contour.points = {begin};
-    line_.widths_mm = {width};
+    line_.widths = {{width, width}};
   }
 
-  void go(Point p, double width) {
+  void go(Point p, double width) { go(p, {width, width}); }
+
+  void go(Point p, SvgSharpWidth width) {
     const Cubic c = straight(here(), p);
     line_.contour.points.insert(line_.contour.points.end(), {c.p[1], c.p[2], p});
-    line_.widths_mm.push_back(width);
+    line_.widths.push_back(width);
   }
 
   void follow(const std::vector<Cubic>& curves) {
     for (const Cubic& c : curves) {
       line_.contour.points.insert(line_.contour.points.end(), {c.p[1], c.p[2], c.p[3]});
-      line_.widths_mm.push_back(width_);
+      line_.widths.push_back({width_, width_});
     }
   }
 
@@ -73,10 +75,10 @@ class SharpPen {
   /// its centre stays as far from the tip as that disc fits into the cone.
   void spike(Point tip) {
     const Point from = here();
-    const double width = line_.widths_mm.back();
+    const double width = line_.widths.back().after_mm;
     if (!(width > kMinWidthMm)) return;
     go(from + (1.0 - kMinWidthMm / width) * (tip - from), kMinWidthMm);
-    go(from, width);
+    go(from, {kMinWidthMm, width});
   }
 
   /// Fills both corners of the flat end at `end` of the line, which has the direction `along`.
@@ -254,7 +256,8 @@ class Sharpener {
     const double length = norm(along);
     const Point middle = lerp(run.first(), run.last(), 0.5);
     if (length < 0.98 * run.length || length < kMinWidthMm) {
-      return {{{middle, middle, middle, middle}, false}, {form_.width_mm, form_.width_mm}, false};
+      const SvgSharpWidth same{form_.width_mm, form_.width_mm};
+      return {{{middle, middle, middle, middle}, false}, {same, same}, false};
     }
     const Vec across = normalized(perp(along)), half = (radius_ - 0.5 * length) * across;
     SharpPen pen(middle - half, length);
@@ -279,7 +282,8 @@ class Sharpener {
 SvgSharpLine sharp_line(const SvgContour& contour, const SvgSharpForm& form) {
   SvgSharpLine line = Sharpener(contour, form).run();
   if (!line.contour.points.empty()) return line;
-  return {contour, std::vector<double>(contour.segment_count() + 1, form.width_mm)};
+  const SvgSharpWidth same{form.width_mm, form.width_mm};
+  return {contour, std::vector<SvgSharpWidth>(contour.segment_count() + 1, same)};
 }
 
 }  // namespace felt

@@ -19,18 +19,24 @@ struct SvgSharpForm {
   double miter_limit = 4.0;
 };
 
+/// The widths of a line just before and just after a joint.
+struct SvgSharpWidth {
+  double before_mm = 0.0, after_mm = 0.0;
+};
+
 /// The centre line and the widths of ink that looks like a line with flat ends and sharp corners.
 struct SvgSharpLine {
   SvgContour contour;
-  std::vector<double> widths_mm;  ///< at each joint of the contour; linear in between
+  std::vector<SvgSharpWidth> widths;  ///< at each joint of the contour; linear in between
   /// False if an end or a corner stayed round because it is too close to another one.
   bool is_exact = true;
 };
 
 /// Converts a contour in mm. Ink is the union of discs along its centre line, so the ink that
 /// narrows from a disc to a point fills the cone around both: the centre line makes a short trip
-/// into each sharp corner and back. A mitre is the cone from the disc at the joint to its tip. A
-/// flat end is two such cones from the disc that touches the end.
+/// into each sharp corner and back. It returns as a thin line, so that no edge is drawn twice. A
+/// mitre is the cone from the disc at the joint to its tip. A flat end is two such cones from the
+/// disc that touches the end.
 SvgSharpLine sharp_line(const SvgContour& contour, const SvgSharpForm& form);
 
 }  // namespace felt
