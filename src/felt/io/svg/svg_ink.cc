@@ -194,7 +194,11 @@ std::optional<SvgSharpForm> sharp_form(const SvgShape& shape) {
   const SvgLine& line = *shape.line;
   if (line.cap == SvgCap::kRound && line.join == SvgJoin::kRound) return std::nullopt;
   const double width_mm = line.width * std::sqrt(std::fabs(determinant(shape.to_mm)));
-  if (!(width_mm >= kMinSharpWidthMm) || !svg_is_similarity(shape.to_mm)) return std::nullopt;
+  if (!(width_mm >= kMinSharpWidthMm && width_mm <= kMaxSharpWidthMm)) return std::nullopt;
+  if (!svg_is_similarity(shape.to_mm)) return std::nullopt;
+  for (const SvgContour& c : shape.contours) {
+    if (c.segment_count() > kMaxSharpSegments) return std::nullopt;
+  }
   return SvgSharpForm{width_mm, line.cap, line.join, line.miter_limit};
 }
 
@@ -259,8 +263,8 @@ RoundDashes round_dashes(const SvgLine& line) {
 
 void SvgInk::add_line(SvgShape& shape) {
   SvgLine line = *shape.line;
-  const bool is_sharp = sharp_form(shape).has_value();
-  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt && !is_sharp;
+  sharp_ = sharp_form(shape);
+  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt && !sharp_;
   if (is_flat) {
     RoundDashes round = round_dashes(line);
     const bool changes = round.pattern != line.dashes;
@@ -270,7 +274,7 @@ void SvgInk::add_line(SvgShape& shape) {
     if (round.runs_together) say(shape, "has dashes that merge, because their ends became round");
     if (changes) line.cap = shape.line->cap = SvgCap::kRound;
   }
-  if (!is_sharp) notice_ends(shape);
+  if (!sharp_) notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
     say(shape, "is transparent and has several parts; it became darker at their crossings");
   }
@@ -364,8 +368,8 @@ void SvgInk::add_moved(const SvgShape& shape, SvgContour moved, Rgba color, doub
   // As in SVG, a line without length and without caps shows nothing.
   if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
   std::vector<SvgSharpWidth> sharp_widths;
-  if (const std::optional<SvgSharpForm> form = sharp_form(shape)) {
-    SvgSharpLine sharp = sharp_line(moved, *form);
+  if (sharp_) {
+    SvgSharpLine sharp = sharp_line(moved, *sharp_);
     if (!sharp.is_exact) say(shape, "has ends or corners too close together, which became round");
     moved = std::move(sharp.contour);
     sharp_widths = std::move(sharp.widths);

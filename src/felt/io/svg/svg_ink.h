@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "felt/io/import.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_scene.h"
+#include "felt/io/svg/svg_sharp_line.h"
 
 namespace felt {
 
@@ -49,7 +51,8 @@ class SvgInk final : public SvgSceneSink {
   LayerState layer_state_;       ///< of the layer that was added last
   std::vector<Rect> layer_ink_;  ///< bounds of the strokes in that layer
   int cover_layers_ = 0;
-  bool has_part_ = false;  ///< a stroke of the current shape was already added
+  std::optional<SvgSharpForm> sharp_;  ///< of the line of the current shape
+  bool has_part_ = false;              ///< a stroke of the current shape was already added
   bool is_ours_ = false;
   bool has_page_attribute_ = false;
   bool may_be_paper_ = true;  ///< only the lowest shape can be the paper

@@ -31,6 +31,16 @@ struct SharpRun {
   }
 };
 
+/// Removes handles that are too short to be seen at this width, because their direction would be
+/// that of a flat end or a corner.
+Cubic without_tiny_handles(Cubic c, double width) {
+  const double tiny = 0.05 * width;
+  if (distance(c.p[0], c.p[3]) < width) return c;
+  if (distance(c.p[0], c.p[1]) < tiny) c.p[1] = c.p[0];
+  if (distance(c.p[3], c.p[2]) < tiny) c.p[2] = c.p[3];
+  return c;
+}
+
 /// Returns the part of a run without `from_first` and `from_last` mm at its ends; nothing if no
 /// length is left.
 std::vector<Cubic> trimmed(const SharpRun& run, double from_first, double from_last) {
@@ -131,7 +141,7 @@ class Sharpener {
     std::vector<Cubic> curves;
     for (std::size_t i = 0; i < contour.segment_count(); ++i) {
       const Cubic c = contour.segment(i);
-      if (control_length(c) > 1e-6) curves.push_back(c);
+      if (control_length(c) > 1e-6) curves.push_back(without_tiny_handles(c, form_.width_mm));
     }
     if (curves.empty() && form_.cap == SvgCap::kSquare) {
       curves.push_back(square_dot(contour.points.front()));

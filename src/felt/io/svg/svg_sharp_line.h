@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "felt/io/svg/svg_path_builder.h"
@@ -7,13 +8,15 @@
 
 namespace felt {
 
-/// Lines at least this wide keep their flat ends and their pointed or cut corners (sharp_line()).
-/// On thinner lines, round ends and corners look almost the same and are easier to edit.
-inline constexpr double kMinSharpWidthMm = 1.0;
+/// Lines of these widths keep their flat ends and their pointed or cut corners (sharp_line()). On
+/// thinner lines, round ends and corners look almost the same and are easier to edit.
+inline constexpr double kMinSharpWidthMm = 1.2, kMaxSharpWidthMm = 1000.0;
+/// Longer lines get round ends and corners.
+inline constexpr std::size_t kMaxSharpSegments = 10'000;
 
 /// How a line ends and turns. All sharp forms are drawn exactly for straight segments.
 struct SvgSharpForm {
-  double width_mm = 0.0;  ///< at least kMinSharpWidthMm
+  double width_mm = 0.0;
   SvgCap cap = SvgCap::kButt;
   SvgJoin join = SvgJoin::kMiter;
   double miter_limit = 4.0;
