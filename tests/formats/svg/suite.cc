@@ -15,10 +15,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns true if a notice names content that ink cannot represent.
+/// Returns true if a notice names content that lines and fillings cannot represent.
 bool needs_more(const std::vector<std::string>& notices) {
   for (const std::string& notice : notices) {
-    for (const char* what : {"no ink", "gradient", "pattern", "clip path", "mask", "filter"}) {
+    for (const char* what :
+         {"is not a stroke", "gradient", "pattern", "clip path", "mask", "filter"}) {
       if (notice.find(what) != std::string::npos) return true;
     }
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/io/ndjson/json_text.h"
+#include "felt/io/svg/svg_nonzero.h"
 #include "felt/stroke/outline/outline.h"
 
 namespace felt {
@@ -107,8 +108,11 @@ SvgArea svg_area(const std::vector<SvgContour>& contours, const Affine& to_mm, b
   if (even_odd || !check_fill(area.fill)) return area;
   Outline outline;
   flatten_fill(area.fill, kAreaToleranceMm, outline);
-  area.may_lack_parts = crosses_itself(outline);
-  if (area.may_lack_parts || contours.size() == 1) return area;
+  if (crosses_itself(outline)) {
+    area.may_lack_parts = !resolve_crossings(area.fill.loops);
+    return area;
+  }
+  if (contours.size() == 1) return area;
   std::vector<FillLoop> kept;
   for (std::size_t k = 0; k < contours.size(); ++k) {
     if (separates(outline, k)) kept.push_back(std::move(area.fill.loops[k]));

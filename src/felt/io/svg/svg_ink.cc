@@ -8,10 +8,12 @@
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
 #include "felt/io/svg/svg_center_line.h"
+#include "felt/io/svg/svg_clip.h"
 #include "felt/io/svg/svg_dashes.h"
 #include "felt/io/svg/svg_fill.h"
 #include "felt/io/svg/svg_line_width.h"
 #include "felt/io/svg/svg_scan.h"
+#include "felt/io/svg/svg_sharp_line.h"
 #include "felt/io/svg/svg_variable_width.h"
 #include "felt/io/xml/material_texts.h"
 #include "felt/stroke/color_text.h"
@@ -147,17 +149,20 @@ bool SvgInk::take_as_paper(const SvgShape& shape) {
   return true;
 }
 
-bool SvgInk::outside_frame(const SvgShape& shape) {
+bool SvgInk::outside_frame(SvgShape& shape) {
   if (!shape.frame) return false;
   const Rect box = bounds_mm(shape), frame = shape.frame->inflated(1e-6);
   if (box.x0 >= frame.x0 && box.y0 >= frame.y0 && box.x1 <= frame.x1 && box.y1 <= frame.y1) {
+    shape.frame.reset();
     return false;
   }
   if (!box.intersects(frame)) {
     say(shape, "is outside the frame that shows it and was skipped");
     return true;
   }
-  say(shape, "extends beyond the frame that shows it and was not clipped");
+  if (shape.line || shape.variable_width) {
+    say(shape, "extends beyond the frame that shows it; its lines end about there");
+  }
   return false;
 }
 
@@ -180,6 +185,40 @@ bool SvgInk::add_wide(const SvgShape& shape) {
   push(shape, std::move(wide->data), wide->id);
   return true;
 }
+
+namespace {
+
+/// Returns how the line of a shape ends and turns, if it is wide enough for sharp_line(). A line
+/// that a transform stretches has no single width, so its ends and corners become round.
+std::optional<SvgSharpForm> sharp_form(const SvgShape& shape) {
+  const SvgLine& line = *shape.line;
+  if (line.cap == SvgCap::kRound && line.join == SvgJoin::kRound) return std::nullopt;
+  const double width_mm = line.width * std::sqrt(std::fabs(determinant(shape.to_mm)));
+  if (!(width_mm >= kMinSharpWidthMm && width_mm <= kMaxSharpWidthMm)) return std::nullopt;
+  if (!svg_is_similarity(shape.to_mm)) return std::nullopt;
+  for (const SvgContour& c : shape.contours) {
+    if (c.segment_count() > kMaxSharpSegments) return std::nullopt;
+  }
+  return SvgSharpForm{width_mm, line.cap, line.join, line.miter_limit};
+}
+
+/// Replaces the widths of a line, which are constant, by those at the joints of its contour.
+void set_widths(std::vector<WidthKnot>& knots, const SvgCenterLine& line,
+                const std::vector<SvgSharpWidth>& widths) {
+  constexpr double kStepU = 1e-3;  // where the width changes abruptly
+  const double end = static_cast<double>(line.segment_count());
+  knots.clear();
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const bool is_last = i + 1 == widths.size();
+    const double u = is_last ? end : line.place(static_cast<double>(i));
+    if (knots.empty() || u > knots.back().u) knots.push_back({u, widths[i].before_mm});
+    if (widths[i].after_mm != widths[i].before_mm && !is_last) {
+      knots.push_back({knots.back().u + kStepU, widths[i].after_mm});
+    }
+  }
+}
+
+}  // namespace
 
 void SvgInk::notice_ends(const SvgShape& shape) {
   const bool has_ends =
@@ -224,7 +263,8 @@ RoundDashes round_dashes(const SvgLine& line) {
 
 void SvgInk::add_line(SvgShape& shape) {
   SvgLine line = *shape.line;
-  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt;
+  sharp_ = sharp_form(shape);
+  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt && !sharp_;
   if (is_flat) {
     RoundDashes round = round_dashes(line);
     const bool changes = round.pattern != line.dashes;
@@ -234,7 +274,7 @@ void SvgInk::add_line(SvgShape& shape) {
     if (round.runs_together) say(shape, "has dashes that merge, because their ends became round");
     if (changes) line.cap = shape.line->cap = SvgCap::kRound;
   }
-  notice_ends(shape);
+  if (!sharp_) notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
     say(shape, "is transparent and has several parts; it became darker at their crossings");
   }
@@ -273,6 +313,8 @@ void SvgInk::add_fill(const SvgShape& shape) {
   if (determinant(shape.to_mm) == 0.0)
     return say(shape, "has no extent after its transform and was skipped");
   SvgArea area = svg_area(shape.contours, shape.to_mm, shape.fill->even_odd);
+  if (shape.frame) clip_fill(area.fill, *shape.frame);
+  if (area.fill.loops.empty()) return;
   const Rect box = fill_bounds(area.fill);
   if (is_far(box)) return say(shape, kFar);
   area.fill.color = shape.fill->color;
@@ -306,6 +348,7 @@ void SvgInk::add_contour(const SvgShape& shape, SvgContour contour, Rgba color, 
   }
 }
 
+/// Moves a contour to the page and adds it, or its parts inside the frame.
 void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width) {
   Rect box;
   for (Point& p : moved.points) {
@@ -313,10 +356,24 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
     box.extend(p);
   }
   if (is_far(box)) return say(shape, kFar);
+  if (!shape.frame) return add_moved(shape, std::move(moved), color, width);
+  for (SvgContour& part : clip_line(moved, *shape.frame)) {
+    add_moved(shape, std::move(part), color, width);
+  }
+}
+
+void SvgInk::add_moved(const SvgShape& shape, SvgContour moved, Rgba color, double width) {
   const bool is_point = std::all_of(moved.points.begin(), moved.points.end(),
                                     [&](Point p) { return p == moved.points.front(); });
   // As in SVG, a line without length and without caps shows nothing.
   if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
+  std::vector<SvgSharpWidth> sharp_widths;
+  if (sharp_) {
+    SvgSharpLine sharp = sharp_line(moved, *sharp_);
+    if (!sharp.is_exact) say(shape, "has ends or corners too close together, which became round");
+    moved = std::move(sharp.contour);
+    sharp_widths = std::move(sharp.widths);
+  }
   SvgCenterLine line = svg_center_line(moved);
   moved.points = std::vector<Point>();  // frees memory: paths can be long
   if (line.joined_short) {
@@ -324,6 +381,7 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   }
   SvgLineWidths widths = svg_line_widths(line, shape.to_mm, width);
   if (widths.knots.empty()) return say(shape, "has no extent after its transform and was skipped");
+  if (!sharp_widths.empty()) set_widths(widths.knots, line, sharp_widths);
   if (widths.is_stretched) {
     say(shape, "has a line that is stretched in one direction; its width was sampled");
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "felt/io/import.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_scene.h"
+#include "felt/io/svg/svg_sharp_line.h"
 
 namespace felt {
 
@@ -30,7 +32,8 @@ class SvgInk final : public SvgSceneSink {
 
  private:
   void say(const SvgShape& shape, std::string what);
-  bool outside_frame(const SvgShape& shape);
+  /// Returns true if the frame of a shape hides it. Resets the frame if it hides nothing of it.
+  bool outside_frame(SvgShape& shape);
   bool take_as_paper(const SvgShape& shape);
   bool add_wide(const SvgShape& shape);
   void add_line(SvgShape& shape);
@@ -38,6 +41,7 @@ class SvgInk final : public SvgSceneSink {
   void begin_cover_layer(const SvgShape& shape, const Rect& box);
   void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
   void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
+  void add_moved(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
   void push(const SvgShape& shape, StrokeData data, std::string_view name);
 
@@ -47,7 +51,8 @@ class SvgInk final : public SvgSceneSink {
   LayerState layer_state_;       ///< of the layer that was added last
   std::vector<Rect> layer_ink_;  ///< bounds of the strokes in that layer
   int cover_layers_ = 0;
-  bool has_part_ = false;  ///< a stroke of the current shape was already added
+  std::optional<SvgSharpForm> sharp_;  ///< of the line of the current shape
+  bool has_part_ = false;              ///< a stroke of the current shape was already added
   bool is_ours_ = false;
   bool has_page_attribute_ = false;
   bool may_be_paper_ = true;  ///< only the lowest shape can be the paper

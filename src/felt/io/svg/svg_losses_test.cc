@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "felt/io/svg/svg_import.h"
@@ -194,9 +195,9 @@ TEST(SvgLosses, PathLengthAndLinesThatAreNotScaled) {
 }
 
 TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
-  // 10 mm of line and 5 mm of gap, 4 mm wide: the visible ink, including caps.
+  // 10 mm of line and 5 mm of gap, 0.8 mm wide: the visible ink, including caps.
   const ReadBack read(
-      "<path d='M0 10h100' fill='none' stroke='red' stroke-width='4' "
+      "<path d='M0 10h100' fill='none' stroke='red' stroke-width='.8' "
       "stroke-dasharray='10 5'/>");
   ASSERT_EQ(read.strokes.size(), 7U);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -205,10 +206,36 @@ TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
     EXPECT_NEAR(seen.width(), 10.0, 1e-6) << i;
   }
   const ReadBack wide(
-      "<path d='M0 10h100' fill='none' stroke='red' stroke-width='10' "
-      "stroke-dasharray='5 5'/>");
+      "<path d='M0 10h100' fill='none' stroke='red' stroke-width='1' "
+      "stroke-dasharray='.5 .5'/>");
   EXPECT_THAT(wide.notices, HasSubstr("dashes shorter than its width, which became dots"));
   EXPECT_THAT(wide.notices, HasSubstr("has dashes that merge"));
+}
+
+TEST(SvgLosses, WideLinesKeepTheirFlatEndsAndCorners) {
+  const ReadBack read(
+      "<path d='M10 10h50v30' fill='none' stroke='red' stroke-width='4'/>"
+      "<path d='M10 60h80' fill='none' stroke='red' stroke-width='4' stroke-dasharray='5 3'/>");
+  EXPECT_THAT(read.notices, IsEmpty());
+  ASSERT_EQ(read.strokes.size(), 11U);
+  const std::vector<Point>& points = read.strokes[0].data().points;
+  const auto has = [&](Point p) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](Point q) { return distance(p, q) < 0.06; });
+  };
+  EXPECT_TRUE(has({10.0, 8.0}) && has({10.0, 12.0}));  // the corners of the flat end
+  EXPECT_TRUE(has({62.0, 8.0}));                       // the tip of the mitre
+  EXPECT_FALSE(has({10.0, 10.0}));
+}
+
+TEST(SvgLosses, AFrameCutsFillsAndLines) {
+  const ReadBack read(
+      "<svg x='10' y='10' width='20' height='20'>"
+      "<path d='M-5 5h50' fill='none' stroke='red' stroke-width='.5'/></svg>");
+  ASSERT_EQ(read.strokes.size(), 1U);
+  EXPECT_NEAR(read.strokes[0].data().points.front().x, 10.0, 1e-9);
+  EXPECT_NEAR(read.strokes[0].data().points.back().x, 30.0, 1e-9);
+  EXPECT_THAT(read.notices, HasSubstr("its lines end about there"));
 }
 
 TEST(SvgLosses, AGradientIsItsMeanColour) {
