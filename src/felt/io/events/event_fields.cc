@@ -7,13 +7,13 @@
 #include "felt/base/base64.h"
 #include "felt/geometry/tilt.h"
 #include "felt/io/events/event_words.h"
+#include "felt/io/events/guide_fields.h"
 #include "felt/material/material_file.h"
 #include "felt/render/picture_pixels.h"
 
 namespace felt::json {
 namespace {
 
-constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
 constexpr NumberLimit kMoveLimit = {MoveEvent::kMaxMm, "10000"};
 constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
 constexpr std::uint64_t kMaxCounted = 1000;
@@ -259,50 +259,6 @@ Result<void> parse_png(Value& value, EventFields& out) {
     return tl::unexpected(with_context(pixels.error(), "png"));
   }
   out.picture = *std::move(data);
-  return {};
-}
-
-/// Adds a point [x,y] of a guide.
-Result<void> parse_guide_point(Value& value, std::vector<Point>& out) {
-  if (out.size() == kMaxGuidePoints) return bad("a guide has at most 20000 points");
-  std::array<double, 2> xy{};
-  std::size_t count = 0;
-  const auto add = [&](Value& item) -> Result<void> {
-    const std::string_view token = token_of(item);
-    if (count == xy.size()) return bad("a point has only two numbers");
-    if (read_number(item, kCoordinateLimit, xy[count++])) return {};
-    return tl::unexpected(number_error(token, kCoordinateLimit));
-  };
-  if (Result<void> read = for_each_element(value, "point", add); !read) return read;
-  if (count < xy.size()) return bad("a point has two numbers");
-  out.push_back({xy[0], xy[1]});
-  return {};
-}
-
-Result<void> parse_guide_points(Value& value, EventFields& out) {
-  return for_each_element(
-      value, "points", [&out](Value& item) { return parse_guide_point(item, out.guide.points); });
-}
-
-Result<void> parse_guide_times(Value& value, EventFields& out) {
-  return for_each_element(value, "times_ms", [&out](Value& item) -> Result<void> {
-    const std::string_view token = token_of(item);
-    double ms = 0.0;
-    if (out.guide.times_ms.size() == kMaxGuidePoints) {
-      return bad("a guide has at most 20000 times");
-    }
-    if (!read_number(item, kEventTimeLimit, ms)) {
-      return tl::unexpected(number_error(token, kEventTimeLimit));
-    }
-    out.guide.times_ms.push_back(ms);
-    return {};
-  });
-}
-
-Result<void> parse_closed_guide(Value& value, EventFields& out) {
-  const Result<bool> closed = read_bool(value);
-  if (!closed) return tl::unexpected(with_context(closed.error(), "closed"));
-  out.guide.is_closed = *closed;
   return {};
 }
 

@@ -34,69 +34,50 @@ LayerEvent layer_event(EventFields&& fields) {
   return event;
 }
 
-Event event_of(EventName name, EventFields&& fields) {
-  Event event{fields.time_ns, {}};
+decltype(Event::what) content_of(EventName name, EventFields&& fields) {
   switch (name) {
     case EventName::kTool:
-      event.what = SelectTool{std::move(fields.id)};
-      break;
+      return SelectTool{std::move(fields.id)};
     case EventName::kOption:
-      event.what = SetOption{std::move(fields.id), std::move(fields.value)};
-      break;
+      return SetOption{std::move(fields.id), std::move(fields.value)};
     case EventName::kPen:
-      event.what = PenEvent{fields.position, fields.pressure, fields.buttons, fields.tilt_deg};
-      break;
+      return PenEvent{fields.position, fields.pressure, fields.buttons, fields.tilt_deg};
     case EventName::kHand:
-      event.what = HandEvent{fields.position, fields.pressure, fields.buttons, fields.tilt_deg};
-      break;
+      return HandEvent{fields.position, fields.pressure, fields.buttons, fields.tilt_deg};
     case EventName::kUndo:
-      event.what = UndoEvent{};
-      break;
+      return UndoEvent{};
     case EventName::kRedo:
-      event.what = RedoEvent{};
-      break;
+      return RedoEvent{};
     case EventName::kCancel:
-      event.what = CancelEvent{};
-      break;
+      return CancelEvent{};
     case EventName::kImport:
-      event.what = ImportEvent{std::move(fields.path), fields.select};
-      break;
+      return ImportEvent{std::move(fields.path), fields.select};
     case EventName::kSelect:
-      event.what = SelectStrokes{fields.selection};
-      break;
+      return SelectStrokes{fields.selection};
     case EventName::kDelete:
-      event.what = DeleteEvent{};
-      break;
+      return DeleteEvent{};
     case EventName::kDuplicate:
-      event.what = DuplicateEvent{};
-      break;
+      return DuplicateEvent{};
     case EventName::kMove:
-      event.what = MoveEvent{{fields.position.x, fields.position.y}};
-      break;
+      return MoveEvent{{fields.position.x, fields.position.y}};
     case EventName::kOrder:
-      event.what = OrderEvent{fields.order};
-      break;
+      return OrderEvent{fields.order};
     case EventName::kRestyle:
-      event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium), fields.opacity,
-                                fields.width_factor};
-      break;
+      return RestyleEvent{std::move(fields.color), std::move(fields.medium), fields.opacity,
+                          fields.width_factor};
     case EventName::kLayer:
-      event.what = layer_event(std::move(fields));
-      break;
+      return layer_event(std::move(fields));
     case EventName::kPicture:
-      event.what = AddPicture{std::move(fields.name), std::move(fields.picture),
-                              fields.matrix.value_or(Affine{})};
-      break;
+      return AddPicture{std::move(fields.name), std::move(fields.picture),
+                        fields.matrix.value_or(Affine{})};
     case EventName::kDevice:
-      event.what = UseDevice{fields.device, fields.defaults};
-      break;
+      return UseDevice{fields.device, fields.defaults};
     case EventName::kMaterial:
-      event.what = UseMaterial{std::move(fields.text)};
-      break;
+      return UseMaterial{std::move(fields.text)};
     case EventName::kGuide:
-      event.what = UseGuide{std::move(fields.guide)};
+      break;
   }
-  return event;
+  return UseGuide{std::move(fields.guide)};
 }
 
 /// A pose without z is valid only if it has a pressure, which says whether the pen touches.
@@ -174,7 +155,8 @@ struct EventReader::State {
                        milliseconds_text(last_ns) + ", the time of the previous event");
     }
     last_ns = values.time_ns;
-    return event_of(name, std::move(values));
+    const std::int64_t time_ns = values.time_ns;
+    return Event{time_ns, content_of(name, std::move(values))};
   }
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+
+/// The keys of a guide in an event line. Private to this layer. Errors start with the key.
+
+#include "felt/io/events/event_fields.h"
+
+namespace felt::json {
+
+inline constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
+
+/// Parses `points`: [[x,y],...] in mm.
+Result<void> parse_guide_points(Value& value, EventFields& out);
+/// Parses `times_ms`: one time for each point.
+Result<void> parse_guide_times(Value& value, EventFields& out);
+/// Parses `closed`.
+Result<void> parse_closed_guide(Value& value, EventFields& out);
+
+}  // namespace felt::json
