@@ -65,6 +65,18 @@ TEST(BundlePath, LinesThatEndAlmostTogetherGiveTheMiddleUpToTheirEnds) {
   }
 }
 
+// Whatever the lengths of lines round to, their last points are known as ends.
+TEST(BundlePath, LinesThatEndWithinTheTailGiveTheMiddleUpToTheEndOfTheStrip) {
+  for (int k = 0; k < 600; ++k) {
+    const double first = 0.1 * (k % 25) - 2.4, last = 0.1 * (k / 25) - 1.2;
+    std::vector<RoughLine> lines(2);
+    for (int i = 0; i <= 80; ++i) lines[0].push_back({first + i * (80.0 + last - first) / 80, 40});
+    for (int i = 0; i <= 80; ++i) lines[1].push_back({1.0 * i, 42});
+    const BundlePath path = bundle_path(lines).value();
+    for (const Point p : path.points) EXPECT_NEAR(p.y, 41.0, 0.05) << first << ' ' << last;
+  }
+}
+
 TEST(BundlePath, LinesThatContinueEachOtherBecomeOne) {
   const std::vector<RoughLine> lines{{{0, 0}, {40, 0}}, {{90, 0}, {45, 0}}, {{30, 1}, {60, 1}}};
   const BundlePath path = bundle_path(lines).value();
