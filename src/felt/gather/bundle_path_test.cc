@@ -65,7 +65,6 @@ TEST(BundlePath, LinesThatEndAlmostTogetherGiveTheMiddleUpToTheirEnds) {
   }
 }
 
-// Whatever the lengths of lines round to, their last points are known as ends.
 TEST(BundlePath, LinesThatEndWithinTheTailGiveTheMiddleUpToTheEndOfTheStrip) {
   for (int k = 0; k < 600; ++k) {
     const double first = 0.1 * (k % 25) - 2.4, last = 0.1 * (k / 25) - 1.2;
@@ -74,6 +73,19 @@ TEST(BundlePath, LinesThatEndWithinTheTailGiveTheMiddleUpToTheEndOfTheStrip) {
     for (int i = 0; i <= 80; ++i) lines[1].push_back({1.0 * i, 42});
     const BundlePath path = bundle_path(lines).value();
     for (const Point p : path.points) EXPECT_NEAR(p.y, 41.0, 0.05) << first << ' ' << last;
+  }
+}
+
+// A pen that turns back just before it is lifted leaves a hook.
+TEST(BundlePath, HooksAtTheEndsOfLinesDoNotBendTheMiddle) {
+  for (int k = 0; k < 400; ++k) {
+    const double hook = 0.05 * (k % 20), last = 0.1 * (k / 20) - 1.0;
+    std::vector<RoughLine> lines{{}, {{0, 42}, {80, 42}}};
+    lines[0].push_back({hook, 40});
+    for (int i = 0; i <= 80; ++i) lines[0].push_back({i * (80.0 + last) / 80, 40});
+    lines[0].push_back({80.0 + last - hook, 40});
+    const BundlePath path = bundle_path(lines).value();
+    for (const Point p : path.points) EXPECT_NEAR(p.y, 41.0, 0.05) << hook << ' ' << last;
   }
 }
 

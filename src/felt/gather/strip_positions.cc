@@ -203,11 +203,9 @@ StripPositions StripSolver::positions() {
     const auto points = grid_.points(i);
     if (points.empty()) continue;
     const double length = grid_.length_mm(i);
-    const std::size_t last = points.size() - 1;
-    for (std::size_t k = 0; k <= last; ++k) {
-      // The share of the last point is exactly 1, so that it is known as an end.
-      const double along = length * (static_cast<double>(k) / static_cast<double>(last));
-      result.points.push_back({i, points[k], position(i, along), std::min(along, length - along)});
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double along = length * static_cast<double>(k) / static_cast<double>(points.size() - 1);
+      result.points.push_back({i, points[k], position(i, along)});
       result.first_mm = std::min(result.first_mm, result.points.back().along_mm);
       result.last_mm = std::max(result.last_mm, result.points.back().along_mm);
     }
