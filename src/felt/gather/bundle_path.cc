@@ -55,7 +55,13 @@ class StripAverage {
   [[nodiscard]] std::ptrdiff_t bins() const { return static_cast<std::ptrdiff_t>(middle_.size()); }
   [[nodiscard]] Point middle(std::ptrdiff_t i) const;
   void average(double smooth_share);
-  void add_piece(std::size_t i, Point origin, std::vector<Bin>& bins) const;
+  struct PieceEnds {
+    double from = 0.0, to = 0.0;  // in bins
+  };
+  [[nodiscard]] PieceEnds piece(std::size_t i, std::size_t bins) const;
+  void add_line(std::size_t first, std::size_t last, Point origin, std::vector<Bin>& bins) const;
+  void add_piece(std::size_t i, bool is_first, bool is_last, Point origin,
+                 std::vector<Bin>& bins) const;
   void blend_ends(const std::vector<Bin>& bins, std::vector<Vec>& means) const;
   void smooth(double share);
   void project();
@@ -83,23 +89,47 @@ Point StripAverage::middle(std::ptrdiff_t i) const {
   return middle_[static_cast<std::size_t>(k)];
 }
 
-// Adds the points at which the piece from point i to the next one crosses the positions of bins.
-void StripAverage::add_piece(std::size_t i, Point origin, std::vector<Bin>& bins) const {
-  const StripPoint& p = strip_.points[i];
-  const StripPoint& q = strip_.points[i + 1];
-  const double per_bin = range_mm() / static_cast<double>(bins.size() - (closed_ ? 0 : 1));
-  double from = (p.along_mm - strip_.first_mm) / per_bin;
-  double to = (q.along_mm - strip_.first_mm) / per_bin;
-  const auto n = static_cast<double>(bins.size());
+// Returns the positions of point i and the next one, equal if the next one has moved to another
+// part of the strip.
+StripAverage::PieceEnds StripAverage::piece(std::size_t i, std::size_t bins) const {
+  const double per_bin = range_mm() / static_cast<double>(bins - (closed_ ? 0 : 1));
+  double from = (strip_.points[i].along_mm - strip_.first_mm) / per_bin;
+  double to = (strip_.points[i + 1].along_mm - strip_.first_mm) / per_bin;
+  const auto n = static_cast<double>(bins);
   if (closed_) {
     from -= n * std::floor(from / n);
     to -= n * std::round((to - from) / n);
   }
-  if (std::fabs(to - from) > kMaxJump) return;  // moved to another part of the strip
+  return {from, std::fabs(to - from) > kMaxJump ? from : to};
+}
+
+// Adds a line, from one point to another, without the hooks at its ends: pieces that lead back do
+// not show where the line ends, and the line would count several times there.
+void StripAverage::add_line(std::size_t first, std::size_t last, Point origin,
+                            std::vector<Bin>& bins) const {
+  const auto step = [&](std::size_t i) {
+    const PieceEnds ends = piece(i, bins.size());
+    return ends.to - ends.from;
+  };
+  double way = 0.0;
+  for (std::size_t i = first; i < last; ++i) way += step(i);
+  while (first < last && step(first) * way <= 0.0) ++first;
+  while (first < last && step(last - 1) * way <= 0.0) --last;
+  for (std::size_t i = first; i < last; ++i) add_piece(i, i == first, i + 1 == last, origin, bins);
+}
+
+// Adds the points at which the piece from point i to the next one crosses the positions of bins.
+void StripAverage::add_piece(std::size_t i, bool is_first, bool is_last, Point origin,
+                             std::vector<Bin>& bins) const {
+  const StripPoint& p = strip_.points[i];
+  const StripPoint& q = strip_.points[i + 1];
+  const auto [from, to] = piece(i, bins.size());
+  if (from == to && !is_first && !is_last) return;
+  const auto n = static_cast<double>(bins.size());
   const bool forwards = from <= to;
   const double low = std::min(from, to), high = std::max(from, to);
-  const double at_from = p.to_end_mm > 0.0 ? 0.0 : kEndSlack;
-  const double at_to = q.to_end_mm > 0.0 ? 0.0 : kEndSlack;
+  const double at_from = is_first ? kEndSlack : 0.0;
+  const double at_to = is_last ? kEndSlack : 0.0;
   const double last = high + (forwards ? at_to : at_from);
   for (double at = std::ceil(low - (forwards ? at_from : at_to)); at <= last; ++at) {
     if (at == to && at_to == 0.0) continue;  // the next piece begins here
@@ -113,15 +143,14 @@ void StripAverage::add_piece(std::size_t i, Point origin, std::vector<Bin>& bins
     bins[k].weight += 1.0;
   }
   const auto add_end = [&](const StripPoint& end, double at, std::size_t backwards) {
-    if (end.to_end_mm > 0.0) return;
     at = backwards != 0 ? std::ceil(at - kEndSlack) : std::floor(at + kEndSlack);
     Bin& bin = bins[static_cast<std::size_t>(
         std::clamp(closed_ ? at - n * std::floor(at / n) : at, 0.0, n - 1.0))];
     bin.end_sums[backwards] += end.point - origin;
     bin.end_weights[backwards] += 1.0;
   };
-  add_end(p, from, forwards ? 1 : 0);
-  add_end(q, to, forwards ? 0 : 1);
+  if (is_first) add_end(p, from, forwards ? 1 : 0);
+  if (is_last) add_end(q, to, forwards ? 0 : 1);
 }
 
 // Where lines end, the average jumps to that of the lines that go on. Adds this jump to the average
@@ -160,8 +189,12 @@ void StripAverage::average(double smooth_share) {
   const Point origin = strip_.points.front().point;
   middle_.resize(static_cast<std::size_t>(std::max(4.0, std::round(range_mm() / step_mm_))));
   std::vector<Bin> bins(middle_.size());
-  for (std::size_t i = 0; i + 1 < strip_.points.size(); ++i) {
-    if (strip_.points[i].line == strip_.points[i + 1].line) add_piece(i, origin, bins);
+  for (std::size_t first = 0, i = 0; i < strip_.points.size(); ++i) {
+    const bool is_last =
+        i + 1 == strip_.points.size() || strip_.points[i].line != strip_.points[i + 1].line;
+    if (!is_last) continue;
+    add_line(first, i, origin, bins);
+    first = i + 1;
   }
   std::vector<double> widths;
   for (const Bin& bin : bins) {

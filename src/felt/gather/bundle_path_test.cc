@@ -65,6 +65,30 @@ TEST(BundlePath, LinesThatEndAlmostTogetherGiveTheMiddleUpToTheirEnds) {
   }
 }
 
+TEST(BundlePath, LinesThatEndWithinTheTailGiveTheMiddleUpToTheEndOfTheStrip) {
+  for (int k = 0; k < 600; ++k) {
+    const double first = 0.1 * (k % 25) - 2.4, last = 0.1 * (k / 25) - 1.2;
+    std::vector<RoughLine> lines(2);
+    for (int i = 0; i <= 80; ++i) lines[0].push_back({first + i * (80.0 + last - first) / 80, 40});
+    for (int i = 0; i <= 80; ++i) lines[1].push_back({1.0 * i, 42});
+    const BundlePath path = bundle_path(lines).value();
+    for (const Point p : path.points) EXPECT_NEAR(p.y, 41.0, 0.05) << first << ' ' << last;
+  }
+}
+
+// A pen that turns back just before it is lifted leaves a hook.
+TEST(BundlePath, HooksAtTheEndsOfLinesDoNotBendTheMiddle) {
+  for (int k = 0; k < 400; ++k) {
+    const double hook = 0.05 * (k % 20), last = 0.1 * (k / 20) - 1.0;
+    std::vector<RoughLine> lines{{}, {{0, 42}, {80, 42}}};
+    lines[0].push_back({hook, 40});
+    for (int i = 0; i <= 80; ++i) lines[0].push_back({i * (80.0 + last) / 80, 40});
+    lines[0].push_back({80.0 + last - hook, 40});
+    const BundlePath path = bundle_path(lines).value();
+    for (const Point p : path.points) EXPECT_NEAR(p.y, 41.0, 0.05) << hook << ' ' << last;
+  }
+}
+
 TEST(BundlePath, LinesThatContinueEachOtherBecomeOne) {
   const std::vector<RoughLine> lines{{{0, 0}, {40, 0}}, {{90, 0}, {45, 0}}, {{30, 1}, {60, 1}}};
   const BundlePath path = bundle_path(lines).value();

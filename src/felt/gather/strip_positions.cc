@@ -205,7 +205,7 @@ StripPositions StripSolver::positions() {
     const double length = grid_.length_mm(i);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double along = length * static_cast<double>(k) / static_cast<double>(points.size() - 1);
-      result.points.push_back({i, points[k], position(i, along), std::min(along, length - along)});
+      result.points.push_back({i, points[k], position(i, along)});
       result.first_mm = std::min(result.first_mm, result.points.back().along_mm);
       result.last_mm = std::max(result.last_mm, result.points.back().along_mm);
     }

@@ -12,8 +12,7 @@ namespace felt {
 struct StripPoint {
   std::uint32_t line = 0;
   Point point;
-  double along_mm = 0.0;   ///< position along the strip
-  double to_end_mm = 0.0;  ///< arc length to the nearer end of its line
+  double along_mm = 0.0;  ///< position along the strip
 };
 
 /// Positions of all lines along their common strip.

@@ -95,6 +95,42 @@ TEST(Pencil, AModifierDrawsAStraightLineFromTheTouch) {
   EXPECT_GT(p.fixture.strokes().back()->bounds().y1, 79) << "the next line is free again";
 }
 
+/// Draws a bent line with a modifier down from one time to another, ms after the touch, at each
+/// sample or at every other one, and returns the number of segments, which is 1 if it is straight.
+int segments_with_press(std::int64_t from_ms, std::int64_t to_ms, bool bounces = false) {
+  Pencil p;
+  const auto points = way({10, 60}, {30, 80}) + way({30, 80}, {50, 60});
+  for (std::int64_t ms = -500; ms < static_cast<std::int64_t>(points.size()); ++ms) {
+    const bool is_down = ms >= from_ms && ms < to_ms && !(bounces && ms % 2 != 0);
+    p.pen.buttons = is_down ? kSecondModifier : 0;
+    if (ms < 0) p.pen.up(points.front());
+    if (ms >= 0) p.pen.down(points[static_cast<std::size_t>(ms)]);
+  }
+  p.pen.up(points.back());
+  return p.stroke().segment_count();
+}
+
+TEST(Pencil, AModifierThatIsNotMeantLeavesTheLineFree) {
+  constexpr std::int64_t kEndMs = 10'000;
+  EXPECT_GT(segments_with_press(100, 101), 1);
+  EXPECT_GT(segments_with_press(100, 350), 1) << "shorter than 0.3 s";
+  EXPECT_GT(segments_with_press(0, 250), 1) << "at the touch";
+  EXPECT_GT(segments_with_press(-500, -1), 1) << "in the air";
+  EXPECT_GT(segments_with_press(400, kEndMs), 1) << "at the lift";
+  EXPECT_GT(segments_with_press(-500, kEndMs, true), 1) << "bounces all the time";
+  EXPECT_EQ(segments_with_press(100, 450), 1) << "stays straight";
+  EXPECT_EQ(segments_with_press(-300, 50), 1) << "meant before the touch";
+  EXPECT_EQ(segments_with_press(0, kEndMs), 1);
+}
+
+TEST(Pencil, AQuickLineIsStraightIfTheModifierIsDownAllTheTime) {
+  Pencil p;
+  p.pen.buttons = kFirstModifier;
+  p.pen.line(way({10, 10}, {20, 20}, 0.5) + way({20, 20}, {30, 10}, 0.5));
+  EXPECT_EQ(p.stroke().segment_count(), 1);
+  EXPECT_LT(p.pen.now_ns, 100'000'000);
+}
+
 TEST(Pencil, AStraightLineHasTheWidthThatThePenHadAtEachPlace) {
   Pencil p;
   p.pen.buttons = kFirstModifier;

@@ -49,6 +49,7 @@ PencilTool::PencilTool() : GestureTool(kPencilInfo), settings_(pencil_settings(o
 
 ToolResult PencilTool::hover(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
+  hold_.update(sample);
   near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
   snap_.hover(pen_point_, sample.time_ns, near_, settings_.snap, scene);
   return {};
@@ -60,7 +61,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   fitter_->begin();
   wet_.begin(fitted_);
   straight_.begin(pen_point_, fitted_.width_map);
-  is_straight_ = has_steps_ = false;
+  hold_.begin();
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
@@ -85,11 +86,7 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   fitter_->push(ink);
   wet_.update(*fitter_, ink);
   straight_.push(pen_);
-  // The line stays straight if the modifier is released before the pen is lifted.
-  if ((sample.buttons & (kFirstModifier | kSecondModifier)) != 0) {
-    is_straight_ = true;
-    has_steps_ = (sample.buttons & kSecondModifier) != 0;
-  }
+  hold_.update(sample);
   // A sample during a bounce draws ink but does not snap.
   if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
   return {};
@@ -101,7 +98,7 @@ std::optional<Stroke> PencilTool::straight_line(InkConnections& to) const {
   Point from = straight_.start(), end = straight_.pen();
   to.closes = false;
   if (to.start || to.start_meets) from = snap_.start_target()->point;
-  if (has_steps_) {
+  if (hold_.has_second()) {
     to.end.reset();
     to.end_meets.reset();
     end = straight_.pen_in_steps() + (from - straight_.start());
@@ -128,7 +125,7 @@ ToolResult PencilTool::end(const Scene& scene) {
   ToolResult result;
   InkConnections to = connections(scene);
   std::optional<Stroke> drawn;
-  if (is_straight_) drawn = straight_line(to);
+  if (hold_.is_meant()) drawn = straight_line(to);
   if (!drawn) drawn = free_line();
   if (drawn) {
     StrokeData data = drawn->data();
@@ -173,10 +170,12 @@ InkConnections PencilTool::connections(const Scene& scene) const {
 }
 
 void PencilTool::drop() {
+  hold_.reset();
   snap_.end(std::nullopt);
 }
 
 void PencilTool::stop_hovering() {
+  hold_.reset();
   snap_.end(std::nullopt);
   near_ = false;
 }
@@ -197,14 +196,14 @@ ForceModel PencilTool::force(const Scene& scene) const {
 void PencilTool::draw(Overlay& overlay) const {
   if (in_gesture()) {
     overlay.ink_color = color_;
-    if (is_straight_) {
-      straight_.draw(straight_.start(), has_steps_ ? straight_.pen_in_steps() : straight_.pen(),
-                     overlay);
+    if (hold_.is_meant()) {
+      straight_.draw(straight_.start(),
+                     hold_.has_second() ? straight_.pen_in_steps() : straight_.pen(), overlay);
     } else {
       wet_.draw(*fitter_, overlay);
-    }
-    if (!is_straight_ && settings_.stabiliser.kind != StabiliserKind::kOff) {
-      overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
+      if (settings_.stabiliser.kind != StabiliserKind::kOff) {
+        overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
+      }
     }
   }
   if (is_waiting() || !(in_gesture() || near_)) return;

@@ -8,6 +8,7 @@
 #include "felt/tools/line_stabiliser.h"
 #include "felt/tools/pencil/connect_ink.h"
 #include "felt/tools/pencil/ink_snap.h"
+#include "felt/tools/pencil/modifier_hold.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/pencil/straight_ink.h"
 #include "felt/tools/pencil/wet_ink.h"
@@ -15,8 +16,8 @@
 namespace felt {
 
 /// Draws lines of variable width (paper, "sketch creation", "controlling the width", "connect
-/// curves"; pencil.md). Each gesture makes one line and one edit, "Draw". If a modifier is held at
-/// any time during the gesture, the line is straight (StraightInk).
+/// curves"; pencil.md). Each gesture makes one line and one edit, "Draw". If a modifier is held
+/// during the gesture and meant (ModifierHold), the line is straight (StraightInk).
 ///
 /// The work per sample does not depend on the length of the stroke, except for the last sample,
 /// which completes it.
@@ -62,8 +63,7 @@ class PencilTool final : public GestureTool {
   std::unique_ptr<InkFitter> fitter_;
   InkFitOptions fitted_;  // the options that fitter_ was made with
   StraightInk straight_;
-  bool is_straight_ = false;
-  bool has_steps_ = false;  // the direction of the straight line is one of in_direction_steps()
+  ModifierHold hold_;
   Stabiliser stabiliser_;
   InkSample pen_;  // last sample of the line
   Rgba color_;
