@@ -17,7 +17,7 @@ constexpr std::ptrdiff_t kStepPoints = 16;
 constexpr std::ptrdiff_t kSpeedPoints = 4;
 constexpr double kMaxTeacherMmPerS = 500.0;
 constexpr double kEndFadeMm = 5.0;
-constexpr double kMaxStepS = 0.02;  // longest time between two samples that counts
+constexpr double kLongestStepS = 0.02;  // longest time between two samples that counts
 
 GuideLaw law_of(const GuideLine& line) {
   switch (line.kind) {
@@ -179,7 +179,7 @@ void GuideTrack::update(const PenSample& sample) {
   const Place place = this->place(pen);
   is_lost_ = place.distance_mm > guide_.law().well.radius_mm + 1.0;  // there is no force
   // A pen that has just come back does not count as off the path for all the time in between.
-  const double dt_s = std::min(1e-9 * static_cast<double>(sample.time_ns - last_ns_), kMaxStepS);
+  const double dt_s = std::min(1e-9 * static_cast<double>(sample.time_ns - last_ns_), kLongestStepS);
   if (in_contact(sample) && !is_lost_) as_needed_.update(place.distance_mm, dt_s);
   last_ns_ = sample.time_ns;
   make_piece(place.mm);
