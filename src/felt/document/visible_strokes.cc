@@ -25,7 +25,7 @@ VisibleInk visible_ink(const Document& document) {
   std::map<StrokeId, StrokeId> numbers;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) numbers[id] = StrokeId{numbers.size() + 1};
+    for (const StrokeId id : layer.strokes) numbers.emplace(id, StrokeId{numbers.size() + 1});
   }
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;

@@ -158,7 +158,8 @@ class RunFinder {
         if (const MeetingLine* line = now_.find(id)) offer(id, *line);
       }
     } else {
-      for (const auto& [id, line] : now_.lines()) offer(id, line);
+      const Rect near = Rect{p.x, p.y, p.x, p.y}.inflated(kSameShapeMm);
+      for (const StrokeId id : now_.lines_in(near)) offer(id, *now_.find(id));
     }
     return best;
   }

@@ -10,11 +10,17 @@
 namespace felt {
 namespace {
 
-/// Returns 1,000 strokes of a screen as lines of a map.
-std::vector<FillLine> lines_of_screen() {
+/// Returns screens of 1,000 strokes each, side by side, as lines of a map.
+std::vector<FillLine> lines_of_screens(std::int64_t strokes) {
+  constexpr double kScreenMm = 500.0;
+  const std::vector<Stroke> screen = testing::screen_of_strokes(1000);
   std::vector<FillLine> lines;
-  for (Stroke& s : testing::screen_of_strokes(1000)) {
-    lines.push_back({StrokeId{lines.size() + 1}, std::make_shared<const Stroke>(std::move(s))});
+  for (std::size_t i = 0; i < static_cast<std::size_t>(strokes); ++i) {
+    StrokeData data = screen[i % screen.size()].data();
+    const auto number = static_cast<double>(i / screen.size());
+    for (Point& p : data.points) p += Vec{kScreenMm * number, 0.0};
+    lines.push_back({StrokeId{i + 1},
+                     std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   }
   return lines;
 }
@@ -30,11 +36,12 @@ std::vector<Fill> some_fills(FillMap& map, double gap_mm) {
   return fills;
 }
 
-/// Measures one edit of a drawing of 1,000 strokes: one stroke moves by a millimetre, the map is
-/// updated, and the fills follow. The argument is the size of gaps in mm.
+/// Measures one edit of a drawing: one stroke moves by a millimetre, and the fills follow. The
+/// arguments are the number of strokes, the size of gaps in mm, and whether the map is also asked
+/// for a face, which divides all lines again.
 void FillEdit(benchmark::State& state) {
-  const auto gap_mm = static_cast<double>(state.range(0));
-  std::vector<FillLine> lines = lines_of_screen();
+  const auto gap_mm = static_cast<double>(state.range(1));
+  std::vector<FillLine> lines = lines_of_screens(state.range(0));
   FillMap map;
   map.update(lines);
   std::vector<Fill> fills = some_fills(map, gap_mm);
@@ -46,7 +53,7 @@ void FillEdit(benchmark::State& state) {
     for (Point& p : data.points) p += Vec{shift, 0.0};
     line.stroke = std::make_shared<const Stroke>(Stroke::create(data).value());
     map.update({&line, 1});
-    benchmark::DoNotOptimize(map.map(gap_mm).counts());
+    if (state.range(2) != 0) benchmark::DoNotOptimize(map.map(gap_mm).counts());
     for (Fill& fill : fills) {
       auto now = follow_fill(fill, map, {}, WhenOpened::kClose);
       if (!now) continue;
@@ -63,18 +70,21 @@ void FillEdit(benchmark::State& state) {
   state.counters["edges"] = static_cast<double>(counts.edges);
   state.counters["faces"] = static_cast<double>(counts.faces);
 }
-BENCHMARK(FillEdit)->Arg(0)->Arg(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(FillEdit)
+    ->ArgNames({"strokes", "gap", "face"})
+    ->ArgsProduct({{1'000, 10'000}, {0, 3}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
 
-/// Measures the first map of 1,000 strokes.
+/// Measures the first map of a drawing.
 void FillFirstMap(benchmark::State& state) {
-  const std::vector<FillLine> lines = lines_of_screen();
+  const std::vector<FillLine> lines = lines_of_screens(state.range(0));
   for (auto _ : state) {
     FillMap map;
     map.update(lines);
     benchmark::DoNotOptimize(map.map(3.0).counts());
   }
 }
-BENCHMARK(FillFirstMap)->Unit(benchmark::kMillisecond);
+BENCHMARK(FillFirstMap)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace felt

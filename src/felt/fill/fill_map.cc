@@ -13,9 +13,8 @@ namespace felt {
 namespace {
 
 bool is_on_line(const LineMeetings& meetings, Point p) {
-  for (const auto& [id, line] : meetings.lines()) {
-    if (distance_squared(line.box, p) > kSnapMm * kSnapMm) continue;
-    for (const Cubic& c : line.segments) {
+  for (const StrokeId id : meetings.lines_in(Rect{p.x, p.y, p.x, p.y}.inflated(kSnapMm))) {
+    for (const Cubic& c : meetings.find(id)->segments) {
       if (nearest_within(c, p, kSnapMm * kSnapMm)) return true;
     }
   }
@@ -35,16 +34,22 @@ void FillMap::update(std::span<const FillLine> changes) {
   const std::vector<Rect> areas = meetings_.update(changes);
   if (areas.empty()) return;
   for (auto& [gap, entry] : maps_) {
-    entry.links.forget(areas);
+    entry.tips.forget(areas);
+    entry.links.reset();
     entry.map.reset();
   }
 }
 
+const std::vector<TipLink>& FillMap::links(double max_gap_mm) {
+  MapOfGap& entry = maps_.try_emplace(max_gap_mm, TipLinks(max_gap_mm)).first->second;
+  if (!entry.links) entry.links = entry.tips.links(meetings_);
+  return *entry.links;
+}
+
 const PlanarMap& FillMap::map(double max_gap_mm) {
-  MapOfGap& entry = maps_.try_emplace(max_gap_mm, TipLinks(max_gap_mm), nullptr).first->second;
-  if (!entry.map) {
-    entry.map = std::make_unique<PlanarMap>(divide_lines(meetings_, entry.links.links(meetings_)));
-  }
+  const std::vector<TipLink>& joined = links(max_gap_mm);
+  MapOfGap& entry = maps_.at(max_gap_mm);
+  if (!entry.map) entry.map = std::make_unique<PlanarMap>(divide_lines(meetings_, joined));
   return *entry.map;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "felt/base/result.h"
@@ -43,8 +44,9 @@ class FillMap {
 
   /// Returns the strokes and their meetings.
   [[nodiscard]] const LineMeetings& meetings() const noexcept { return meetings_; }
-  /// Returns the links for this size of gaps. The reference is valid until the next update.
-  const std::vector<TipLink>& links(double max_gap_mm) { return map(max_gap_mm).edges().links; }
+  /// Returns the links for this size of gaps. The reference is valid until the next update. Much
+  /// faster than map().
+  const std::vector<TipLink>& links(double max_gap_mm);
   /// Returns the planar map for this size of gaps. The reference is valid until the next update.
   const PlanarMap& map(double max_gap_mm);
   /// Returns the fill of the face inside a loop of map(max_gap_mm).
@@ -52,8 +54,10 @@ class FillMap {
 
  private:
   struct MapOfGap {
-    TipLinks links;
-    std::unique_ptr<PlanarMap> map;  // null after an update
+    explicit MapOfGap(TipLinks known) : tips(std::move(known)) {}
+    TipLinks tips;
+    std::optional<std::vector<TipLink>> links;  // none after an update
+    std::unique_ptr<PlanarMap> map;             // null after an update
   };
 
   LineMeetings meetings_;

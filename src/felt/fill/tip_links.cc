@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "felt/geometry/bvh.h"
 #include "felt/geometry/intersect.h"
 #include "felt/geometry/nearest.h"
 
@@ -91,7 +92,10 @@ std::vector<TipLink> TipLinker::links(StrokeId id, StrokeTip tip) const {
 bool TipLinker::find_touches(const Tip& tip, std::vector<TipLink>& links) const {
   bool met = false;
   std::optional<TipLink> shortest;
-  for (const auto& [id, line] : meetings_.lines()) {
+  const Rect near =
+      box_of(tip.end.point, tip.end.point).inflated(tip.half_mm + meetings_.widest_half_mm());
+  for (const StrokeId id : meetings_.lines_in(near)) {
+    const MeetingLine& line = *meetings_.find(id);
     const double reach = tip.half_mm + line.half_mm;
     if (distance_squared(line.box, tip.end.point) > reach * reach) continue;
     const auto found = touch(tip, id, line, met);
@@ -140,9 +144,10 @@ std::optional<TipLink> TipLinker::touch(const Tip& tip, StrokeId id, const Meeti
 
 std::optional<TipLink> TipLinker::bridge(const Tip& tip) const {
   std::optional<TipLink> best = extension(tip);
-  Rect near = box_of(tip.end.point, tip.end.point).inflated(max_gap_mm_);
-  for (const auto& [id, line] : meetings_.lines()) {
-    if (line.stroke->closed() || !line.box.intersects(near)) continue;
+  const Rect near = box_of(tip.end.point, tip.end.point).inflated(max_gap_mm_);
+  for (const StrokeId id : meetings_.lines_in(near)) {
+    const MeetingLine& line = *meetings_.find(id);
+    if (line.stroke->closed()) continue;
     for (const StrokeTip other : {StrokeTip::kStart, StrokeTip::kEnd}) {
       if (id == tip.id && other == tip.tip) continue;
       const auto found = to_tip(tip, id, line, other);
@@ -162,8 +167,8 @@ std::optional<TipLink> TipLinker::extension(const Tip& tip) const {
   const Cubic ray = straight(p, far);
   const Rect box = box_of(p, far);
   std::optional<TipLink> best;
-  for (const auto& [id, line] : meetings_.lines()) {
-    if (!line.box.intersects(box)) continue;
+  for (const StrokeId id : meetings_.lines_in(box)) {
+    const MeetingLine& line = *meetings_.find(id);
     for (std::size_t i = 0; i < line.segments.size(); ++i) {
       if (!line.boxes[i].intersects(box)) continue;
       for (const Crossing& c : intersections(ray, line.segments[i])) {
@@ -205,8 +210,8 @@ bool TipLinker::is_blocked(const TipLink& link) const {
   const Cubic parts[] = {straight(link.from.point, middle), straight(middle, link.to.point)};
   for (int k = 0; k < (link.corner ? 2 : 1); ++k) {
     const Rect box = control_bounds(parts[k]);
-    for (const auto& [id, line] : meetings_.lines()) {
-      if (!line.box.intersects(box)) continue;
+    for (const StrokeId id : meetings_.lines_in(box)) {
+      const MeetingLine& line = *meetings_.find(id);
       for (std::size_t i = 0; i < line.segments.size(); ++i) {
         if (!line.boxes[i].intersects(box)) continue;
         for (const Crossing& c : intersections(parts[k], line.segments[i])) {
@@ -221,10 +226,15 @@ bool TipLinker::is_blocked(const TipLink& link) const {
 }
 
 void TipLinks::forget(std::span<const Rect> areas) {
+  std::vector<BvhSegment> diagonals;  // a diagonal has the same box as its area
+  for (const Rect& area : areas) {
+    diagonals.push_back({straight({area.x0, area.y0}, {area.x1, area.y1}), {}});
+  }
+  SegmentBvh tree;
+  tree.build(diagonals);
   for (auto tip = known_.begin(); tip != known_.end();) {
-    const bool changed = std::any_of(areas.begin(), areas.end(), [&](const Rect& area) {
-      return area.intersects(tip->second.reach);
-    });
+    bool changed = false;
+    tree.for_each_in(tip->second.reach, [&](std::uint32_t) { changed = true; });
     tip = changed ? known_.erase(tip) : std::next(tip);
   }
 }

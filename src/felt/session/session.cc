@@ -55,7 +55,7 @@ Edit import_edit(const Document& document, LayerId layer, std::span<const Stroke
   EditBuilder builder(document);
   std::map<StrokeId, StrokeId> ids;
   for (const StrokePtr& stroke : strokes) {
-    ids[StrokeId{ids.size() + 1}] = builder.add(layer, stroke);
+    ids.emplace(StrokeId{ids.size() + 1}, builder.add(layer, stroke));
   }
   for (const FillPtr& fill : fills) {
     RenamedFill renamed = with_other_strokes(*fill, ids);

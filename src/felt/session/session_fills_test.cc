@@ -132,7 +132,22 @@ TEST(SessionFills, CopiesAndImportsTakeTheirFillsAlong) {
   ASSERT_TRUE(other.session->import(other.now_ns, {"a.felt", true}, ink.strokes, ink.fills));
   EXPECT_EQ(other.session->document().fill_count(), 3U);
   EXPECT_EQ(other.session->selection().strokes().size(), 8U);
+  ASSERT_EQ(ink.fills.size(), 2U);
   for (const FillPtr& fill : ink.fills) EXPECT_EQ(fill->loops[0].pieces.size(), 4U);
+  EXPECT_EQ(ink.fills[0]->loops[0].pieces[0].stroke, StrokeId{1});
+  // The first imported fill lies exactly on the square that was there, and leaves it behind.
+  const std::vector<FillId>& fills = other.session->document().layers().front().fills;
+  const std::vector<FillId> ids(fills.begin(), fills.end());
+  std::vector<Rect> before;
+  for (const FillId id : ids) before.push_back(fill_bounds(*other.session->document().find_fill(id)));
+  other.must(MoveEvent{{0, 100}});
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const FillPtr now = other.session->document().find_fill(ids[i]);
+    ASSERT_TRUE(now);
+    const double moved = now == other.fill() ? 0.0 : 100.0;
+    EXPECT_NEAR(fill_bounds(*now).y0 - before[i].y0, moved, 1e-9) << i;
+    EXPECT_NEAR(fill_bounds(*now).y1 - before[i].y1, moved, 1e-9) << i;
+  }
 }
 
 TEST(SessionFills, AFillInALockedLayerStays) {
