@@ -273,6 +273,7 @@ InkNarrowing::Result InkNarrowing::result() const {
   ParameterSet replaced;
   for (const Part& part : parts()) {
     const auto knots = cut(part, result.holes);
+    add_hole(part.places.front().u, part.places.back().u, result.touched);
     if (knots.empty()) continue;
     add_hole(part.places.front().u, part.places.back().u, replaced);
     narrowed.insert(narrowed.end(), knots.begin(), knots.end());
