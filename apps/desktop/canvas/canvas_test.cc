@@ -510,7 +510,8 @@ TEST(Canvas, AnotherSizeIsShownAtThePointer) {
   EXPECT_NE(ring, before);
   // The point is at the edge of a line that was drawn with the mouse.
   const double radius_mm = 0.5 * (0.3 + 0.5 * (12.0 - 0.3));
-  const QPoint edge = fixture.canvas.view().to_px({100 + radius_mm, 100}).toPoint();
+  const double dpr = fixture.canvas.devicePixelRatioF();
+  const QPoint edge = (fixture.canvas.view().to_px({100 + radius_mm, 100}) * dpr).toPoint();
   int other = 0;
   for (int dx = -3; dx <= 3; ++dx) {
     const QPoint at = edge + QPoint(dx, 0);

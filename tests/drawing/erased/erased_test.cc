@@ -130,6 +130,28 @@ TEST(Erased, R39_ALineThatOnlyLosesItsRimStaysOneLineAndKeepsTheRest) {
   }
 }
 
+TEST(Erased, R39_ARingThatIsTouchedAllAroundIsCutAnywhere) {
+  constexpr double kRingMm = 5.0, kArm = 4.0 / 3.0 * kRingMm;
+  const Stroke ring = Stroke::create({.points = {{-kRingMm, 0},
+                                                 {-kRingMm, kArm},
+                                                 {kRingMm, kArm},
+                                                 {kRingMm, 0},
+                                                 {kRingMm, -kArm},
+                                                 {-kRingMm, -kArm},
+                                                 {-kRingMm, 0}},
+                                      .joints = {JointKind::kSmooth, JointKind::kSmooth},
+                                      .closed = true,
+                                      .widths = {{0, 4}, {2, 4}}})
+                          .value();
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 0.1 + 2.0 * std::numbers::pi * k / 40;
+    const Point out{kRingMm * std::cos(angle), kRingMm * std::sin(angle)};
+    const Damage d = erase({{ring}, {{0, 0}, out}, 3.5});
+    EXPECT_GT(d.covered_mm2, 10.0);
+    EXPECT_LE(d.left_mm2, 0.003 * d.covered_mm2) << "angle " << angle;
+  }
+}
+
 TEST(Erased, R39_AnyLineAnyWidthAnyPath) {
   double covered = 0.0, left = 0.0, lost = 0.0, gained = 0.0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

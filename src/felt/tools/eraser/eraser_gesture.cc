@@ -7,6 +7,7 @@
 #include "felt/document/stroke_index.h"
 #include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/edit/hold_profile.h"
+#include "felt/tools/eraser/kept_widths.h"
 
 namespace felt {
 namespace {
@@ -145,7 +146,7 @@ EraserGesture::Line& EraserGesture::line_of(StrokeId id, const Scene& scene) {
   if (known != lines_.end()) return known->second;
   const StrokePtr stroke = scene.document.find(id);
   if (mode_ == EraserMode::kTouched && settings_.include_width) {
-    return lines_.try_emplace(id, as_drawn(stroke), settings_.radius_mm).first->second;
+    return lines_.try_emplace(id, stroke, as_drawn(stroke), settings_.radius_mm).first->second;
   }
   return lines_.try_emplace(id, stroke).first->second;
 }
@@ -214,7 +215,7 @@ void EraserGesture::cut_next(std::int64_t time_ns, const Scene& scene) {
   if (line.ink) {
     line.cut_places = line.ink->place_count();
     InkNarrowing::Result left = line.ink->result();
-    line.remains.cut(left.holes, std::move(left.widths));
+    line.remains.cut(left.holes, kept_widths(*line.original, *line.stroke, left));
   } else {
     line.cut_places = line.erased.intervals().size();
     line.remains.cut(line.erased);

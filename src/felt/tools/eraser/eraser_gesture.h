@@ -77,12 +77,14 @@ class EraserGesture {
     explicit Line(StrokePtr s) : stroke(s), remains(std::move(s)) {}
     /// Makes the state of a line in the mode kTouched with include_width: its ink is erased where
     /// the eraser covers it.
-    Line(StrokePtr s, double radius_mm)
-        : stroke(s),
+    Line(StrokePtr before, StrokePtr s, double radius_mm)
+        : original(std::move(before)),
+          stroke(s),
           remains(s, RemainingPieces::Crumbs::kOfInk),
           ink(std::in_place, std::move(s), radius_mm) {}
 
-    StrokePtr stroke;
+    StrokePtr original{};
+    StrokePtr stroke;  // with `ink`, it is the original with the drawn widths as breakpoints
     ParameterSet erased;
     RemainingPieces remains;
     std::optional<InkNarrowing> ink;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "felt/base/constants.h"
 #include "felt/geometry/nearest.h"
 #include "felt/geometry/polyline.h"
 #include "felt/haptics/testing/feel_rig.h"
+#include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/edit/hold_profile.h"
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/stroke/width_profile.h"
@@ -246,9 +248,36 @@ TEST(Eraser, R39_ALineThatLosesItsRimKeepsItsTone) {
   ASSERT_EQ(e.fixture.strokes().size(), 1u);
   const Stroke& line = *e.fixture.strokes()[0];
   EXPECT_NEAR(line.width_mm(0.5), 4.0, 0.02);
-  const std::vector<WidthKnot> drawn = drawn_knots(before, 0.001);
+  const std::vector<WidthKnot> drawn = drawn_knots(before, 0.001), after = drawn_knots(line, 0.001);
   for (double u = 0.0; u <= 1.0; u += 0.001) {
-    ASSERT_NEAR(line.tone(u), tone_at(drawn, u), 0.06) << u;
+    ASSERT_NEAR(tone_at(after, u), tone_at(drawn, u), 0.06) << u;
+  }
+}
+
+TEST(Eraser, R39_BreakpointsAwayFromTheEraserStay) {
+  StrokeData data = straight_stroke({0, 0}, {90, 0}, 2, 2).data();
+  data.widths.clear();
+  for (int i = 0; i <= 30; ++i) data.widths.push_back({i / 30.0, i % 3 == 0 ? 2.0 : 4.0 + i % 2});
+  const Stroke before = Stroke::create(std::move(data)).value();
+  Eraser e;
+  e.fixture.add(before);
+  e.pen.line(way({45, 3.5}, {48, 3.5}));  // narrows the line in the middle
+  ASSERT_EQ(e.fixture.strokes().size(), 1u);
+  const Stroke& line = *e.fixture.strokes()[0];
+  EXPECT_NEAR(line.width_mm(16.0 / 30), 3.0, 0.02);
+  for (const double from : {0.0, 0.7}) {
+    const auto within = [&](const WidthKnot& k) { return from <= k.u && k.u <= from + 0.3; };
+    std::vector<WidthKnot> old, kept;
+    std::ranges::copy_if(before.widths(), std::back_inserter(old), within);
+    std::ranges::copy_if(line.widths(), std::back_inserter(kept), within);
+    EXPECT_EQ(kept, old) << "from " << from;
+    for (double u = from; u <= from + 0.3; u += 0.001) {
+      ASSERT_NEAR(drawn_width_mm(line, u), drawn_width_mm(before, u), 1e-9) << u;
+    }
+  }
+  for (double u = 0.0; u <= 1.0; u += 0.001) {
+    if (std::fabs(u - 0.5) < 0.1) continue;
+    ASSERT_NEAR(drawn_width_mm(line, u), drawn_width_mm(before, u), 0.012) << u;
   }
 }
 

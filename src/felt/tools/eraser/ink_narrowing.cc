@@ -149,10 +149,11 @@ InkNarrowing::Part InkNarrowing::part_between(double from, double to) const {
   Part part;
   part.free_start = !closed && from <= 0.0;
   part.free_end = !closed && to >= n;
-  const bool everywhere = closed && to - from >= n;
+  const bool everywhere = closed && to - from >= n - ParameterSet::kGap;
   if (!part.free_start && !everywhere) part.places.push_back(place_at(from, kFar));
   append_samples(from, std::min(to, n), 0.0, part.places);
-  if (to > n) append_samples(0.0, to - n, n, part.places);
+  // `to - n` may be less than `from` by rounding, which would leave out the last sample.
+  if (to > n) append_samples(0.0, everywhere ? from : to - n, n, part.places);
   if (!part.free_end && !everywhere) {
     if (part.places.back().u >= to - 1e-9) part.places.pop_back();
     part.places.push_back(place_at(to, kFar));
@@ -273,6 +274,7 @@ InkNarrowing::Result InkNarrowing::result() const {
   ParameterSet replaced;
   for (const Part& part : parts()) {
     const auto knots = cut(part, result.holes);
+    add_hole(part.places.front().u, part.places.back().u, result.touched);
     if (knots.empty()) continue;
     add_hole(part.places.front().u, part.places.back().u, replaced);
     narrowed.insert(narrowed.end(), knots.begin(), knots.end());

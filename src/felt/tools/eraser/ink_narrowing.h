@@ -50,6 +50,7 @@ class InkNarrowing {
   struct Result {
     ParameterSet holes;             ///< the line is cut here
     std::vector<WidthKnot> widths;  ///< the new profile of the whole stroke; empty: unchanged
+    ParameterSet touched;           ///< elsewhere, the ink is unchanged
   };
   [[nodiscard]] Result result() const;
   /// Returns the maximum number of points that result() processes.

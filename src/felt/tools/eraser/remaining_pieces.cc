@@ -4,16 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "felt/stroke/edit/hold_profile.h"
 #include "felt/stroke/edit/split.h"
 
 namespace felt {
 namespace {
 
 using Interval = ParameterSet::Interval;
-
-/// Largest difference of the drawn radius from that of the narrowed profile.
-constexpr double kHeldMm = 0.002;
 
 /// Returns segment i of a stroke. On a closed stroke i may exceed the count and wraps around.
 Cubic segment_of(const Stroke& stroke, int i) {
@@ -123,12 +119,6 @@ void RemainingPieces::cut(const ParameterSet& erased, std::vector<WidthKnot> wid
     StrokeData data = whole_stroke_->data();
     data.widths = std::move(widths);
     auto narrowed = Stroke::create(std::move(data));
-    if (narrowed) {
-      // The width is exact between the breakpoints, too, so that nothing that was erased returns.
-      data = narrowed->data();
-      data.widths = held_knots(*narrowed, kHeldMm);
-      if (auto held = Stroke::create(std::move(data))) narrowed = std::move(held);
-    }
     if (narrowed) stroke_ = std::make_shared<const Stroke>(*std::move(narrowed));
   }
   const bool same_widths = std::ranges::equal(before->widths(), stroke_->widths());
