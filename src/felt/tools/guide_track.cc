@@ -179,7 +179,8 @@ void GuideTrack::update(const PenSample& sample) {
   const Place place = this->place(pen);
   is_lost_ = place.distance_mm > guide_.law().well.radius_mm + 1.0;  // there is no force
   // A pen that has just come back does not count as off the path for all the time in between.
-  const double dt_s = std::min(1e-9 * static_cast<double>(sample.time_ns - last_ns_), kLongestStepS);
+  const double dt_s =
+      std::min(1e-9 * static_cast<double>(sample.time_ns - last_ns_), kLongestStepS);
   if (in_contact(sample) && !is_lost_) as_needed_.update(place.distance_mm, dt_s);
   last_ns_ = sample.time_ns;
   make_piece(place.mm);
