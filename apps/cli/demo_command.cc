@@ -13,6 +13,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/page_painter.h"
+#include "felt/replay/replay_drawing.h"
 #include "felt/replay/script_run.h"
 #include "force_plot.h"
 #include "forces_file.h"
@@ -114,24 +115,25 @@ Result<void> make_folder(const std::string& folder) {
   return fail(ErrorCode::kIo, folder + ": not a folder");
 }
 
-Result<void> write_picture(const std::string& path, const Document& document,
+Result<void> write_picture(const std::string& path, const Drawing& drawing,
                            const PictureOptions& picture) {
   const Result<Format> format = format_of_path(path);
   if (!format) return tl::unexpected(format.error());
-  Result<DrawingOutput> output = DrawingOutput::create(path, *format, picture, OutputUse::kStrokes);
-  if (!output) return tl::unexpected(output.error());
-  return output->append(document).and_then([&] { return output->finish(); });
+  return DrawingOutput::create(path, *format, picture).and_then([&](DrawingOutput output) {
+    return output.write(drawing);
+  });
 }
 
-Result<void> write_pictures(const DemoArguments& args, const Document& document) {
+Result<void> write_pictures(const DemoArguments& args, const Session& session) {
+  const Drawing drawing = drawing_after({.has_page = false}, session, session.document());
   PictureOptions picture;
-  picture.area = ink_bounds(document).inflated(kDemoMarginMm);
+  picture.area = ink_bounds(drawing.document).inflated(kDemoMarginMm);
   picture.dpi = kMmPerInch * args.size_px / picture.area->width();
   for (const char* name : {"sketch.ndjson", "sketch.svg"}) {
-    if (auto done = write_picture(path_in(args, name), document, picture); !done) return done;
+    if (auto done = write_picture(path_in(args, name), drawing, picture); !done) return done;
   }
   picture.paper = kDemoPaper;
-  return write_picture(path_in(args, "sketch.png"), document, picture);
+  return write_picture(path_in(args, "sketch.png"), drawing, picture);
 }
 
 Result<void> write_plot(const DemoArguments& args, DemoRecorder& recorder) {
@@ -182,7 +184,7 @@ Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder
     summary.add(act.name, stats);
   }
   console.end_progress();
-  if (Result<void> done = write_pictures(args, machine.session().document()); !done) return done;
+  if (Result<void> done = write_pictures(args, machine.session()); !done) return done;
   if (Result<void> done = write_plot(args, recorder); !done) return done;
   if (Result<void> done = recorder.forces.finish(); !done) return done;
   summary.print();

@@ -179,21 +179,6 @@ Result<void> DrawingOutput::append(const EncodedStrokes& strokes) {
   return begin_svg().and_then([&] { return output_.write(strokes.text); });
 }
 
-Result<void> DrawingOutput::append(const Document& document) {
-  EncodedStrokes strokes;
-  std::int64_t number = 0;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      const NamedStroke stroke{stroke_name(id), *document.find(id)};
-      if (auto ok = encode(stroke, ++number, stroke_format_, strokes); !ok) {
-        return tl::unexpected(with_context(ok.error(), "stroke " + stroke.id + " of the sketch"));
-      }
-    }
-  }
-  return append(strokes);
-}
-
 Result<void> DrawingOutput::finish() {
   if (format_ == Format::kNdjson) return output_.commit();
   if (stroke_format_ == Format::kSvg) return finish_svg();

@@ -56,8 +56,6 @@ class DrawingOutput {
 
   /// Appends strokes that encode() made for stroke_format(). Requires OutputUse::kStrokes.
   Result<void> append(const EncodedStrokes& strokes);
-  /// Appends the strokes of visible layers, named by stroke_name(). Requires OutputUse::kStrokes.
-  Result<void> append(const Document& document);
   /// Completes the file after the last append().
   Result<void> finish();
 

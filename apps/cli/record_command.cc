@@ -102,20 +102,19 @@ void set_options(const RecordArguments& args, Session& session) {
 
 /// Writes the drawing to another file. Called if its own file cannot be written, because the
 /// drawing would otherwise be lost.
-Result<void> rescue(const Error& error, const Session& session) {
+Result<void> rescue(const Error& error, Drawing drawing) {
   std::error_code none;
   const std::string path = std::filesystem::temp_directory_path(none).string() +
-                           "/feltline-record-" + std::to_string(getpid()) + ".ndjson";
-  Result<DrawingOutput> other =
-      DrawingOutput::create(path, Format::kNdjson, PictureOptions(), OutputUse::kStrokes);
-  const bool saved = other && other->append(session.document()) && other->finish();
+                           "/feltline-record-" + std::to_string(getpid()) + ".felt";
+  Result<DrawingOutput> other = DrawingOutput::create(path, Format::kFelt, PictureOptions());
+  const bool saved = other && other->write(std::move(drawing));
   return fail(error.code, error.message + (saved ? "; the drawing is in " + path : ""));
 }
 
 Result<void> write_outputs(RecordOutputs& outputs, Recorder& recorder, const Session& session) {
   Drawing drawing = drawing_after({.has_page = false}, session, session.document());
-  if (Result<void> done = outputs.drawing->write(std::move(drawing)); !done) {
-    return rescue(done.error(), session);
+  if (Result<void> done = outputs.drawing->write(drawing); !done) {
+    return rescue(done.error(), std::move(drawing));
   }
   recorder.flush();
   if (outputs.events) {

@@ -17,7 +17,7 @@ FillMap* DocumentMap::after(const Document& document, const Edit& edit, const Re
     std::erase_if(wanted, [&area](const auto& entry) {
       return entry.second && !entry.second->bounds().intersects(area);
     });
-    if (wanted.size() > kMaxStrokes) return nullptr;
+    if (wanted.size() > kMaxNearStrokes) return nullptr;
   }
   std::vector<FillLine> changes;
   for (const auto& [id, line] : map_.meetings().lines()) {

@@ -19,8 +19,8 @@ std::vector<FillLine> lines_of_screens(std::int64_t strokes) {
     StrokeData data = screen[i % screen.size()].data();
     const auto number = static_cast<double>(i / screen.size());
     for (Point& p : data.points) p += Vec{kScreenMm * number, 0.0};
-    lines.push_back({StrokeId{i + 1},
-                     std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
+    lines.push_back(
+        {StrokeId{i + 1}, std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   }
   return lines;
 }

@@ -8,6 +8,7 @@
 #include "felt/fill/fill_map.h"
 #include "felt/fill/fill_shape.h"
 #include "felt/fill/testing/map_drawing.h"
+#include "felt/geometry/intersect.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::fill_test {
@@ -284,6 +285,39 @@ TEST(PlanarMap, an_update_gives_the_same_map_as_a_new_one) {
     EXPECT_EQ(changed.map(gap).edges().nodes, fresh.map(gap).edges().nodes);
     EXPECT_EQ(changed.map(gap).counts().faces, fresh.map(gap).counts().faces);
   }
+}
+
+// The index of segments leaves out no pair of strokes that meets.
+TEST(LineMeetings, are_those_of_all_pairs_of_segments) {
+  testing::RandomStroke random(11);
+  std::vector<FillLine> lines;
+  for (std::uint64_t i = 1; i <= 40; ++i) {
+    StrokeData data = random.make();
+    for (Point& p : data.points) p += Vec{3.0 * static_cast<double>(i), 0.0};
+    lines.push_back({StrokeId{i}, std::make_shared<const Stroke>(Stroke::create(data).value())});
+  }
+  LineMeetings meetings;
+  meetings.update(std::vector(lines.begin() + 20, lines.end()));
+  meetings.update(lines);
+  std::size_t met = 0;
+  for (const FillLine& a : lines) {
+    for (const FillLine& b : lines) {
+      if (!(a.id < b.id)) continue;
+      std::size_t count = 0;
+      for (int i = 0; i < a.stroke->segment_count(); ++i) {
+        for (int j = 0; j < b.stroke->segment_count(); ++j) {
+          const Crossings found = intersections(a.stroke->segment(i), b.stroke->segment(j));
+          count += static_cast<std::size_t>(std::distance(found.begin(), found.end()));
+        }
+      }
+      EXPECT_EQ(meetings.between(a.id, b.id).size(), count);
+      met += count;
+    }
+  }
+  EXPECT_GT(met, 100U);
+  for (const FillLine& line : lines) meetings.update(std::vector<FillLine>{{line.id, nullptr}});
+  EXPECT_TRUE(meetings.lines().empty());
+  EXPECT_TRUE(meetings.lines_in({-1e6, -1e6, 1e6, 1e6}).empty());
 }
 
 }  // namespace

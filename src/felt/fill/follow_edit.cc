@@ -15,6 +15,7 @@ constexpr double kSameLineMm = 0.01;  // parts of a divided stroke lie this near
 
 /// Returns true if a point in the middle of `part` is on `whole`.
 bool lies_on(const Stroke& part, const Stroke& whole) {
+  if (!part.bounds().intersects(whole.bounds())) return false;
   const Point middle = part.position(0.5 * part.segment_count());
   for (int i = 0; i < whole.segment_count(); ++i) {
     if (nearest_within(whole.segment(i), middle, kSameLineMm * kSameLineMm)) return true;
@@ -53,16 +54,21 @@ std::set<LayerId> layers_with_changed_fills(const Edit& edit) {
 }  // namespace
 
 std::vector<LineEdit> line_edits(const Edit& edit) {
+  std::vector<const StrokeChange*> added, present;
+  for (const StrokeChange& c : edit.changes) {
+    if (!c.after || c.before == c.after) continue;
+    present.push_back(&c);
+    if (!c.before) added.push_back(&c);
+  }
   std::vector<LineEdit> edits;
   for (const StrokeChange& old : edit.changes) {
     if (!old.before || old.before == old.after) continue;
     LineEdit line{old.id, old.before, {}};
     if (old.after) line.after.push_back(old.id);
-    for (const StrokeChange& other : edit.changes) {
-      if (other.id == old.id || !other.after || other.before == other.after) continue;
-      const bool is_part = !other.before && lies_on(*other.after, *old.before);
-      const bool is_joined = !old.after && lies_on(*old.before, *other.after);
-      if (is_part || is_joined) line.after.push_back(other.id);
+    for (const StrokeChange* other : old.after ? added : present) {
+      const bool is_part = !other->before && lies_on(*other->after, *old.before);
+      const bool is_joined = !old.after && lies_on(*old.before, *other->after);
+      if (is_part || is_joined) line.after.push_back(other->id);
     }
     // A stroke that only changed its shape needs no entry.
     if (!old.after || line.after.size() > 1) edits.push_back(std::move(line));

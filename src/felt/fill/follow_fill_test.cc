@@ -87,6 +87,22 @@ TEST_F(FollowFill, moves_exactly_with_a_transform) {
   }
 }
 
+TEST_F(FollowFill, leaves_lines_at_the_same_place_behind) {
+  for (std::uint64_t i = 1; i <= 4; ++i) drawing.add(stroke(StrokeId{i}));  // 5 to 8, in place
+  Fill copy = fill;
+  for (FillPiece& piece : copy.loops[0].pieces) piece.stroke.value += 4;
+  for (std::uint64_t i = 5; i <= 8; ++i) {
+    StrokeData data = stroke(StrokeId{i})->data();
+    for (Point& p : data.points) p += Vec{0.0, 30.0};
+    drawing.set(StrokeId{i}, std::make_shared<const Stroke>(Stroke::create(data).value()));
+  }
+  EXPECT_EQ(follow(), fill);
+  const auto moved = follow_fill(copy, drawing.map, {}, WhenOpened::kRemove);
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_EQ(moved->loops[0].pieces, copy.loops[0].pieces);
+  EXPECT_NEAR(fill_bounds(*moved).y0, 30.0, 1e-9);
+}
+
 TEST_F(FollowFill, a_stroke_with_other_segments_bounds_the_same_area) {
   const StrokePtr before = stroke(top);
   drawing.set(

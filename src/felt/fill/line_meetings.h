@@ -39,8 +39,8 @@ struct MeetingLine {
 class LineMeetings {
  public:
   /// Adds, replaces and removes strokes; each id at most once. A stroke that is the same object as
-  /// before costs nothing. Returns the boxes of the centre lines that changed, before and after, grown by half of the
-  /// stroke's width.
+  /// before costs nothing. Returns the boxes of the centre lines that changed, before and after,
+  /// grown by half of the stroke's width.
   std::vector<Rect> update(std::span<const FillLine> changes);
 
   [[nodiscard]] const std::map<StrokeId, MeetingLine>& lines() const noexcept { return lines_; }

@@ -139,7 +139,8 @@ TEST(SessionFills, CopiesAndImportsTakeTheirFillsAlong) {
   const std::vector<FillId>& fills = other.session->document().layers().front().fills;
   const std::vector<FillId> ids(fills.begin(), fills.end());
   std::vector<Rect> before;
-  for (const FillId id : ids) before.push_back(fill_bounds(*other.session->document().find_fill(id)));
+  for (const FillId id : ids)
+    before.push_back(fill_bounds(*other.session->document().find_fill(id)));
   other.must(MoveEvent{{0, 100}});
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const FillPtr now = other.session->document().find_fill(ids[i]);
