@@ -113,8 +113,10 @@ void StripAverage::add_line(std::size_t first, std::size_t last, Point origin,
   };
   double way = 0.0;
   for (std::size_t i = first; i < last; ++i) way += step(i);
-  while (first < last && step(first) * way <= 0.0) ++first;
-  while (first < last && step(last - 1) * way <= 0.0) --last;
+  if (way != 0.0) {
+    while (first < last && step(first) * way <= 0.0) ++first;
+    while (first < last && step(last - 1) * way <= 0.0) --last;
+  }
   for (std::size_t i = first; i < last; ++i) add_piece(i, i == first, i + 1 == last, origin, bins);
 }
 
@@ -212,6 +214,7 @@ void StripAverage::average(double smooth_share) {
   for (std::size_t i = 0; i < bins.size(); ++i) {
     if (bins[i].weight > 0.0) filled.push_back(origin + means[i]);
   }
+  if (filled.empty()) filled.push_back(origin);  // all lines turn back where they began
   if (filled.size() == 1) filled.push_back(filled.front());
   if (closed_) filled.push_back(filled.front());
   const std::size_t n = middle_.size();

@@ -89,6 +89,19 @@ TEST(BundlePath, HooksAtTheEndsOfLinesDoNotBendTheMiddle) {
   }
 }
 
+TEST(BundlePath, LinesThatTurnBackToTheirStartGiveALine) {
+  for (const double half : {1e-6, 0.3, 20.0}) {
+    const RoughLine there_and_back{{0, 0}, {half, 0}, {0, 0}};
+    const RoughLine beside{{half, 0.1}, {0, 0.1}, {half, 0.1}};
+    const Result<BundlePath> path = bundle_path(std::vector<RoughLine>{there_and_back, beside});
+    ASSERT_TRUE(path);
+    EXPECT_GE(path->points.size(), 2U);
+    for (const Point p : path->points) {
+      EXPECT_TRUE(p.x >= -1.0 && p.x <= half + 1.0 && std::fabs(p.y) <= 1.0) << p.x << ' ' << p.y;
+    }
+  }
+}
+
 TEST(BundlePath, LinesThatContinueEachOtherBecomeOne) {
   const std::vector<RoughLine> lines{{{0, 0}, {40, 0}}, {{90, 0}, {45, 0}}, {{30, 1}, {60, 1}}};
   const BundlePath path = bundle_path(lines).value();
