@@ -8,7 +8,7 @@
 #include "felt/tools/fill/fill_tool.h"
 #include "felt/tools/testing/tool_fixture.h"
 
-namespace felt::fill_test {
+namespace felt::fill_tool_test {
 namespace {
 
 constexpr Rgba kRed{0xb0, 0x20, 0x20, 255}, kBlue{0x20, 0x20, 0xb0, 128};
@@ -179,4 +179,4 @@ TEST(Fill, TheEdgeIsASoftRidgeWhileThePenFills) {
 }
 
 }  // namespace
-}  // namespace felt::fill_test
+}  // namespace felt::fill_tool_test

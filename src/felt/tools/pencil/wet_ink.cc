@@ -8,6 +8,9 @@ namespace felt {
 
 namespace {
 
+/// A bend of the width on a line of metres has no more pieces than this.
+constexpr int kMaxBendPieces = 32;
+
 /// Returns the least number of pieces of a segment.
 int pieces_of(const Cubic& segment) {
   const double pieces = std::ceil(control_length(segment) / WetInk::kPieceMm);
@@ -27,7 +30,8 @@ void append_pieces(const Line& line, std::vector<Overlay::InkSegment>& out) {
   const int enough =
       tone.steps(WetInk::kBendToneError, radius.steps(0.5 * WetInk::kBendErrorMm, 1));
   const double most = std::max(control_length(line.curve) / WetInk::kMinBendMm, 1.0);
-  const int steps = std::max(static_cast<int>(std::min(1.0 * enough, most)), pieces_of(line.curve));
+  const int bends = static_cast<int>(std::min({1.0 * enough, most, 1.0 * kMaxBendPieces}));
+  const int steps = std::max(bends, line.min_pieces);
   InkWidth from = line.from;
   for (int s = 1; s <= steps; ++s) {
     const double x0 = (s - 1.0) / steps, x1 = static_cast<double>(s) / steps;
@@ -129,7 +133,9 @@ void WetInk::for_each_line(const InkFitter& fitter, const WidthKnot& end, Visit 
     const double u1 = std::min(i + 1.0, end.u);
     const InkWidth to =
         u1 < end.u ? between(first, last, (u1 - open_.u) / (end.u - open_.u)) : last;
-    visit(Line(sub_segment(fitter.segment(i), u0 - i, u1 - i), from, to));
+    Line line(sub_segment(fitter.segment(i), u0 - i, u1 - i), from, to);
+    line.min_pieces = pieces_of(line.curve);
+    visit(line);
     from = to;
     u0 = u1;
   }

@@ -51,6 +51,7 @@ class WetInk {
     Cubic curve;
     InkWidth from, to;
     ProfileLine profile;
+    int min_pieces = 1;
 
     Line(const Cubic& c, const InkWidth& start, const InkWidth& end) noexcept;
   };
