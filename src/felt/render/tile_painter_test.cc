@@ -144,7 +144,8 @@ TEST(TilePainter, PartsOfATileWithFillsJoinWithoutASeam) {
     EditBuilder builder(document);
     for (int i = 0; i < 5; ++i) {
       builder.add_fill({1}, std::make_shared<const Fill>(testing::random_fill(random)));
-      builder.add({1}, std::make_shared<const Stroke>(testing::random_stroke(seed)));
+      builder.add({1}, std::make_shared<const Stroke>(
+                           testing::random_stroke(seed * 10 + static_cast<std::uint64_t>(i))));
     }
     ASSERT_TRUE(document.apply(std::move(builder).build("Draw")));
     const InkScene scene(document);
