@@ -61,7 +61,7 @@ TEST(DrawnProfile, PiecesCoverTheStrokeAndEndAtTheNodes) {
     for (int i = 0; i <= s.segment_count(); ++i) nodes.push_back(i);
     for (const WidthKnot& k : s.widths()) nodes.push_back(k.u);
     std::ranges::sort(nodes);
-    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const DrawnPiece& piece : pieces_of(s)) {
       ASSERT_EQ(piece.segment + piece.t0, ends.back());
       ASSERT_LE(s.widths()[piece.knot].u, ends.back());
