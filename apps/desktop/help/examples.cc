@@ -1,18 +1,20 @@
 #include "desktop/help/examples.h"
 
 #include <QCoreApplication>
+#include <utility>
 
+#include "desktop/engine/first_options.h"
 #include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/writing_hand.h"
 #include "felt/geometry/affine.h"
 #include "felt/session/session.h"
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/tools/medium_line.h"
 
 namespace felt::desktop {
 namespace {
 
 constexpr std::size_t kDoodles = 120;
-constexpr double kFineMm = 0.25, kBroadMm = 2.2, kGamma = 1.2;
 
 /// Position of the cat in the middle of an A4 page. The other drawings start near the page's
 /// corner.
@@ -43,6 +45,18 @@ Source source_of(const QString& id) {
   return {};
 }
 
+/// Returns the settings of the medium that a new user has in the hand, so that the first line on an
+/// example looks like the lines of the example.
+InkFitOptions first_ink() {
+  const Medium* medium = find_medium(kFirstMedium);
+  InkFitOptions ink;
+  if (!medium) return ink;
+  ink.width_map.min_mm = medium->line.min_mm;
+  ink.width_map.max_mm = medium->line.max_mm;
+  ink.width_map.gamma = medium->line.gamma;
+  return drawn_with(*medium, std::move(ink));
+}
+
 }  // namespace
 
 std::vector<Example> examples() {
@@ -58,11 +72,7 @@ std::vector<Example> examples() {
 Document example_document(const QString& id) {
   const Source source = source_of(id);
   WritingHand hand({.seed = 3});
-  InkFitOptions options;
-  options.width_map.min_mm = kFineMm;
-  options.width_map.max_mm = kBroadMm;
-  options.width_map.gamma = kGamma;
-  InkFitter fitter(options);
+  InkFitter fitter(first_ink());
   std::vector<StrokePtr> strokes;
   for (const Gesture& gesture : source.gestures) {
     fitter.begin();

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "desktop/engine/first_options.h"
 #include "desktop/help/examples.h"
 
 namespace felt::desktop::tour_window_test {
@@ -61,7 +62,12 @@ TEST(TourWindow, KeysPauseAndLeaf) {
 TEST(Examples, AreDrawings) {
   for (const Example& example : examples()) {
     EXPECT_FALSE(example.title.isEmpty());
-    EXPECT_GT(example_document(example.id).stroke_count(), 10U) << example.id.toStdString();
+    SCOPED_TRACE(example.id.toStdString());
+    const Document drawing = example_document(example.id);
+    EXPECT_GT(drawing.stroke_count(), 10U);
+    for (const StrokeId id : drawing.layers()[0].strokes) {
+      EXPECT_EQ(drawing.stroke(id)->medium(), kFirstMedium) << "as the first line drawn on it";
+    }
   }
   EXPECT_EQ(example_document(QStringLiteral("no such")).stroke_count(), 0U);
 }
