@@ -66,7 +66,7 @@ TEST(Examples, AreDrawings) {
     const Document drawing = example_document(example.id);
     EXPECT_GT(drawing.stroke_count(), 10U);
     for (const StrokeId id : drawing.layers()[0].strokes) {
-      EXPECT_EQ(drawing.stroke(id)->medium(), kFirstMedium) << "as the first line drawn on it";
+      EXPECT_EQ(drawing.find(id)->medium(), kFirstMedium) << "as the first line drawn on it";
     }
   }
   EXPECT_EQ(example_document(QStringLiteral("no such")).stroke_count(), 0U);
