@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "felt/autosave/folder_lock.h"
 #include "felt/studies/simulate_study.h"
 #include "felt/studies/trial_setup.h"
 #include "interrupt.h"
@@ -34,14 +35,14 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-/// Reads and checks the study, and creates the folder for its results.
-Result<StudyFolder> create_folder(const SimulateArguments& args, const StylusPreset& device) {
+/// Reads and checks the study, and opens or creates the folder for its results.
+Result<StudyFolder> open_folder(const SimulateArguments& args, const StylusPreset& device) {
   Result<StudyFiles> files = read_study_files(args.study);
   if (!files) return tl::unexpected(files.error());
   const Result<void> possible =
       check_conditions(*files, Materials::built_in(), device.capabilities, args.study);
   if (!possible) return tl::unexpected(possible.error());
-  return StudyFolder::create(args.folder, *std::move(files));
+  return StudyFolder::open_or_create(args.folder, *std::move(files));
 }
 
 struct TrialCounts {
@@ -63,8 +64,10 @@ Result<TrialCounts> count_trials(const StudyFolder& folder) {
 
 void run_simulate(const SimulateArguments& args, Console& console) {
   const StylusPreset& device = *find_stylus_preset(args.device);
-  Result<StudyFolder> folder = create_folder(args, device);
+  Result<StudyFolder> folder = open_folder(args, device);
   if (!folder) return console.error(folder.error().message);
+  const Result<FolderLock> lock = FolderLock::take(folder->path());
+  if (!lock) return console.error(lock.error().message);
   const Interrupt interrupt;
   const auto progress = [&console](double share) {
     console.status(fmt::format("simulating {:.1f} %", 100.0 * share));
@@ -79,7 +82,8 @@ void run_simulate(const SimulateArguments& args, Console& console) {
   print("{}: {} people, {} trials, {} of them invalid\n", args.folder, counts->people,
         counts->trials, counts->invalid);
   if (Interrupt::was_asked()) {
-    console.error("interrupted; the folder has the trials that were finished");
+    console.error(
+        "interrupted; the folder has the finished trials, and the same command does the rest");
   }
 }
 
@@ -89,7 +93,7 @@ void add_simulate(CLI::App& trial, Console& console) {
   command->add_option("STUDY", args->study, "The study, a .toml file")->required();
   command
       ->add_option("-o,--output", args->folder,
-                   "The folder for the results; it must be new or empty")
+                   "The folder for the results: new, empty, or with a part of the same results")
       ->required();
   command->add_option("--people", args->people, "Number of simulated people")
       ->check(CLI::Range(1, kMaxParticipants))
@@ -103,7 +107,7 @@ void add_simulate(CLI::App& trial, Console& console) {
   command->footer(
       "Simulated people do not learn and do not answer questionnaires. Ctrl-C ends early and "
       "keeps\n"
-      "the finished trials.\n" +
+      "the finished trials; the same command continues.\n" +
       examples(kSimulateExamples));
   command->callback([args, &console] { run_simulate(*args, console); });
 }

@@ -21,9 +21,12 @@ void export_results(const TrialExportArguments& args, Console& console) {
     console.status(fmt::format("exporting: {:.0f} %", 100.0 * share));
     return !Interrupt::was_asked();
   };
-  const Result<void> done = export_study(*folder, args.out, progress);
+  const Result<std::vector<std::string>> done = export_study(*folder, args.out, progress);
   console.end_progress();
   if (!done) return console.error(done.error().message);
+  for (const std::string& session : *done) {
+    console.notice(args.folder + ": unfinished: " + session);
+  }
   print("{}\n", args.out);
 }
 

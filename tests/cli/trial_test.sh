@@ -38,9 +38,22 @@ diff -r results again >/dev/null || fail "the same seed gives other bytes"
 run 0 "$feltline" trial simulate small.toml --people 2 --seed 2 -o other
 cmp -s $trial "other/${trial#*/}" && fail "another seed gives the same line"
 
-# A folder with files is not overwritten.
+# The same command again changes nothing; more people come after those who are there.
+run 0 "$feltline" trial simulate small.toml --people 2 -o results
+diff -r results again >/dev/null || fail "the folder changed"
+run 0 "$feltline" trial simulate small.toml --people 1 -o one
+run 0 "$feltline" trial simulate small.toml --people 2 -o one
+diff -r one again >/dev/null || fail "a second person later is another person"
+
+# A folder with other files, another study or other people is not overwritten.
+mkdir full && touch full/notes
+run 1 "$feltline" trial simulate small.toml -o full
+has err "full: not a folder with the results of a study"
+run 1 "$feltline" trial simulate small.toml --people 1 --seed 2 -o results
+has err "results: participant 1 is someone else there"
+echo >>small.toml
 run 1 "$feltline" trial simulate small.toml --people 1 -o results
-has err "results: exists and is not empty"
+has err "results: has the results of another study"
 diff -r results again >/dev/null || fail "the folder changed"
 
 # Errors in a study name the line and the key, and no folder is made.
@@ -84,7 +97,7 @@ for signal in INT KILL; do
   wait $! 2>/dev/null || code=$?
   if [ "$signal" = INT ]; then
     [ "$code" = 1 ] || fail "exit code $code after Ctrl-C"
-    has stopped.err "interrupted; the folder has the trials that were finished"
+    has stopped.err "interrupted; the folder has the finished trials"
     has stopped.out "INT: 1 people"
   fi
   sed -n 's/.*"recording":"\([^"]*\)".*/\1/p' "$signal/participant-0001/train/session.json" >listed

@@ -17,6 +17,16 @@ while IFS= read -r recording; do
   same "results/$recording" "export/recordings/$recording"
 done < <(cd results && find . -name '*.felt' | LC_ALL=C sort)
 
+# What is missing is said: a session with a listed trial less.
+cp -r results partly
+session=partly/participant-0002/train/session.json
+sed -i -z 's/,\n{"trial":10,[^}]*}//' $session
+run 0 "$feltline" trial export partly -o part
+has err "partly: unfinished: participant 2, train: 9 of 10 trials"
+has part/report.html "participant 2, train: 9 of 10 trials"
+is_missing=$(grep -c "Unfinished" export/report.html)
+[ "$is_missing" = 0 ] || fail "a finished study is said to be unfinished"
+
 # An export is complete or does not exist, and replaces nothing.
 run 1 "$feltline" trial export results -o export
 has err "export: exists already"

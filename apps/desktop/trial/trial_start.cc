@@ -34,28 +34,6 @@ Result<SessionKind> session_of(const TrialRequest& request) {
               "--session: '" + name + "' is not one of pre, train, post, retention, transfer");
 }
 
-/// Compares two studies, byte for byte. The name of the study itself may differ.
-bool are_equal(const StudyFiles& a, const StudyFiles& b) {
-  return a.sources.front().second == b.sources.front().second &&
-         std::equal(a.sources.begin() + 1, a.sources.end(), b.sources.begin() + 1, b.sources.end());
-}
-
-Result<StudyFolder> open_results(const std::string& path, const std::string& study,
-                                 StudyFiles files) {
-  std::error_code error;
-  const bool is_new =
-      !std::filesystem::exists(path, error) ||
-      (std::filesystem::is_directory(path, error) && std::filesystem::is_empty(path, error));
-  if (is_new) return StudyFolder::create(path, std::move(files));
-  Result<StudyFolder> folder = StudyFolder::open(path);
-  if (!folder || are_equal(folder->files(), files)) return folder;
-  return fail(ErrorCode::kInvalidArgument,
-              path +
-                  ": has the results of another study: its study.toml, or a file that it names, "
-                  "differs from " +
-                  study + ". Use another folder.");
-}
-
 tl::unexpected<Error> finished(const TrialRequest& request) {
   return fail(ErrorCode::kInvalidArgument, request.folder.toStdString() + ": participant " +
                                                std::to_string(request.participant) +
@@ -129,7 +107,8 @@ Result<TrialSetup> prepare_trials(const TrialRequest& request, const QString& de
     error.message += " (device: " + device_label.toStdString() + ")";
     return tl::unexpected(std::move(error));
   }
-  Result<StudyFolder> folder = open_results(request.folder.toStdString(), study, *std::move(files));
+  Result<StudyFolder> folder =
+      StudyFolder::open_or_create(request.folder.toStdString(), *std::move(files));
   if (!folder) return tl::unexpected(folder.error());
   Result<FolderLock> lock = FolderLock::take(folder->path());
   if (!lock) return tl::unexpected(lock.error());

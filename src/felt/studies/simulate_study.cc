@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -193,11 +194,15 @@ class SessionRun {
              std::function<bool()> finished_trial)
       : folder_(folder), options_(options), finished_trial_(std::move(finished_trial)) {}
 
-  /// Returns false if the simulation shall end.
+  /// Draws the trials that the session does not have yet. Returns false if the simulation shall
+  /// end.
   Result<bool> run(StudySession session) {
     const std::size_t ahead = std::max(1U, std::thread::hardware_concurrency()) + 1;
     const Person person = person_of(*session.info.person_seed);
-    const std::vector<PlannedTrial> plan = session.plan;
+    const std::vector<PlannedTrial> plan = open_trials(session);
+    for (std::size_t i = plan.size(); i < session.plan.size(); ++i) {
+      if (!finished_trial_()) return false;
+    }
     std::deque<std::future<SimulatedTrial>> running;
     for (std::size_t next = 0; next < plan.size() || !running.empty();) {
       if (next < plan.size() && running.size() < ahead) {
@@ -211,6 +216,7 @@ class SessionRun {
       running.pop_front();
       if (!drawn) return tl::unexpected(drawn.error());
       for (SimulatedAttempt& attempt : *drawn) {
+        if (attempt.result.attempt <= attempts_of(session, attempt.result.trial).last) continue;
         Result<void> saved = folder_.add_trial(session, std::move(attempt.result), attempt.drawing);
         if (!saved) return tl::unexpected(saved.error());
       }
@@ -220,10 +226,30 @@ class SessionRun {
   }
 
  private:
+  [[nodiscard]] std::vector<PlannedTrial> open_trials(const StudySession& session) const {
+    const CatchRules& rules = folder_.files().study.catch_rules;
+    std::vector<PlannedTrial> open;
+    std::copy_if(session.plan.begin(), session.plan.end(), std::back_inserter(open),
+                 [&](const PlannedTrial& trial) {
+                   return !attempts_of(session, trial.number).is_done(rules);
+                 });
+    return open;
+  }
+
   StudyFolder& folder_;
   const SimulateOptions& options_;
   std::function<bool()> finished_trial_;
 };
+
+/// Begins a session, or continues the same one.
+Result<StudySession> begin(StudyFolder& folder, const SessionInfo& info) {
+  Result<StudySession> session = folder.begin_session(info);
+  if (!session || session->info == info) return session;
+  return fail(ErrorCode::kInvalidArgument,
+              folder.path() + ": participant " + std::to_string(info.participant) +
+                  " is someone else there: a real person, or one simulated with another seed, "
+                  "device or version of Feltline. Use another folder.");
+}
 
 }  // namespace
 
@@ -248,11 +274,11 @@ Result<void> simulate_study(StudyFolder& folder, const SimulateOptions& options,
     const std::uint64_t person_seed = seeds.bits();
     for (const SessionKind kind : study.sessions) {
       Result<StudySession> session =
-          folder.begin_session({.participant = static_cast<int>(i) + 1,
-                                .session = kind,
-                                .device = "simulated " + std::string(options.device.name),
-                                .program = options.program,
-                                .person_seed = person_seed});
+          begin(folder, {.participant = static_cast<int>(i) + 1,
+                         .session = kind,
+                         .device = "simulated " + std::string(options.device.name),
+                         .program = options.program,
+                         .person_seed = person_seed});
       if (!session) return tl::unexpected(session.error());
       const Result<bool> goes_on = run.run(*std::move(session));
       if (!goes_on) return tl::unexpected(goes_on.error());

@@ -22,7 +22,9 @@ struct SimulateOptions {
 /// a trial of a real participant. Simulated people do not learn, and do not answer questions. They
 /// plan the movement of a towed nib, but look at the pen, and do not correct the nib.
 ///
-/// The same study, options and machine give the same files. `progress` receives the finished share,
+/// The same study, options and machine give the same files. Trials that the folder already has are
+/// kept, so that an interrupted simulation can be continued, or extended by more people. Fails if
+/// the folder has the session of another person. `progress` receives the finished share,
 /// 0..1, after each trial; if it returns false, the simulation ends early, and the folder keeps the
 /// finished trials. Fails if a condition cannot be made (check_conditions()) or a file cannot be
 /// written.

@@ -53,6 +53,41 @@ TEST_F(SimulateStudyTest, EveryPersonDrawsEveryTrial) {
   }
 }
 
+TEST_F(SimulateStudyTest, AnInterruptedSimulationIsContinuedToTheSameFiles) {
+  simulate("whole", options());
+  StudyFolder folder = StudyFolder::create(path("parts"), small_study()).value();
+  int trials = 0;
+  for (bool goes_on = true; goes_on;) {  // each run ends after two trials more
+    const int before = trials;
+    int seen = 0;
+    ASSERT_TRUE(simulate_study(folder, options(), [&](double) { return ++seen < before + 2; }));
+    trials = 0;
+    const std::vector<StudySession> sessions = folder.sessions().value();
+    for (const StudySession& session : sessions) {
+      trials += static_cast<int>(session.results.size());
+    }
+    goes_on = trials > before;
+  }
+  const StudyFolder whole = StudyFolder::open(path("whole")).value();
+  const std::vector<StudySession> wanted = whole.sessions().value();
+  EXPECT_EQ(folder.sessions().value(), wanted);
+  for (const StudySession& session : wanted) {
+    for (const TrialResult& result : session.results) {
+      EXPECT_EQ(read_regular_file(folder.file_of(session.info, result.recording), 1 << 24).value(),
+                read_regular_file(whole.file_of(session.info, result.recording), 1 << 24).value());
+    }
+  }
+}
+
+TEST_F(SimulateStudyTest, OtherPeopleDoNotContinueAFolder) {
+  StudyFolder folder = simulate("out", options(1));
+  SimulateOptions others = options(1);
+  others.seed = 2;
+  const Result<void> done = simulate_study(folder, others);
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, HasSubstr("participant 1 is someone else there"));
+}
+
 TEST_F(SimulateStudyTest, ARecordingGivesTheSameDrawing) {
   const StudyFolder folder = simulate("out", options(1));
   const StudySession session = folder.sessions().value().at(0);

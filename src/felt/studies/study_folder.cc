@@ -72,12 +72,41 @@ Result<std::vector<int>> participants_in(const std::string& path) {
   return participants;
 }
 
+bool have_equal_sources(const StudyFiles& a, const StudyFiles& b) {
+  return a.sources.front().second == b.sources.front().second &&
+         std::equal(a.sources.begin() + 1, a.sources.end(), b.sources.begin() + 1, b.sources.end());
+}
+
 bool exists(const std::string& path) {
   std::error_code error;
   return std::filesystem::exists(path, error);
 }
 
 }  // namespace
+
+bool TrialAttempts::is_done(const CatchRules& rules) const noexcept {
+  return has_valid || invalid > (rules.action == CatchAction::kRepeat ? rules.max_repeats : 0);
+}
+
+TrialAttempts attempts_of(const StudySession& session, int trial) {
+  TrialAttempts all;
+  for (const TrialResult& result : session.results) {
+    if (result.trial != trial) continue;
+    all.last = std::max(all.last, result.attempt);
+    if (result.invalid == kInterrupted) continue;
+    all.has_valid = all.has_valid || result.invalid.empty();
+    if (!result.invalid.empty()) ++all.invalid;
+    all.broken_rule = result.invalid;
+  }
+  return all;
+}
+
+std::size_t done_trials(const StudySession& session, const CatchRules& rules) {
+  return static_cast<std::size_t>(
+      std::count_if(session.plan.begin(), session.plan.end(), [&](const PlannedTrial& trial) {
+        return attempts_of(session, trial.number).is_done(rules);
+      }));
+}
 
 StudyFolder::StudyFolder(std::string path, StudyFiles files)
     : path_(std::move(path)), files_(std::move(files)) {
@@ -100,6 +129,20 @@ Result<StudyFolder> StudyFolder::create(const std::string& path, StudyFiles file
     if (!saved) return tl::unexpected(saved.error());
   }
   return folder;
+}
+
+Result<StudyFolder> StudyFolder::open_or_create(const std::string& path, StudyFiles files) {
+  std::error_code error;
+  const bool is_new = !exists(path) || (std::filesystem::is_directory(path, error) &&
+                                        std::filesystem::is_empty(path, error));
+  if (is_new) return create(path, std::move(files));
+  Result<StudyFolder> folder = open(path);
+  if (!folder || have_equal_sources(folder->files_, files)) return folder;
+  return fail(ErrorCode::kInvalidArgument,
+              path +
+                  ": has the results of another study: its study.toml, or a file that it names, "
+                  "differs from " +
+                  files.sources.front().first + ". Use another folder.");
 }
 
 Result<StudyFolder> StudyFolder::open(const std::string& path) {

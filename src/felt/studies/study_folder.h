@@ -65,6 +65,21 @@ struct ItemRange {
 /// Returns 0 to 100 for the NASA-TLX. Returns 1 to 7 for the UEQ-S; 1 is the left end of the scale.
 ItemRange item_range(Questionnaire form) noexcept;
 
+/// The attempts at one trial of a session.
+struct TrialAttempts {
+  int last = 0;             ///< the number of the last attempt; 0 if there is none
+  int invalid = 0;          ///< how many broke a catch rule
+  bool has_valid = false;   ///< one attempt broke no rule and was not interrupted
+  std::string broken_rule;  ///< by the last attempt that was not interrupted
+
+  /// Returns true if the trial needs no further attempt.
+  [[nodiscard]] bool is_done(const CatchRules& rules) const noexcept;
+};
+TrialAttempts attempts_of(const StudySession& session, int trial);
+
+/// Returns the number of trials of a session that need no further attempt.
+std::size_t done_trials(const StudySession& session, const CatchRules& rules);
+
 /// The folder with the results of a study. Format: docs/formats/study-folder.md. Nothing that was
 /// added is changed later: a session that exists is continued, not replaced. Use it from one thread
 /// and one program at a time.
@@ -75,6 +90,11 @@ class StudyFolder {
   static Result<StudyFolder> create(const std::string& path, StudyFiles files);
   /// Opens a folder that create() made. Fails if it is not the folder of a study.
   static Result<StudyFolder> open(const std::string& path);
+
+  /// Creates the folder if it does not exist or is empty. Otherwise opens it; fails if its study,
+  /// or a file that the study names, differs from `files` by one byte. The name of the study's file
+  /// may differ.
+  static Result<StudyFolder> open_or_create(const std::string& path, StudyFiles files);
 
   [[nodiscard]] const StudyFiles& files() const noexcept { return files_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }

@@ -17,6 +17,7 @@
 #include "felt/studies/export/study_report.h"
 #include "felt/studies/export/study_results.h"
 #include "felt/studies/measured_trial.h"
+#include "felt/studies/session_file.h"
 
 namespace felt {
 namespace {
@@ -188,8 +189,8 @@ std::vector<ExportFile> summary_files(const StudyResults& results) {
 
 }  // namespace
 
-Result<void> export_study(const StudyFolder& folder, const std::string& out,
-                          const std::function<bool(double)>& progress) {
+Result<std::vector<std::string>> export_study(const StudyFolder& folder, const std::string& out,
+                                              const std::function<bool(double)>& progress) {
   const Result<std::vector<StudySession>> sessions = folder.sessions();
   if (!sessions) return tl::unexpected(sessions.error());
   Result<FolderInProgress> target = FolderInProgress::create(out);
@@ -206,13 +207,23 @@ Result<void> export_study(const StudyFolder& folder, const std::string& out,
   for (const StudySession& session : *sessions) {
     if (Result<void> written = export_session(folder, session, *target, report_share, results);
         !written) {
-      return written;
+      return tl::unexpected(written.error());
+    }
+    const std::size_t drawn = done_trials(session, results.files.study.catch_rules);
+    if (drawn < session.plan.size()) {
+      results.unfinished.push_back("participant " + std::to_string(session.info.participant) +
+                                   ", " + std::string(session_name(session.info.session)) + ": " +
+                                   std::to_string(drawn) + " of " +
+                                   std::to_string(session.plan.size()) + " trials");
     }
   }
   for (const ExportFile& file : summary_files(results)) {
-    if (Result<void> written = target->write(file.path, file.bytes); !written) return written;
+    if (Result<void> written = target->write(file.path, file.bytes); !written) {
+      return tl::unexpected(written.error());
+    }
   }
-  return target->commit();
+  if (Result<void> named = target->commit(); !named) return tl::unexpected(named.error());
+  return std::move(results.unfinished);
 }
 
 }  // namespace felt

@@ -58,6 +58,13 @@ void add_introduction(const StudyResults& results, Report& report) {
         "These people are simulated: they show that the method works, and how forces act on a "
         "model of a hand; they do not show what people would do."});
   }
+  if (!results.unfinished.empty()) {
+    std::string rest = "Unfinished, so that trials are missing here: ";
+    for (const std::string& session : results.unfinished) {
+      rest += (&session == &results.unfinished.front() ? "" : "; ") + session;
+    }
+    report.push_back(ReportText{rest + "."});
+  }
   report.push_back(ReportText{
       "Error is the mean distance between the drawn line and the shape, in mm (err_mean_mm in "
       "trials.csv). The value of a participant is the mean over shapes. Brackets contain 95 % "

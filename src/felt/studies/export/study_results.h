@@ -35,6 +35,7 @@ struct StudyResults {
   StudyFiles files = {};
   std::vector<MeasuredTrial> trials = {};
   std::vector<GivenAnswers> answers = {};
+  std::vector<std::string> unfinished = {};  ///< as in the result of export_study()
 
   [[nodiscard]] const StudyCondition& condition_of(const PlannedTrial& plan) const {
     return files.study.conditions[plan.condition];
