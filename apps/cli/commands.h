@@ -14,6 +14,7 @@ void add_fit_command(CLI::App& app, Console& console);
 void add_render_command(CLI::App& app, Console& console);
 void add_convert_command(CLI::App& app, Console& console);
 void add_gather_command(CLI::App& app, Console& console);
+void add_check_command(CLI::App& app, Console& console);
 void add_info_command(CLI::App& app, Console& console);
 void add_formats_command(CLI::App& app);
 void add_bench_command(CLI::App& app, Console& console);

@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit render convert gather info formats replay recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit render convert gather check info formats replay recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -8,6 +8,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a fit -d
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a gather -d 'Press each bundle of rough strokes into one line'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a check -d 'Name what a fingertip could not tell apart in a raised drawing'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Describe the contents of a file'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a formats -d 'List file formats and what each of them keeps'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay -d 'Play events or pen strokes through a simulated pen'
@@ -26,6 +27,9 @@ set -l makes_output fit render convert gather replay
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Output file'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'felt svg inkml xopp ndjson pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
+complete -c feltline -n '__fish_seen_subcommand_from check' -l tactile -d 'Check the rules for raised lines'
+complete -c feltline -n '__fish_seen_subcommand_from check' -l embossed -d 'Lines may be 3.2 mm apart'
+complete -c feltline -n '__fish_seen_subcommand_from check' -l csv -d 'Print a table'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l all -d 'Gather all strokes of the drawing, layer by layer'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l groups -r -F -d 'Also write the group of each stroke, as .csv'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l width -x -a 'median strip' -d 'Width of a gathered line'

@@ -1,0 +1,103 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <vector>
+
+#include "commands.h"
+#include "felt/formats/format_traits.h"
+#include "felt/tactile/tactile_check.h"
+#include "input.h"
+#include "print.h"
+#include "sketch_input.h"
+
+namespace felt::cli {
+namespace {
+
+struct CheckArguments {
+  std::string input;
+  bool tactile = false;
+  bool embossed = false;
+  bool csv = false;
+};
+
+std::string_view rule_name(const TactileFault& fault) {
+  return kTactileRuleNames[static_cast<std::size_t>(fault.rule)];
+}
+
+/// Describes a fault in one line, without its position.
+std::string words_of(const TactileFault& f) {
+  switch (f.rule) {
+    case TactileRule::kGap:
+      return fmt::format("{:.1f} mm between lines, for {:.0f} mm; at least {:.1f} mm", f.measured,
+                         f.length_mm, f.limit);
+    case TactileRule::kSmallShape:
+      return fmt::format("a shape of {:.1f} mm; at least {:.1f} mm, or a dot", f.measured, f.limit);
+    case TactileRule::kShortSide:
+      return fmt::format("a side of {:.1f} mm; at least {:.1f} mm", f.measured, f.limit);
+    case TactileRule::kNarrowArea:
+      return fmt::format("an area {:.1f} mm wide; at least {:.1f} mm", f.measured, f.limit);
+    case TactileRule::kLineStyles:
+      return fmt::format("{:.0f} widths of lines; at most {:.0f}", f.measured, f.limit);
+    case TactileRule::kAreaStyles:
+      return fmt::format("areas of {:.0f} colours, which feel the same", f.measured);
+    case TactileRule::kSize:
+      return fmt::format("{:.0f} mm long or wide; at most {:.0f} mm (A4)", f.measured, f.limit);
+  }
+  return {};
+}
+
+void print_faults(const std::string& name, const std::vector<TactileFault>& faults) {
+  for (const TactileFault& f : faults) {
+    print("{}: {:.1f},{:.1f}: {}: {}\n", name, f.at.x, f.at.y, rule_name(f), words_of(f));
+  }
+  if (faults.empty()) print("{}: no faults\n", name);
+}
+
+void print_csv(const std::vector<TactileFault>& faults) {
+  print("rule,x_mm,y_mm,measured,limit,length_mm,stroke,other\n");
+  const auto id = [](StrokeId stroke) {
+    return stroke.value == 0 ? std::string() : std::to_string(stroke.value);
+  };
+  for (const TactileFault& f : faults) {
+    print("{},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{},{}\n", rule_name(f), f.at.x, f.at.y, f.measured,
+          f.limit, f.length_mm, id(f.stroke), id(f.other));
+  }
+}
+
+void run_check(const CheckArguments& args, Console& console) {
+  const Result<Input> input = Input::open(args.input);
+  if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
+  const Result<Imported> opened = input->read_drawing({});
+  if (!opened) return console.error(input->name() + ": " + opened.error().message);
+  if (!report_notices(input->name(), opened->report, console)) return;
+  TactileLimits limits;
+  if (args.embossed) limits.gap_mm = TactileLimits::kEmbossedGapMm;
+  const Result<std::vector<TactileFault>> faults = check_tactile(opened->drawing.document, limits);
+  if (!faults) return console.error(input->name() + ": " + faults.error().message);
+  args.csv ? print_csv(*faults) : print_faults(input->name(), *faults);
+  if (!faults->empty()) console.set_failed();
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Console& console) {
+  CLI::App* command =
+      app.add_subcommand("check", "Name what a fingertip could not tell apart in a raised drawing");
+  const auto args = std::make_shared<CheckArguments>();
+  command
+      ->add_option("IN", args->input,
+                   "A sketch, or raw pen strokes ('-' is stdin). Its format is detected from its "
+                   "content: " +
+                       readable_names())
+      ->required();
+  command->add_flag("--tactile", args->tactile, "Check the rules for raised lines")->required();
+  command->add_flag("--embossed", args->embossed,
+                    "Lines may be 3.2 mm apart, as embossers print them; swell paper needs 6.4 mm");
+  command->add_flag("--csv", args->csv, "Print a table: rule, position, measure, limit, strokes");
+  command->footer("The exit code is 1 if there is a fault. The rules: docs/guide/tactile.md.\n" +
+                  examples("feltline check --tactile map.felt\n"
+                           "feltline check --tactile --csv map.svg >faults.csv"));
+  command->callback([args, &console] { run_check(*args, console); });
+}
+
+}  // namespace felt::cli
