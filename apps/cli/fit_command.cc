@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "felt/formats/format_traits.h"
+#include "felt/io/import.h"
 #include "felt/material/materials.h"
 #include "felt/tools/medium_line.h"
 #include "fit_source.h"
@@ -60,9 +61,10 @@ std::string check_medium(const std::string& id) {
 
 void add_width_options(CLI::App& command, FitArguments& args) {
   command
-      .add_option(
-          "--medium,--material", args.medium,
-          "Medium of the lines; it sets widths, tone and response to tilt: " + media_names())
+      .add_option("--medium,--material", args.medium,
+                  "Medium of the lines; it sets widths, tone and response to tilt [ink-pen, with "
+                  "other widths]: " +
+                      media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(
@@ -93,7 +95,7 @@ InkFitOptions ink_of(const FitArguments& args) {
                                  widths.min_mm));
   }
   ink.width.max_mm = std::max(ink.width.max_mm, widths.max_mm);
-  return medium ? drawn_with(*medium, std::move(ink)) : ink;
+  return medium ? drawn_with(*medium, std::move(ink)) : solid_fit(std::move(ink));
 }
 
 void add_options(CLI::App& command, FitArguments& args) {

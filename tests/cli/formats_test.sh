@@ -37,20 +37,22 @@ same headed.png p.png
 
 # A picture shows the grain of the surface, and each run gives the same picture (R47). Without a surface
 # the ink is solid. On a smooth surface it looks as the medium does there.
-run 0 "$feltline" render a.ndjson -o g1.png --dpi 50 --paper transparent --surface paper
-run 0 "$feltline" fit in.ndjson -o g2.png --dpi 50 --paper transparent --surface paper
+run 0 "$feltline" fit in.ndjson -o dry.ndjson --medium pencil
+run 0 "$feltline" render dry.ndjson -o solid.png --dpi 50 --paper transparent
+run 0 "$feltline" render dry.ndjson -o g1.png --dpi 50 --paper transparent --surface paper
+run 0 "$feltline" fit in.ndjson -o g2.png --medium pencil --dpi 50 --paper transparent --surface paper
 same g1.png g2.png
-! cmp -s g1.png p.png || fail "no grain"
-run 0 "$feltline" render a.ndjson -o glass.png --dpi 50 --paper transparent --surface glass
-! cmp -s glass.png p.png || fail "no medium on glass"
+! cmp -s g1.png solid.png || fail "no grain"
+run 0 "$feltline" render dry.ndjson -o glass.png --dpi 50 --paper transparent --surface glass
+! cmp -s glass.png solid.png || fail "no medium on glass"
 ! cmp -s glass.png g1.png || fail "glass with grain"
 
 # With --grain an .svg and a .pdf show the grain too. Masks make the grain; the outlines are the same as
 # without it, and the .svg is read back as the same drawing. A .png uses the surface that the drawing
 # names.
-run 0 "$feltline" convert a.ndjson -o page.felt --page A4
+run 0 "$feltline" convert dry.ndjson -o page.felt --page A4
 run 0 "$feltline" convert page.felt -o solid.svg
-run 0 "$feltline" convert a.ndjson -o grain.svg --page A4 --grain --surface rough-paper --grain-dpi 60
+run 0 "$feltline" convert dry.ndjson -o grain.svg --page A4 --grain --surface rough-paper --grain-dpi 60
 has grain.svg '<mask id="grain1" maskUnits="userSpaceOnUse"'
 sed -e '/^<defs><mask /d' -e 's/mask="url(#grain[0-9]*)" //' grain.svg >unmasked.svg
 [ "$(grep -c '<path id=' unmasked.svg)" = 20 ] || fail "paths are missing"
@@ -59,8 +61,8 @@ run 0 "$feltline" convert grain.svg -o grain_back.ndjson
 is_empty err
 run 0 "$feltline" convert solid.svg -o solid_back.ndjson
 same grain_back.ndjson solid_back.ndjson
-run 0 "$feltline" convert a.ndjson -o solid.pdf --page A4
-run 0 "$feltline" convert a.ndjson -o grain.pdf --page A4 --grain-mask --surface rough-paper --grain-dpi 60
+run 0 "$feltline" convert dry.ndjson -o solid.pdf --page A4
+run 0 "$feltline" convert dry.ndjson -o grain.pdf --page A4 --grain-mask --surface rough-paper --grain-dpi 60
 grep -qa '/S /Luminosity' grain.pdf || fail "no grain in the .pdf"
 ! grep -qa 'Luminosity' solid.pdf || fail "grain that nobody asked for"
 run 2 "$feltline" convert a.ndjson -o r.svg --grain --grain-dpi 5
@@ -106,7 +108,7 @@ run 0 "$feltline" convert page.felt -o small.svg --compact
 [ "$(grep -c '<path' small.svg)" = 21 ] || fail "20 strokes and the paper make 21 paths"
 ! grep -q 'felt:\|inkscape' small.svg || fail "a compact .svg has data of ours"
 [ $((2 * $(stat -c %s small.svg))) -lt "$(stat -c %s solid.svg)" ] || fail "a compact .svg is not small"
-run 0 "$feltline" convert a.ndjson -o small2.svg --compact --page A4 --paper white
+run 0 "$feltline" convert dry.ndjson -o small2.svg --compact --page A4 --paper white
 same small2.svg small.svg
 run 2 "$feltline" convert page.felt -o r.pdf --compact
 run 2 "$feltline" convert page.felt -o r.svg --compact --grain

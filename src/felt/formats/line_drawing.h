@@ -15,11 +15,11 @@
 namespace felt {
 
 /// Makes a stroke from a line of JSON (docs/formats/ndjson.md). Reads a fitted stroke exactly as
-/// given, and fits a stroke to raw pen samples (in mm). One object can read many lines; each result
-/// depends only on its line. Not thread-safe.
+/// given, and fits a stroke to raw pen samples (in mm), of kSolidMedium (solid_fit()). One object
+/// can read many lines; each result depends only on its line. Not thread-safe.
 class LineStrokes {
  public:
-  explicit LineStrokes(const InkFitOptions& fit = {}) : fitter_(fit) {}
+  explicit LineStrokes(const InkFitOptions& fit = {}) : fitter_(solid_fit(fit)) {}
 
   /// Returns the stroke of a line, or nullopt for a header. The id of the stroke is "" if the line
   /// has no id. Fails if the line is not a stroke.
