@@ -7,7 +7,7 @@ namespace felt {
 namespace {
 
 constexpr double kSpeedTimeS = 0.05;
-constexpr double kFastMmPerS = 300.0;
+constexpr double kSlowMmPerS = 5.0, kFastMmPerS = 120.0;
 constexpr double kSlowPressure = 0.8, kFastPressure = 0.2;
 constexpr double kMinTouchPressure = 1e-3;  // pressure of a touching pen
 
@@ -28,7 +28,8 @@ double PointerHand::pressure_of(const PointerEvent& event) noexcept {
     return std::clamp(*event.pressure, kMinTouchPressure, 1.0);
   }
   if (mouse_ == MousePressure::kConstant) return options_.absent_pressure;
-  const double part = std::min(speed_mm_per_s_ / kFastMmPerS, 1.0);
+  const double speed = std::clamp(speed_mm_per_s_, kSlowMmPerS, kFastMmPerS);
+  const double part = std::log(speed / kSlowMmPerS) / std::log(kFastMmPerS / kSlowMmPerS);
   return kSlowPressure + part * (kFastPressure - kSlowPressure);
 }
 

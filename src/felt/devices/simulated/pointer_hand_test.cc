@@ -86,7 +86,7 @@ TEST(PointerHand, R18_AMouseHasConstantOrSpeedPressure) {
 
   PointerHand by_speed(stylus, options, MousePressure::kBySpeed);
   double last = 1.0;
-  for (const double speed : {0.0, 50.0, 150.0, 290.0, 2000.0}) {
+  for (const double speed : {0.0, 10.0, 24.0, 60.0, 110.0, 2000.0}) {
     for (int i = 0; i < 100; ++i) {
       by_speed.point(
           {.time_ns = i * 8 * kMs, .position = {speed * 0.008 * i, 0}, .touching = true});
@@ -95,6 +95,9 @@ TEST(PointerHand, R18_AMouseHasConstantOrSpeedPressure) {
     EXPECT_GE(by_speed.pressure(), 0.2 - 1e-12);
     EXPECT_LE(by_speed.pressure(), 0.8 + 1e-12);
     last = by_speed.pressure();
+    if (speed == 24.0) {
+      EXPECT_NEAR(last, 0.5, 0.01) << "lines are as wide as with constant pressure";
+    }
   }
 }
 
