@@ -13,6 +13,12 @@ constexpr double kMinTouchPressure = 1e-3;  // pressure of a touching pen
 
 }  // namespace
 
+double pressure_by_speed(double mm_per_s) noexcept {
+  const double speed = std::clamp(mm_per_s, kSlowMmPerS, kFastMmPerS);
+  const double part = std::log(speed / kSlowMmPerS) / std::log(kFastMmPerS / kSlowMmPerS);
+  return kSlowPressure + part * (kFastPressure - kSlowPressure);
+}
+
 double PointerHand::pressure_of(const PointerEvent& event) noexcept {
   if (last_) {
     // Subtracts in double, because the difference of two arbitrary times may not fit into 64 bits.
@@ -28,9 +34,7 @@ double PointerHand::pressure_of(const PointerEvent& event) noexcept {
     return std::clamp(*event.pressure, kMinTouchPressure, 1.0);
   }
   if (mouse_ == MousePressure::kConstant) return options_.absent_pressure;
-  const double speed = std::clamp(speed_mm_per_s_, kSlowMmPerS, kFastMmPerS);
-  const double part = std::log(speed / kSlowMmPerS) / std::log(kFastMmPerS / kSlowMmPerS);
-  return kSlowPressure + part * (kFastPressure - kSlowPressure);
+  return pressure_by_speed(speed_mm_per_s_);
 }
 
 void PointerHand::point(const PointerEvent& event) noexcept {

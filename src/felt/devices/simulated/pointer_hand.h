@@ -27,6 +27,9 @@ enum class MousePressure : std::uint8_t {
   kBySpeed,
 };
 
+/// Returns the pressure of MousePressure::kBySpeed.
+[[nodiscard]] double pressure_by_speed(double mm_per_s) noexcept;
+
 /// Converts each event of a mouse or tablet to an aim of the simulated hand
 /// (docs/design/loop.md#data-flow). On a device that pushes back, pressure sets how far below the
 /// surface the hand aims, so that the hand presses with the force for that pressure. On a device
