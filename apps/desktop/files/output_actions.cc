@@ -60,6 +60,20 @@ QPainterPath path_of(const Stroke& stroke) {
   return path;
 }
 
+QPainterPath path_of(const Fill& fill) {
+  QPainterPath path;
+  path.setFillRule(Qt::OddEvenFill);
+  const auto point = [](const Point& q) { return QPointF(q.x, q.y); };
+  for (const FillLoop& loop : fill.loops) {
+    path.moveTo(point(loop.points.front()));
+    for (std::size_t i = 1; i + 2 < loop.points.size(); i += 3) {
+      path.cubicTo(point(loop.points[i]), point(loop.points[i + 1]), point(loop.points[i + 2]));
+    }
+    path.closeSubpath();
+  }
+  return path;
+}
+
 /// Paints a stroke as a picture of its ink. The picture has the resolution of the stroke's grain
 /// mask.
 void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
@@ -109,21 +123,25 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
   // painted without grain, so that all strokes look alike.
   const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
   if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());
-  std::vector<double> opacities;  // of the layers of the strokes
-  for (const Layer& layer : drawing.document.layers()) {
-    if (layer.visible) opacities.insert(opacities.end(), layer.strokes.size(), layer.opacity);
-  }
   Rasterizer rasterizer;
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    const StrokePtr& stroke = strokes[i];
-    painter.setOpacity(opacities[i]);
-    const auto mask = masks ? masks->of(*stroke).value_or(std::nullopt) : std::nullopt;
-    if (mask) {
-      paint_grained(painter, *stroke, *grain, *mask, rasterizer);
-      continue;
+  for (const Layer& layer : drawing.document.layers()) {
+    if (!layer.visible) continue;
+    painter.setOpacity(layer.opacity);
+    for (const FillId id : layer.fills) {
+      const FillPtr fill = drawing.document.find_fill(id);
+      painter.setBrush(color_of(fill->color));
+      painter.drawPath(path_of(*fill));
     }
-    painter.setBrush(color_of(stroke->color()));
-    painter.drawPath(path_of(*stroke));
+    for (const StrokeId id : layer.strokes) {
+      const StrokePtr stroke = drawing.document.find(id);
+      const auto mask = masks ? masks->of(*stroke).value_or(std::nullopt) : std::nullopt;
+      if (mask) {
+        paint_grained(painter, *stroke, *grain, *mask, rasterizer);
+        continue;
+      }
+      painter.setBrush(color_of(stroke->color()));
+      painter.drawPath(path_of(*stroke));
+    }
   }
   painter.restore();
 }

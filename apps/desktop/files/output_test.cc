@@ -19,8 +19,10 @@
 #include "desktop/files/page_picture.h"
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/base/read_file.h"
+#include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::desktop::output_test {
 namespace {
@@ -164,6 +166,30 @@ TEST(Print, ThePageIsPaintedAtItsTrueSize) {
     }
   }
   EXPECT_LT(sum / (600 * 400), 1.0);
+}
+
+TEST(Print, FillsLieBelowTheLinesOfTheirLayer) {
+  StudioFixture fixture;
+  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
+  Drawing drawing = fixture.files->drawing();
+  FillLoop loop{{{10, 10}}, {}};
+  for (const Point to : {Point{50, 10}, Point{50, 30}, Point{10, 30}, Point{10, 10}}) {
+    loop.points.insert(loop.points.end(), {loop.points.back(), to, to});
+  }
+  EditBuilder builder(drawing.document);
+  const LayerId layer = drawing.document.layers()[0].id;
+  builder.add_fill(layer, std::make_shared<const Fill>(Fill{{loop}, {200, 40, 0, 255}, 0.0}));
+  Stroke line = testing::straight_stroke({5, 20}, {55, 20}, 2.0, 2.0);
+  builder.add(layer, std::make_shared<const Stroke>(std::move(line)));
+  ASSERT_TRUE(drawing.document.apply(std::move(builder).build("Fill")));
+  QImage painted(60, 40, QImage::Format_RGBA8888_Premultiplied);
+  painted.fill(Qt::white);
+  QPainter painter(&painted);
+  paint_page(painter, drawing, 25.4);
+  painter.end();
+  EXPECT_EQ(painted.pixelColor(30, 15), QColor(200, 40, 0));
+  EXPECT_NE(painted.pixelColor(30, 20), QColor(200, 40, 0)) << "the line is above";
+  EXPECT_EQ(painted.pixelColor(5, 5), QColor(Qt::white));
 }
 
 // The option "Grain of the surface" applies to print and to every format that is a picture.
