@@ -18,16 +18,20 @@ double percentile(std::vector<double> values, double share) {
                          static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
-// Returns the offsets of all crossings, sorted, whose gaps are at most `reach`, starting at 0.
+// Returns the offset of the nearest crossing of each line, sorted, as far as their gaps are at most
+// `reach`, starting at 0.
 std::vector<double> crossings(Point at, Vec along, std::span<const RoughLine> lines, double reach) {
   std::vector<double> offsets;
   for (const RoughLine& line : lines) {
+    std::optional<double> nearest;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       const double u = dot(line[k] - at, along), v = dot(line[k + 1] - at, along);
       if ((u > 0.0) == (v > 0.0)) continue;
       if (std::fabs(dot(normalized(line[k + 1] - line[k]), along)) < kMinCosine) continue;
-      offsets.push_back(dot(lerp(line[k], line[k + 1], u / (u - v)) - at, perp(along)));
+      const double offset = dot(lerp(line[k], line[k + 1], u / (u - v)) - at, perp(along));
+      if (!nearest || std::fabs(offset) < std::fabs(*nearest)) nearest = offset;
     }
+    if (nearest) offsets.push_back(*nearest);
   }
   std::sort(offsets.begin(), offsets.end());
   const auto zero = std::lower_bound(offsets.begin(), offsets.end(), 0.0);

@@ -15,8 +15,9 @@ struct StripDistance {
 };
 
 /// Measures on sections across `path`, independently of how it was made: the strip on a section are
-/// all crossings of `lines` up to the first gap of more than twice the strip's own width; its
-/// middle is the mean of the crossings. Returns nullopt if no section crosses two lines.
+/// the crossings of `lines`, the nearest one of each line, up to the first gap of more than twice
+/// the strip's own width; its middle is the mean of these crossings. Returns nullopt if no section
+/// crosses two lines.
 std::optional<StripDistance> strip_distance(const BundlePath& path,
                                             std::span<const RoughLine> lines, double pen_width);
 

@@ -16,6 +16,9 @@ namespace {
 // large at first, because the first positions may be wrong by more than that width.
 constexpr std::array kSmoothShares{2.0, 1.5, 1.0, 0.7, 0.25};
 constexpr double kRampShare = 0.5;
+// A ramp is at least so many times as long as the jump is wide. On a shorter one, the average would
+// turn back to the lines that go on, and the positions of the points would follow it.
+constexpr double kRampJumps = 2.0;
 constexpr double kTailShare = 1.5;  // the last widths of a strip, in which lines end one by one
 constexpr double kEndSlack = 0.3;   // bins: lines that end so near to each other end together
 constexpr double kMaxBins = 4000.0;
@@ -160,7 +163,6 @@ void StripAverage::add_piece(std::size_t i, bool is_first, bool is_last, Point o
 // of all lines.
 void StripAverage::blend_ends(const std::vector<Bin>& bins, std::vector<Vec>& means) const {
   const auto n = static_cast<std::ptrdiff_t>(bins.size());
-  const double steps = ramp_mm_ / step_mm_;
   const auto in_range = [&](std::ptrdiff_t i) { return closed_ || (i >= 0 && i < n); };
   const auto index = [&](std::ptrdiff_t i) { return static_cast<std::size_t>((i % n + n) % n); };
   const std::vector<Vec> before = means;
@@ -174,6 +176,7 @@ void StripAverage::blend_ends(const std::vector<Bin>& bins, std::vector<Vec>& me
       Vec jump = before[index(i)] - (bin.sum - bin.end_sums[side]) / others;
       const Vec along = normalized(before[index(i + step)] - before[index(i)] + jump);
       jump = jump - dot(jump, along) * along;  // the end of a line may lie between two bins
+      const double steps = std::max(ramp_mm_, kRampJumps * norm(jump)) / step_mm_;
       // Lines that soon end, too, are no reason to swerve to them.
       const std::ptrdiff_t tail = side == 0 ? n - 1 - i : i;
       const bool keeps = !closed_ && static_cast<double>(tail) * step_mm_ <= kTailShare * wide_mm_;

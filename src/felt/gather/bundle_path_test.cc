@@ -89,6 +89,19 @@ TEST(BundlePath, HooksAtTheEndsOfLinesDoNotBendTheMiddle) {
   }
 }
 
+TEST(BundlePath, ALineThatLeavesAndEndsDoesNotMakeTheMiddleTurnBack) {
+  for (const double away : {4.0, 10.0, 20.0}) {
+    std::vector<RoughLine> lines{{{0, 0}, {150, 0}}, {}};
+    for (int i = 0; i <= 60; ++i) lines[1].push_back({1.0 * i, away * i * i / 3600.0});
+    const BundlePath path = bundle_path(lines).value();
+    const double sign = path.points.back().x > path.points.front().x ? 1.0 : -1.0;
+    for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+      const Vec step = sign * (path.points[k + 1] - path.points[k]);
+      EXPECT_LT(std::fabs(step.y), 1.5 * step.x) << away << " at x " << path.points[k].x;
+    }
+  }
+}
+
 TEST(BundlePath, LinesThatTurnBackToTheirStartGiveALine) {
   for (const double half : {1e-6, 0.3, 20.0}) {
     const RoughLine there_and_back{{0, 0}, {half, 0}, {0, 0}};
