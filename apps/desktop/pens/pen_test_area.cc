@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "desktop/engine/tablet_event_tilt.h"
+#include "felt/devices/simulated/pointer_hand.h"
 
 namespace felt::desktop {
 namespace {
@@ -14,11 +15,7 @@ namespace {
 constexpr double kMinPx = 0.8;
 constexpr double kMaxPx = 14.0;
 constexpr double kMiddlePressure = 0.5;
-// As in PointerHand: pressure 0.8 at rest, down to 0.2 at 300 mm/s and faster, on a screen of
-// about 4 pixels per mm.
-constexpr double kSlowPressure = 0.8;
-constexpr double kFastPressure = 0.2;
-constexpr double kFastPxPerMs = 1.2;
+constexpr double kMmPerSOfPxPerMs = 250.0;  // on a screen of about 4 pixels per mm
 constexpr double kSmoothing = 0.3;
 
 bool senses(const QTabletEvent& event) {
@@ -77,8 +74,7 @@ double PenTestArea::pressure_of(QPointF at, std::optional<double> raw, std::uint
     const double speed = std::hypot(way.x(), way.y()) / static_cast<double>(stamp_ms - last_ms_);
     speed_px_per_ms_ += kSmoothing * (speed - speed_px_per_ms_);
   }
-  const double part = std::min(speed_px_per_ms_ / kFastPxPerMs, 1.0);
-  return kSlowPressure + part * (kFastPressure - kSlowPressure);
+  return PointerHand::pressure_at(kMmPerSOfPxPerMs * speed_px_per_ms_);
 }
 
 void PenTestArea::point(QPointF at, bool touching, std::optional<double> raw,

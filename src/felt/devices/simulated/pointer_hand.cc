@@ -7,11 +7,16 @@ namespace felt {
 namespace {
 
 constexpr double kSpeedTimeS = 0.05;
-constexpr double kFastMmPerS = 300.0;
+constexpr double kSpeedScaleMmPerS = 60.0;
+constexpr double kRiseNs = 60e6;  // a line begins thin, as from a pen that is set down
 constexpr double kSlowPressure = 0.8, kFastPressure = 0.2;
 constexpr double kMinTouchPressure = 1e-3;  // pressure of a touching pen
 
 }  // namespace
+
+double PointerHand::pressure_at(double mm_per_s) noexcept {
+  return kFastPressure + (kSlowPressure - kFastPressure) * std::exp(-mm_per_s / kSpeedScaleMmPerS);
+}
 
 double PointerHand::pressure_of(const PointerEvent& event) noexcept {
   if (last_) {
@@ -24,12 +29,14 @@ double PointerHand::pressure_of(const PointerEvent& event) noexcept {
     }
   }
   if (!event.touching) return 0.0;
+  if (!last_ || !last_->touching) down_ns_ = event.time_ns;
   if (event.pressure && !std::isnan(*event.pressure)) {
     return std::clamp(*event.pressure, kMinTouchPressure, 1.0);
   }
   if (mouse_ == MousePressure::kConstant) return options_.absent_pressure;
-  const double part = std::min(speed_mm_per_s_ / kFastMmPerS, 1.0);
-  return kSlowPressure + part * (kFastPressure - kSlowPressure);
+  const double down_ns = static_cast<double>(event.time_ns) - static_cast<double>(down_ns_);
+  const double rise = std::clamp(down_ns / kRiseNs, 0.0, 1.0);
+  return kFastPressure + rise * (pressure_at(speed_mm_per_s_) - kFastPressure);
 }
 
 void PointerHand::point(const PointerEvent& event) noexcept {

@@ -98,6 +98,33 @@ TEST(PointerHand, R18_AMouseHasConstantOrSpeedPressure) {
   }
 }
 
+// Half of the steps of 66 characters that were drawn with a mouse are slower than 24 mm/s.
+TEST(PointerHand, WritingWithAMouseChangesThePressure) {
+  EXPECT_DOUBLE_EQ(PointerHand::pressure_at(0.0), 0.8);
+  EXPECT_GT(PointerHand::pressure_at(6.0) - PointerHand::pressure_at(60.0), 0.25);
+  EXPECT_NEAR(PointerHand::pressure_at(24.0), 0.6, 0.02);
+  EXPECT_GT(PointerHand::pressure_at(2000.0), 0.2 - 1e-12);
+}
+
+TEST(PointerHand, ALineOfAMouseBeginsThinIfItsWidthFollowsTheSpeed) {
+  SimulatedStylus stylus(*find_stylus_preset("mouse"));
+  PointerHand pointer(stylus, script_options_for(*find_stylus_preset("mouse"), typical_hand()),
+                      MousePressure::kBySpeed);
+  for (const std::int64_t start_ns : {100 * kMs, 1000 * kMs}) {
+    double last = 0.0;
+    for (std::int64_t ms = 0; ms <= 60; ms += 10) {
+      pointer.point({.time_ns = start_ns + ms * kMs, .position = {5, 5}, .touching = true});
+      EXPECT_GT(pointer.pressure(), last) << ms;
+      if (ms == 0) {
+        EXPECT_DOUBLE_EQ(pointer.pressure(), 0.2);
+      }
+      last = pointer.pressure();
+    }
+    EXPECT_NEAR(last, 0.8, 1e-9);
+    pointer.point({.time_ns = start_ns + 70 * kMs, .position = {5, 5}});
+  }
+}
+
 TEST(PointerHand, IgnoresPlacesThatAreNotFinite) {
   SimulatedStylus stylus(*find_stylus_preset("tablet"));
   PointerHand pointer(stylus, script_options_for(*find_stylus_preset("tablet"), typical_hand()));
