@@ -197,10 +197,12 @@ Result<LookFigures> measure(const Artist& artist, double dpi) {
   };
   const auto ramp_picture = drawn(ramp(), dpi);
   const auto once = drawn(even_lines(0.5, 1), dpi), twice = drawn(even_lines(0.5, 2), dpi);
+  const auto back = drawn(lines_there_and_back(0.5), dpi);
   const auto light = drawn(even_lines(0.3, 1), kScreenDpi);
   if (!ramp_picture) return tl::unexpected(ramp_picture.error());
   if (!once) return tl::unexpected(once.error());
   if (!twice) return tl::unexpected(twice.error());
+  if (!back) return tl::unexpected(back.error());
   if (!light) return tl::unexpected(light.error());
   measure_ramp(*ramp_picture, figures);
   measure_grain(*once, figures);
@@ -208,6 +210,9 @@ Result<LookFigures> measure(const Artist& artist, double dpi) {
   LookFigures again;
   measure_edge(*twice, again);
   figures.twice = again.once;
+  again.once = 0.0;
+  measure_edge(*back, again);
+  figures.back = again.once;
   figures.unevenness = unevenness_of(*light);
   return figures;
 }
