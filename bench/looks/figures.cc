@@ -7,6 +7,9 @@
 namespace felt::bench {
 namespace {
 
+/// The resolution of a window at 100 %.
+constexpr double kScreenDpi = 96.0;
+
 /// The darkness of the pixels of a picture.
 class Darkness {
  public:
@@ -166,25 +169,51 @@ void measure_edge(const Darkness& picture, LookFigures& figures) {
   figures.edge_mm = sum / kEvenLines;
 }
 
+/// Measures how much the ink of a line varies from column to column.
+double unevenness_of(const Darkness& picture) {
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (int line = 0; line < kEvenLines; ++line) {
+    const int middle = picture.px(kEvenApart * (line + 0.5)), reach = picture.px(3.0);
+    for (int x = picture.px(kRampX0 + 5); x < picture.px(kRampX1 - 5); ++x) {
+      double ink = 0.0;
+      for (int y = middle - reach; y <= middle + reach; ++y) ink += picture.at(x, y);
+      sum += ink;
+      squares += ink * ink;
+      count += 1.0;
+    }
+  }
+  const double mean = sum / count;
+  return mean > 0.0 ? std::sqrt(std::max(squares / count - mean * mean, 0.0)) / mean : 0.0;
+}
+
 }  // namespace
 
 Result<LookFigures> measure(const Artist& artist, double dpi) {
   LookFigures figures;
-  const auto drawn = [&](const TestPage& page) {
-    return artist.draw(page, dpi).map(
-        [&](const Image& image) { return Darkness(image, artist.ink(), dpi); });
+  const auto drawn = [&](const TestPage& page, double at_dpi) {
+    return artist.draw(page, at_dpi).map([&](const Image& image) {
+      return Darkness(image, artist.ink(), at_dpi);
+    });
   };
-  const auto ramp_picture = drawn(ramp());
-  const auto once = drawn(even_lines(0.5, 1)), twice = drawn(even_lines(0.5, 2));
+  const auto ramp_picture = drawn(ramp(), dpi);
+  const auto once = drawn(even_lines(0.5, 1), dpi), twice = drawn(even_lines(0.5, 2), dpi);
+  const auto back = drawn(lines_there_and_back(0.5), dpi);
+  const auto light = drawn(even_lines(0.3, 1), kScreenDpi);
   if (!ramp_picture) return tl::unexpected(ramp_picture.error());
   if (!once) return tl::unexpected(once.error());
   if (!twice) return tl::unexpected(twice.error());
+  if (!back) return tl::unexpected(back.error());
+  if (!light) return tl::unexpected(light.error());
   measure_ramp(*ramp_picture, figures);
   measure_grain(*once, figures);
   measure_edge(*once, figures);
   LookFigures again;
   measure_edge(*twice, again);
   figures.twice = again.once;
+  again.once = 0.0;
+  measure_edge(*back, again);
+  figures.back = again.once;
+  figures.unevenness = unevenness_of(*light);
   return figures;
 }
 

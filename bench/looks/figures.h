@@ -18,8 +18,10 @@ struct LookFigures {
   /// Of lines with pressure 0.5: the distance along the line after which the darkness is correlated
   /// by less than 1/e, the highest correlation at any lag of 1 to 12 mm, and its lag.
   double grain_mm = 0.0, second_peak = 0.0, second_mm = 0.0;
-  double edge_mm = 0.0;            ///< distance over which the mean profile rises from 10 to 90 %
-  double once = 0.0, twice = 0.0;  ///< mean darkness of the core if drawn once and twice
+  double edge_mm = 0.0;     ///< distance over which the mean profile rises from 10 to 90 %
+  double unevenness = 0.0;  ///< relative standard deviation of the ink along a light line at 96 dpi
+  double once = 0.0, twice = 0.0,
+         back = 0.0;  ///< mean darkness of the core if drawn once, twice, there and back
 };
 
 /// Draws the test pages with the artist, and measures the pictures.

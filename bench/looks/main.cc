@@ -37,8 +37,8 @@ void print_heading() {
   std::puts(
       "| medium | mid | full | tone at 0.1 0.3 0.5 0.7 0.9 | width mm | times | grain mm | second "
       "peak "
-      "| edge mm | twice over |");
-  std::puts("|---|---|---|---|---|---|---|---|---|---|");
+      "| edge mm | uneven | once twice back |");
+  std::puts("|---|---|---|---|---|---|---|---|---|---|---|");
 }
 
 bool print(const Artist& artist) {
@@ -51,9 +51,9 @@ bool print(const Artist& artist) {
   const LookFigures& f = *made;
   std::printf("| %s | %.2f | %.2f |", artist.name().c_str(), f.mid_share, f.full_share);
   for (const double tone : f.tones) std::printf(" %.2f", tone);
-  std::printf(" | %.2f to %.2f | %.1f | %.2f | %.2f at %.1f mm | %.2f | %.2f to %.2f |\n",
+  std::printf(" | %.2f to %.2f | %.1f | %.2f | %.2f at %.1f mm | %.2f | %.2f | %.2f %.2f %.2f |\n",
               f.thin_mm, f.broad_mm, f.broad_mm / f.thin_mm, f.grain_mm, f.second_peak, f.second_mm,
-              f.edge_mm, f.once, f.twice);
+              f.edge_mm, f.unevenness, f.once, f.twice, f.back);
   return true;
 }
 

@@ -48,6 +48,19 @@ TestPage even_lines(double pressure, int times) {
   return page;
 }
 
+TestPage lines_there_and_back(double pressure) {
+  TestPage page = even_lines(pressure, 1);
+  for (PenStroke& stroke : page.strokes) {
+    const std::int64_t end_ns = stroke.back().time_ns.value_or(0);
+    for (std::size_t i = stroke.size() - 1; i-- > 0;) {
+      InkSample back = stroke[i];
+      back.time_ns = 2 * end_ns - back.time_ns.value_or(0);
+      stroke.push_back(back);
+    }
+  }
+  return page;
+}
+
 TestPage chart_cell() {
   TestPage page{86.0, 34.0, {}};
   page.strokes.push_back(line_of({4, 5}, {82, 5}, kRampFrom, kRampTo));

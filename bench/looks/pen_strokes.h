@@ -29,6 +29,9 @@ inline constexpr int kEvenLines = 6;
 inline constexpr double kEvenApart = 18.0;
 TestPage even_lines(double pressure, int times);
 
+/// The same lines, each drawn there and back in one stroke.
+TestPage lines_there_and_back(double pressure);
+
 /// A cell of the chart: the ramp, a wave that swells, hatching that crosses, and a scribble.
 TestPage chart_cell();
 

@@ -137,6 +137,27 @@ TEST(MediaLooks, ALineOfADryMediumIsMostlyOfMidTones) {
   }
 }
 
+// The presets of libmypaint vary by 0.06 to 0.24.
+TEST(MediaLooks, ALightLineIsContinuousOnAScreen) {
+  for (const char* id : kDry) {
+    const Medium& medium = *find_medium(id);
+    for (const double dpi : {84.0, 96.0, 144.0}) {
+      const Rows rows = rows_of({line_of(medium, 0.3)}, dpi, 2.0);
+      double mean = 0.0, square = 0.0, least = 1e9;
+      const std::size_t columns = rows[0].size();
+      for (std::size_t x = 0; x < columns; ++x) {
+        double ink = 0.0;
+        for (const auto& row : rows) ink += row[x];
+        mean += ink / static_cast<double>(columns);
+        square += ink * ink / static_cast<double>(columns);
+        least = std::min(least, ink);
+      }
+      EXPECT_LT(std::sqrt(square - mean * mean), 0.25 * mean) << id << " at " << dpi;
+      EXPECT_GT(least, 0.3 * mean) << id << " at " << dpi << ": a gap";
+    }
+  }
+}
+
 TEST(MediaLooks, TheGrainHasNoCellAndNoPeriodAtAnyScale) {
   // A broad line of the same look, so that there are many points to compare.
   const auto broad = [](const Medium& medium) {
