@@ -94,11 +94,11 @@ std::string layers_text(const Imported& opened) {
 std::string layers_json(const Imported& opened) {
   std::vector<std::string> layers;
   for (const Layer& layer : opened.drawing.document.layers()) {
-    layers.push_back(
-        fmt::format(R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{},"opacity":{},"picture":{}}})",
-                    json_string(layer.name), layer.visible, layer.locked, layer.strokes.size(),
-                    layer.fills.size(), number(layer.opacity),
-                    layer.picture ? picture_json(*layer.picture) : "null"));
+    layers.push_back(fmt::format(
+        R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{},"opacity":{},"picture":{}}})",
+        json_string(layer.name), layer.visible, layer.locked, layer.strokes.size(),
+        layer.fills.size(), number(layer.opacity),
+        layer.picture ? picture_json(*layer.picture) : "null"));
   }
   return json_array(layers);
 }

@@ -76,7 +76,7 @@ class Findings {
   std::map<std::int64_t, Found<Stroke>> strokes;
   std::map<std::int64_t, Found<Fill>> fills;
   std::map<std::int64_t, FoundLayer> layers;
-  std::map<std::int64_t, double> opacities;        // by layer
+  std::map<std::int64_t, double> opacities;          // by layer
   std::map<std::int64_t, LayerPicturePtr> pictures;  // by layer
   std::map<std::int64_t, NamedColor> colors;
   std::optional<Drawing> head;  // without the document and the palette's colours

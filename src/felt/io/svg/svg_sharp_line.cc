@@ -13,7 +13,8 @@ namespace {
 /// Corners that differ less than this from a round one stay round.
 constexpr double kVisibleMm = 0.05;
 /// The drawn width is smoothed where it begins to change, but not at a jump (kJump). A jump at both
-/// ends of a cone keeps its sides straight: a change of the width by this part of the cone's length.
+/// ends of a cone keeps its sides straight: a change of the width by this part of the cone's
+/// length.
 constexpr double kEdgeStep = 3.0 * kSvgJumpU;
 
 enum class Turn { kRound, kMiter, kBevel, kFlatEnd };
