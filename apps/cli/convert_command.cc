@@ -5,6 +5,7 @@
 #include "drawing_output.h"
 #include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
+#include "felt/formats/lost_objects.h"
 #include "input.h"
 #include "overwrite_check.h"
 #include "sketch_input.h"
@@ -95,14 +96,18 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
                       : "were left out; --layers all includes them"));
 }
 
-/// Prints a notice about fills if the format has none.
-void note_fills(const Document& document, Format format, const std::string& output,
-                Console& console) {
-  const bool has_fills = format == Format::kFelt || format == Format::kSvg ||
-                         format == Format::kPdf || format == Format::kPng;
-  if (has_fills || document.fill_count() == 0) return;
-  console.notice(output + ": " + std::to_string(document.fill_count()) +
-                 " fills were left out, because the format has only lines");
+/// Prints notices about fills and pictures if the format has none.
+void note_lost_objects(const Document& document, Format format, const ConvertArguments& args,
+                       Console& console) {
+  const LostObjects lost = lost_objects(document, format, args.compact);
+  if (lost.fills > 0) {
+    console.notice(args.output + ": " + std::to_string(lost.fills) +
+                   " fills were left out, because the format has only lines");
+  }
+  if (lost.pictures > 0) {
+    console.notice(args.output + ": " + std::to_string(lost.pictures) +
+                   " pictures were left out, because the format has none");
+  }
 }
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
@@ -121,7 +126,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
           .and_then([&](DrawingOutput output) {
             note_hidden_layers(opened->drawing.document, format, args.output, console);
-            note_fills(opened->drawing.document, format, args.output, console);
+            note_lost_objects(opened->drawing.document, format, args, console);
             return output.write(std::move(opened->drawing));
           });
   if (!done) console.error(done.error().message);

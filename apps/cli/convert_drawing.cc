@@ -69,7 +69,8 @@ Result<void> choose_layers(const std::string& text, Drawing& drawing) {
   for (std::size_t i = 0; i < document.layers().size(); ++i) {
     if (!(*chosen)[i]) continue;
     const Layer& layer = document.layers()[i];
-    const std::size_t kept = builder.add_layer({layer.name, true, layer.locked});
+    const std::size_t kept =
+        builder.add_layer({layer.name, true, layer.locked, layer.opacity, layer.picture});
     for (const StrokeId id : layer.strokes) builder.add(kept, document.find(id), id);
     for (const FillId id : layer.fills) {
       builder.add_fill(kept, document.find_fill(id), fill_name(id));

@@ -62,8 +62,19 @@ std::string page_text(const Imported& opened) {
                                  : "none";
 }
 
+std::string picture_text(const LayerPicture& picture) {
+  return fmt::format("a picture of {} x {} pixels{}", picture.data->width_px,
+                     picture.data->height_px, picture.exported ? " (shown in exported files)" : "");
+}
+
+std::string picture_json(const LayerPicture& picture) {
+  return fmt::format(R"({{"width_px":{},"height_px":{},"exported":{}}})", picture.data->width_px,
+                     picture.data->height_px, picture.exported);
+}
+
 /// Returns a line for each layer, starting with the lowest. A line contains the number for
-/// --layers, the number of strokes, the name, and whether the layer is hidden or locked.
+/// --layers, the numbers of strokes and fills, the name, and its state: hidden, locked, opacity and
+/// picture.
 std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
@@ -72,6 +83,10 @@ std::string layers_text(const Imported& opened) {
         "{:16}{} strokes, {}'{}'{}{}\n", fmt::format("layer {}", ++place), layer.strokes.size(),
         layer.fills.empty() ? "" : fmt::format("{} fills, ", layer.fills.size()),
         printable(layer.name), layer.visible ? "" : ", hidden", layer.locked ? ", locked" : "");
+    text.pop_back();
+    if (layer.opacity != 1.0) text += ", opacity " + number(layer.opacity);
+    if (layer.picture) text += ", " + picture_text(*layer.picture);
+    text += '\n';
   }
   return text;
 }
@@ -79,10 +94,11 @@ std::string layers_text(const Imported& opened) {
 std::string layers_json(const Imported& opened) {
   std::vector<std::string> layers;
   for (const Layer& layer : opened.drawing.document.layers()) {
-    layers.push_back(
-        fmt::format(R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{}}})",
-                    json_string(layer.name), layer.visible, layer.locked, layer.strokes.size(),
-                    layer.fills.size()));
+    layers.push_back(fmt::format(
+        R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{},"opacity":{},"picture":{}}})",
+        json_string(layer.name), layer.visible, layer.locked, layer.strokes.size(),
+        layer.fills.size(), number(layer.opacity),
+        layer.picture ? picture_json(*layer.picture) : "null"));
   }
   return json_array(layers);
 }

@@ -38,7 +38,7 @@ done
 
 # info prints the same figures for each file, and for a drawing also its page and layers.
 run 0 "$feltline" info a.felt --json
-has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20,"fills":0}],"recordings":[],"notices":[]}'
+has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20,"fills":0,"opacity":1,"picture":null}],"recordings":[],"notices":[]}'
 sed 's/,"format".*//' out >felt.info
 run 0 "$feltline" info a.ndjson --json
 sed 's/,"format".*//' out >ndjson.info
@@ -112,3 +112,25 @@ run 1 "$feltline" render none.felt -o f.png
 has err "feltline: none.felt: "
 [ ! -e f.ndjson ] && [ ! -e f.png ] || fail "a file was written without input"
 finish
+
+# Fills and opacities of layers are listed and kept; formats without fills leave them out and say how many.
+cat >fills.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+ width="60mm" height="60mm" viewBox="0 0 60 60">
+<g inkscape:groupmode="layer" inkscape:label="Areas" style="opacity:0.5">
+<path d="M5 5h10v10z" fill="red"/><path d="M25 5h10v10z" fill="teal"/></g></svg>
+SVG
+run 0 "$feltline" convert fills.svg -o fills.felt
+run 0 "$feltline" info fills.felt
+has out "layer 1         0 strokes, 2 fills, 'Areas', opacity 0.5"
+run 0 "$feltline" info fills.svg --json
+has out '"strokes":0,"fills":2,"opacity":0.5,"picture":null}]'
+run 0 "$feltline" convert fills.felt -o chosen.felt --layers 1
+run 0 "$feltline" info chosen.felt --json
+has out '"strokes":0,"fills":2,"opacity":0.5,"picture":null}]'
+for ending in ndjson xopp inkml; do
+  run 0 "$feltline" convert fills.felt -o "lines.$ending"
+  has err "lines.$ending: 2 fills were left out, because the format has only lines"
+done
+run 0 "$feltline" convert fills.felt -o fills.pdf
+[ ! -s err ] || fail "a notice about fills that a PDF has: $(cat err)"

@@ -114,6 +114,18 @@ std::string knots(Random& random) {
   return text;
 }
 
+std::string fill_pieces(Random& random) {
+  std::string text = number(random);
+  for (std::size_t loops = random() % 4; loops > 0; --loops) {
+    text += ';';
+    for (std::size_t n = random() % 4; n > 0; --n) {
+      text += random() % 3 == 0 ? "-" : numbers(random, 2 + random() % 2);
+      if (n > 1) text += ',';
+    }
+  }
+  return text;
+}
+
 /// Returns a random value of the kind that the attribute `name` needs.
 std::string value_for(const std::string& name, Random& random) {
   constexpr std::array<const char*, 4> kIds{"a", "b", "c", ""};
@@ -130,6 +142,8 @@ std::string value_for(const std::string& name, Random& random) {
     return std::string("#") + one_of(kIds, random);
   }
   if (name == "style") return "fill:" + color(random) + ";stroke-width:" + length(random);
+  if (name == "felt:fill") return fill_pieces(random);
+  if (name == "fill-rule") return random() % 2 == 0 ? "evenodd" : "nonzero";
   if (name == "offset_points" || name == "felt:widths") return knots(random);
   return random() % 2 == 0 ? length(random) : std::string(one_of(kWords, random));
 }
@@ -143,7 +157,7 @@ constexpr std::array<const char*, 17> kElements{"g",        "path",
                                                 "switch",   "linearGradient",
                                                 "stop",     "inkscape:path-effect",
                                                 "style"};
-constexpr std::array<const char*, 39> kAttributes{"d",
+constexpr std::array<const char*, 42> kAttributes{"d",
                                                   "points",
                                                   "x",
                                                   "y",
@@ -181,7 +195,10 @@ constexpr std::array<const char*, 39> kAttributes{"d",
                                                   "felt:widths",
                                                   "felt:tones",
                                                   "felt:joints",
-                                                  "felt:closed"};
+                                                  "felt:closed",
+                                                  "felt:fill",
+                                                  "fill-rule",
+                                                  "fill-opacity"};
 
 std::vector<pugi::xml_node> elements_of(const pugi::xml_document& document) {
   std::vector<pugi::xml_node> open{document.document_element()}, all;

@@ -78,9 +78,10 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   clipboard_ = new ClipboardActions(studio, actions, *dialogs_, *pictures_, window);
   connect(clipboard_, &ClipboardActions::taken, this, &FileActions::taken);
   auto* output = new OutputActions(*this, studio, actions, window);
-  connect(output, &OutputActions::exported, this, [this](const QString& path, bool done) {
-    if (done) Q_EMIT exported(path);
-  });
+  connect(output, &OutputActions::exported, this,
+          [this](const QString& path, bool done, const LostObjects& lost) {
+            if (done) Q_EMIT exported(path, lost);
+          });
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   show_large_icons(*recent_menu_);
   fill_recent_menu();

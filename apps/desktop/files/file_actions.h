@@ -19,6 +19,7 @@
 #include "desktop/files/file_worker.h"
 #include "desktop/files/recovery_offer.h"
 #include "desktop/files/studio_autosave.h"
+#include "felt/formats/lost_objects.h"
 
 class QLabel;
 class QMenu;
@@ -107,8 +108,8 @@ class FileActions : public QObject {
   void path_changed(const QString& path);
   /// The save to `path()` has ended; `done` is true if it succeeded.
   void saved(bool done);
-  /// The drawing was exported to this file.
-  void exported(const QString& path);
+  /// The drawing was exported to this file, without the objects that the format cannot hold.
+  void exported(const QString& path, const felt::LostObjects& lost);
   /// Emitted after Studio::opened when another drawing is shown: opened, new or recovered.
   void drawing_changed();
   /// A file was opened or imported, or strokes were pasted. `report` lists the unsupported content

@@ -19,6 +19,24 @@ namespace {
 constexpr int kRowsShown = 6;
 constexpr int kIconPx = 16;
 
+/// Returns a sentence about the objects that are not in a file. Requires that there are any.
+QString lost_text(const LostObjects& lost) {
+  const QLocale locale;
+  const QString fills = locale.toString(qulonglong(lost.fills));
+  const QString pictures = locale.toString(qulonglong(lost.pictures));
+  if (lost.pictures == 0) {
+    return NoticeBar::tr("Left out, because the format has no fills: %1.").arg(fills);
+  }
+  if (lost.fills == 0) {
+    return NoticeBar::tr("Left out, because the format has no pictures to draw over: %1.")
+        .arg(pictures);
+  }
+  return NoticeBar::tr(
+             "Left out, because the format has only lines: fills (%1) and pictures to draw over "
+             "(%2).")
+      .arg(fills, pictures);
+}
+
 }  // namespace
 
 NoticeBar::NoticeBar(QWidget* parent) : NoticeBar(new QTreeWidget, parent) {}
@@ -74,16 +92,20 @@ void NoticeBar::show_words(const QString& words) {
   say(words, false);
 }
 
-void NoticeBar::show_written(const QString& path) {
+void NoticeBar::show_written(const QString& path, const LostObjects& lost) {
   clear();
   path_ = path;
   folder_->setToolTip(QDir::toNativeSeparators(QFileInfo(path).absolutePath()));
   folder_->show();
-  until_.start(kWrittenMs);
   const QFileInfo file(path);
-  say(tr("“%1” was exported to “%2”.")
-          .arg(file.fileName(), QDir::toNativeSeparators(file.absolutePath())),
-      false);
+  QString words = tr("“%1” was exported to “%2”.")
+                      .arg(file.fileName(), QDir::toNativeSeparators(file.absolutePath()));
+  if (lost == LostObjects()) {
+    until_.start(kWrittenMs);
+  } else {
+    words += QLatin1Char(' ') + lost_text(lost);
+  }
+  say(words, false);
 }
 
 void NoticeBar::clear() {

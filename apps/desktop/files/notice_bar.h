@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include "desktop/engine/message_bar.h"
+#include "felt/formats/lost_objects.h"
 #include "felt/io/import.h"
 
 class QPushButton;
@@ -24,9 +25,10 @@ class NoticeBar : public MessageBar {
   void forget_report();
   /// Shows another message to the user until it is closed.
   void show_words(const QString& words);
-  /// Says for kWrittenMs that a file was written, with a button that opens its folder.
+  /// Says that a file was written, with a button that opens its folder: for kWrittenMs, or until
+  /// it is closed if the file lacks objects of the drawing.
   static constexpr int kWrittenMs = 15'000;
-  void show_written(const QString& path);
+  void show_written(const QString& path, const LostObjects& lost = {});
 
  private:
   NoticeBar(QTreeWidget* list, QWidget* parent);

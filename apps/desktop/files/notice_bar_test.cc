@@ -62,6 +62,24 @@ TEST(NoticeBar, AFileWithoutNoticesAndTheCrossPutItAway) {
   EXPECT_TRUE(bar.isHidden());
 }
 
+TEST(NoticeBar, AnExportSaysWhatItLeftOut) {
+  NoticeBar bar;
+  const auto text = [&bar] {
+    QString all;
+    for (const QLabel* label : bar.findChildren<QLabel*>()) all += label->text();
+    return all;
+  };
+  bar.show_written(QStringLiteral("a.xopp"));
+  EXPECT_FALSE(text().contains(QStringLiteral("Left out")));
+  bar.show_written(QStringLiteral("a.xopp"), {.fills = 3});
+  EXPECT_TRUE(text().contains(QStringLiteral("a.xopp")));
+  EXPECT_TRUE(text().contains(QStringLiteral("no fills: 3.")));
+  bar.show_written(QStringLiteral("a.pdf"), {.pictures = 2});
+  EXPECT_TRUE(text().contains(QStringLiteral("no pictures to draw over: 2.")));
+  bar.show_written(QStringLiteral("a.xopp"), {.fills = 3, .pictures = 2});
+  EXPECT_TRUE(text().contains(QStringLiteral("fills (3) and pictures to draw over (2).")));
+}
+
 TEST(FormatTexts, TranslatorsSeeEveryWordOfTheTable) {
   QSet<QString> words;
   for (const char* word : format_words()) words.insert(QString::fromUtf8(word));

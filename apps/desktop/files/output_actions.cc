@@ -187,18 +187,20 @@ void OutputActions::export_to(const QString& path, const ExportOptions& options)
   files_.worker().start(
       [this, path, options, drawing = std::move(drawing)]() -> FileWorker::Answer {
         const Result<void> done = export_drawing(path, drawing, options);
-        return [this, path, done] { report_exported(path, done); };
+        const LostObjects lost = lost_objects(drawing.document, options.format, options.compact);
+        return [this, path, done, lost] { report_exported(path, done, lost); };
       });
 }
 
-void OutputActions::report_exported(const QString& path, const Result<void>& done) {
+void OutputActions::report_exported(const QString& path, const Result<void>& done,
+                                    const LostObjects& lost) {
   const QString name = QFileInfo(path).fileName();
   if (!done) {
     files_.dialogs().show_error(window_, tr("“%1” was not exported").arg(name),
                                 error_words(done.error()),
                                 QString::fromStdString(done.error().message));
   }
-  Q_EMIT exported(path, done.has_value());
+  Q_EMIT exported(path, done.has_value(), lost);
 }
 
 void OutputActions::ask_page() {

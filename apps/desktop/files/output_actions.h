@@ -7,6 +7,7 @@
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/export_file.h"
+#include "felt/formats/lost_objects.h"
 #include "felt/render/grain.h"
 
 class QPainter;
@@ -38,10 +39,11 @@ class OutputActions : public QObject {
   void export_to(const QString& path, const ExportOptions& options);
 
  Q_SIGNALS:
-  void exported(const QString& path, bool done);
+  /// The export to `path` has ended. `lost` counts what the format cannot hold.
+  void exported(const QString& path, bool done, const felt::LostObjects& lost);
 
  private:
-  void report_exported(const QString& path, const Result<void>& done);
+  void report_exported(const QString& path, const Result<void>& done, const LostObjects& lost);
   void ask_export();
   void ask_page();
   void print();

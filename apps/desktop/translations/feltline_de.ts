@@ -3992,6 +3992,18 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>“%1” was exported to “%2”.</source>
         <translation>„%1“ wurde nach „%2“ exportiert.</translation>
     </message>
+    <message>
+        <source>Left out, because the format has no fills: %1.</source>
+        <translation>Weggelassen, weil das Format keine Füllungen hat: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no pictures to draw over: %1.</source>
+        <translation>Weggelassen, weil das Format keine Bilder zum Nachzeichnen hat: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has only lines: fills (%1) and pictures to draw over (%2).</source>
+        <translation>Weggelassen, weil das Format nur Linien hat: Füllungen (%1) und Bilder zum Nachzeichnen (%2).</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OptionRow</name>

@@ -3992,6 +3992,18 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>“%1” was exported to “%2”.</source>
         <translation>‘%1’ is geëxporteerd naar ‘%2’.</translation>
     </message>
+    <message>
+        <source>Left out, because the format has no fills: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen vullingen heeft: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no pictures to draw over: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen afbeeldingen om over te trekken heeft: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has only lines: fills (%1) and pictures to draw over (%2).</source>
+        <translation>Weggelaten, omdat het formaat alleen lijnen heeft: vullingen (%1) en afbeeldingen om over te trekken (%2).</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OptionRow</name>

@@ -5,6 +5,7 @@
 #include "felt/document/testing/small_picture.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
+#include "felt/formats/lost_objects.h"
 #include "felt/io/drawing_builder.h"
 #include "felt/stroke/testing/random_stroke.h"
 
@@ -61,6 +62,40 @@ TEST(LayerLooks, PicturesAreLeftOutUnlessAskedFor) {
   EXPECT_NE(bytes_in(FileFormat::kPng), bytes_in(FileFormat::kPng, PictureChoice::kAll));
   EXPECT_EQ(read_back(FileFormat::kFelt).document.layers()[0].picture->data->png,
             testing::picture_data()->png);
+}
+
+TEST(LayerLooks, LostObjectsAreThoseThatAreNotReadBack) {
+  DrawingBuilder builder;
+  for (const bool visible : {true, false}) {
+    LayerState state{"Area", visible};
+    state.picture = testing::red_blue_picture(10.0, 10.0);
+    const std::size_t layer = builder.add_layer(std::move(state));
+    builder.add(layer, testing::random_stroke(2), "");
+    Fill fill;
+    fill.loops.push_back({{{0, 0}, {9, 0}, {9, 9}, {0, 0}}, {}});
+    builder.add_fill(layer, std::make_shared<const Fill>(fill));
+    builder.add_fill(layer, std::make_shared<const Fill>(fill));
+  }
+  const Drawing drawing = std::move(builder).build();
+  const auto lost = [&](FileFormat format, bool compact = false) {
+    return lost_objects(drawing.document, format, compact);
+  };
+  EXPECT_EQ(lost(FileFormat::kFelt), LostObjects());
+  EXPECT_EQ(lost(FileFormat::kSvg), LostObjects());
+  EXPECT_EQ(lost(FileFormat::kPng), LostObjects());
+  EXPECT_EQ(lost(FileFormat::kPdf).fills, 0U);
+  EXPECT_GT(lost(FileFormat::kPdf).pictures, 0U);
+  EXPECT_EQ(lost(FileFormat::kSvg, true).fills, 0U);
+  EXPECT_EQ(lost(FileFormat::kSvg, true).pictures, 2U);
+  EXPECT_EQ(lost(FileFormat::kNdjson), (LostObjects{2, 1})) << "hidden layers are left out anyway";
+  for (const FileFormat format : {FileFormat::kInkml, FileFormat::kXopp}) {
+    EXPECT_EQ(lost(format), (LostObjects{4, 2}));
+    const Drawing back =
+        parse_drawing(drawing_bytes(drawing, format).value(), "file").value().drawing;
+    EXPECT_EQ(back.document.fill_count(), 0U);
+  }
+  const std::string svg = drawing_bytes(drawing, FileFormat::kSvg).value();
+  EXPECT_EQ(parse_drawing(svg, "file").value().drawing.document.fill_count(), 4U);
 }
 
 }  // namespace

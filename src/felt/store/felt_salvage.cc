@@ -1,6 +1,7 @@
 #include "felt/store/felt_salvage.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/page_scan.h"
 #include "felt/store/stroke_blob.h"
@@ -58,7 +60,7 @@ class Findings {
     if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) ||
         take_view(row))
       return;
-    if (take_material(row)) return;
+    if (take_material(row) || take_opacity(row) || take_picture(row)) return;
     if (!take_color(row)) ++others;
   }
 
@@ -74,6 +76,8 @@ class Findings {
   std::map<std::int64_t, Found<Stroke>> strokes;
   std::map<std::int64_t, Found<Fill>> fills;
   std::map<std::int64_t, FoundLayer> layers;
+  std::map<std::int64_t, double> opacities;          // by layer
+  std::map<std::int64_t, LayerPicturePtr> pictures;  // by layer
   std::map<std::int64_t, NamedColor> colors;
   std::optional<Drawing> head;  // without the document and the palette's colours
   std::optional<Viewport> view;
@@ -177,6 +181,32 @@ class Findings {
     if (materials.size() < limits::kMaxMaterialTexts) materials.try_emplace(row.id, *text(v[1]));
     return true;
   }
+  bool take_opacity(const ScannedRow& row) {
+    const auto& v = row.values;
+    // Not an integer, which other tables could have there. An opacity of exactly 0 is stored as one
+    // and is lost, so the layer becomes visible.
+    const auto* opacity = v.size() == 3 ? std::get_if<double>(&v[2]) : nullptr;
+    if (!opacity || !whole(v[1]) || !is_id(*whole(v[1]))) return false;
+    if (!(*opacity >= 0.0 && *opacity <= 1.0)) return false;
+    if (opacities.size() < kMaxLayers) opacities.try_emplace(*whole(v[1]), *opacity);
+    return true;
+  }
+  bool take_picture(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 11 || !whole(v[1]) || !is_id(*whole(v[1])) || !whole(v[8]) || !blob(v[9]) ||
+        !whole(v[10])) {
+      return false;
+    }
+    std::array<double, 6> place{};
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      if (!number(v[i + 2])) return false;
+      place[i] = *number(v[i + 2]);
+    }
+    LayerPicturePtr picture = picture_of_row(place, *whole(v[8]), *blob(v[9]), *whole(v[10]));
+    if (!picture) return false;
+    if (pictures.size() < kMaxLayers) pictures.try_emplace(*whole(v[1]), std::move(picture));
+    return true;
+  }
   bool take_color(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.size() != 3 || !whole(v[1]) || !is_color_number(*whole(v[1])) || !text(v[2])) {
@@ -195,12 +225,14 @@ class Assembly {
   explicit Assembly(Findings findings) : found_(std::move(findings)) {}
 
   Result<Salvaged> make(const std::string& why) {
-    if (found_.strokes.empty() && found_.fills.empty() && found_.layers.empty()) {
+    if (found_.strokes.empty() && found_.fills.empty() && found_.layers.empty() &&
+        found_.pictures.empty()) {
       return fail(ErrorCode::kInvalidData, why + "; it does not contain any part of a drawing");
     }
     out_.problems.push_back("The file " + why + ".");
     take_head();
     name_lost_layers();
+    set_layer_looks();
     if (auto ok = fill(); !ok) return tl::unexpected(ok.error());
     take_rest();
     return std::move(out_);
@@ -229,11 +261,27 @@ class Assembly {
     };
     for (auto& [id, stroke] : found_.strokes) name_layer(stroke.layer);
     for (auto& [id, fill] : found_.fills) name_layer(fill.layer);
+    for (const auto& [id, picture] : found_.pictures) {
+      std::int64_t layer = id;
+      name_layer(layer);
+    }
     if (lost == 0) return;
     out_.problems.push_back(
         lost == 1 ? "A layer lost its name and position; it was put on top."
                   : std::to_string(lost) +
                         " layers lost their names and positions; they were put on top.");
+  }
+
+  /// Gives the layers their opacities and pictures.
+  void set_layer_looks() {
+    for (auto& [id, layer] : found_.layers) {
+      if (const auto found = found_.opacities.find(id); found != found_.opacities.end()) {
+        layer.state.opacity = found->second;
+      }
+      if (const auto found = found_.pictures.find(id); found != found_.pictures.end()) {
+        layer.state.picture = found->second;
+      }
+    }
   }
 
   Result<void> fill() {

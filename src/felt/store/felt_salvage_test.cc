@@ -8,6 +8,7 @@
 #include <set>
 
 #include "felt/document/testing/random_document.h"
+#include "felt/document/testing/small_picture.h"
 #include "felt/store/page_scan.h"
 
 namespace felt::felt_salvage_test {
@@ -118,6 +119,48 @@ TEST(FeltSalvage, WithoutAHeadAllIsThere) {
 }
 
 /// Destroys each page in turn. Only the content of that page may be lost.
+/// Returns some_drawing() with looks of layers: one is translucent, and one has a picture.
+Drawing drawing_with_looks() {
+  Drawing drawing = some_drawing();
+  Edit edit;
+  const auto layers = drawing.document.layers();
+  LayerState birds = layers[1].state(), trees = layers[2].state();
+  birds.opacity = 0.375;
+  trees.picture = testing::red_blue_picture(1.0 / 3.0, 7.0);
+  edit.layers.push_back({layers[1].id, layers[1].state(), birds, 1, 1});
+  edit.layers.push_back({layers[2].id, layers[2].state(), trees, 2, 2});
+  EXPECT_TRUE(drawing.document.apply(edit));
+  return drawing;
+}
+
+TEST(FeltSalvage, LayersKeepTheirOpacitiesAndPictures) {
+  const Drawing drawing = drawing_with_looks();
+  std::string bytes = felt_bytes(drawing).value();
+  bytes.replace(0, 100, 100, '\0');  // only the head of the file
+  const Salvaged salvaged = salvage_felt_bytes(bytes).value();
+  const auto layers = salvaged.drawing.document.layers();
+  ASSERT_EQ(layers.size(), 3U);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    EXPECT_TRUE(layers[i].state() == drawing.document.layers()[i].state()) << i;
+  }
+}
+
+TEST(FeltSalvage, ADamagedPictureIsLeftOut) {
+  const Drawing drawing = drawing_with_looks();
+  const std::string& png = drawing.document.layers()[2].picture->data->png;
+  std::string bytes = felt_bytes(drawing).value();
+  bytes.replace(0, 100, 100, '\0');
+  const std::size_t at = bytes.find(png);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + png.size() - 20] ^= 1;
+  const Salvaged salvaged = salvage_felt_bytes(bytes).value();
+  const auto layers = salvaged.drawing.document.layers();
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[1].opacity, 0.375);
+  EXPECT_EQ(layers[2].picture, nullptr);
+  EXPECT_THAT(salvaged.problems.back(), HasSubstr("Other data"));
+}
+
 TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
   const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();

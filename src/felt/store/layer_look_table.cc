@@ -1,7 +1,6 @@
 #include "felt/store/layer_look_table.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string>
 #include <utility>
@@ -102,18 +101,22 @@ bool read_picture(const Statement& row, LayerState& state) {
     if (!row.is_real(i + 1)) return false;
     m[static_cast<std::size_t>(i)] = row.real(i + 1);
   }
-  if (!row.is_integer(7) || (row.integer(7) | 1) != 1 || !row.is_blob(8) || !row.is_integer(9)) {
-    return false;
-  }
-  auto data = make_picture_data(std::string(row.blob(8)));
-  if (!data) return false;
-  LayerPicture picture{*std::move(data), {m[0], m[1], m[2], m[3], m[4], m[5]}, row.integer(7) != 0};
-  if (!is_picture_place(picture.place) || picture_checksum(picture) != row.integer(9)) return false;
-  state.picture = std::make_shared<const LayerPicture>(std::move(picture));
-  return true;
+  if (!row.is_integer(7) || !row.is_blob(8) || !row.is_integer(9)) return false;
+  state.picture = picture_of_row(m, row.integer(7), std::string(row.blob(8)), row.integer(9));
+  return state.picture != nullptr;
 }
 
 }  // namespace
+
+LayerPicturePtr picture_of_row(const std::array<double, 6>& m, std::int64_t exported,
+                               std::string png, std::int64_t checksum) {
+  if ((exported | 1) != 1) return nullptr;
+  auto data = make_picture_data(std::move(png));
+  if (!data) return nullptr;
+  LayerPicture picture{*std::move(data), {m[0], m[1], m[2], m[3], m[4], m[5]}, exported != 0};
+  if (!is_picture_place(picture.place) || picture_checksum(picture) != checksum) return nullptr;
+  return std::make_shared<const LayerPicture>(std::move(picture));
+}
 
 Result<void> write_layer_looks(Database& database, const Document& document) {
   const std::span<const Layer> layers = document.layers();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "felt/base/result.h"
@@ -20,6 +22,11 @@ inline constexpr std::string_view kPictureTable =
     "CREATE TABLE picture(id INTEGER PRIMARY KEY, layer INTEGER NOT NULL, a REAL NOT NULL, "
     "b REAL NOT NULL, c REAL NOT NULL, d REAL NOT NULL, e REAL NOT NULL, f REAL NOT NULL, "
     "exported INTEGER NOT NULL, png BLOB NOT NULL, checksum INTEGER NOT NULL)";
+
+/// Returns the picture of a row of the table `picture`, or null if a value is invalid or the
+/// checksum does not fit. `place` are the numbers a to f.
+LayerPicturePtr picture_of_row(const std::array<double, 6>& place, std::int64_t exported,
+                               std::string png, std::int64_t checksum);
 
 /// Creates and fills the tables that the document needs.
 Result<void> write_layer_looks(Database& database, const Document& document);

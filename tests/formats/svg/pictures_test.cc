@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,21 @@ TEST(SvgPictures, WhatAgreedWithTheSuiteStillDoes) {
     ++count;
   }
   EXPECT_GE(count, 250);
+}
+
+TEST(SvgPictures, TheDrawingsAgreeWithTheSuite) {
+  const std::string root = suite_folder();
+  if (!fs::is_directory(root)) GTEST_SKIP() << "no suite of SVG files at " << root;
+  const std::set<std::string> differ = {
+      "painting/stroke/control-points-clamping-1",
+      "painting/stroke/pattern-with-objectBoundingBox-fallback-on-zero-bbox-shape",
+      "shapes/line/with-transform"};
+  std::ifstream list("tests/formats/svg/suite_agrees.txt");
+  for (std::string name; std::getline(list, name);) {
+    if (differ.contains(name)) continue;
+    const SuiteResult result = compare_with_suite(root, name, {}, SuitePicture::kDrawing);
+    EXPECT_TRUE(result.agrees) << name << ": " << result.why;
+  }
 }
 
 }  // namespace

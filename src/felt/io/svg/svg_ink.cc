@@ -205,7 +205,6 @@ std::optional<SvgSharpForm> sharp_form(const SvgShape& shape) {
 /// Replaces the widths of a line, which are constant, by those at the joints of its contour.
 void set_widths(std::vector<WidthKnot>& knots, const SvgCenterLine& line,
                 const std::vector<SvgSharpWidth>& widths) {
-  constexpr double kStepU = 1e-3;  // where the width changes abruptly
   const double end = static_cast<double>(line.segment_count());
   knots.clear();
   for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -213,7 +212,7 @@ void set_widths(std::vector<WidthKnot>& knots, const SvgCenterLine& line,
     const double u = is_last ? end : line.place(static_cast<double>(i));
     if (knots.empty() || u > knots.back().u) knots.push_back({u, widths[i].before_mm});
     if (widths[i].after_mm != widths[i].before_mm && !is_last) {
-      knots.push_back({knots.back().u + kStepU, widths[i].after_mm});
+      knots.push_back({knots.back().u + kSvgJumpU, widths[i].after_mm});
     }
   }
 }

@@ -12,6 +12,10 @@ namespace {
 
 /// Corners that differ less than this from a round one stay round.
 constexpr double kVisibleMm = 0.05;
+/// The drawn width is smoothed where it begins to change, but not at a jump (kJump). A jump at both
+/// ends of a cone keeps its sides straight: a change of the width by this part of the cone's
+/// length.
+constexpr double kEdgeStep = 3.0 * kSvgJumpU;
 
 enum class Turn { kRound, kMiter, kBevel, kFlatEnd };
 
@@ -86,9 +90,11 @@ class SharpPen {
   void spike(Point tip) {
     const Point from = here();
     const double width = line_.widths.back().after_mm;
-    if (!(width > kMinWidthMm)) return;
-    go(from + (1.0 - kMinWidthMm / width) * (tip - from), kMinWidthMm);
-    go(from, {kMinWidthMm, width});
+    const double step = kEdgeStep * distance(from, tip);
+    if (!(width > kMinWidthMm + 2.0 * step)) return;
+    line_.widths.back().after_mm = width - step;
+    go(from + (1.0 - kMinWidthMm / width) * (tip - from), {kMinWidthMm, kMinWidthMm + step});
+    go(from, {kMinWidthMm + step, width});
   }
 
   /// Fills both corners of the flat end at `end` of the line, which has the direction `along`.

@@ -14,6 +14,9 @@ inline constexpr double kMinSharpWidthMm = 1.2, kMaxSharpWidthMm = 1000.0;
 /// Longer lines get round ends and corners.
 inline constexpr std::size_t kMaxSharpSegments = 10'000;
 
+/// The part of a segment, in u, in which the width changes if it differs before and after a joint.
+inline constexpr double kSvgJumpU = 1e-4;
+
 /// How a line ends and turns. All sharp forms are drawn exactly for straight segments.
 struct SvgSharpForm {
   double width_mm = 0.0;

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <functional>
 
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/testing/test_drawings.h"
+#include "felt/stroke/drawn_profile.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt::svg_sharp_line_test {
@@ -67,6 +70,22 @@ TEST(SvgSharpLine, FlatAndSquareEnds) {
   expect_area(sharp_line(line, {4.0, SvgCap::kSquare}), [](Point p) {
     return depth_in_box(p, {0.0, 8.0, 22.0, 12.0});
   });
+}
+
+// The drawn width is a smooth curve between breakpoints, which would make cones hollow.
+TEST(SvgSharpLine, DrawnConesHaveStraightSides) {
+  const Imported read =
+      import_svg(
+          "<svg xmlns='http://www.w3.org/2000/svg' width='60mm' height='60mm' viewBox='0 0 60 60'>"
+          "<path d='M8 8H50V50H20' fill='none' stroke='#000' stroke-width='8'/></svg>")
+          .value();
+  const std::vector<Stroke> strokes = testing::strokes_in(read.drawing.document);
+  ASSERT_EQ(strokes.size(), 1U);
+  const Stroke& stroke = strokes[0];
+  ASSERT_GT(stroke.widths().size(), 10U) << "cones at both ends and in both corners";
+  for (double u = 0.0; u <= stroke.segment_count(); u += 0.01) {
+    EXPECT_NEAR(drawn_width_mm(stroke, u), stroke.width_mm(u), 1e-3) << u;
+  }
 }
 
 TEST(SvgSharpLine, LinesShorterThanTheirWidth) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "felt/document/document.h"
+#include "felt/formats/file_format.h"
+
+namespace felt {
+
+/// The numbers of objects that a written file does not contain because its format cannot.
+struct LostObjects {
+  std::size_t fills = 0;
+  std::size_t pictures = 0;  ///< pictures to draw over
+
+  friend bool operator==(const LostObjects&, const LostObjects&) noexcept = default;
+};
+
+/// Counts the fills and pictures of a document that a file of this format cannot contain. Counts
+/// those of hidden layers only if the format holds hidden layers. `compact` is
+/// WriteOptions::compact. Pictures that the format can show, but that were not asked for, are not
+/// lost.
+LostObjects lost_objects(const Document& document, FileFormat format, bool compact = false);
+
+}  // namespace felt
