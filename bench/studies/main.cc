@@ -60,7 +60,7 @@ struct PersonErrors {
 using StudyErrors = std::vector<PersonErrors>;
 
 StudyErrors simulate(const StudyOptions& options, std::size_t study) {
-  const std::vector<Point> path = shape_path(ShapeKind::kWave, 25.0);
+  const std::vector<Point> path = shape_path(StudyShapeKind::kWave, 25.0);
   const Condition condition{.friction = 0.2};
   StudyErrors errors;
   for (const Person& person : population(options.people, options.seed * 1'000'003 + study)) {

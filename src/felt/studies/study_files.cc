@@ -81,13 +81,14 @@ class Reading {
 
   Result<StudyPath> path_of(const StudyShape& shape) {
     StudyPath path;
-    if (shape.kind == ShapeKind::kFile) {
+    if (shape.kind == StudyShapeKind::kFile) {
       Result<StudyPath> drawn = drawn_path(shape);
       if (!drawn) return wrong(shape.line, "shape.file", drawn.error());
       path = *std::move(drawn);
     } else {
       path.points = shape_path(shape.kind, shape.size_mm.value_or(kDefaultShapeMm));
-      const bool is_closed = shape.kind == ShapeKind::kCircle || shape.kind == ShapeKind::kStar;
+      const bool is_closed =
+          shape.kind == StudyShapeKind::kCircle || shape.kind == StudyShapeKind::kStar;
       path.ends = is_closed ? TrialPathEnds::kClosed : TrialPathEnds::kOpen;
     }
     const bool is_copied = shape.task == StudyTask::kCopy;

@@ -71,10 +71,10 @@ inline constexpr std::array<std::string_view, 2> kQuestionTimes = {"condition", 
 enum class DeviceNeed { kNothing, kForce };
 inline constexpr std::array<std::string_view, 2> kDeviceNeeds = {"nothing", "force"};
 
-enum class ShapeKind { kLine, kCircle, kSpiral, kWave, kStar, kFile };
+enum class StudyShapeKind { kLine, kCircle, kSpiral, kWave, kStar, kFile };
 /// The built-in shapes. kFile has no name, because the file has one.
-inline constexpr std::array<std::string_view, 5> kShapeKinds = {"line", "circle", "spiral", "wave",
-                                                                "star"};
+inline constexpr std::array<std::string_view, 5> kStudyShapeNames = {"line", "circle", "spiral",
+                                                                     "wave", "star"};
 
 /// One option of a session, such as "pencil.stabiliser". A study keeps its id and value without
 /// knowing the options that exist: the program that runs the study checks them, and uses `line` for
@@ -105,7 +105,7 @@ struct StudyCondition {
 /// One shape that participants draw in every condition.
 struct StudyShape {
   std::string name;  ///< unique in the study
-  ShapeKind kind = ShapeKind::kLine;
+  StudyShapeKind kind = StudyShapeKind::kLine;
   std::string file = {};  ///< the file name for kFile; the study reader does not open it
   StudyTask task = StudyTask::kTrace;
   /// The longer side of the bounding box. A file without it keeps its own size.

@@ -229,17 +229,17 @@ constexpr auto kKeys = std::to_array<StudyKey>({
      .set = [](const Target& t, const Value& v) { t.shape->name = v.text; }},
     {.id = "shape.kind",
      .kind = Kind::kChoice,
-     .choices = kShapeKinds,
+     .choices = kStudyShapeNames,
      .fallback = "required without a file",
      .help = "A built-in shape.",
-     .set = [](const Target& t, const Value& v) { t.shape->kind = choice<ShapeKind>(v); }},
+     .set = [](const Target& t, const Value& v) { t.shape->kind = choice<StudyShapeKind>(v); }},
     {.id = "shape.file",
      .kind = Kind::kFile,
      .fallback = "none",
      .help = "A drawing with the shape, in the folder of the study.",
      .set =
          [](const Target& t, const Value& v) {
-           t.shape->kind = ShapeKind::kFile;
+           t.shape->kind = StudyShapeKind::kFile;
            t.shape->file = v.text;
          }},
     {.id = "shape.task",

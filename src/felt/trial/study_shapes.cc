@@ -25,20 +25,20 @@ Point on_circle(double radius, double turns) {
 }
 
 /// Returns a shape of any size and position.
-std::vector<Point> raw_path(ShapeKind kind) {
+std::vector<Point> raw_path(StudyShapeKind kind) {
   switch (kind) {
-    case ShapeKind::kLine:
-    case ShapeKind::kFile:
+    case StudyShapeKind::kLine:
+    case StudyShapeKind::kFile:
       break;
-    case ShapeKind::kCircle:
+    case StudyShapeKind::kCircle:
       return sampled(360, [](double t) { return on_circle(1.0, t); });
-    case ShapeKind::kSpiral:
+    case StudyShapeKind::kSpiral:
       return sampled(1080, [](double t) { return on_circle(12.0 + 25.0 * t, 3.0 * t); });
-    case ShapeKind::kWave:
+    case StudyShapeKind::kWave:
       return sampled(720, [](double t) {
         return Point{132.0 * t, -8.0 * std::sin(2.0 * kTurn * t)};
       });
-    case ShapeKind::kStar:
+    case StudyShapeKind::kStar:
       return sampled(10, [](double t) {
         const bool is_tip = std::lround(10.0 * t) % 2 == 0;
         return on_circle(is_tip ? 25.0 : 10.0, t);
@@ -49,8 +49,8 @@ std::vector<Point> raw_path(ShapeKind kind) {
 
 }  // namespace
 
-std::vector<Point> shape_path(ShapeKind kind, double size_mm) {
-  FELT_CHECK(kind != ShapeKind::kFile && size_mm > 0.0);
+std::vector<Point> shape_path(StudyShapeKind kind, double size_mm) {
+  FELT_CHECK(kind != StudyShapeKind::kFile && size_mm > 0.0);
   std::vector<Point> points = raw_path(kind);
   const auto [left, right] = std::minmax_element(
       points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });

@@ -17,6 +17,6 @@ inline constexpr double kDefaultShapeMm = 80.0;
 /// The line is horizontal. The circle starts at the top and is drawn clockwise. The wave has two
 /// periods of a sine. The spiral has three turns, from the inside to the outside. The star has five
 /// points. Requires a kind other than kFile and a positive size.
-std::vector<Point> shape_path(ShapeKind kind, double size_mm);
+std::vector<Point> shape_path(StudyShapeKind kind, double size_mm);
 
 }  // namespace felt

@@ -12,7 +12,7 @@ class Shapes : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(Shapes, HaveTheirSizeAroundTheOrigin) {
   for (const double size_mm : {1.0, kDefaultShapeMm, 1000.0}) {
-    const std::vector<Point> path = shape_path(static_cast<ShapeKind>(GetParam()), size_mm);
+    const std::vector<Point> path = shape_path(static_cast<StudyShapeKind>(GetParam()), size_mm);
     ASSERT_GE(path.size(), 2u);
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (const Point& p : path) {
@@ -27,15 +27,17 @@ TEST_P(Shapes, HaveTheirSizeAroundTheOrigin) {
 }
 
 TEST_P(Shapes, HaveNoPointTwiceInARow) {
-  const std::vector<Point> path = shape_path(static_cast<ShapeKind>(GetParam()), 50.0);
+  const std::vector<Point> path = shape_path(static_cast<StudyShapeKind>(GetParam()), 50.0);
   for (std::size_t i = 1; i < path.size(); ++i) EXPECT_GT(distance(path[i - 1], path[i]), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Shapes, ::testing::Range(std::size_t{0}, kShapeKinds.size()),
-                         [](const auto& tested) { return std::string(kShapeKinds[tested.param]); });
+INSTANTIATE_TEST_SUITE_P(All, Shapes, ::testing::Range(std::size_t{0}, kStudyShapeNames.size()),
+                         [](const auto& tested) {
+                           return std::string(kStudyShapeNames[tested.param]);
+                         });
 
 TEST(ShapePath, IsARoundClosedCircle) {
-  const std::vector<Point> path = shape_path(ShapeKind::kCircle, 60.0);
+  const std::vector<Point> path = shape_path(StudyShapeKind::kCircle, 60.0);
   EXPECT_NEAR(distance(path.front(), path.back()), 0.0, 1e-9);
   EXPECT_NEAR(path.front().y, -30.0, 1e-9);
   EXPECT_GT(path[1].x, 0.0) << "clockwise";
@@ -46,7 +48,7 @@ TEST(ShapePath, IsARoundClosedCircle) {
 }
 
 TEST(ShapePath, HasTenCornersInAStar) {
-  EXPECT_EQ(shape_path(ShapeKind::kStar, 50.0).size(), 11u);
+  EXPECT_EQ(shape_path(StudyShapeKind::kStar, 50.0).size(), 11u);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ StudyResults made_results(const MadeStudy& made) {
   results.files.study = *study;
   results.files.sources = {{"made.toml", made.text}};
   for (const StudyShape& shape : study->shapes) {
-    const bool is_closed = shape.kind == ShapeKind::kCircle;
+    const bool is_closed = shape.kind == StudyShapeKind::kCircle;
     results.files.paths.push_back({shape_path(shape.kind, kShapeMm),
                                    is_closed ? TrialPathEnds::kClosed : TrialPathEnds::kOpen});
   }
