@@ -31,6 +31,10 @@ Rect difference(const Document& a, const Document& b) {
         const StrokePtr stroke = from.find(id), its = other.find(id);
         if (!its || *its != *stroke) box.extend(stroke->bounds());
       }
+      for (const FillId id : layer.fills) {
+        const FillPtr area = from.find_fill(id), its = other.find_fill(id);
+        if (!its || !(*its == *area)) box.extend(fill_bounds(*area));
+      }
     }
   };
   add(a, b);

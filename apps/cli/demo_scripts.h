@@ -7,7 +7,7 @@ namespace felt::cli {
 
 /// An act of the demonstration: a script from a tool's folder. It is compiled into the program, so
 /// that the file is not needed. Its name is that of the file, for example "1-pencil". Acts are
-/// sorted by name.
+/// sorted by number.
 struct DemoScript {
   std::string_view name;
   std::string_view text;

@@ -225,14 +225,70 @@ std::string connect_act() {
   return act.text();
 }
 
+/// Returns the act in which a drag across the ball makes the wool red.
+std::string recolor_act() {
+  DemoAct act;
+  act.tool("recolor");
+  act.set("ink.color", std::string("#a63c2e"));
+  act.gesture({{3.2, 114}, {9, 115.5}, {16, 112}, {22, 107.5}, {25.5, 106}}, 25.0);
+  return act.text();
+}
+
+/// Returns the act in which a window with a moon is drawn from corner to corner.
+std::string shape_act() {
+  DemoAct act;
+  act.tool("shape");
+  act.set("ink.color", std::string("#23262d"));
+  act.set("shape.shape", std::string("rectangle"));
+  act.gesture({{3, 6}, {12, 19}, {23, 36}}, 25.0);
+  act.set("shape.shape", std::string("ellipse"));
+  act.gesture({{10, 11}, {15, 16}, {20, 21}}, 25.0);
+  return act.text();
+}
+
+/// Returns the act in which four rough strokes become one line, the edge of a curtain.
+std::string gather_act() {
+  WritingHand hand({.tremor_mm = 0.1, .wander_mm = 0.3, .seed = 9});
+  int count = 300;
+  const auto strand = [](double off, double from, double to) {
+    Gesture gesture{.via = {}, .pressure = 0.4, .end_pressure = 0.4};
+    for (int i = 0; i <= 6; ++i) {
+      const double y = from + (to - from) * i / 6.0;
+      gesture.via.push_back({112.0 + off + 4.0 * std::sin(0.08 * (y - 12.0)), y});
+    }
+    return gesture;
+  };
+  const std::vector<Gesture> strands{strand(-0.8, 14, 46), strand(0.6, 20, 62), strand(0.0, 36, 70),
+                                     strand(1.0, 12, 40)};
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.set("ink.color", std::string("#23262d"));
+  act.draw(hand, strands, count);
+  act.tool("gather");
+  act.set("gather.radius_mm", 4.0);
+  act.gesture({{112.8, 11}, {116.2, 30}, {114.2, 46}, {109.8, 60}, {108.2, 71}}, 25.0);
+  return act.text();
+}
+
+/// Returns the act in which the areas between the threads of the ball are filled.
+std::string fill_act() {
+  DemoAct act;
+  act.tool("fill");
+  act.set("ink.color", std::string("#e8b9a5"));
+  act.gesture({{7.5, 105.5}, {11.5, 109}, {15, 113.5}, {18, 118.2}}, 20.0);
+  return act.text();
+}
+
 struct Act {
   const char* name;
   std::string (*script)();
 };
-constexpr Act kActs[] = {{"1-pencil", pencil_act},       {"2-pull", pull_act},
-                         {"3-smooth", smooth_act},       {"4-width", width_act},
-                         {"5-eraser", eraser_act},       {"6-lasso", lasso_act},
-                         {"7-transform", transform_act}, {"8-connect", connect_act}};
+constexpr Act kActs[] = {
+    {"1-pencil", pencil_act},       {"2-pull", pull_act},       {"3-smooth", smooth_act},
+    {"4-width", width_act},         {"5-eraser", eraser_act},   {"6-lasso", lasso_act},
+    {"7-transform", transform_act}, {"8-connect", connect_act}, {"9-recolor", recolor_act},
+    {"10-shape", shape_act},        {"11-gather", gather_act},  {"12-fill", fill_act}};
 
 }  // namespace
 }  // namespace felt

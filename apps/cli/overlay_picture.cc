@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "felt/document/visible_strokes.h"
 #include "felt/render/page_painter.h"
 #include "felt/render/plot.h"
 #include "felt/render/plot_canvas.h"
@@ -227,7 +226,9 @@ Result<Image> draw_view(const SessionView& view, const PictureOptions& options, 
   const Pixels pixels = painter->image().pixels();
   OverlayPen pen(pixels, painter->view(), scale * page.dpi / kUnitsPerInch);
   pen.bands(view.overlay);
-  for (const StrokePtr& stroke : visible_strokes(view.document)) painter->draw(*stroke);
+  if (Result<void> drawn = painter->draw(view.document, PictureChoice::kMarked); !drawn) {
+    return tl::unexpected(drawn.error());
+  }
   Rasterizer rasterizer;
   draw_wet_ink(view.overlay, painter->view(), pixels, rasterizer);
   pen.marks(view.overlay);

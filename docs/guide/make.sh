@@ -9,6 +9,6 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 "$feltline" demo -o "$scratch" --size 1200
-for act in "$here"/../../src/felt/tools/*/[0-9]-*.ndjson; do
+for act in "$here"/../../src/felt/tools/*/[0-9]*-*.ndjson; do
   cp "$scratch/$(basename "$act" .ndjson).png" "$here/"
 done

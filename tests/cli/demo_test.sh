@@ -22,7 +22,7 @@ fi
 
 # Each act has a picture (before, during and after it) and a row of the table.
 run 0 "$feltline" demo -o one
-for act in "$tools"/*/[0-9]-*.ndjson; do
+for act in "$tools"/*/[0-9]*-*.ndjson; do
   name=$(basename "$act" .ndjson)
   [ -s "one/$name.png" ] || fail "no picture of $name"
   same "one/$name.png" "three/$name.png"
@@ -47,8 +47,12 @@ changes 5-eraser '"edits":2,'
 changes 6-lasso '"edits":0,'
 changes 7-transform '"edits":1,'
 changes 8-connect '"edits":4,'
+changes 9-recolor '"edits":1,'
+changes 10-shape '"edits":2,'
+changes 11-gather '"edits":5,'
+changes 12-fill '"edits":1,'
 run 0 "$feltline" info one/sketch.ndjson
-has out "closed          3"
+has out "closed          5"
 
 run 1 "$feltline" demo -o /proc/nowhere
 has err "feltline: /proc/nowhere"

@@ -32,7 +32,13 @@ const std::vector<Act>& acts() {
   static const std::vector<Act> kActs = [] {
     const std::vector<std::unique_ptr<Tool>> tools = make_tools();
     std::vector<Act> all;
-    for (const QString& name : QDir(QStringLiteral(":/tour")).entryList(QDir::Files, QDir::Name)) {
+    QStringList names = QDir(QStringLiteral(":/tour")).entryList(QDir::Files);
+    const auto number = [](const QString& name) {
+      return name.section(QLatin1Char('-'), 0, 0).toInt();
+    };
+    std::sort(names.begin(), names.end(),
+              [&](const QString& a, const QString& b) { return number(a) < number(b); });
+    for (const QString& name : names) {
       const std::string id =
           name.section(QLatin1Char('-'), 1).section(QLatin1Char('.'), 0, 0).toStdString();
       const auto tool = std::find_if(tools.begin(), tools.end(),

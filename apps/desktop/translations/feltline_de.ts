@@ -6212,6 +6212,26 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Eine Linie stimmt nicht ganz? Greifen und ziehen Sie sie. Wie ein Draht leistet sie mehr Widerstand, je weiter Sie ziehen.</translation>
     </message>
     <message>
+        <source>Lines that are already drawn can get another colour. Tap one, or drag across several.</source>
+        <translation>Auch fertige Linien können eine andere Farbe bekommen. Tippen Sie eine an oder ziehen Sie über mehrere.</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner: a line, a rectangle or an ellipse. Shift makes a square or a circle.</source>
+        <translation>Ziehen Sie von Ecke zu Ecke: eine Gerade, ein Rechteck oder eine Ellipse. Mit Umschalt entsteht ein Quadrat oder ein Kreis.</translation>
+    </message>
+    <message>
+        <source>Brush along rough strokes, and they become one line. The bundle resists until it is one.</source>
+        <translation>Streichen Sie an rohen Strichen entlang, und sie werden eine Linie. Das Bündel leistet Widerstand, bis es eine ist.</translation>
+    </message>
+    <message>
+        <source>A tap fills the area between lines, a drag fills several. The colour follows the lines when you change them.</source>
+        <translation>Ein Tippen füllt die Fläche zwischen Linien, ein Ziehen mehrere. Die Farbe folgt den Linien, wenn Sie sie ändern.</translation>
+    </message>
+    <message>
         <source>Rub along a shaky line to remove the jitter and keep the shape.</source>
         <translation>Reiben Sie an einer zittrigen Linie entlang: Das Zittern verschwindet, die Form bleibt.</translation>
     </message>

@@ -6212,6 +6212,26 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Klopt een lijn niet helemaal? Pak hem vast en trek. Als een draad biedt hij meer weerstand naarmate je verder trekt.</translation>
     </message>
     <message>
+        <source>Lines that are already drawn can get another colour. Tap one, or drag across several.</source>
+        <translation>Ook getekende lijnen kunnen een andere kleur krijgen. Tik er een aan of sleep over meerdere.</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Vormen</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner: a line, a rectangle or an ellipse. Shift makes a square or a circle.</source>
+        <translation>Sleep van hoek naar hoek: een lijn, een rechthoek of een ellips. Met Shift ontstaat een vierkant of een cirkel.</translation>
+    </message>
+    <message>
+        <source>Brush along rough strokes, and they become one line. The bundle resists until it is one.</source>
+        <translation>Strijk langs ruwe streken, en ze worden één lijn. De bundel biedt weerstand tot het er één is.</translation>
+    </message>
+    <message>
+        <source>A tap fills the area between lines, a drag fills several. The colour follows the lines when you change them.</source>
+        <translation>Tikken vult het vlak tussen lijnen, slepen vult er meerdere. De kleur volgt de lijnen als u ze verandert.</translation>
+    </message>
+    <message>
         <source>Rub along a shaky line to remove the jitter and keep the shape.</source>
         <translation>Wrijf langs een beverige lijn om het beven te verwijderen en de vorm te behouden.</translation>
     </message>

@@ -41,6 +41,13 @@ struct Side {
   double slides = 0.0;  // -1..1: direction of the movement and share of the friction against it
 };
 
+// The force of the groove, or of the ridge, which points away from its path.
+double guide_pull_n(Trial trial, double way_mm) noexcept {
+  if (trial == Trial::kGuide) return GuideLaw::groove(1.0).well.force_at_n(way_mm);
+  const GuideLaw ridge = GuideLaw::error_amplifying(1.0);
+  return -ridge.well.force_at_n(std::max(0.0, way_mm - ridge.dead_mm));
+}
+
 Side side_of(Trial trial, double t_s) noexcept {
   Side side;
   switch (trial) {
@@ -63,13 +70,24 @@ Side side_of(Trial trial, double t_s) noexcept {
       side.pull_n = kEditLaw.force_n(side.way_mm);
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
+    case Trial::kBundle:
+      side.way_mm = 20.0 * (smooth(kMoveS, 2.2, t_s) - smooth(2.7, 3.3, t_s));
+      side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
+      break;
     case Trial::kGuide:
+    case Trial::kRidge:
       side.way_mm = 1.0 + 2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
-      side.pull_n = t_s < kLandedS ? 0.0 : GuideLaw::groove(1.0).well.force_at_n(side.way_mm);
+      if (t_s >= kLandedS) side.pull_n = guide_pull_n(trial, side.way_mm);
       side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
       break;
   }
   return side;
+}
+
+// Returns true if the force at the start of the trial is that of a position, so that its energy
+// counts only from then on.
+bool is_in_a_well(Trial trial) noexcept {
+  return trial == Trial::kWell || trial == Trial::kGuide || trial == Trial::kRidge;
 }
 
 }  // namespace
@@ -79,7 +97,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
     const double release_s = trial == Trial::kTap ? 0.9 : 2.0;
     return {.measure_from_s = 3.5,
             .measure_until_s = 4.5,
-            .energy_from_s = (trial == Trial::kWell || trial == Trial::kGuide) ? kMoveS : 0.0,
+            .energy_from_s = is_in_a_well(trial) ? kMoveS : 0.0,
             .release_s = release_s,
             .end_s = 4.5};
   }
@@ -96,10 +114,12 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
       break;
     case Trial::kWell:
     case Trial::kGuide:
+    case Trial::kRidge:
       times = {
           .measure_from_s = 1.9, .measure_until_s = 2.9, .energy_from_s = kMoveS, .end_s = 4.6};
       break;
     case Trial::kEdit:
+    case Trial::kBundle:
       times = {.measure_from_s = 1.4, .measure_until_s = 3.6};
       break;
   }

@@ -13,12 +13,15 @@
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
+#include "felt/tools/fill/fill_force.h"
+#include "felt/tools/gather/gather_force.h"
 #include "tests/devices/stability/pen_plan.h"
 
 namespace felt {
 namespace {
 
 constexpr double kHighFromHz = 30.0;
+constexpr double kBundleMm = 1.0;  // spread at which the resistance of a bundle is largest
 // Pressing force, N. Small enough for the safety chain to allow it with a Touch during a whole
 // trial, with the other forces.
 constexpr double kPressN = 0.8;
@@ -51,10 +54,25 @@ GuidePiece straight_path() {
   return piece;
 }
 
+// Returns the medium as the tool of this trial scales it: Fill and Gather glide more than a pencil.
+Medium scaled_tool(const StabilityCell& cell) {
+  if (cell.trial == Trial::kRidge) return scaled_medium(*cell.tool, kFillGlide, kFillGlide);
+  if (cell.trial == Trial::kBundle) return scaled_medium(*cell.tool, kGatherGlide, kGatherGlide);
+  return *cell.tool;
+}
+
+// Returns the surface with the resistance of the widest bundle, without grain.
+ForceModel bundle_model(const StabilityCell& cell, const Medium& tool, const Capabilities& device) {
+  const FrictionOptions friction = friction_for(tool, *cell.surface, device);
+  return ForceModel(Compose(Plane(plane_for(*cell.surface, device)),
+                            BundleFeel(kBundleMm, friction.coefficient, 1.0), Friction(friction)));
+}
+
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   // Grain is tested at rest only: there it must add no force. It may be felt while the pen moves.
   const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
-  const SurfaceForce surface = make_surface_force(*cell.surface, *cell.tool, device, grain);
+  const Medium tool = scaled_tool(cell);
+  const SurfaceForce surface = make_surface_force(*cell.surface, tool, device, grain);
   switch (cell.trial) {
     case Trial::kWell:
       return ForceModel(Compose(surface, SnapWells(kTrialPlace)));
@@ -62,6 +80,10 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, EditSpring(kTrialPlace)));
     case Trial::kGuide:
       return ForceModel(Compose(surface, Guide(GuideLaw::groove(1.0), straight_path())));
+    case Trial::kRidge:
+      return ForceModel(Compose(surface, Guide(GuideLaw::error_amplifying(1.0), straight_path())));
+    case Trial::kBundle:
+      return bundle_model(cell, tool, device);
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -173,6 +195,10 @@ std::string_view name_of(Trial trial) noexcept {
       return "edit";
     case Trial::kGuide:
       return "guide";
+    case Trial::kRidge:
+      return "ridge";
+    case Trial::kBundle:
+      return "bundle";
   }
   return "";
 }
@@ -208,10 +234,13 @@ StabilityResult run_trial(const StabilityCell& cell) {
   servo->publish(model_of(cell, device.capabilities));
   servo->arm();
 
-  const PlanGround ground{
+  PlanGround ground{
       .plane_n_per_m = plane_for(*cell.surface, device.capabilities).stiffness_n_per_m,
-      .friction = friction_of(*cell.tool, *cell.surface),
+      .friction = friction_of(scaled_tool(cell), *cell.surface),
       .press_n = press_of(cell)};
+  if (cell.trial == Trial::kBundle) {
+    ground.friction += std::min(BundleFeel::kMaxN / ground.press_n, BundleFeel::kMaxFactor);
+  }
   const TrialTimes times = times_of(cell.trial, lets_go);
   Meter meter(times, cell.trial == Trial::kTap, 1e-9 * static_cast<double>(cell.period_ns));
   KnowingHand knowing(cell, hand, ground);

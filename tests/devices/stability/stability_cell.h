@@ -12,15 +12,17 @@ namespace felt {
 
 /// What the hand does in a stability trial.
 enum class Trial : std::uint8_t {
-  kRest,   ///< lands, presses, holds still
-  kSlow,   ///< presses and moves at 20 mm/s
-  kTap,    ///< taps eight times in 2.7 s
-  kWell,   ///< lands in a snap well, rests, moves out to the well's plateau and back
-  kEdit,   ///< moves 20 mm out and back against an edit spring
-  kGuide,  ///< lands 1 mm beside a groove, rests, moves to 3 mm and back
+  kRest,    ///< lands, presses, holds still
+  kSlow,    ///< presses and moves at 20 mm/s
+  kTap,     ///< taps eight times in 2.7 s
+  kWell,    ///< lands in a snap well, rests, moves out to the well's plateau and back
+  kEdit,    ///< moves 20 mm out and back against an edit spring
+  kGuide,   ///< lands 1 mm beside a groove, rests, moves to 3 mm and back
+  kRidge,   ///< the same beside the soft ridge of the tool Fill
+  kBundle,  ///< moves 20 mm out and back through a bundle of the tool Gather
 };
-inline constexpr Trial kTrials[] = {Trial::kRest, Trial::kSlow, Trial::kTap,
-                                    Trial::kWell, Trial::kEdit, Trial::kGuide};
+inline constexpr Trial kTrials[] = {Trial::kRest, Trial::kSlow,  Trial::kTap,   Trial::kWell,
+                                    Trial::kEdit, Trial::kGuide, Trial::kRidge, Trial::kBundle};
 std::string_view name_of(Trial trial) noexcept;
 
 /// One trial: a hand uses a medium on a surface with a device and a loop.

@@ -23,7 +23,12 @@ constexpr ToolInfo kFillInfo{.id = "fill",
                              .options = kFillOptions,
                              .kind = ToolKind::kFills,
                              .uses = kFillUses,
-                             .edits = kFillEdits};
+                             .edits = kFillEdits,
+                             .act = {.title = "Fill",
+                                     .caption = "A tap fills the area between lines, a drag "
+                                                "fills several. The colour follows the lines "
+                                                "when you change them.",
+                                     .seconds = 8.0}};
 /// Distance between the points of a drag that are looked at, in mm.
 constexpr double kFillStepMm = 0.5;
 constexpr double kMaxFillSteps = 200.0;

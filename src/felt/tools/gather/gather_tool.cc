@@ -22,7 +22,11 @@ constexpr ToolInfo kGatherInfo{.id = "gather",
                                .options = kGatherOptions,
                                .kind = ToolKind::kEdits,
                                .uses = kGatherUses,
-                               .edits = kGatherEdits};
+                               .edits = kGatherEdits,
+                               .act = {.title = "Gather",
+                                       .caption = "Brush along rough strokes, and they become "
+                                                  "one line. The bundle resists until it is one.",
+                                       .seconds = 14.0}};
 /// Time constant of the low-pass for the spread that the user feels.
 constexpr double kSpreadSeconds = 0.040;
 constexpr double kLongestFeelS = 0.100;

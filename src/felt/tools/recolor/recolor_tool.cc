@@ -26,7 +26,11 @@ constexpr ToolInfo kRecolorInfo{
     .options = kRecolorOptions,
     .kind = ToolKind::kEdits,
     .uses = kRecolorUses,
-    .edits = kRecolorEdits};
+    .edits = kRecolorEdits,
+    .act = {.title = "Recolour",
+            .caption = "Lines that are already drawn can get another colour. Tap one, or drag "
+                       "across several.",
+            .seconds = 8.0}};
 /// Maximum number of positions between two samples that are searched for lines.
 constexpr double kMaxRecolorSteps = 200.0;
 

@@ -22,7 +22,12 @@ constexpr ToolInfo kShapeInfo{.id = "shape",
                               .options = kShapeOptions,
                               .kind = ToolKind::kShapes,
                               .uses = kShapeUses,
-                              .edits = kShapeEdits};
+                              .edits = kShapeEdits,
+                              .act = {.title = "Shapes",
+                                      .caption = "Drag from corner to corner: a line, a "
+                                                 "rectangle or an ellipse. Shift makes a square "
+                                                 "or a circle.",
+                                      .seconds = 8.0}};
 
 }  // namespace
 
