@@ -2633,8 +2633,8 @@
         <translation>Zeichnet weiter wie die Linie unter dem Stift oder die Linie, die Sie anklicken</translation>
     </message>
     <message>
-        <source>There is no line under the pen.</source>
-        <translation>Unter dem Stift ist keine Linie.</translation>
+        <source>There is no line or filled area under the pen.</source>
+        <translation>Unter dem Stift ist weder eine Linie noch eine gefüllte Fläche.</translation>
     </message>
     <message>
         <source>Click a line to use its colour. Escape ends this.</source>

@@ -2633,8 +2633,8 @@
         <translation>Tekent verder zoals de lijn onder de pen, of zoals de lijn die u aanklikt</translation>
     </message>
     <message>
-        <source>There is no line under the pen.</source>
-        <translation>Er is geen lijn onder de pen.</translation>
+        <source>There is no line or filled area under the pen.</source>
+        <translation>Er is geen lijn of gevuld vlak onder de pen.</translation>
     </message>
     <message>
         <source>Click a line to use its colour. Escape ends this.</source>

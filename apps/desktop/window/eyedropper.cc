@@ -8,7 +8,7 @@
 
 #include "desktop/materials/media_picker.h"
 #include "desktop/panels/tool_icons.h"
-#include "felt/document/visible_strokes.h"
+#include "felt/fill/curve_area.h"
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/color_text.h"
 
@@ -17,26 +17,47 @@ namespace {
 
 constexpr double kReachPx = 4.0;
 
+/// The nearest ink of the lines that were searched, and its distance from the point.
+struct NearestInk {
+  std::optional<PickedInk> ink;
+  double distance_mm;
+};
+
+/// Replaces `best` if a line is nearer to the point.
+void search(const Stroke& line, Point at, NearestInk& best) {
+  if (!line.bounds().inflated(best.distance_mm).contains(at)) return;
+  for (int i = 0; i < line.segment_count(); ++i) {
+    const Nearest near = nearest(line.segment(i), at);
+    const double width_mm = line.width_mm(i + near.t);
+    const double gap_mm = std::max(0.0, std::sqrt(near.distance_squared) - 0.5 * width_mm);
+    if (best.ink ? gap_mm >= best.distance_mm : gap_mm > best.distance_mm) continue;
+    best = {PickedInk{line.color(), line.medium(), width_mm}, gap_mm};
+  }
+}
+
+bool covers(const Fill& fill, Point at) {
+  bool is_inside_all = false;  // by the even-odd rule
+  for (const FillLoop& loop : fill.loops) is_inside_all ^= is_inside(loop.points, at);
+  return is_inside_all;
+}
+
 }  // namespace
 
 std::optional<PickedInk> ink_at(const Document& document, Point at, double reach_mm) {
-  const std::vector<StrokePtr> strokes = visible_strokes(document);
-  std::optional<PickedInk> found;
-  double least_mm = reach_mm;  // distance of the point from the ink that was found
-  for (auto stroke = strokes.rbegin(); stroke != strokes.rend(); ++stroke) {
-    const Stroke& line = **stroke;
-    if (!line.bounds().inflated(reach_mm).contains(at)) continue;
-    for (int i = 0; i < line.segment_count(); ++i) {
-      const Nearest near = nearest(line.segment(i), at);
-      const double width_mm = line.width_mm(i + near.t);
-      const double gap_mm = std::max(0.0, std::sqrt(near.distance_squared) - 0.5 * width_mm);
-      if (found ? gap_mm >= least_mm : gap_mm > least_mm) continue;
-      least_mm = gap_mm;
-      found = PickedInk{line.color(), line.medium(), width_mm};
+  NearestInk best{std::nullopt, reach_mm};
+  const std::span<const Layer> layers = document.layers();
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    if (!layer->visible) continue;
+    for (auto id = layer->strokes.rbegin(); id != layer->strokes.rend(); ++id) {
+      search(*document.find(*id), at, best);
+      if (best.ink && best.distance_mm == 0.0) return best.ink;
     }
-    if (found && least_mm == 0.0) return found;
+    for (auto id = layer->fills.rbegin(); id != layer->fills.rend(); ++id) {
+      const FillPtr fill = document.find_fill(*id);
+      if (covers(*fill, at)) return PickedInk{fill->color, {}, 0.0};
+    }
   }
-  return found;
+  return best.ink;
 }
 
 Eyedropper::Eyedropper(Actions& actions, Canvas& canvas)
@@ -62,10 +83,10 @@ bool Eyedropper::pick(Point at, What what) {
   const double reach_mm = kReachPx / canvas_.view().px_per_mm();
   const std::optional<PickedInk> ink = ink_at(studio_.session().document(), at, reach_mm);
   if (!ink) {
-    Q_EMIT studio_.refused(tr("There is no line under the pen."));
+    Q_EMIT studio_.refused(tr("There is no line or filled area under the pen."));
     return false;
   }
-  if (what == What::kAll) take_medium_and_width(*ink);
+  if (what == What::kAll && !ink->medium.empty()) take_medium_and_width(*ink);
   const std::string color = color_to_text(ink->color);
   studio_.apply(SetOption{kInkColorId, color});
   if (!studio_.session().selection().empty()) {

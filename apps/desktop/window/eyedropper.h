@@ -8,15 +8,15 @@
 
 namespace felt::desktop {
 
-/// A line under the pen, for the eyedropper.
+/// A line or a fill under the pen, for the eyedropper.
 struct PickedInk {
   Rgba color;
-  std::string medium;
-  double width_mm = 0.0;  ///< width of the line at that point
+  std::string medium;     ///< empty for a fill
+  double width_mm = 0.0;  ///< width of the line at that point; 0 for a fill
 };
 
-/// Returns the ink of the topmost visible line at the point. If there is none, returns the nearest
-/// ink within reach_mm, or nullopt. Takes linear time in the number of lines.
+/// Returns the ink of the topmost visible line or fill at the point. If there is none, returns the
+/// nearest line within reach_mm, or nullopt. Takes linear time in the number of lines and fills.
 std::optional<PickedInk> ink_at(const Document& document, Point at, double reach_mm);
 
 /// The eyedropper: uses the colour of a line that is already drawn. If the pen is over the page, it

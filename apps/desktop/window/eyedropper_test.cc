@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "desktop/window/color_notice.h"
+#include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/session/session_medium.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -54,6 +55,23 @@ TEST(Eyedropper, PicksTheTopmostInk) {
   EXPECT_NEAR(ink_at(document, {50, 39.2}, 0.1)->width_mm, 2.0, 1e-9);
   EXPECT_FALSE(ink_at(document, {50, 38.0}, 0.5));
   EXPECT_TRUE(ink_at(document, {50, 38.0}, 1.5));
+}
+
+TEST(Eyedropper, PicksTheFillBetweenLines) {
+  const Fixture fixture;
+  Document document = fixture.studio.session().document();
+  constexpr Rgba kBlue{0, 0, 200, 255};
+  FillLoop loop{{{20, 20}}, {}};
+  for (const Point to : {Point{80, 20}, Point{80, 80}, Point{20, 80}, Point{20, 20}}) {
+    loop.points.insert(loop.points.end(), {loop.points.back(), to, to});
+  }
+  EditBuilder builder(document);
+  builder.add_fill(document.layers()[0].id, std::make_shared<const Fill>(Fill{{loop}, kBlue, 0.0}));
+  ASSERT_TRUE(document.apply(std::move(builder).build("Fill")));
+  EXPECT_EQ(ink_at(document, {50, 38.0}, 1.5)->color, kBlue) << "not that of the nearest line";
+  EXPECT_EQ(ink_at(document, {50, 38.0}, 1.5)->medium, "");
+  EXPECT_EQ(ink_at(document, {50, 41}, 0.1)->color, kGreen) << "lines are above fills";
+  EXPECT_FALSE(ink_at(document, {50, 90.0}, 1.5));
 }
 
 TEST(Eyedropper, AClickPicksOnceAndDrawsNothing) {
