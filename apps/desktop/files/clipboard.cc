@@ -74,7 +74,7 @@ QByteArray svg_of(const Drawing& drawing) {
 QImage picture_of(const Drawing& drawing) {
   const Rect area = ink_area(ink_bounds(drawing.document));
   const double fits = std::sqrt(kMaxPixels / std::max(1.0, area.width() * area.height()));
-  return page_picture(visible_strokes(drawing.document), area, std::min(kDpi / kMmPerInch, fits),
+  return page_picture(drawing.document, area, std::min(kDpi / kMmPerInch, fits),
                       {255, 255, 255, 0});
 }
 

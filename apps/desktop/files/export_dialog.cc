@@ -67,8 +67,9 @@ QPixmap on_squares(const QImage& picture, double ratio) {
 
 ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, QWidget* parent)
     : QDialog(parent),
-      strokes_(visible_strokes(drawing.document)),
-      selected_(visible_strokes(selected_only(drawing, selection).document)),
+      document_(with_newest_strokes(drawing.document, kMaxPreviewStrokes)),
+      selected_(
+          with_newest_strokes(selected_only(drawing, selection).document, kMaxPreviewStrokes)),
       page_(drawing.page),
       format_(new QComboBox(this)),
       area_(new QComboBox(this)),
@@ -91,7 +92,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   format_->setCurrentIndex(
       std::max(0, format_->findData(settings.text(files_keys::kExportFormat))));
   area_->addItems({tr("The page"), tr("The ink only")});
-  if (!selected_.empty()) area_->addItem(tr("The selected lines"));
+  if (selected_.stroke_count() > 0) area_->addItem(tr("The selected lines"));
   area_->setCurrentIndex(settings.flag(files_keys::kExportInkOnly, false) ? 1 : 0);
   dpi_->setRange(10.0, 2400.0);
   dpi_->setDecimals(0);
@@ -107,7 +108,6 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   const auto layers = drawing.document.layers();
   has_pictures_ = std::any_of(layers.begin(), layers.end(),
                               [](const Layer& l) { return l.visible && l.picture; });
-  pictures_->setToolTip(tr("Not in the preview"));
   build();
   follow_choices();
 }
@@ -166,16 +166,13 @@ QWidget* ExportDialog::resolution_row() {
 }
 
 void ExportDialog::follow_choices() {
-  for (std::vector<StrokePtr>* strokes : {&strokes_, &selected_}) {
-    if (strokes->size() <= kMaxPreviewStrokes) continue;
-    strokes->erase(strokes->begin(), strokes->end() - kMaxPreviewStrokes);
-  }
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(area_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(dpi_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_result);
   connect(background_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   connect(grain_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   connect(compact_, &QCheckBox::toggled, this, &ExportDialog::show_result);
+  connect(pictures_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   show_result();
 }
 
@@ -217,17 +214,18 @@ void ExportDialog::show_result() {
   compact_->setEnabled(chosen.format == FileFormat::kSvg);
   pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection &&
                         (is_png || (chosen.format == FileFormat::kSvg && !chosen.compact)));
-  area_->setEnabled(is_picture || !selected_.empty());
+  area_->setEnabled(is_picture || selected_.stroke_count() > 0);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);
   const bool is_part = chosen.part == ExportPart::kSelection;
-  const std::vector<StrokePtr>& strokes = is_part ? selected_ : strokes_;
-  const Rect area = export_area(ink_bounds(strokes), page_, chosen);
+  const Document& document = is_part ? selected_ : document_;
+  const Rect area = export_area(ink_bounds(document), page_, chosen);
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
   const bool is_grained = is_picture && chosen.grain && surface_grain_ && !chosen.compact;
-  const QImage picture = page_thumbnail(strokes, area, kPreviewSize * ratio, paper,
-                                        is_grained ? *surface_grain_ : Grain());
+  const QImage picture = page_thumbnail(
+      document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : Grain(),
+      chosen.pictures ? PictureChoice::kAll : PictureChoice::kMarked);
   picture_->setPixmap(on_squares(picture, ratio));
   const QLocale locale;
   QString text =

@@ -33,8 +33,8 @@ class ExportDialog : public QDialog {
   void follow_choices();
   void show_result();
 
-  std::vector<StrokePtr> strokes_;
-  std::vector<StrokePtr> selected_;
+  Document document_;  // with the newest strokes, for the preview
+  Document selected_;
   Page page_;
   bool has_pictures_ = false;
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is

@@ -156,8 +156,8 @@ TEST(Print, ThePageIsPaintedAtItsTrueSize) {
   QPainter painter(&painted);
   paint_page(painter, drawing, kDpi);
   painter.end();
-  const QImage ours = page_picture(visible_strokes(drawing.document), drawing.page.area(), 10.0,
-                                   {255, 255, 255, 255});
+  const QImage ours =
+      page_picture(drawing.document, drawing.page.area(), 10.0, {255, 255, 255, 255});
   ASSERT_EQ(ours.size(), painted.size());
   double sum = 0.0;
   for (int y = 0; y < ours.height(); ++y) {
@@ -192,6 +192,31 @@ TEST(Print, FillsLieBelowTheLinesOfTheirLayer) {
   EXPECT_EQ(painted.pixelColor(5, 5), QColor(Qt::white));
 }
 
+/// The clipboard, recovery, recent files and the preview of an export show this picture.
+TEST(PagePicture, ShowsFillsAndTheNewestStrokes) {
+  Document document;
+  FillLoop loop{{{10, 10}}, {}};
+  for (const Point to : {Point{50, 10}, Point{50, 30}, Point{10, 30}, Point{10, 10}}) {
+    loop.points.insert(loop.points.end(), {loop.points.back(), to, to});
+  }
+  EditBuilder builder(document);
+  builder.add_fill({1}, std::make_shared<const Fill>(Fill{{loop}, {200, 40, 0, 255}, 0.0}));
+  for (const double y : {5.0, 35.0}) {
+    Stroke line = testing::straight_stroke({5, y}, {55, y}, 2.0, 2.0);
+    builder.add({1}, std::make_shared<const Stroke>(std::move(line)));
+  }
+  ASSERT_TRUE(document.apply(std::move(builder).build("Fill")));
+  const Rect area{0, 0, 60, 40};
+  const QImage all = page_picture(document, area, 1.0, {255, 255, 255, 255});
+  EXPECT_EQ(all.pixelColor(30, 20), QColor(200, 40, 0));
+  EXPECT_NE(all.pixelColor(30, 5), QColor(Qt::white));
+  const QImage newest =
+      page_thumbnail(with_newest_strokes(document, 1), area, {60, 40}, {255, 255, 255, 255});
+  EXPECT_EQ(newest.pixelColor(30, 20), QColor(200, 40, 0));
+  EXPECT_EQ(newest.pixelColor(30, 5), QColor(Qt::white)) << "the lower of two lines";
+  EXPECT_NE(newest.pixelColor(30, 35), QColor(Qt::white));
+}
+
 // The option "Grain of the surface" applies to print and to every format that is a picture.
 TEST(Export, GrainIsThatOfTheSurface) {
   StudioFixture fixture;
@@ -212,8 +237,8 @@ TEST(Export, GrainIsThatOfTheSurface) {
 
   constexpr double kDpi = 300.0;
   const Grain grain = grain_of(drawing).value();
-  const QImage ours = page_picture(visible_strokes(drawing.document), drawing.page.area(),
-                                   kDpi / 25.4, {255, 255, 255, 255}, grain);
+  const QImage ours =
+      page_picture(drawing.document, drawing.page.area(), kDpi / 25.4, {255, 255, 255, 255}, grain);
   QImage painted(ours.size(), QImage::Format_RGBA8888_Premultiplied);
   painted.fill(Qt::white);
   QPainter painter(&painted);

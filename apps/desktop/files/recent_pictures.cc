@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "desktop/files/page_picture.h"
-#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
 namespace {
@@ -43,13 +42,11 @@ class LargeIcons : public QProxyStyle {
 }  // namespace
 
 void write_recent_picture(const QString& path, const Drawing& drawing) {
-  std::vector<StrokePtr> strokes = visible_strokes(drawing.document);
-  if (strokes.size() > kMaxPictured) {
-    strokes.erase(strokes.begin(), strokes.end() - static_cast<std::ptrdiff_t>(kMaxPictured));
-  }
   const Rgba paper = drawing.page.paper.a > 0 ? drawing.page.paper : Rgba{255, 255, 255};
   const QSize size = kRecentPicture * kPixelRatio;
-  const QImage page = page_thumbnail(strokes, drawing.page.area(), size, paper, Grain());
+  const QImage page =
+      page_thumbnail(with_newest_strokes(drawing.document, kMaxPictured), drawing.page.area(), size,
+                     paper, Grain(), PictureChoice::kAll);
   if (page.isNull()) return;
   QImage picture(size, QImage::Format_ARGB32_Premultiplied);
   picture.fill(Qt::transparent);

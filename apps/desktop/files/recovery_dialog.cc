@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "desktop/files/page_picture.h"
-#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
 namespace {
@@ -55,8 +54,8 @@ QLabel* picture_of(const Drawing& drawing, const QString& name, double ratio, QW
   QLabel* label = frame_of(name, parent);
   const Page& page = drawing.page;
   const Rgba paper = page.paper.a > 0 ? page.paper : Rgba{255, 255, 255, 255};
-  QImage picture =
-      page_thumbnail(visible_strokes(drawing.document), page.area(), kThumbnailSize * ratio, paper);
+  QImage picture = page_thumbnail(drawing.document, page.area(), kThumbnailSize * ratio, paper,
+                                  Grain(), PictureChoice::kAll);
   picture.setDevicePixelRatio(ratio);
   label->setPixmap(QPixmap::fromImage(picture));
   return label;

@@ -2609,10 +2609,6 @@
         <source>P&amp;ictures to draw over</source>
         <translation>B&amp;ilder zum Nachzeichnen</translation>
     </message>
-    <message>
-        <source>Not in the preview</source>
-        <translation>Nicht in der Vorschau</translation>
-    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>

@@ -2609,10 +2609,6 @@
         <source>P&amp;ictures to draw over</source>
         <translation>Afbeeld&amp;ingen om over te trekken</translation>
     </message>
-    <message>
-        <source>Not in the preview</source>
-        <translation>Niet in het voorbeeld</translation>
-    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
