@@ -272,8 +272,11 @@ class Sharpener {
     const double length = norm(along);
     const Point middle = lerp(run.first(), run.last(), 0.5);
     if (length < 0.98 * run.length || length < kMinWidthMm) {
-      const SvgSharpWidth same{form_.width_mm, form_.width_mm};
-      return {{{middle, middle, middle, middle}, false}, {same, same}, false};
+      SvgSharpLine dot;
+      dot.contour.points.assign(4, middle);
+      dot.widths.assign(2, {form_.width_mm, form_.width_mm});
+      dot.is_exact = false;
+      return dot;
     }
     const Vec across = normalized(perp(along)), half = (radius_ - 0.5 * length) * across;
     SharpPen pen(middle - half, length);
