@@ -1,4 +1,5 @@
 # Checks the help, the version and the exit codes.
+completions=$(cd "$(dirname "$0")/../../share/completions" && pwd)
 . "$(dirname "$0")/helpers.sh"
 
 run 0 "$feltline" --help
@@ -65,4 +66,16 @@ done
 is_empty out
 [ ! -e x.png ] || fail "a wrong command line made a picture"
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"
+
+# The completions of all shells have every option of every command.
+for command in fit render convert gather check info formats replay recover demo tools materials devices \
+  doctor device-test record trial bench; do
+  run 0 "$feltline" "$command" --help
+  while read -r option; do
+    for shell in bash/feltline zsh/_feltline; do
+      grep -q -- "$option\b" "$completions/$shell" || fail "$shell lacks $command $option"
+    done
+    grep -q -- "-l ${option#--}\b" "$completions/fish/feltline.fish" || fail "fish lacks $command $option"
+  done < <(grep -oE '^ +(-[a-zA-Z],)?--[a-z-]+' out | grep -oE -e '--[a-z-]+' | sort -u)
+done
 finish
