@@ -34,14 +34,14 @@ Pull pull_of(int trial) {
   return {from, {from.x + length * std::cos(angle), from.y + length * std::sin(angle)}};
 }
 
-Result<std::vector<StrokePtr>> line_to_pull() {
+Result<VisibleInk> line_to_pull() {
   const Cubic line = straight({60.0, 100.0}, {180.0, 100.0});
   StrokeData data;
   data.points.assign(line.p.begin(), line.p.end());
   data.widths = {{0.0, 0.5}, {1.0, 0.5}};
   Result<Stroke> stroke = Stroke::create(std::move(data));
   if (!stroke) return tl::unexpected(stroke.error());
-  return std::vector<StrokePtr>{std::make_shared<const Stroke>(*std::move(stroke))};
+  return VisibleInk{{std::make_shared<const Stroke>(*std::move(stroke))}, {}};
 }
 
 double distance_from(const Document& document, Point p) {
