@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "felt/document/edit.h"
+#include "felt/geometry/point.h"
+
+namespace felt {
+
+/// The kinds of guides that a drawing can have. For each kind, the comment names the fields of
+/// DrawingGuide that it uses besides `origin` and `strength`; angles count from +x towards +y.
+enum class DrawingGuideKind : std::uint8_t {
+  kRuler,        ///< a straight edge from `origin`: `angle_rad`, `size_mm` (length)
+  kLine,         ///< one infinite line through `origin`: `angle_rad`
+  kParallels,    ///< all lines of one direction: `angle_rad`
+  kSetSquare,    ///< a right angle at `origin`: `angle_rad`, legs `size_mm` and `second_mm`
+  kProtractor,   ///< rays from `origin` at multiples of `step_rad`: `angle_rad`, `size_mm` (radius)
+  kCompass,      ///< circles around `origin`; the pen chooses the radius where it touches
+  kEllipse,      ///< `angle_rad`, semi-axes `size_mm` and `second_mm`
+  kEllipses,     ///< all ellipses with the centre, direction and proportions of kEllipse
+  kPerspective,  ///< lines to the `points`: one to three vanishing points
+  kGrid,         ///< nodes of squares: `angle_rad`, `size_mm` (spacing)
+  kIsometricGrid,  ///< nodes of equilateral triangles: `angle_rad`, `size_mm` (spacing)
+  kSymmetry,       ///< `axes` mirror axes through `origin`: `angle_rad` (the first axis)
+  kTrace,          ///< the centre line of the stroke `stroke`, also after it was edited
+  kTeacher,        ///< a recorded path: `points`, `times_ms`
+};
+
+/// A guide of a drawing: a shape to draw along, which holds the pen by a force and lets it go if
+/// the user pulls harder (docs/design/forces.md#guides). Guides are not ink: exported files leave
+/// them out. Immutable, like a stroke.
+struct DrawingGuide {
+  static constexpr int kMinAxes = 2, kMaxAxes = 16;
+
+  DrawingGuideKind kind = DrawingGuideKind::kRuler;
+  Point origin{};
+  double angle_rad = 0.0;
+  double size_mm = 100.0;
+  double second_mm = 60.0;
+  double step_rad = 0.2617993877991494;  ///< 15 degrees
+  int axes = kMinAxes;
+  StrokeId stroke{};
+  std::vector<Point> points = {};     ///< mm
+  std::vector<double> times_ms = {};  ///< for kTeacher: when the teacher was at each point
+  double strength = 1.0;              ///< 0..1, multiplies the force
+
+  friend bool operator==(const DrawingGuide&, const DrawingGuide&) = default;
+};
+
+using GuideId = Id<struct GuideTag>;
+using DrawingGuidePtr = std::shared_ptr<const DrawingGuide>;
+
+}  // namespace felt
