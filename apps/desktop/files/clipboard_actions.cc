@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QCryptographicHash>
 #include <QGuiApplication>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -96,23 +95,29 @@ Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep
   DrawingBuilder builder;
   const std::size_t kept = builder.add_layer({"Ink"});
   std::set<std::string> media;
-  std::map<StrokeId, StrokeId> kept_ids;
+  std::set<StrokeId> kept_ids;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) {
       if (!keep(id)) continue;
+      kept_ids.insert(id);
       const StrokePtr stroke = document.find(id);
       media.insert(stroke->medium());
       builder.add(kept, stroke, id);
-      kept_ids[id] = id;
     }
   }
-  // A fill is copied with all strokes of its boundary.
+  // If all strokes are copied, fills without strokes are, too.
+  const bool is_all = studio_.session().selection().empty();
+  const auto is_kept = [&](StrokeId id) { return kept_ids.contains(id); };
+  const auto has_strokes = [](const Fill& fill) {
+    return goes_with_strokes(fill, [](StrokeId) { return true; });
+  };
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const FillId id : layer.fills) {
-      if (with_other_strokes(*document.find_fill(id), kept_ids).is_complete) {
-        builder.add_fill(kept, document.find_fill(id), fill_name(id));
+      const FillPtr fill = document.find_fill(id);
+      if (goes_with_strokes(*fill, is_kept) || (is_all && !has_strokes(*fill))) {
+        builder.add_fill(kept, fill, fill_name(id));
       }
     }
   }

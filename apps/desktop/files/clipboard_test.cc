@@ -160,6 +160,23 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   EXPECT_EQ(other.studio.materials().find_medium("soft-chalk"), nullptr);
 }
 
+TEST(Clipboard, FillsAreCopiedWithAllTheirLines) {
+  StudioFixture fixture;
+  fixture.draw_filled_squares();
+  ASSERT_EQ(fixture.document().fill_count(), 3u);
+  const auto copied_fills = [&] {
+    trigger(fixture, "edit.copy");
+    StudioFixture other;
+    trigger(other, "edit.paste");
+    return other.document().fill_count();
+  };
+  EXPECT_EQ(copied_fills(), 1u) << "the second square is selected";
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  EXPECT_EQ(copied_fills(), 2u) << "the fill without lines is not selected";
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
+  EXPECT_EQ(copied_fills(), 3u) << "nothing is selected, so everything is copied";
+}
+
 TEST(Clipboard, PastesAtThePointerOrInPlace) {
   StudioFixture fixture;
   fixture.studio.import(QStringLiteral("test"),

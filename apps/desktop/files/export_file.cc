@@ -15,12 +15,20 @@ namespace felt::desktop {
 
 Drawing selected_only(Drawing drawing, const Selection& selection) {
   DrawingBuilder builder;
+  const auto is_selected = [&](StrokeId id) { return selection.find(id) != nullptr; };
   for (const Layer& layer : drawing.document.layers()) {
-    std::optional<std::size_t> kept;
+    std::optional<std::size_t> added;
+    const auto kept = [&] {
+      if (!added)
+        added = builder.add_layer({layer.name, layer.visible, layer.locked, layer.opacity});
+      return *added;
+    };
+    for (const FillId id : layer.fills) {
+      const FillPtr fill = drawing.document.find_fill(id);
+      if (goes_with_strokes(*fill, is_selected)) builder.add_fill(kept(), fill, fill_name(id));
+    }
     for (const StrokeId id : layer.strokes) {
-      if (!selection.find(id)) continue;
-      if (!kept) kept = builder.add_layer({layer.name, layer.visible, layer.locked, layer.opacity});
-      builder.add(*kept, drawing.document.find(id), id);
+      if (is_selected(id)) builder.add(kept(), drawing.document.find(id), id);
     }
   }
   drawing.document = std::move(builder).build().document;

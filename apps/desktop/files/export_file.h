@@ -25,8 +25,8 @@ struct ExportOptions {
   bool pictures = false;  ///< show the pictures of all visible layers, if the format supports it
 };
 
-/// Returns the drawing with only those strokes that are selected wholly or in part. Layers without
-/// such strokes are left out.
+/// Returns the drawing with only those strokes that are selected wholly or in part, and the fills
+/// that go with them (goes_with_strokes). Layers without any of these are left out.
 Drawing selected_only(Drawing drawing, const Selection& selection);
 
 /// Returns the area of the page that is exported. `ink` is the bounding box of the exported ink.

@@ -69,6 +69,31 @@ TEST(Export, TheSelectionOnlyAndASmallSvg) {
   EXPECT_LT(2 * QFileInfo(fixture.at("small.svg")).size(), QFileInfo(fixture.at("all.svg")).size());
 }
 
+TEST(Export, FillsGoWithTheSelectionIfItHasAllTheirLines) {
+  StudioFixture fixture;
+  fixture.draw_filled_squares();
+  const Drawing drawing = fixture.files->drawing();
+  ASSERT_EQ(drawing.document.fill_count(), 3u);
+  const auto fills_with = [&](std::uint64_t from, std::uint64_t to) {
+    Selection selection;
+    for (std::uint64_t id = from; id <= to; ++id) {
+      const StrokePtr stroke = drawing.document.find(StrokeId{id});
+      selection.set_whole(StrokeId{id}, stroke->data().points.size());
+    }
+    return selected_only(drawing, selection).document;
+  };
+  EXPECT_EQ(fills_with(1, 3).fill_count(), 0u) << "one line of the square is not selected";
+  EXPECT_EQ(fills_with(1, 8).fill_count(), 2u) << "a fill without lines is not selected";
+  const Document second = fills_with(4, 8);
+  ASSERT_EQ(second.fill_count(), 1u);
+  EXPECT_EQ(fill_bounds(*second.find_fill(second.layers().front().fills.front())),
+            (Rect{60, 10, 90, 40}));
+  const Document first = fills_with(1, 4);
+  ASSERT_TRUE(export_drawing(fixture.at("a.svg"), Drawing{.document = first},
+                             {.format = FileFormat::kSvg, .part = ExportPart::kSelection}));
+  EXPECT_EQ(read_drawing(fixture.at("a.svg")).value().document.fill_count(), 1u);
+}
+
 TEST(Export, TheDialogOffersTheSelectedLinesIfThereAreAny) {
   StudioFixture fixture;
   fixture.draw(1, 2);

@@ -11,6 +11,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/history.h"
 #include "felt/document/testing/random_fills.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt::fill_test {
 namespace {
@@ -35,6 +36,23 @@ FillPtr shared(double side) {
 std::string error_of(const Fill& fill) {
   const auto result = check_fill(fill);
   return result ? "" : result.error().message;
+}
+
+TEST(Fill, GoesWithStrokesIfAllOfItsBoundaryIsChosen) {
+  Fill fill = square(4);
+  const auto all = [](StrokeId) { return true; };
+  const auto not_2 = [](StrokeId id) { return id != StrokeId{2}; };
+  EXPECT_FALSE(goes_with_strokes(fill, all)) << "it has no strokes";
+  fill.loops[0].pieces = {{{1}, 0, 1}, {{}, 0, 0}, {{3}, 0, 1}};
+  EXPECT_TRUE(goes_with_strokes(fill, not_2)) << "a bridge has no stroke";
+  fill.loops.push_back(fill.loops[0]);
+  EXPECT_TRUE(goes_with_strokes(fill, not_2));
+  fill.loops[1].pieces[0].stroke = {2};
+  EXPECT_FALSE(goes_with_strokes(fill, not_2)) << "a hole counts, too";
+  EXPECT_TRUE(goes_with_strokes(fill, all));
+  fill.loops[0].pieces = {{{}, 0, 0}};
+  fill.loops[1].pieces.clear();
+  EXPECT_FALSE(goes_with_strokes(fill, all)) << "a bridge alone is no stroke";
 }
 
 RC_GTEST_PROP(Fill, RandomFillsAreValid, (std::uint64_t seed)) {

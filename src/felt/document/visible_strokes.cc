@@ -53,6 +53,18 @@ RenamedFill with_other_strokes(Fill fill, const std::map<StrokeId, StrokeId>& ne
   return {std::move(fill), is_complete};
 }
 
+bool goes_with_strokes(const Fill& fill, const std::function<bool(StrokeId)>& is_chosen) {
+  bool has_stroke = false;
+  for (const FillLoop& loop : fill.loops) {
+    for (const FillPiece& piece : loop.pieces) {
+      if (!piece.stroke) continue;
+      if (!is_chosen(piece.stroke)) return false;
+      has_stroke = true;
+    }
+  }
+  return has_stroke;
+}
+
 Rect ink_bounds(const Document& document, LayerChoice layers) {
   Rect ink;
   for (const Layer& layer : document.layers()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,6 +36,11 @@ struct RenamedFill {
   bool is_complete = true;
 };
 RenamedFill with_other_strokes(Fill fill, const std::map<StrokeId, StrokeId>& new_ids);
+
+/// Returns true if the boundary of the fill has pieces of strokes, and `is_chosen` is true for each
+/// of these strokes. Such a fill is copied, duplicated and exported together with the chosen
+/// strokes.
+bool goes_with_strokes(const Fill& fill, const std::function<bool(StrokeId)>& is_chosen);
 
 /// Returns the bounds of the ink and fills in these layers; empty if they contain none.
 Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);

@@ -52,11 +52,6 @@ Result<RestyledInk> restyled_ink(const RestyleEvent& event) {
   return ink;
 }
 
-bool has_pieces(const Fill& fill) {
-  return std::any_of(fill.loops.begin(), fill.loops.end(),
-                     [](const FillLoop& loop) { return !loop.pieces.empty(); });
-}
-
 }  // namespace
 
 Selection selected(const Document& document, const Selection& before, SelectStrokes::What what) {
@@ -100,8 +95,10 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
   }
   for (const Layer& layer : document.layers()) {
     for (const FillId id : layer.fills) {
-      RenamedFill copy = with_other_strokes(*document.find_fill(id), copies);
-      if (!copy.is_complete || !has_pieces(copy.fill) || layer.locked) continue;
+      const FillPtr fill = document.find_fill(id);
+      const auto is_copied = [&](StrokeId stroke) { return copies.contains(stroke); };
+      if (layer.locked || !goes_with_strokes(*fill, is_copied)) continue;
+      RenamedFill copy = with_other_strokes(*fill, copies);
       for (FillLoop& loop : copy.fill.loops) {
         for (Point& p : loop.points) p = p + shift;
       }

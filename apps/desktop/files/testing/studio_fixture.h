@@ -44,6 +44,29 @@ struct StudioFixture {
     }
     studio.import(QStringLiteral("test"), strokes);
   }
+  /// Adds two squares of four lines each with a fill in each, and a fill without lines. If the
+  /// drawing was empty, the lines have the ids 1 to 8. The second square is selected.
+  void draw_filled_squares() {
+    for (const double left : {10.0, 60.0}) {
+      std::vector<StrokePtr> strokes;
+      std::vector<FillPtr> fills;
+      const std::vector<Point> corners{
+          {left, 10}, {left + 30, 10}, {left + 30, 40}, {left, 40}, {left, 10}};
+      FillLoop loop{{corners[0]}, {}};
+      for (std::size_t i = 0; i < 4; ++i) {
+        strokes.push_back(std::make_shared<const Stroke>(
+            felt::testing::straight_stroke(corners[i], corners[i + 1], 1.0, 1.0)));
+        loop.points.insert(loop.points.end(), {corners[i], corners[i + 1], corners[i + 1]});
+        loop.pieces.push_back({StrokeId{i + 1}, 0.0, 1.0});
+      }
+      fills.push_back(std::make_shared<const Fill>(Fill{{loop}, {200, 40, 0, 255}, 0.0}));
+      loop.pieces.clear();
+      if (left == 10.0) {
+        fills.push_back(std::make_shared<const Fill>(Fill{{loop}, {0, 40, 200, 255}, 0.0}));
+      }
+      studio.import(QStringLiteral("test"), strokes, fills);
+    }
+  }
   /// Saves for the first time, under this name.
   void save_as(const char* name) {
     person->next = at(name);
