@@ -6,6 +6,7 @@
 #include <span>
 
 #include "felt/render/raster.h"
+#include "felt/render/tip_travel.h"
 #include "felt/stroke/outline/outline.h"
 
 namespace felt::desktop {
@@ -16,6 +17,9 @@ namespace {
 constexpr double kSeamPx = 2.0;
 /// Points farther away than kFarPx are not visible, and their numbers lose precision.
 constexpr double kFarPx = 1e7;
+/// Rows are at least this many widths apart along the path, so that they count as separate visits
+/// (VisitMap).
+constexpr double kBetweenRows = 10.0;
 
 bool is_near(const Cubic& c) {
   return std::all_of(c.p.begin(), c.p.end(),
@@ -48,6 +52,7 @@ View DeviceView::as_view() const {
 
 void DabRows::clear() {
   dabs_.clear();
+  travels_.clear();
   pieces_.clear();
 }
 
@@ -65,6 +70,7 @@ void DabRows::add(const Overlay::InkSegment& segment, double min_px) {
     piece.begins_row = true;
     dabs_.push_back({c.p[0], 0.0});
     pieces_.push_back(piece);
+    add_travels(piece, 0.0);
     return;
   }
   if (piece.begins_row) dabs_.push_back({c.p[0], r0, segment.start_tone});
@@ -80,11 +86,25 @@ void DabRows::add(const Overlay::InkSegment& segment, double min_px) {
     piece.box.extend(Rect{p.x, p.y, p.x, p.y}.inflated(dabs_[k].radius_mm));
   }
   pieces_.push_back(piece);
+  add_travels(piece, segment_travel(c, r0, r1));
+}
+
+/// Sets the travels of the dabs of the last piece, which is `travel` widths long.
+void DabRows::add_travels(const Piece& piece, double travel) {
+  tips_.clear();
+  for (std::size_t k = piece.first; k < dabs_.size(); ++k) {
+    tips_.push_back({{dabs_[k].center.x, dabs_[k].center.y}, dabs_[k].radius_mm, dabs_[k].tone});
+  }
+  const double last = travels_.empty() ? 0.0 : travels_.back();
+  set_travel(tips_, piece.begins_row ? last + kBetweenRows : last, travel);
+  travels_.resize(piece.first);
+  for (const TipAt& tip : tips_) travels_.push_back(tip.travel);
 }
 
 void DabRows::keep(std::size_t n) {
   if (n >= pieces_.size()) return;
   dabs_.resize(pieces_[n].first + (pieces_[n].begins_row ? 0 : 1));
+  travels_.resize(dabs_.size());
   pieces_.resize(n);
 }
 

@@ -7,6 +7,7 @@
 
 #include "desktop/canvas/canvas_view.h"
 #include "felt/render/image.h"
+#include "felt/render/tip_strips.h"
 #include "felt/render/view.h"
 #include "felt/stroke/outline/outline.h"
 #include "felt/tools/overlay.h"
@@ -61,7 +62,8 @@ class DabRows {
   /// within `part`.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
-  /// Calls `lay(dabs)` with the part of each row of dabs that touches `part`.
+  /// Calls `lay(dabs, travels)` with the part of each row of dabs that touches `part`, and with
+  /// TipAt::travel of these dabs.
   template <class Lay>
   void ways(const PixelRect& part, Lay lay) const;
 
@@ -76,7 +78,11 @@ class DabRows {
   [[nodiscard]] std::size_t end_of(std::size_t piece) const noexcept;
 
   DeviceView view_;
+  void add_travels(const Piece& piece, double travel);
+
   std::vector<Dab> dabs_;
+  std::vector<double> travels_;  // of dabs_
+  std::vector<TipAt> tips_;
   std::vector<Piece> pieces_;
 };
 
@@ -92,7 +98,9 @@ void DabRows::ways(const PixelRect& part, Lay lay) const {
       ++next;
     }
     const std::size_t first = pieces_[i].first;
-    lay(std::span<const Dab>(dabs_).subspan(first, end_of(next - 1) - first));
+    const std::size_t count = end_of(next - 1) - first;
+    lay(std::span<const Dab>(dabs_).subspan(first, count),
+        std::span<const double>(travels_).subspan(first, count));
     i = next;
   }
 }

@@ -13,6 +13,8 @@ namespace {
 constexpr double kOutlinePx = 1.0;  // line width in outline mode, device-independent pixels
 constexpr double kBandPx = 7.0;     // a band is wider than its ink by kBandPx
 constexpr double kMinBandPx = 9.0;
+/// Rows that are shaded at a time, so that the maps of a large picture stay small.
+constexpr int kBandRows = 64;
 
 /// Returns how many elements at the start of both sequences are equal.
 template <class T>
@@ -192,26 +194,26 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
   draw_pixels(painter, image, pixels, view_.dpr);
 }
 
-/// For each pixel of `pixels`, computes how hard the pen pressed there, which determines the grain.
-void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
-  pressure_.begin(pixels, edge);
-  row.dabs.ways(pixels, [&](std::span<const Dab> dabs) {
+/// For each pixel of `pixels`, computes how hard the pen pressed there, which determines the grain,
+/// and how often it was there.
+void WetInkView::lay(const PixelRect& pixels, const Row& row, const InkLook& look) {
+  pressure_.begin(pixels, look.edge);
+  row.dabs.ways(pixels, [&](std::span<const Dab> dabs, std::span<const double> travels) {
     way_.clear();
-    for (const Dab& dab : dabs) {
-      way_.push_back({{dab.center.x, dab.center.y}, dab.radius_mm, dab.tone});
+    for (std::size_t i = 0; i < dabs.size(); ++i) {
+      const Dab& dab = dabs[i];
+      way_.push_back({{dab.center.x, dab.center.y}, dab.radius_mm, dab.tone, travels[i]});
     }
     pressure_.lay(way_);
   });
+  look.builds_up ? visits_.find(pressure_, 0.0) : visits_.clear();
 }
 
 /// Turns coverage into colour. For each pixel, uses the mask's coverage if it is larger.
 void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& row) {
   const auto look = outline_mode_ ? nullptr : grain_.look(row.medium, view_.px_per_mm());
   std::optional<InkShade> shade;
-  if (look) {
-    lay(pixels, row, look->edge);
-    shade.emplace(*look, view_.as_view());
-  }
+  if (look) shade.emplace(*look, view_.as_view());
   const Rgba color = row.color;
   const int opacity = outline_mode_ ? 255 : color.a;
   std::array<QRgb, 256> inks{};
@@ -222,6 +224,9 @@ void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& r
   const int width = screen().width();
   std::vector<std::uint8_t> alphas(static_cast<std::size_t>(pixels.width()));
   for (int y = pixels.y0; y < pixels.y1; ++y) {
+    if (look && (y - pixels.y0) % kBandRows == 0) {
+      lay({pixels.x0, y, pixels.x1, std::min(y + kBandRows, pixels.y1)}, row, *look);
+    }
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y - pixels.y0));
     const std::uint8_t* kept =
         row.mask.empty() ? nullptr
@@ -230,7 +235,7 @@ void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& r
       alphas[static_cast<std::size_t>(x)] =
           static_cast<std::uint8_t>(std::max(qAlpha(line[x]), kept ? int{kept[x]} : 0));
     }
-    if (shade) shade->row(pressure_, pixels.x0, y, pixels.width(), alphas.data());
+    if (shade) shade->row(pressure_, visits_, pixels.x0, y, pixels.width(), alphas.data());
     for (int x = 0; x < pixels.width(); ++x) line[x] = inks[alphas[static_cast<std::size_t>(x)]];
   }
 }

@@ -14,6 +14,7 @@
 #include "felt/render/grain.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/raster.h"
+#include "felt/render/visit_map.h"
 
 namespace felt::desktop {
 
@@ -89,7 +90,7 @@ class WetInkView {
   void settle(Row& row, std::size_t to);
   void unsettle(Row& row) const;
   void paint_row(QPainter& painter, const QRect& part, const Row& row, const Cover& cover);
-  void lay(const PixelRect& pixels, const Row& row, double edge);
+  void lay(const PixelRect& pixels, const Row& row, const InkLook& look);
   void ink_pixels(QImage& image, const PixelRect& pixels, const Row& row);
   [[nodiscard]] PixelRect screen() const;
 
@@ -99,6 +100,7 @@ class WetInkView {
   bool outline_mode_ = false;
   InkBrush brush_;
   PressureMap pressure_;
+  VisitMap visits_;
   std::vector<TipAt> way_;
   Row wet_;
   std::vector<Row> drying_;

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "felt/material/relief.h"
 
 namespace felt::desktop::wet_ink_view_test {
 namespace {
@@ -78,6 +83,55 @@ TEST(WetInkView, ShowsAnotherStrokeWhole) {
   overlay.clear();
   ink.update(overlay);
   EXPECT_TRUE(ink.is_empty());
+}
+
+/// A line of a dry medium that crosses itself is as dark at the crossing as the finished stroke.
+TEST(WetInkView, BuildsUpLikeDryInk) {
+  const std::vector<Point> corners{{20, 45}, {100, 45}, {100, 20}, {60, 20}, {60, 70}};
+  StrokeData data;
+  data.points = {corners[0]};
+  Overlay overlay;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Cubic c = straight(corners[i - 1], corners[i]);
+    data.points.insert(data.points.end(), {c.p[1], c.p[2], c.p[3]});
+    overlay.ink.push_back({c, 3.0, 3.0, 0.5, 0.5});
+  }
+  data.joints.assign(3, JointKind::kCorner);
+  data.widths = {{0.0, 3.0, 0.5}, {4.0, 3.0, 0.5}};
+  data.medium = "charcoal";
+  const Stroke stroke = Stroke::create(data).value();
+  overlay.ink_color = stroke.color();
+  const Grain grain(surface_grain(*find_surface("paper")));
+  WetInkView ink = view_of_the_page();
+  ink.set_grain(grain, "charcoal");
+  ink.update(overlay);
+  const QImage wet = picture(ink);
+  DeviceView view;
+  view.view.set_size(kSize);
+  view.view.fit({0.0, 0.0, 120.0, 90.0});
+  QImage dry(kSize, QImage::Format_ARGB32_Premultiplied);
+  dry.fill(Qt::white);
+  const Pixels pixels{dry.bits(), dry.width(), dry.height(), dry.bytesPerLine(), PixelOrder::kBgra};
+  Rasterizer rasterizer;
+  rasterizer.draw(stroke, view.as_view(), pixels.rect(), grain, pixels);
+  int worst = 0;
+  const auto darkness = [&](Point middle) {
+    const Point px = view.to_px(middle);
+    double sum = 0.0;
+    for (int y = -4; y <= 4; ++y) {
+      for (int x = -4; x <= 4; ++x) {
+        sum += 255 - qGray(wet.pixel(static_cast<int>(px.x) + x, static_cast<int>(px.y) + y));
+      }
+    }
+    return sum / (81.0 * 255.0);
+  };
+  for (int y = 0; y < dry.height(); ++y) {
+    for (int x = 0; x < dry.width(); ++x) {
+      worst = std::max(worst, std::abs(qGray(dry.pixel(x, y)) - qGray(wet.pixel(x, y))));
+    }
+  }
+  EXPECT_LE(worst, 3);
+  EXPECT_GT(darkness({60, 45}), darkness({40, 45}) + 0.1) << "the crossing is darker";
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST(Grain, TablesSayWhatTheFormulaSays) {
     pressure.begin({0, 0, 256, 4}, look->edge);
     pressure.lay(std::vector<TipAt>{{{-50.0, 2.0}, 4000.0, 0.4}, {{300.0, 2.0}, 4000.0, 0.4}});
     std::vector<std::uint8_t> alphas(256, 255);
-    shade.row(pressure, 0, 2, 256, alphas.data());
+    shade.row(pressure, {}, 0, 2, 256, alphas.data());
     double off = 0.0;
     for (int x = 0; x < 256; ++x) {
       const double exact = grain.alpha(view.to_mm({x + 0.5, 2.5}), 0.4, material);

@@ -60,6 +60,53 @@ inline void shade(const InkLook& look, const std::int32_t* packed, const int* re
   }
 }
 
+/// The visits of one pixel: how much ink each leaves, 0..1, and where it is along the path, in
+/// widths.
+struct VisitInk {
+  int count = 0;
+  float ink[VisitMap::kMax];
+  float travel[VisitMap::kMax];
+
+  /// Adds a visit; keeps the one with the most ink first.
+  void add(float more, float at) noexcept {
+    int n = count++;
+    for (; n > 0 && ink[n - 1] < more; --n) {
+      ink[n] = ink[n - 1];
+      travel[n] = travel[n - 1];
+    }
+    ink[n] = more;
+    travel[n] = at;
+  }
+  /// Returns the ink of all visits. A visit counts less if one with more ink is near along the
+  /// path (VisitMap::separate), as far as that one counts itself. Near visits and those of the same
+  /// ink change places without a jump.
+  [[nodiscard]] float blended(float ring) const noexcept {
+    float counts[VisitMap::kMax];
+    float bare = 1.0F;
+    for (int n = 0; n < count; ++n) {
+      counts[n] = 1.0F;
+      for (int m = 0; m < n; ++m) {
+        float apart = std::abs(travel[n] - travel[m]);
+        if (ring > 0.0F) apart = std::min(apart, ring - apart);
+        if (apart >= VisitMap::kOtherVisit) continue;
+        counts[n] *= 1.0F - (1.0F - VisitMap::separate(apart)) * counts[m];
+      }
+      bare *= 1.0F - counts[n] * ink[n];
+    }
+    return 1.0F - bare;
+  }
+};
+
+/// Returns how much of the ink of a visit is visible, 0..1, for the relief without hairs.
+float visit_ink(const InkLook& look, std::int32_t value, int relief) noexcept {
+  if (look.hair_weight > 0) relief += look.hair_weight * look.hairs[PressureMap::across_of(value)];
+  const int level = std::clamp((relief + 32768 + 128) / 256, 0, InkLook::kReliefs - 1);
+  const std::uint8_t seen =
+      look.alphas[PressureMap::row_of(value) * InkLook::kReliefs + static_cast<std::size_t>(level)];
+  constexpr float kPerStep = 1.0F / (255.0F * VisitMap::kCoverSteps);
+  return static_cast<float>(seen * VisitMap::cover_of(value)) * kPerStep;
+}
+
 }  // namespace
 
 ReliefWeights relief_weights(const MediumLook& look) noexcept {
@@ -111,6 +158,7 @@ InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
   }
   edge = look.edge;
   has_rim = look.rim > 0.0;
+  builds_up = look.grain > 0.0 && !has_rim;
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const double rho = std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(rim.size()));
     rim[i] = static_cast<std::uint16_t>(
@@ -127,7 +175,23 @@ InkShade::InkShade(const InkLook& look, const View& view) : look_(&look) {
   if (look.crumb) crumb_ = ReliefPlane(*look.crumb, look.crumb_tile_mm, view, dust::kTurn);
 }
 
-void InkShade::row(const PressureMap& pressure, int x, int y, int count,
+/// Makes the pixels darker that have several visits, from their reliefs without hairs.
+void InkShade::build_up(const VisitMap& visits, int x, int y, int count, const int* reliefs,
+                        std::uint8_t* alphas) const noexcept {
+  for (int i = 0; i < count; ++i) {
+    if (!visits.is_searched(x + i, y)) continue;
+    const VisitMap::Visits at = visits.visits(x + i, y);
+    if (at.value(1) == 0) continue;
+    VisitInk ink;
+    for (int n = 0; n < VisitMap::kMax && at.value(n) != 0; ++n) {
+      ink.add(visit_ink(*look_, at.value(n), reliefs[i]), at.travel(n));
+    }
+    const auto all = static_cast<std::uint8_t>(255.0F * ink.blended(visits.ring()) + 0.5F);
+    alphas[i] = std::max(alphas[i], all);
+  }
+}
+
+void InkShade::row(const PressureMap& pressure, const VisitMap& visits, int x, int y, int count,
                    std::uint8_t* alphas) const noexcept {
   constexpr int kPiece = 64;
   const InkLook& look = *look_;
@@ -138,8 +202,11 @@ void InkShade::row(const PressureMap& pressure, int x, int y, int count,
     std::fill_n(reliefs, pixels, 0);  // only as many as needed: most runs are short
     if (!surface_.is_flat()) surface_.add_row(x + from, y, pixels, look.surface_weight, reliefs);
     if (!crumb_.is_flat()) crumb_.add_row(x + from, y, pixels, look.crumb_weight, reliefs);
+    int smooth[kPiece];  // the reliefs without hairs
+    if (!visits.is_empty()) std::copy_n(reliefs, pixels, smooth);
     if (look.hair_weight > 0) add_hairs(look, packed, pixels, reliefs);
     shade(look, packed, reliefs, pixels, alphas + from);
+    if (!visits.is_empty()) build_up(visits, x + from, y, pixels, smooth, alphas + from);
   }
 }
 

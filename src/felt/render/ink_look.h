@@ -9,6 +9,7 @@
 #include "felt/render/pressure_map.h"
 #include "felt/render/relief_texture.h"
 #include "felt/render/view.h"
+#include "felt/render/visit_map.h"
 
 namespace felt {
 
@@ -48,6 +49,8 @@ struct InkLook {
   std::array<std::int16_t, PressureMap::kAcross> hairs{};  ///< height by position, in 1/32 RMS
   int surface_weight = 0, crumb_weight = 0, hair_weight = 0;  ///< in 1/256
   bool has_rim = false;
+  /// True for dry media: tone builds up where a stroke crosses itself (VisitMap).
+  bool builds_up = false;
   double edge = 0.0;
   std::shared_ptr<const ReliefLevel> surface, crumb;  ///< null if not visible
   double surface_tile_mm = 1.0, crumb_tile_mm = 1.0;
@@ -58,11 +61,15 @@ class InkShade {
  public:
   InkShade(const InkLook& look, const View& view);
   /// Multiplies the alphas of `count` pixels, which begin at (x, y), by the fraction of the ink
-  /// that is visible at each pixel.
-  void row(const PressureMap& pressure, int x, int y, int count,
+  /// that is visible at each pixel. Where the tip visited a pixel several times, blends the visits
+  /// like strokes above each other.
+  void row(const PressureMap& pressure, const VisitMap& visits, int x, int y, int count,
            std::uint8_t* alphas) const noexcept;
 
  private:
+  void build_up(const VisitMap& visits, int x, int y, int count, const int* reliefs,
+                std::uint8_t* alphas) const noexcept;
+
   const InkLook* look_;
   ReliefPlane surface_, crumb_;
 };

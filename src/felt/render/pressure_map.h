@@ -7,15 +7,9 @@
 
 #include "felt/geometry/point.h"
 #include "felt/render/image.h"
+#include "felt/render/tip_strips.h"
 
 namespace felt {
-
-/// A dab of the tip of a medium, in pixels: its middle, and the tone there, 0..1.
-struct TipAt {
-  Vec center_px;
-  double radius_px = 0.0;
-  double tone = 1.0;
-};
 
 /// Stores, for each pixel of a line, the push (Grain: q), the distance from the middle (rho) and
 /// the position across the line, from which InkShade computes the look of a medium. Reuses its
@@ -23,8 +17,8 @@ struct TipAt {
 ///
 /// In the strip between two dabs, the push at rho radii from the middle line is tone * (1 - 0.45
 /// rho^2). Within the soft edge of a medium, the push falls to kMinPush. If a line crosses itself,
-/// the larger push is kept. So the result depends neither on the order of the strips nor on which
-/// part of a picture is drawn.
+/// the larger push is kept (VisitMap keeps all of them). So the result depends neither on the order
+/// of the strips nor on which part of a picture is drawn.
 class PressureMap {
  public:
   static constexpr double kMinPush = -1.0 / 3.0;  ///< the ink reaches no part of the relief
@@ -47,9 +41,14 @@ class PressureMap {
   /// pixel.
   [[nodiscard]] double push_at(int x, int y) const noexcept;
 
+  /// Returns the strips that were laid, in the order of the paths.
+  [[nodiscard]] std::span<const TipStrip> strips() const noexcept { return strips_; }
+  [[nodiscard]] float edge_from() const noexcept { return edge_from_; }
+
   // A value consists of 12 bits of push, 10 bits of rho^2 and 9 bits of the position across, from
   // the highest to the lowest, so that a larger push gives a larger value.
   static constexpr int kRimShift = 9, kPushShift = 19;
+  static constexpr float kMaxKey = 4095.0F, kMaxRim = 1023.0F, kMaxAcross = 511.0F;
   static std::size_t row_of(std::int32_t value) noexcept {
     return static_cast<std::size_t>(value >> (kPushShift + 5));
   }
@@ -65,15 +64,11 @@ class PressureMap {
   }
 
  private:
-  struct Strip;
-  void lay(const Strip& strip);
-  void lay_in_pieces(const Strip& strip);
-
   PixelRect area_;
   float edge_from_ = 2.0F;  // value of rho^2 at which the soft edge begins
   std::size_t stride_ = 0;
   std::vector<std::int32_t> values_;
-  std::vector<TipAt> way_;
+  std::vector<TipStrip> strips_;
 };
 
 }  // namespace felt

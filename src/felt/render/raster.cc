@@ -20,6 +20,8 @@
 #include "felt/render/ink_look.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/segments_in_area.h"
+#include "felt/render/tip_travel.h"
+#include "felt/render/visit_map.h"
 #include "felt/render/wide_vectors.h"
 
 namespace felt {
@@ -138,8 +140,11 @@ struct Rasterizer::State {
   }
   /// Computes the path of the stroke's tip, in pixels, in the runs that trace_near() found last.
   void walk(const Stroke& stroke, const View& view);
-  /// Computes the push in a band of rows from the paths of walk().
-  void lay_tip(PixelRect band, double edge);
+  /// Sets TipAt::travel of the paths of walk(), and `ring_travel`.
+  void measure(const Stroke& stroke, const View& view);
+  /// Computes the push in a band of rows from the paths of walk(), and the visits if the look
+  /// builds up.
+  void lay_tip(PixelRect band, const InkLook& look);
   /// Shades the scanline that was swept last, and blends it over `part` of the target.
   void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
                   Pixels target);
@@ -151,8 +156,11 @@ struct Rasterizer::State {
   std::vector<Dab> dabs, more_dabs;
   Outline joined;
   PressureMap pressure;
+  VisitMap visits;
   std::vector<Way> ways;
-  Grain grain;  // the grain of the cached looks
+  std::vector<double> travels;  // at the start of each segment, and at the end
+  double ring_travel = 0.0;     // of a closed stroke
+  Grain grain;                  // the grain of the cached looks
   double looks_px_per_mm = 0.0;
   std::vector<std::pair<std::string, std::shared_ptr<const InkLook>>> looks;
 };
@@ -180,9 +188,40 @@ void Rasterizer::State::walk(const Stroke& stroke, const View& view) {
   ways.back().out = direction(first[0], first[1]);
 }
 
-void Rasterizer::State::lay_tip(PixelRect band, double edge) {
-  pressure.begin(band, edge);
+void Rasterizer::State::measure(const Stroke& stroke, const View& view) {
+  const auto radius = [&](int i) { return 0.5 * view.px_per_mm * stroke.width_mm(i); };
+  const int size = stroke.segment_count();
+  travels.assign(1, 0.0);
+  for (int i = 0; i < size; ++i) {
+    Cubic px;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec p = view.to_px(stroke.segment(i).p[k]);
+      px.p[k] = {p.x, p.y};
+    }
+    travels.push_back(travels.back() + segment_travel(px, radius(i), radius(i + 1)));
+  }
+  ring_travel = stroke.closed() ? travels.back() : 0.0;
+  for (std::size_t n = 0; n < ways.size(); ++n) {
+    std::vector<TipAt>& tips = ways[n].tips;
+    int segment = runs.runs()[n].first;
+    std::size_t first = 0;
+    // A dab at the end of the segment ends its part of the path.
+    for (std::size_t i = 1; i < tips.size(); ++i) {
+      const bool is_last = i + 1 == tips.size();
+      if (!is_last && tips[i].center_px != view.to_px(stroke.segment(segment).p[3])) continue;
+      const auto s = static_cast<std::size_t>(segment);
+      set_travel(std::span(tips).subspan(first, i + 1 - first), travels[s],
+                 travels[s + 1] - travels[s]);
+      first = i;
+      segment = std::min(segment + 1, size - 1);
+    }
+  }
+}
+
+void Rasterizer::State::lay_tip(PixelRect band, const InkLook& look) {
+  pressure.begin(band, look.edge);
   for (const Way& way : ways) pressure.lay(way.tips, way.into, way.out);
+  look.builds_up ? visits.find(pressure, ring_travel) : visits.clear();
 }
 
 void Rasterizer::State::blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink,
@@ -194,7 +233,7 @@ void Rasterizer::State::blend_line(const InkShade& shade, PixelRect part, std::u
     const int count = std::min(span->x + span->len, part.x1) - from;
     if (count <= 0) continue;
     std::uint8_t* alphas = span->covers + (from - span->x);
-    shade.row(pressure, from, line.y(), count, alphas);
+    shade.row(pressure, visits, from, line.y(), count, alphas);
     blend_row(row + std::ptrdiff_t{4} * from, ink, alpha, alphas, count);
   }
 }
@@ -325,6 +364,7 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
   if (!s.cells.rewind_scanlines()) return;
   s.line.reset(s.cells.min_x(), s.cells.max_x());
   s.walk(stroke, view);
+  if (look->builds_up) s.measure(stroke, view);
   const InkShade shade(*look, view);
   const std::uint32_t ink = solid(stroke.color(), target.order);
   PixelRect band{part.x0, part.y0, part.x1, part.y0};
@@ -334,7 +374,7 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
     if (y >= band.y1) {
       band.y0 = y;
       band.y1 = std::min(part.y1, y + State::kBandRows);
-      s.lay_tip(band, look->edge);
+      s.lay_tip(band, *look);
     }
     s.blend_line(shade, part, ink, stroke.color().a, target);
   }

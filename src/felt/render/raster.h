@@ -16,7 +16,8 @@ inline constexpr double kRasterTolerancePx = 0.05;
 /// Fills outlines into pixels with 256 levels of coverage (anti-aliasing).
 ///
 /// An outline is filled by the non-zero rule and covers each pixel once, so that a transparent
-/// stroke is not darker where it crosses itself. Pixels outside `clip` do not change. Filling an
+/// stroke is not darker where it crosses itself. With a grain, dry media are (VisitMap). Pixels
+/// outside `clip` do not change. Filling an
 /// area in tiles gives the same pixels as filling it in one call, except for differences of up to 2
 /// of 255 levels at the seams.
 ///

@@ -48,6 +48,33 @@ void FullScreenOfMedium(benchmark::State& state) {
 }
 BENCHMARK(FullScreenOfMedium)->DenseRange(0, 9)->Unit(benchmark::kMillisecond);
 
+/// Draws one stroke of a pencil that fills a third of the screen with a zigzag and crosses itself
+/// everywhere.
+void Scribble(benchmark::State& state) {
+  static const HeightField relief(
+      {.wavelength_mm = 1.3, .rms_um = 11.0, .seed = 11, .character = HeightCharacter::kRough});
+  const Grain grain(&relief);
+  StrokeData data;
+  data.points = {{20, 20}};
+  constexpr int kLines = 400;
+  for (int i = 1; i <= kLines; ++i) {
+    const Point from = data.points.back();
+    const Point to{20.0 + 1.0 * i, i % 2 == 0 ? 20.0 : 140.0};
+    data.points.insert(data.points.end(), {from + Vec{10, 5}, to - Vec{30, 5}, to});
+  }
+  data.joints.assign(kLines - 1, JointKind::kCorner);
+  data.widths = {{0.0, 0.6, 0.5}, {1.0 * kLines, 1.2, 0.5}};
+  data.medium = "pencil";
+  const Stroke stroke = Stroke::create(std::move(data)).value();
+  Image image = Image::create(1920, 1080).value();
+  Rasterizer rasterizer;
+  for (auto _ : state) {
+    fill(image.pixels(), {0, 0, 1920, 1080}, {255, 255, 255, 255});
+    rasterizer.draw(stroke, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
+  }
+}
+BENCHMARK(Scribble)->Unit(benchmark::kMillisecond);
+
 /// Draws a dirty patch of 64 x 64 pixels. Checks for each stroke if it touches the patch.
 void DirtyPatch(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
