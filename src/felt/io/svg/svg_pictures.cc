@@ -95,11 +95,10 @@ std::optional<fs::path> path_below(const std::string& folder, const std::string&
 
 Result<std::shared_ptr<const PictureData>> SvgPictures::load(std::string_view href) {
   href = svg_trimmed(href);
-  const std::pair<const char*, std::size_t> key{href.data(), href.size()};
-  const auto known = loaded_.find(key);
+  const auto known = loaded_.find(href);
   if (known != loaded_.end()) return known->second;
   if (++loads_ > limits::kMaxSvgPictures) return skipped("the file has more than 200 pictures");
-  return loaded_.emplace(key, load_new(href)).first->second;
+  return loaded_.emplace(href, load_new(href)).first->second;
 }
 
 Result<std::string> SvgPictures::bytes_of(std::string_view href) const {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "felt/base/result.h"
 #include "felt/document/layer_picture.h"
@@ -38,7 +37,7 @@ class SvgPictures {
 
   std::string folder_;
   PictureConverter to_png_;
-  std::map<std::pair<const char*, std::size_t>, Loaded> loaded_;
+  std::map<std::string_view, Loaded> loaded_;
   std::size_t uses_ = 0, loads_ = 0;
   std::int64_t pixels_left_ = limits::kMaxSvgPicturePixels;
 };
