@@ -6,7 +6,8 @@
 namespace felt {
 namespace {
 
-/// Returns the half planes inside the edges of a viewport on the page; none if it has no area.
+/// Returns the half planes inside the edges of a viewport on the page; none if a side has no
+/// length.
 std::vector<SvgHalfPlane> planes_around(const Rect& viewport, const Affine& to_mm) {
   const std::array<Point, 4> corners{
       apply(to_mm, Point{viewport.x0, viewport.y0}), apply(to_mm, Point{viewport.x1, viewport.y0}),

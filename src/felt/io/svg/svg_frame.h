@@ -29,8 +29,8 @@ class SvgFrame {
   explicit SvgFrame(const Rect& rect) { static_cast<void>(cut(rect, Affine())); }
 
   /// Keeps only the part inside a viewport, which `to_mm` maps to the page. Returns false and
-  /// changes nothing if the frame would have more than kMaxPlanes edges, or if the viewport has no
-  /// area on the page.
+  /// changes nothing if the frame would have more than kMaxPlanes edges, or if a side of a rotated
+  /// viewport has no length on the page.
   [[nodiscard]] bool cut(const Rect& viewport, const Affine& to_mm);
   /// Returns true if all of the rectangle is inside, or less than `margin_mm` outside.
   [[nodiscard]] bool contains(const Rect& box, double margin_mm) const;
