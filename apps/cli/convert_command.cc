@@ -49,9 +49,10 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
                 "edit the lines")
       ->group("Pictures (.svg, .pdf, .png)");
   command
-      .add_flag("--pictures", args.pictures,
-                "Show the pictures below visible layers in a .png, .svg or .pdf. Default: only those\n"
-                "that are marked for export")
+      .add_flag(
+          "--pictures", args.pictures,
+          "Show the pictures below visible layers in a .png, .svg or .pdf. Default: only those\n"
+          "that are marked for export")
       ->group("Pictures (.svg, .pdf, .png)");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);

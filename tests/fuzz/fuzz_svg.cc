@@ -140,7 +140,8 @@ std::string value_for(const std::string& name, Random& random) {
   if (name == "id" || name == "class") return one_of(kIds, random);
   if (name == "href" && random() % 2 == 0) {
     return std::string("data:image/png;base64,") +
-           "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR42mP4z8AAQv8BD/kD/Zh51wAAAAAASUVORK5C"
+           "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR42mP4z8AAQv8BD/kD/"
+           "Zh51wAAAAAASUVORK5C"
            "YII=";
   }
   if (name == "preserveAspectRatio") return random() % 2 == 0 ? "none" : "xMinYMax slice";

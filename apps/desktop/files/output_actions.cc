@@ -91,7 +91,8 @@ void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
 void paint_picture(QPainter& painter, const LayerPicture& picture) {
   const std::string& png = picture.data->png;
   QImage image;
-  image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size()), "PNG");
+  image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size()),
+                     "PNG");
   if (image.isNull()) return;
   const Affine& m = picture.place;
   painter.save();

@@ -38,8 +38,8 @@ struct ReadPicture {
 Result<ReadPicture> read_picture(const QString& path, int page = 1);
 
 /// Converts the bytes of a JPEG, WebP, GIF or BMP file to a PNG file at most kPictureSidePx pixels
-/// long (ImportOptions::to_png). Does not read SVG files, because they may refer to other files. Safe
-/// to call from any thread.
+/// long (ImportOptions::to_png). Does not read SVG files, because they may refer to other files.
+/// Safe to call from any thread.
 Result<std::string> png_of_picture(std::string_view bytes);
 
 /// Returns the number of pages of a PDF file; 1 for another file. Fails if the file is damaged, or

@@ -92,7 +92,8 @@ Drawing with_faded_strokes(const Drawing& drawing) {
   return faded;
 }
 
-/// Same as drawing_parts(), for a drawing whose strokes have the opacity of their layers if they must.
+/// Same as drawing_parts(), for a drawing whose strokes have the opacity of their layers if they
+/// must.
 Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, FileFormat format,
                                                         const WriteOptions& options);
 

@@ -116,9 +116,7 @@ class Painter {
   /// Keeps the part of the frame on one side of a line.
   void cut_frame(const SvgHalfPlane& plane) {
     if (plane.normal.x != 0.0 && plane.normal.y != 0.0) slanted_ = true;
-    const auto outside = [&](Point p) {
-      return plane.outside_mm({p.x / scale_, p.y / scale_});
-    };
+    const auto outside = [&](Point p) { return plane.outside_mm({p.x / scale_, p.y / scale_}); };
     std::vector<Point> kept;
     for (std::size_t i = 0; i < frame_.size(); ++i) {
       const Point a = frame_[i], b = frame_[(i + 1) % frame_.size()];
@@ -141,7 +139,8 @@ class Painter {
     path.close_polygon();
     cells_.reset();
     cells_.add_path(path);
-    agg::render_scanlines_aa_solid(cells_, scanline_, on_mask.base_, agg::rgba8(255, 255, 255, 255));
+    agg::render_scanlines_aa_solid(cells_, scanline_, on_mask.base_,
+                                   agg::rgba8(255, 255, 255, 255));
     std::uint8_t* to = shape.pixels().data;
     for (std::size_t i = 0; i < mask.bytes().size(); ++i) {
       to[i] = static_cast<std::uint8_t>(to[i] * mask.bytes()[i / 4 * 4 + 3] / 255);
@@ -287,7 +286,8 @@ Result<Image> scene_picture(const PaintedScene& scene, int width_px, int height_
   for (std::size_t i = 0; i < scene.shapes.size();) {
     const SvgShape& first = scene.shapes[i];
     std::size_t end = i + 1;
-    while (end < scene.shapes.size() && first.group != 0 && scene.shapes[end].group == first.group) {
+    while (end < scene.shapes.size() && first.group != 0 &&
+           scene.shapes[end].group == first.group) {
       ++end;
     }
     Image group = Image::create(width_px, height_px).value();

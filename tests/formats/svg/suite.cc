@@ -18,9 +18,8 @@ namespace {
 /// Returns true if a notice names content that lines and fillings cannot represent.
 bool needs_more(const std::vector<std::string>& notices) {
   for (const std::string& notice : notices) {
-    for (const char* what :
-         {"is not a stroke", "gradient", "pattern", "clip path", "mask", "filter",
-          "not drawn by this test"}) {
+    for (const char* what : {"is not a stroke", "gradient", "pattern", "clip path", "mask",
+                             "filter", "not drawn by this test"}) {
       if (notice.find(what) != std::string::npos) return true;
     }
   }

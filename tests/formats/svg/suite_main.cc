@@ -1,5 +1,6 @@
-// svg_suite FOLDER [--list] [--drawings] [--all] [--pictures OUT]: compares our pictures of the files of a
-// suite (NAME.svg) with those of the suite (NAME.png), and prints for each folder how many agree.
+// svg_suite FOLDER [--list] [--drawings] [--all] [--pictures OUT]: compares our pictures of the
+// files of a suite (NAME.svg) with those of the suite (NAME.png), and prints for each folder how
+// many agree.
 // --list prints the names of the files that agree. --drawings compares the imported drawings
 // instead of the shapes that the reader finds. --all fails (exit code 1) unless all agree.
 // --pictures writes both pictures of the others to OUT.

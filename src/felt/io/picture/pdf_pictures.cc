@@ -16,8 +16,8 @@ namespace {
 std::string image_object(const Image& image, std::string_view space, const std::string& more,
                          const std::string& samples) {
   const std::string packed = zlib_packed(samples);
-  return "<< /Type /XObject /Subtype /Image /Width " + std::to_string(image.width()) +
-         " /Height " + std::to_string(image.height()) + " /ColorSpace /" + std::string(space) +
+  return "<< /Type /XObject /Subtype /Image /Width " + std::to_string(image.width()) + " /Height " +
+         std::to_string(image.height()) + " /ColorSpace /" + std::string(space) +
          " /BitsPerComponent 8" + more + " /Filter /FlateDecode /Length " +
          std::to_string(packed.size()) + " >>\nstream\n" + packed + "\nendstream";
 }

@@ -39,7 +39,8 @@ struct PdfOptions {
 /// The grain is written as a soft mask for the outline (PDF 1.4, 7.5.4).
 ///
 /// Fails if the page is empty or larger than the 5080 mm that PDF allows (14400 points), if an
-/// option is invalid, if a picture is damaged, or if a stroke reaches farther than 1e6 mm from the page.
+/// option is invalid, if a picture is damaged, or if a stroke reaches farther than 1e6 mm from the
+/// page.
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options);
 
 /// Returns the same file as one text.

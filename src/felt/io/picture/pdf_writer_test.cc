@@ -159,7 +159,8 @@ TEST(PdfWriter, ADamagedPictureIsAnError) {
   data->png.resize(40);
   DrawingBuilder builder;
   LayerState state{"Photo"};
-  state.picture = std::make_shared<const LayerPicture>(LayerPicture{data, {1, 0, 0, 1, 0, 0}, true});
+  state.picture =
+      std::make_shared<const LayerPicture>(LayerPicture{data, {1, 0, 0, 1, 0, 0}, true});
   builder.add_layer(std::move(state));
   const auto pdf = pdf_text(std::move(builder).build(), {.area = Rect{0, 0, 20, 20}});
   ASSERT_FALSE(pdf);

@@ -77,7 +77,7 @@ class Dasher {
   std::vector<SvgContour> dashes_;
   std::size_t index_ = 0;
   double left_ = 0.0;
-  double tiny_ = 0.0;  ///< shorter lengths are errors of rounding
+  double tiny_ = 0.0;     ///< shorter lengths are errors of rounding
   bool is_fresh_ = true;  ///< no part of the current pattern length was used yet
   bool open_ = false;     ///< the last dash has not ended yet
 };

@@ -73,9 +73,8 @@ SvgCrossings crossings_of(const Outline& outline) {
       edges.push_back(edge);
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const OutlineEdge& e, const OutlineEdge& f) {
-    return e.box.x0 < f.box.x0;
-  });
+  std::sort(edges.begin(), edges.end(),
+            [](const OutlineEdge& e, const OutlineEdge& f) { return e.box.x0 < f.box.x0; });
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto& [a, b, box] = edges[i];

@@ -17,8 +17,8 @@ std::vector<SvgHalfPlane> planes_around(const Rect& viewport, const Affine& to_m
   if (is_upright || (to_mm.a == 0.0 && to_mm.d == 0.0)) {
     Rect box;
     for (const Point p : corners) box.extend(p);
-    return {{{-1.0, 0.0}, -box.x0}, {{1.0, 0.0}, box.x1}, {{0.0, -1.0}, -box.y0},
-            {{0.0, 1.0}, box.y1}};
+    return {
+        {{-1.0, 0.0}, -box.x0}, {{1.0, 0.0}, box.x1}, {{0.0, -1.0}, -box.y0}, {{0.0, 1.0}, box.y1}};
   }
   const Point middle = lerp(corners[0], corners[2], 0.5);
   std::vector<SvgHalfPlane> planes;
@@ -43,9 +43,8 @@ bool SvgFrame::cut(const Rect& viewport, const Affine& to_mm) {
   const std::vector<SvgHalfPlane> added = planes_around(viewport, to_mm);
   std::vector<SvgHalfPlane> planes = planes_;
   for (const SvgHalfPlane& plane : added) {
-    const auto same =
-        std::find_if(planes.begin(), planes.end(),
-                     [&](const SvgHalfPlane& p) { return p.normal == plane.normal; });
+    const auto same = std::find_if(planes.begin(), planes.end(),
+                                   [&](const SvgHalfPlane& p) { return p.normal == plane.normal; });
     if (same == planes.end()) {
       planes.push_back(plane);
     } else {

@@ -1,4 +1,5 @@
-// Transparent groups, rotated frames, stretched lines, dashes without gaps, and files without a size.
+// Transparent groups, rotated frames, stretched lines, dashes without gaps, and files without a
+// size.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,9 +58,9 @@ TEST(SvgGroups, PartsOfATransparentGroupDoNotShowThrough) {
 }
 
 TEST(SvgGroups, PartsThatDoNotOverlapNeedNoLayer) {
-  const Imported imported =
-      read("<rect width='5' height='5' y='70'/><g opacity='.5'><rect width='9' height='9' "
-           "fill='#f00'/><rect x='20' width='9' height='9' fill='#00f' fill-opacity='.5'/></g>");
+  const Imported imported = read(
+      "<rect width='5' height='5' y='70'/><g opacity='.5'><rect width='9' height='9' "
+      "fill='#f00'/><rect x='20' width='9' height='9' fill='#00f' fill-opacity='.5'/></g>");
   EXPECT_THAT(opacities(imported), ::testing::ElementsAre(1.0));
   EXPECT_EQ(picture_of(imported).at(4, 4).a, 128);
   EXPECT_EQ(picture_of(imported).at(25, 4).a, 64);
@@ -81,7 +82,8 @@ TEST(SvgGroups, AGroupInAGroupIsReported) {
 
 TEST(SvgGroups, ManyGroupsEndWithANotice) {
   std::string text;
-  for (int i = 0; i < SvgInk::kMaxCoverLayers + 20; ++i) text += "<g opacity='.5'>" + std::string(kTwoRects) + "</g>";
+  for (int i = 0; i < SvgInk::kMaxCoverLayers + 20; ++i)
+    text += "<g opacity='.5'>" + std::string(kTwoRects) + "</g>";
   const Imported imported = read(text);
   EXPECT_THAT(notice_lines(imported), HasSubstr("is in a transparent group"));
   EXPECT_LE(imported.drawing.document.layers().size(), 500U);
@@ -90,7 +92,8 @@ TEST(SvgGroups, ManyGroupsEndWithANotice) {
 TEST(SvgGroups, ARotatedFrameCutsFills) {
   const Imported imported = read(
       "<svg width='100' height='80'><symbol id='s'><rect width='90' height='90'/></symbol>"
-      "<use xlink:href='#s' width='30' height='30' transform='translate(40 10) rotate(45)'/></svg>");
+      "<use xlink:href='#s' width='30' height='30' transform='translate(40 10) "
+      "rotate(45)'/></svg>");
   EXPECT_THAT(notice_lines(imported), Not(HasSubstr("frame, which was ignored")));
   const Image picture = picture_of(imported);
   EXPECT_EQ(picture.at(40, 30).a, 255);

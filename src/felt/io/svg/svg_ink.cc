@@ -293,7 +293,8 @@ std::optional<SvgSharpLine> stretched_line(const SvgShape& shape, const SvgConto
   const Point a = moved.points.front(), b = moved.points.back();
   const Vec along = normalized(apply(*to_user, b - a));
   const Vec half = 0.5 * line.width * apply(shape.to_mm, perp(along));
-  const Vec more = line.cap == SvgCap::kSquare ? 0.5 * line.width * apply(shape.to_mm, along) : Vec();
+  const Vec more =
+      line.cap == SvgCap::kSquare ? 0.5 * line.width * apply(shape.to_mm, along) : Vec();
   return slanted_line(a - more, b + more, half);
 }
 

@@ -32,8 +32,8 @@ std::string without_percents(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool is_code = text[i] == '%' && i + 2 < text.size() && hex_value(text[i + 1]) >= 0 &&
                          hex_value(text[i + 2]) >= 0;
-    clean += is_code ? static_cast<char>(16 * hex_value(text[i + 1]) + hex_value(text[i + 2]))
-                     : text[i];
+    clean +=
+        is_code ? static_cast<char>(16 * hex_value(text[i + 1]) + hex_value(text[i + 2])) : text[i];
     if (is_code) i += 2;
   }
   return clean;
@@ -45,7 +45,8 @@ Result<std::string> data_of_uri(std::string_view uri) {
   if (comma == std::string_view::npos) return skipped("its data URI is damaged");
   const std::string_view type = svg_trimmed(uri.substr(0, comma));
   std::string_view coded = uri.substr(comma + 1);
-  if (coded.size() > 2 * PictureData::kMaxBytes) return skipped("the picture is larger than 48 MiB");
+  if (coded.size() > 2 * PictureData::kMaxBytes)
+    return skipped("the picture is larger than 48 MiB");
   std::string clean;
   if (coded.find('%') != std::string_view::npos) coded = clean = without_percents(coded);
   constexpr std::string_view kBase64 = ";base64";
@@ -86,8 +87,8 @@ std::optional<fs::path> path_below(const std::string& folder, const std::string&
   if (error) return {};
   const fs::path path = fs::canonical(base / relative, error);
   if (error) return {};
-  const bool is_below = std::mismatch(base.begin(), base.end(), path.begin(), path.end()).first ==
-                        base.end();
+  const bool is_below =
+      std::mismatch(base.begin(), base.end(), path.begin(), path.end()).first == base.end();
   return is_below ? std::optional(path) : std::nullopt;
 }
 

@@ -21,9 +21,9 @@ class SvgPictures {
       : folder_(options.folder), to_png_(options.to_png) {}
 
   /// Returns the picture that `href` refers to: a data URI with a PNG file (or another format that
-  /// ImportOptions::to_png converts), or a file below ImportOptions::folder. `href` must stay valid.
-  /// The pixels were decoded once, so that the picture is not damaged. Fails if the picture cannot
-  /// be used or if a limit is exceeded; the message is a clause that follows the name of the
+  /// ImportOptions::to_png converts), or a file below ImportOptions::folder. `href` must stay
+  /// valid. The pixels were decoded once, so that the picture is not damaged. Fails if the picture
+  /// cannot be used or if a limit is exceeded; the message is a clause that follows the name of the
   /// element.
   Result<std::shared_ptr<const PictureData>> load(std::string_view href);
 

@@ -80,9 +80,8 @@ TEST(SvgImages, ArePlacedAsInSvg) {
 
 TEST(SvgImages, HaveTheirPositionInTheStackOfLayers) {
   const std::string rect = "<rect width='50' height='50' fill='#0f0'/>";
-  const Imported imported =
-      read(rect + image("id='photo' width='60' height='30' opacity='.5'") +
-           "<path d='M0 5h20' stroke='#000' stroke-width='4'/>");
+  const Imported imported = read(rect + image("id='photo' width='60' height='30' opacity='.5'") +
+                                 "<path d='M0 5h20' stroke='#000' stroke-width='4'/>");
   const auto layers = imported.drawing.document.layers();
   ASSERT_EQ(layers.size(), 3U);
   EXPECT_EQ(layers[0].fills.size(), 1U);

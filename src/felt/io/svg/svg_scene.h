@@ -58,7 +58,7 @@ struct SvgShape {
   std::optional<SvgFill> fill;
   std::optional<SvgLine> line;
   std::optional<SvgVariableWidth> variable_width;
-  std::string_view pieces;    ///< felt:fill: the references of a fill of ours
+  std::string_view pieces;        ///< felt:fill: the references of a fill of ours
   std::optional<SvgFrame> frame;  ///< the area that the viewports of the shape show
   bool is_cut = false;            ///< has a clip path or mask, which was ignored
   /// The transparent group of the shape, or 0. Consecutive shapes of one group are transparent as a

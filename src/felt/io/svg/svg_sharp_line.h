@@ -47,8 +47,8 @@ struct SvgSharpLine {
 SvgSharpLine sharp_line(const SvgContour& contour, const SvgSharpForm& form);
 
 /// Converts a straight line from `a` to `b` with flat ends that a transform has made slanted: the
-/// corners of both ends are `half_end` from the end points. Returns nullopt if the line is too short
-/// or too thin for such ends.
+/// corners of both ends are `half_end` from the end points. Returns nullopt if the line is too
+/// short or too thin for such ends.
 std::optional<SvgSharpLine> slanted_line(Point a, Point b, Vec half_end);
 
 }  // namespace felt

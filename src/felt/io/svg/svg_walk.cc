@@ -199,8 +199,9 @@ void SvgWalker::apply_opacity(Element& e) {
   }
   s.opacity *= opacity;
   if (overlaps && opacity > 0.0) {
-    notice(e.node, "is transparent inside a transparent group; the transparency was applied to "
-                   "each stroke");
+    notice(e.node,
+           "is transparent inside a transparent group; the transparency was applied to "
+           "each stroke");
   }
 }
 
@@ -413,8 +414,8 @@ void SvgWalker::visit_image(const Element& e) {
   if (!e.state.style.visible) return notice(e.node, "is hidden in the file and was skipped");
   const auto length = [&](const char* name, SvgProperty p, SvgAxis axis) {
     const std::string_view styled = e.declared[p];
-    const auto value = svg_length(styled.empty() ? e.node.attribute(name).value() : styled, axis,
-                                  e.state.units);
+    const auto value =
+        svg_length(styled.empty() ? e.node.attribute(name).value() : styled, axis, e.state.units);
     return value;
   };
   SvgImage image;
