@@ -49,9 +49,10 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
                 "edit the lines")
       ->group("Pictures (.svg, .pdf, .png)");
   command
-      .add_flag("--pictures", args.pictures,
-                "Show the pictures below visible layers in a .png or .svg. Default: only those\n"
-                "that are marked for export")
+      .add_flag(
+          "--pictures", args.pictures,
+          "Show the pictures below visible layers in a .png, .svg or .pdf. Default: only those\n"
+          "that are marked for export")
       ->group("Pictures (.svg, .pdf, .png)");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);
@@ -138,8 +139,8 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error());
   if (args.compact && format != Format::kSvg) throw UsageError("--compact is only for .svg");
   if (args.compact && args.picture.grain) throw UsageError("--compact excludes --grain");
-  if (args.pictures && (args.compact || (format != Format::kSvg && format != Format::kPng))) {
-    throw UsageError("--pictures is only for .png, and for .svg without --compact");
+  if (args.pictures && (args.compact || !traits_of(format).picture)) {
+    throw UsageError("--pictures is only for .png, .pdf, and .svg without --compact");
   }
   picture->compact = args.compact;
   if (args.pictures) picture->pictures = PictureChoice::kAll;

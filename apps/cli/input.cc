@@ -140,7 +140,9 @@ Result<Imported> Input::read_drawing(const ReadOptions& options) const {
     const Result<std::string> bytes =
         read_all(format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes);
     if (!bytes) return tl::unexpected(bytes.error());
-    Result<Imported> drawing = parse_drawing(*bytes, name_, options);
+    ReadOptions with_folder = options;
+    with_folder.import.folder = folder_of(name_);
+    Result<Imported> drawing = parse_drawing(*bytes, name_, with_folder);
     if (drawing || format_ != FileFormat::kFelt || options.salvage ||
         drawing.error().code != ErrorCode::kInvalidData) {
       return drawing;

@@ -97,10 +97,17 @@ grep -q 'opacity:0.5' traced.svg || fail "the opacity of a layer is lost"
 run 0 "$feltline" convert traced.felt -o with.svg --pictures
 grep -q '<image' with.svg || fail "a picture is not exported"
 if command -v rsvg-convert >/dev/null; then run 0 rsvg-convert with.svg -o with-svg.png; fi
+run 0 "$feltline" convert with.svg -o back.felt
+run 0 "$feltline" convert back.felt -o back.svg
+grep -q '<image' back.svg || fail "a picture is not read from an .svg"
 run 0 "$feltline" convert traced.felt -o without.png --dpi 20
 run 0 "$feltline" convert traced.felt -o with.png --dpi 20 --pictures
 ! cmp -s without.png with.png || fail "--pictures does not change a .png"
-run 2 "$feltline" convert traced.felt -o r.pdf --pictures
+run 0 "$feltline" convert traced.felt -o without.pdf
+! grep -aq '/Subtype /Image' without.pdf || fail "a picture is in a .pdf without being asked for"
+run 0 "$feltline" convert traced.felt -o with.pdf --pictures
+grep -aq '/Subtype /Image' with.pdf || fail "--pictures does not change a .pdf"
+run 2 "$feltline" convert traced.felt -o r.ndjson --pictures
 run 2 "$feltline" convert traced.felt -o r.svg --pictures --compact
 
 # A compact .svg is a small picture of the visible ink.

@@ -138,6 +138,13 @@ std::string value_for(const std::string& name, Random& random) {
   if (name == "transform") return transform(random);
   if (name == "fill" || name == "stroke" || name == "color") return color(random);
   if (name == "id" || name == "class") return one_of(kIds, random);
+  if (name == "href" && random() % 2 == 0) {
+    return std::string("data:image/png;base64,") +
+           "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR42mP4z8AAQv8BD/kD/"
+           "Zh51wAAAAAASUVORK5C"
+           "YII=";
+  }
+  if (name == "preserveAspectRatio") return random() % 2 == 0 ? "none" : "xMinYMax slice";
   if (name == "href" || name == "inkscape:path-effect") {
     return std::string("#") + one_of(kIds, random);
   }
@@ -148,7 +155,7 @@ std::string value_for(const std::string& name, Random& random) {
   return random() % 2 == 0 ? length(random) : std::string(one_of(kWords, random));
 }
 
-constexpr std::array<const char*, 17> kElements{"g",        "path",
+constexpr std::array<const char*, 18> kElements{"g",        "path",
                                                 "rect",     "circle",
                                                 "ellipse",  "line",
                                                 "polyline", "polygon",
@@ -156,8 +163,8 @@ constexpr std::array<const char*, 17> kElements{"g",        "path",
                                                 "defs",     "symbol",
                                                 "switch",   "linearGradient",
                                                 "stop",     "inkscape:path-effect",
-                                                "style"};
-constexpr std::array<const char*, 42> kAttributes{"d",
+                                                "style",    "image"};
+constexpr std::array<const char*, 44> kAttributes{"d",
                                                   "points",
                                                   "x",
                                                   "y",
@@ -198,7 +205,9 @@ constexpr std::array<const char*, 42> kAttributes{"d",
                                                   "felt:closed",
                                                   "felt:fill",
                                                   "fill-rule",
-                                                  "fill-opacity"};
+                                                  "fill-opacity",
+                                                  "opacity",
+                                                  "preserveAspectRatio"};
 
 std::vector<pugi::xml_node> elements_of(const pugi::xml_document& document) {
   std::vector<pugi::xml_node> open{document.document_element()}, all;

@@ -18,4 +18,7 @@ namespace felt::desktop {
 bool add_strokes(Studio& studio, const QString& from, const VisibleInk& ink,
                  std::span<const std::string> materials, ImportReport& report);
 
+/// Reports the number of pictures of layers, which add_strokes() does not add.
+void note_pictures(const Document& document, ImportReport& report);
+
 }  // namespace felt::desktop

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "desktop/files/picture_file.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
 
@@ -19,8 +20,9 @@ QString with_suffix(const QString& path, FileFormat format) {
 }
 
 Result<Imported> open_drawing(const QString& path, bool salvage) {
-  return felt::read_drawing(path.toStdString(),
-                            ReadOptions{.files_only = true, .salvage = salvage});
+  return felt::read_drawing(
+      path.toStdString(),
+      ReadOptions{.import = {.to_png = png_of_picture}, .files_only = true, .salvage = salvage});
 }
 
 Result<Drawing> read_drawing(const QString& path) {

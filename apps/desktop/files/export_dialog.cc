@@ -212,8 +212,8 @@ void ExportDialog::show_result() {
   dpi_->setEnabled(is_png || (is_picture && chosen.grain && !chosen.compact));
   grain_->setEnabled(is_picture && surface_grain_ && !chosen.compact);
   compact_->setEnabled(chosen.format == FileFormat::kSvg);
-  pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection &&
-                        (is_png || (chosen.format == FileFormat::kSvg && !chosen.compact)));
+  pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection && is_picture &&
+                        !chosen.compact);
   area_->setEnabled(is_picture || selected_.stroke_count() > 0);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);

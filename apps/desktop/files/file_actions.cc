@@ -278,6 +278,7 @@ bool FileActions::import(const QString& given) {
                    opened->report)) {
     return false;
   }
+  note_pictures(drawing.document, opened->report);
   Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
   return true;
 }

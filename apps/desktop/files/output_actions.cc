@@ -88,6 +88,20 @@ void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
                     image);
 }
 
+void paint_picture(QPainter& painter, const LayerPicture& picture) {
+  const std::string& png = picture.data->png;
+  QImage image;
+  image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size()),
+                     "PNG");
+  if (image.isNull()) return;
+  const Affine& m = picture.place;
+  painter.save();
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.setTransform(QTransform(m.a, m.b, m.c, m.d, m.e, m.f), true);
+  painter.drawImage(QPointF(0.0, 0.0), image);
+  painter.restore();
+}
+
 /// Returns a printer whose paper has the size of the page.
 std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& name) {
   auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
@@ -127,6 +141,9 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
   for (const Layer& layer : drawing.document.layers()) {
     if (!layer.visible) continue;
     painter.setOpacity(layer.opacity);
+    if (const LayerPicture* picture = exported_picture(layer, PictureChoice::kMarked)) {
+      paint_picture(painter, *picture);
+    }
     for (const FillId id : layer.fills) {
       const FillPtr fill = drawing.document.find_fill(id);
       painter.setBrush(color_of(fill->color));

@@ -20,6 +20,7 @@
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/base/read_file.h"
 #include "felt/document/edit_builder.h"
+#include "felt/document/testing/small_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -215,6 +216,32 @@ TEST(Print, FillsLieBelowTheLinesOfTheirLayer) {
   EXPECT_EQ(painted.pixelColor(30, 15), QColor(200, 40, 0));
   EXPECT_NE(painted.pixelColor(30, 20), QColor(200, 40, 0)) << "the line is above";
   EXPECT_EQ(painted.pixelColor(5, 5), QColor(Qt::white));
+}
+
+TEST(Print, ShowsThePicturesThatAreMarkedForExport) {
+  StudioFixture fixture;
+  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
+  Drawing drawing = fixture.files->drawing();
+  const Layer& layer = drawing.document.layers()[0];
+  const auto printed_at_12_5 = [&](bool exported) {
+    LayerState state = layer.state();
+    state.picture = std::make_shared<const LayerPicture>(
+        LayerPicture{testing::picture_data(), {10, 0, 0, 10, 10, 0}, exported});
+    Edit edit{"Picture", {}, {{layer.id, layer.state(), state, 0, 0}}};
+    Document document = drawing.document;
+    EXPECT_TRUE(document.apply(edit));
+    Drawing with_picture = drawing;
+    with_picture.document = document;
+    QImage painted(60, 40, QImage::Format_RGBA8888_Premultiplied);
+    painted.fill(Qt::white);
+    QPainter painter(&painted);
+    paint_page(painter, with_picture, 25.4);
+    painter.end();
+    EXPECT_EQ(painted.pixelColor(5, 5), QColor(Qt::white));
+    return painted.pixelColor(12, 5);
+  };
+  EXPECT_EQ(printed_at_12_5(true), QColor(255, 0, 0));
+  EXPECT_EQ(printed_at_12_5(false), QColor(Qt::white));
 }
 
 /// The clipboard, recovery, recent files and the preview of an export show this picture.

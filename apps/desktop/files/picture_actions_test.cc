@@ -12,7 +12,9 @@
 #include <QPdfWriter>
 #include <QStandardPaths>
 
+#include "desktop/files/drawing_file.h"
 #include "desktop/files/export_file.h"
+#include "desktop/files/picture_file.h"
 #include "desktop/files/testing/studio_fixture.h"
 
 namespace felt::desktop::picture_actions_test {
@@ -51,6 +53,19 @@ TEST(PictureActions, ADroppedPictureBecomesALayerThatFitsThePage) {
   EXPECT_EQ(fixture.studio.session().tool().info().id, "transform");
   fixture.studio.apply(UndoEvent{});
   EXPECT_EQ(fixture.document().layers().size(), 1u);
+}
+
+TEST(PictureFile, AJpegInAnSvgIsRead) {
+  StudioFixture fixture;
+  ASSERT_TRUE(red_image(30, 20).save(fixture.at("photo.jpg")));
+  write_bytes(fixture.at("a.svg"),
+              "<svg xmlns='http://www.w3.org/2000/svg' width='50mm' height='50mm' "
+              "viewBox='0 0 50 50'><image width='30' height='20' href='photo.jpg'/></svg>");
+  const Drawing drawing = read_drawing(fixture.at("a.svg")).value();
+  ASSERT_TRUE(drawing.document.layers()[0].picture);
+  EXPECT_EQ(drawing.document.layers()[0].picture->data->width_px, 30);
+  EXPECT_FALSE(png_of_picture("<svg xmlns='http://www.w3.org/2000/svg'/>"));
+  EXPECT_FALSE(png_of_picture(""));
 }
 
 TEST(PictureActions, TheMenuAsksForAFile) {

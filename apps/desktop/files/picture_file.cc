@@ -146,6 +146,30 @@ Result<ReadPicture> read_picture(const QString& path, int page) {
                 : QStringLiteral("is not a picture, or is damaged: ") + reader.errorString());
 }
 
+Result<std::string> png_of_picture(std::string_view bytes) {
+  QByteArray copy(bytes.data(), static_cast<qsizetype>(bytes.size()));
+  QBuffer buffer(&copy);
+  buffer.open(QIODevice::ReadOnly);
+  QImageReader::setAllocationLimit(kMaxDecodedMb);
+  QImageReader reader(&buffer);
+  reader.setDecideFormatFromContent(true);
+  reader.setAutoTransform(true);
+  const QSize size = reader.size();
+  const QByteArray format = reader.format();
+  const bool is_known = format == "jpeg" || format == "webp" || format == "gif" || format == "bmp";
+  const int longest = std::max(size.width(), size.height());
+  if (!is_known || longest < 1 || longest > kPictureFileSidePx) {
+    return fail(ErrorCode::kUnsupported, "the picture cannot be read");
+  }
+  if (longest > kPictureSidePx) {
+    reader.setScaledSize(
+        size.scaled(kPictureSidePx, kPictureSidePx, Qt::KeepAspectRatio).expandedTo({1, 1}));
+  }
+  const QImage image = reader.read();
+  if (image.isNull()) return fail(ErrorCode::kInvalidData, "the picture is damaged");
+  return png_of(image);
+}
+
 Result<AddPicture> add_picture_event(const QString& name, const ReadPicture& picture,
                                      const Page& page) {
   QImage image = picture.image;

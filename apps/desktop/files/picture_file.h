@@ -4,6 +4,8 @@
 #include <QImage>
 #include <QSizeF>
 #include <QString>
+#include <string>
+#include <string_view>
 
 #include "felt/base/result.h"
 #include "felt/document/page.h"
@@ -34,6 +36,11 @@ struct ReadPicture {
 /// painted as other programs show them. `page` counts from 1 and matters only for PDF files. The
 /// error names the file and the reason.
 Result<ReadPicture> read_picture(const QString& path, int page = 1);
+
+/// Converts the bytes of a JPEG, WebP, GIF or BMP file to a PNG file at most kPictureSidePx pixels
+/// long (ImportOptions::to_png). Does not read SVG files, because they may refer to other files.
+/// Safe to call from any thread.
+Result<std::string> png_of_picture(std::string_view bytes);
 
 /// Returns the number of pages of a PDF file; 1 for another file. Fails if the file is damaged, or
 /// if the program pdfinfo of poppler-utils is missing.

@@ -7,6 +7,10 @@
         <source>“%1” differs here: the added strokes look as it does in this drawing</source>
         <translation>„%1“ ist hier anders definiert: Die hinzugefügten Linien sehen aus wie in dieser Zeichnung</translation>
     </message>
+    <message>
+        <source>Pictures of this file were not added: %1. Open the file to see them.</source>
+        <translation>Nicht hinzugefügte Bilder dieser Datei: %1. Öffnen Sie die Datei, um sie zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>Arguments</name>

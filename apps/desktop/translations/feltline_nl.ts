@@ -7,6 +7,10 @@
         <source>“%1” differs here: the added strokes look as it does in this drawing</source>
         <translation>‘%1’ is hier anders gedefinieerd: de toegevoegde lijnen zien eruit zoals in deze tekening</translation>
     </message>
+    <message>
+        <source>Pictures of this file were not added: %1. Open the file to see them.</source>
+        <translation>Niet toegevoegde afbeeldingen van dit bestand: %1. Open het bestand om ze te zien.</translation>
+    </message>
 </context>
 <context>
     <name>Arguments</name>

@@ -89,6 +89,12 @@ Result<void> check_kind(const std::string& path, bool files_only) {
 
 }  // namespace
 
+std::string folder_of(const std::string& path) {
+  if (path.empty() || path == "-") return {};
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
 Result<FileFormat> readable_format(std::string_view head, const std::string& path) {
   std::optional<FileFormat> found = format_of_bytes(head.substr(0, kFormatHeadBytes));
   const Result<FileFormat> named = format_of_path(path);
@@ -131,7 +137,9 @@ Result<Imported> read_drawing(const std::string& path, const ReadOptions& option
   }
   const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
   if (!bytes) return tl::unexpected(bytes.error());
-  Result<Imported> drawing = parse_drawing(*bytes, path, options);
+  ReadOptions with_folder = options;
+  with_folder.import.folder = folder_of(path);
+  Result<Imported> drawing = parse_drawing(*bytes, path, with_folder);
   if (drawing) return drawing;
   return tl::unexpected(with_context(drawing.error(), shown(path)));
 }

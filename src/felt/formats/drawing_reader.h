@@ -27,12 +27,16 @@ struct ReadOptions {
 /// Reads a whole drawing of any readable format (docs/formats/README.md). "-" is stdin. The format
 /// is determined by the first bytes of the file, not by its name. If the name suggests another
 /// format, a notice is added to the report. A record of .ndjson that is not a stroke is skipped and
-/// reported. Fits strokes to raw pen samples.
+/// reported. Fits strokes to raw pen samples. The pictures of an .svg may be in files below the
+/// folder of `path`.
 ///
 /// The file is not trusted. Fails if it cannot be read, is a folder, exceeds the format's size
 /// limit, has no known format, or is damaged; the message begins with the path. Safe to call from
 /// any thread.
 Result<Imported> read_drawing(const std::string& path, const ReadOptions& options = {});
+
+/// Returns the folder of a file, for ImportOptions::folder; empty for stdin ("-") and for "".
+std::string folder_of(const std::string& path);
 
 /// Reads a drawing from bytes in memory that were read from `path`. Messages do not begin with the
 /// path.

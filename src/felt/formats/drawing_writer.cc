@@ -57,8 +57,9 @@ std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
   return std::make_unique<WholeFile>(std::move(bytes));
 }
 
-/// Returns the drawing with the opacity of each layer applied to its strokes, for formats without
-/// translucent layers. Where strokes of such a layer overlap, they show through.
+/// Returns the drawing with the opacity of each layer applied to its strokes and fills, for formats
+/// without translucent layers. Where those of such a layer overlap, they show through. A layer with
+/// a picture keeps its opacity, for the picture.
 Drawing with_faded_strokes(const Drawing& drawing) {
   Drawing faded = drawing;
   Edit edit{"Fade", {}, {}};
@@ -67,7 +68,7 @@ Drawing with_faded_strokes(const Drawing& drawing) {
     const std::size_t at = position++;
     if (layer.opacity == 1.0) continue;
     LayerState state = layer.state();
-    state.opacity = 1.0;
+    if (!layer.picture) state.opacity = 1.0;
     edit.layers.push_back({layer.id, layer.state(), std::move(state), at, at});
     for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
       const StrokePtr stroke = drawing.document.find(layer.strokes[i]);
@@ -78,17 +79,30 @@ Drawing with_faded_strokes(const Drawing& drawing) {
           {layer.strokes[i], stroke,
            std::make_shared<const Stroke>(Stroke::create(std::move(data)).value()), place, place});
     }
+    for (std::size_t i = 0; i < layer.fills.size(); ++i) {
+      const FillPtr fill = drawing.document.find_fill(layer.fills[i]);
+      Fill other = *fill;
+      other.color.a = static_cast<std::uint8_t>(std::lround(layer.opacity * other.color.a));
+      const StrokePlace place{layer.id, i};
+      edit.fills.push_back(
+          {layer.fills[i], fill, std::make_shared<const Fill>(std::move(other)), place, place});
+    }
   }
   FELT_CHECK(faded.document.apply(edit).has_value());
   return faded;
 }
+
+/// Same as drawing_parts(), for a drawing whose strokes have the opacity of their layers if they
+/// must.
+Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, FileFormat format,
+                                                        const WriteOptions& options);
 
 /// Parts of a drawing that it owns.
 class PartsOfCopy final : public DrawingParts {
  public:
   explicit PartsOfCopy(Drawing drawing) : drawing_(std::move(drawing)) {}
   Result<void> begin(FileFormat format, const WriteOptions& options) {
-    auto parts = drawing_parts(drawing_, format, options);
+    auto parts = parts_as_they_are(drawing_, format, options);
     if (!parts) return tl::unexpected(parts.error());
     parts_ = *std::move(parts);
     return {};
@@ -115,16 +129,8 @@ bool must_fade_strokes(const Drawing& drawing, FileFormat format, const WriteOpt
                                     [](const Layer& layer) { return layer.opacity < 1.0; });
 }
 
-}  // namespace
-
-Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
-                                                    const WriteOptions& options) {
-  if (must_fade_strokes(drawing, format, options)) {
-    auto parts = std::make_unique<PartsOfCopy>(with_faded_strokes(drawing));
-    return parts->begin(format, options).map([&]() -> std::unique_ptr<DrawingParts> {
-      return std::move(parts);
-    });
-  }
+Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, FileFormat format,
+                                                        const WriteOptions& options) {
   const Rect area = options.area.value_or(drawing.page.area());
   const Rgba paper = options.paper.value_or(drawing.page.paper);
   switch (format) {
@@ -143,7 +149,10 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, File
                                  .grain = options.grain_print,
                                  .pictures = options.pictures});
     case FileFormat::kPdf:
-      return pdf_parts(drawing, {.area = area, .paper = paper, .grain = options.grain_print});
+      return pdf_parts(drawing, {.area = area,
+                                 .paper = paper,
+                                 .grain = options.grain_print,
+                                 .pictures = options.pictures});
     case FileFormat::kPng:
       return whole([&drawing, options] { return png_bytes(drawing, options); });
     case FileFormat::kInkml:
@@ -152,6 +161,19 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, File
       return xopp_parts(drawing, options.paper);
   }
   return fail(ErrorCode::kInvalidArgument, "unknown format");
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
+                                                    const WriteOptions& options) {
+  if (!must_fade_strokes(drawing, format, options)) {
+    return parts_as_they_are(drawing, format, options);
+  }
+  auto parts = std::make_unique<PartsOfCopy>(with_faded_strokes(drawing));
+  return parts->begin(format, options).map([&]() -> std::unique_ptr<DrawingParts> {
+    return std::move(parts);
+  });
 }
 
 Result<std::string> drawing_bytes(const Drawing& drawing, FileFormat format,

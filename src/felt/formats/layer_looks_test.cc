@@ -64,6 +64,15 @@ TEST(LayerLooks, PicturesAreLeftOutUnlessAskedFor) {
             testing::picture_data()->png);
 }
 
+TEST(LayerLooks, APdfHasThePicturesThatWereAskedFor) {
+  const std::string without = bytes_in(FileFormat::kPdf);
+  const std::string with = bytes_in(FileFormat::kPdf, PictureChoice::kAll);
+  EXPECT_EQ(without.find("/Subtype /Image"), std::string::npos);
+  EXPECT_NE(with.find("/Subtype /Image /Width 2 /Height 1 /ColorSpace /DeviceRGB"),
+            std::string::npos);
+  EXPECT_NE(with.find("/SMask 7 0 R"), std::string::npos);
+}
+
 TEST(LayerLooks, LostObjectsAreThoseThatAreNotReadBack) {
   DrawingBuilder builder;
   for (const bool visible : {true, false}) {
@@ -83,8 +92,7 @@ TEST(LayerLooks, LostObjectsAreThoseThatAreNotReadBack) {
   EXPECT_EQ(lost(FileFormat::kFelt), LostObjects());
   EXPECT_EQ(lost(FileFormat::kSvg), LostObjects());
   EXPECT_EQ(lost(FileFormat::kPng), LostObjects());
-  EXPECT_EQ(lost(FileFormat::kPdf).fills, 0U);
-  EXPECT_GT(lost(FileFormat::kPdf).pictures, 0U);
+  EXPECT_EQ(lost(FileFormat::kPdf), LostObjects());
   EXPECT_EQ(lost(FileFormat::kSvg, true).fills, 0U);
   EXPECT_EQ(lost(FileFormat::kSvg, true).pictures, 2U);
   EXPECT_EQ(lost(FileFormat::kNdjson), (LostObjects{2, 1})) << "hidden layers are left out anyway";

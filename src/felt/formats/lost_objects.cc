@@ -7,8 +7,7 @@ namespace felt {
 LostObjects lost_objects(const Document& document, FileFormat format, bool compact) {
   const FormatTraits& traits = traits_of(format);
   const bool has_fills = format == FileFormat::kFelt || traits.picture;
-  const bool has_pictures = format == FileFormat::kFelt || format == FileFormat::kPng ||
-                            (format == FileFormat::kSvg && !compact);
+  const bool has_pictures = format == FileFormat::kFelt || (traits.picture && !compact);
   LostObjects lost;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible && !traits.layers) continue;

@@ -47,6 +47,12 @@ std::size_t DrawingBuilder::add_layer(LayerState state) {
   return layers_.size() - 1;
 }
 
+void DrawingBuilder::set_state(std::size_t layer, LayerState state) {
+  FELT_CHECK(layer < layers_.size());
+  if (!is_layer_name(state.name)) state.name = "Layer " + std::to_string(layer + 1);
+  layers_[layer].state = std::move(state);
+}
+
 void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name) {
   FELT_CHECK(layer < layers_.size());
   layers_[layer].strokes.push_back(

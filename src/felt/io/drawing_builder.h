@@ -32,6 +32,9 @@ class DrawingBuilder {
   /// Adds a layer on top and returns its index. If the name is empty, too long, not UTF-8 or has a
   /// NUL, the layer is named after its position: "Layer 3".
   std::size_t add_layer(LayerState state);
+  /// Replaces the state of a layer. Requires an index from add_layer(); the name has the same
+  /// rules.
+  void set_state(std::size_t layer, LayerState state);
   [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
   /// Adds a stroke on top of the layer with the index `layer`. Requires an index from add_layer().
   void add(std::size_t layer, Stroke stroke, std::string_view name = {});

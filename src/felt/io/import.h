@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/document/drawing.h"
 #include "felt/stroke/fit/ink_fit.h"
 
@@ -71,10 +73,19 @@ inline InkFitOptions solid_fit(InkFitOptions fit) {
   return fit;
 }
 
+/// Converts the bytes of a picture, for example a JPEG file, to a PNG file.
+using PictureConverter = std::function<Result<std::string>(std::string_view bytes)>;
+
 /// Settings for readers of foreign formats.
 struct ImportOptions {
   /// Options for converting pen samples to ink, for formats that hold samples instead of curves.
   InkFitOptions fit{};
+  /// The folder of the file. Readers may open pictures below it that the file names. If empty, no
+  /// other file is opened.
+  std::string folder{};
+  /// Converts pictures that are not PNG files. If not set, they are skipped. Called on the thread
+  /// of the reader.
+  PictureConverter to_png{};
 };
 
 }  // namespace felt

@@ -28,6 +28,9 @@ class Collector final : public SvgSceneSink {
   void shape(SvgShape shape) override {
     if (visible_) scene_.shapes.push_back(std::move(shape));
   }
+  void image(const SvgImage& image) override {
+    notice(image.line_number, "image", "is not drawn by this test");
+  }
   void paper(Rgba color) override { scene_.paper = color; }
   void notice(std::int64_t line, std::string element, std::string what) override {
     scene_.notices.push_back("line " + std::to_string(line) + ": " + element + " " + what);
@@ -63,7 +66,8 @@ bool is_dot(const SvgContour& c) {
 class Painter {
  public:
   Painter(Image& image, double px_per_mm)
-      : buffer_(image.pixels().data, static_cast<unsigned>(image.width()),
+      : target_(image.pixels()),
+        buffer_(image.pixels().data, static_cast<unsigned>(image.width()),
                 static_cast<unsigned>(image.height()), static_cast<int>(image.pixels().stride)),
         format_(buffer_),
         base_(format_),
@@ -87,12 +91,17 @@ class Painter {
   void begin(const SvgShape& shape, bool even_odd) {
     cells_.reset();
     Rect clip{0.0, 0.0, static_cast<double>(width_), static_cast<double>(height_)};
+    slanted_ = false;
+    frame_ = {{clip.x0, clip.y0}, {clip.x1, clip.y0}, {clip.x1, clip.y1}, {clip.x0, clip.y1}};
     if (shape.frame) {
-      clip = {
-          std::max(clip.x0, scale_ * shape.frame->x0), std::max(clip.y0, scale_ * shape.frame->y0),
-          std::min(clip.x1, scale_ * shape.frame->x1), std::min(clip.y1, scale_ * shape.frame->y1)};
+      for (const SvgHalfPlane& plane : shape.frame->planes()) cut_frame(plane);
     }
-    nothing_ = clip.empty();
+    if (!slanted_ && shape.frame) {
+      Rect inside;
+      for (const Point p : frame_) inside.extend(p);
+      clip = inside;
+    }
+    nothing_ = clip.empty() || frame_.empty();
     cells_.clip_box(clip.x0, clip.y0, clip.x1, clip.y1);
     cells_.filling_rule(even_odd ? agg::fill_even_odd : agg::fill_non_zero);
   }
@@ -100,7 +109,43 @@ class Painter {
   void finish(Rgba color) {
     if (nothing_) return;
     agg::rgba8 ink(color.r, color.g, color.b, color.a);
+    if (slanted_) return finish_in_frame(ink);
     agg::render_scanlines_aa_solid(cells_, scanline_, base_, ink.premultiply());
+  }
+
+  /// Keeps the part of the frame on one side of a line.
+  void cut_frame(const SvgHalfPlane& plane) {
+    if (plane.normal.x != 0.0 && plane.normal.y != 0.0) slanted_ = true;
+    const auto outside = [&](Point p) { return plane.outside_mm({p.x / scale_, p.y / scale_}); };
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < frame_.size(); ++i) {
+      const Point a = frame_[i], b = frame_[(i + 1) % frame_.size()];
+      const double at_a = outside(a), at_b = outside(b);
+      if (at_a <= 0.0) kept.push_back(a);
+      if ((at_a <= 0.0) != (at_b <= 0.0)) kept.push_back(lerp(a, b, at_a / (at_a - at_b)));
+    }
+    frame_ = std::move(kept);
+  }
+
+  /// Paints the cells inside a rotated frame: their alpha times that of the frame.
+  void finish_in_frame(agg::rgba8 ink) {
+    Image shape = Image::create(width_, height_).value(), mask = shape;
+    Painter on_shape(shape, scale_), on_mask(mask, scale_);
+    agg::render_scanlines_aa_solid(cells_, scanline_, on_shape.base_, ink.premultiply());
+    agg::path_storage path;
+    for (std::size_t i = 0; i < frame_.size(); ++i) {
+      i == 0 ? path.move_to(frame_[i].x, frame_[i].y) : path.line_to(frame_[i].x, frame_[i].y);
+    }
+    path.close_polygon();
+    cells_.reset();
+    cells_.add_path(path);
+    agg::render_scanlines_aa_solid(cells_, scanline_, on_mask.base_,
+                                   agg::rgba8(255, 255, 255, 255));
+    std::uint8_t* to = shape.pixels().data;
+    for (std::size_t i = 0; i < mask.bytes().size(); ++i) {
+      to[i] = static_cast<std::uint8_t>(to[i] * mask.bytes()[i / 4 * 4 + 3] / 255);
+    }
+    blend(shape.pixels(), shape.pixels().rect(), 1.0, target_);
   }
 
   void fill(const SvgShape& shape) {
@@ -163,6 +208,7 @@ class Painter {
     path.close_polygon();
   }
 
+  Pixels target_;
   agg::rendering_buffer buffer_;
   Format format_;
   agg::renderer_base<Format> base_;
@@ -171,6 +217,8 @@ class Painter {
   Cells cells_;
   agg::scanline_u8 scanline_;
   bool nothing_ = false;
+  std::vector<Point> frame_;  ///< the visible part of the picture, in pixels
+  bool slanted_ = false;
 };
 
 /// Returns true if the pixel (x, y) of `a` is within `tolerance` of the same pixel of `b`, or of
@@ -207,6 +255,18 @@ std::int64_t pixels_without_like(const Image& a, const Image& b, int tolerance) 
   return count;
 }
 
+/// Returns the width of a file without a size: to the end of its ink.
+double ink_width_mm(const PaintedScene& scene) {
+  double width = 0.0;
+  for (const SvgShape& shape : scene.shapes) {
+    const double beside = shape.line ? 0.5 * shape.line->width * std::fabs(shape.to_mm.a) : 0.0;
+    for (const SvgContour& c : shape.contours) {
+      for (const Point& p : c.points) width = std::max(width, apply(shape.to_mm, p).x + beside);
+    }
+  }
+  return width;
+}
+
 }  // namespace
 
 Result<PaintedScene> paint_scene(std::string_view svg) {
@@ -219,10 +279,23 @@ Result<PaintedScene> paint_scene(std::string_view svg) {
 Result<Image> scene_picture(const PaintedScene& scene, int width_px, int height_px) {
   Result<Image> image = Image::create(width_px, height_px);
   if (!image) return image;
-  const double width_mm = scene.root.width_mm.value_or(0.0);
+  const double width_mm = scene.root.width_mm.value_or(ink_width_mm(scene));
   fill(image->pixels(), image->pixels().rect(), scene.paper);
-  Painter painter(*image, width_mm > 0.0 ? width_px / width_mm : 96.0 / 25.4);
-  for (const SvgShape& shape : scene.shapes) painter.paint(shape);
+  const double px_per_mm = width_mm > 0.0 ? width_px / width_mm : 96.0 / 25.4;
+  Painter painter(*image, px_per_mm);
+  for (std::size_t i = 0; i < scene.shapes.size();) {
+    const SvgShape& first = scene.shapes[i];
+    std::size_t end = i + 1;
+    while (end < scene.shapes.size() && first.group != 0 &&
+           scene.shapes[end].group == first.group) {
+      ++end;
+    }
+    Image group = Image::create(width_px, height_px).value();
+    Painter in_group(group, px_per_mm);
+    for (; i < end; ++i) (first.group == 0 ? painter : in_group).paint(scene.shapes[i]);
+    if (first.group == 0) continue;
+    blend(group.pixels(), group.pixels().rect(), first.group_opacity, image->pixels());
+  }
   return image;
 }
 

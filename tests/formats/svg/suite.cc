@@ -18,8 +18,8 @@ namespace {
 /// Returns true if a notice names content that lines and fillings cannot represent.
 bool needs_more(const std::vector<std::string>& notices) {
   for (const std::string& notice : notices) {
-    for (const char* what :
-         {"is not a stroke", "gradient", "pattern", "clip path", "mask", "filter"}) {
+    for (const char* what : {"is not a stroke", "gradient", "pattern", "clip path", "mask",
+                             "filter", "not drawn by this test"}) {
       if (notice.find(what) != std::string::npos) return true;
     }
   }
@@ -27,10 +27,11 @@ bool needs_more(const std::vector<std::string>& notices) {
 }
 
 /// Imports a file and draws its fills and strokes. The page fills the width of the picture.
-Result<Image> drawing_picture(const std::string& svg, int width_px) {
+Result<Image> drawing_picture(const std::string& svg, int width_px, int height_px) {
   Result<Imported> read = import_svg(svg);
   if (!read) return tl::unexpected(read.error());
-  const Page& page = read->drawing.page;
+  Page page = read->drawing.page;
+  if (!read->drawing.has_page) page = {width_px * 25.4 / 96.0, height_px * 25.4 / 96.0};
   const bool has_paper = page.paper != Page{}.paper;
   return render_page(read->drawing.document,
                      {.dpi = width_px * 25.4 / page.width_mm,
@@ -67,7 +68,7 @@ SuiteResult compare_pictures(const std::string& svg_path, const std::string& png
   if (!scene) return {false, scene.error().message, false};
   const Result<Image> ours =
       what == SuitePicture::kDrawing
-          ? drawing_picture(*svg, theirs->image.width())
+          ? drawing_picture(*svg, theirs->image.width(), theirs->image.height())
           : scene_picture(*scene, theirs->image.width(), theirs->image.height());
   if (!ours) return {false, ours.error().message, false};
   const std::int64_t apart = pixels_apart(*ours, theirs->image);

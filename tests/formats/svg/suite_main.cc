@@ -1,8 +1,9 @@
-// svg_suite FOLDER [--list] [--drawings] [--pictures OUT]: compares our pictures of the files of a
-// suite (NAME.svg) with those of the suite (NAME.png), and prints for each folder how many agree.
+// svg_suite FOLDER [--list] [--drawings] [--all] [--pictures OUT]: compares our pictures of the
+// files of a suite (NAME.svg) with those of the suite (NAME.png), and prints for each folder how
+// many agree.
 // --list prints the names of the files that agree. --drawings compares the imported drawings
-// instead of the shapes that the reader finds. --pictures writes both pictures of the others to
-// OUT.
+// instead of the shapes that the reader finds. --all fails (exit code 1) unless all agree.
+// --pictures writes both pictures of the others to OUT.
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -16,11 +17,12 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const std::string root = argv[1];
-  bool list = false;
+  bool list = false, must_agree = false;
   std::string out;
   auto what = felt::testing::SuitePicture::kShapes;
   for (int i = 2; i < argc; ++i) {
     if (std::strcmp(argv[i], "--list") == 0) list = true;
+    if (std::strcmp(argv[i], "--all") == 0) must_agree = true;
     if (std::strcmp(argv[i], "--drawings") == 0) what = felt::testing::SuitePicture::kDrawing;
     if (std::strcmp(argv[i], "--pictures") == 0 && i + 1 < argc) out = argv[++i];
   }
@@ -51,5 +53,5 @@ int main(int argc, char** argv) {
   };
   for (const auto& [folder, row] : table) print(folder, row);
   print("all", sum);
-  return 0;
+  return must_agree && (sum.all == 0 || sum.agree < sum.all) ? 1 : 0;
 }

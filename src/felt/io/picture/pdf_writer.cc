@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "felt/io/fill_path.h"
+#include "felt/io/picture/pdf_pictures.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/outline/outline_path.h"
 
@@ -84,7 +85,19 @@ class Content {
     out_ += "f*\n";
   }
 
+  /// Appends the picture of a layer, if it has one in the file.
+  void picture(const PdfPictures& pictures, const Layer& layer) {
+    if (!pictures.has(layer)) return;
+    set_color({color_.r, color_.g, color_.b, alpha_of(layer)});
+    pictures.append_commands(out_, layer, kPdfStepsPerMm);
+  }
+
   [[nodiscard]] const std::string& text() const noexcept { return out_; }
+
+  /// Returns the alpha of the picture of a layer.
+  static std::uint8_t alpha_of(const Layer& layer) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * layer.opacity));
+  }
 
  private:
   void outline(const OutlinePath& path) {
@@ -132,17 +145,20 @@ class Content {
   bool has_color_ = false;
 };
 
-/// The objects of the masks follow the page's content, two for each mask: the picture, and the
-/// group that places it on the page.
-constexpr std::size_t kFirstMaskObject = 6;
-
-std::size_t picture_of(std::size_t mask) {
-  return kFirstMaskObject + 2 * (mask - 1);
-}
+/// The objects of the pictures follow the page's content, and then those of the masks, two for each
+/// mask: the picture, and the group that places it on the page.
+constexpr std::size_t kFirstPictureObject = 6;
 
 /// Collects the picture and the group of each mask as bodies of PDF objects.
 class Masks {
  public:
+  explicit Masks(std::size_t first_object) : first_object_(first_object) {}
+
+  /// Returns the number of the object with the picture of a mask.
+  [[nodiscard]] std::size_t picture_of(std::size_t mask) const noexcept {
+    return first_object_ + 2 * (mask - 1);
+  }
+  [[nodiscard]] std::size_t first_object() const noexcept { return first_object_; }
   [[nodiscard]] std::size_t count() const noexcept { return bodies_.size() / 2; }
   [[nodiscard]] const std::vector<std::string>& bodies() const noexcept { return bodies_; }
 
@@ -176,11 +192,12 @@ class Masks {
   }
 
  private:
+  std::size_t first_object_;
   std::vector<std::string> bodies_;
 };
 
 std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
-                        const Masks& masks) {
+                        const PdfPictures& pictures, const Masks& masks) {
   std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
   append_pdf_number(out, area.width() * kPointsPerMm);
   append_pdf_number(out, area.height() * kPointsPerMm);
@@ -196,9 +213,11 @@ std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
   }
   for (std::size_t mask = 1; mask <= masks.count(); ++mask) {
     out += " /G" + std::to_string(mask) + " << /SMask << /S /Luminosity /G " +
-           std::to_string(picture_of(mask) + 1) + " 0 R >> >>";
+           std::to_string(masks.picture_of(mask) + 1) + " 0 R >> >>";
   }
-  return out + " >> >> >>";
+  out += " >>";
+  if (!pictures.bodies().empty()) out += " /XObject <<" + pictures.resources() + " >>";
+  return out + " >> >>";
 }
 
 Result<void> check(const Document& document, const PdfOptions& options, const Rect& area) {
@@ -232,21 +251,25 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
 }
 
 /// Makes a PDF file. The objects for the catalogue (1), the pages (2) and the packed content of the
-/// page (4) come first. The length of the content (5), the page (3) and the masks follow when they
-/// are known.
+/// page (4) come first. The length of the content (5), the page (3), the pictures and the masks
+/// follow when they are known.
 class PdfParts final : public DrawingParts {
  public:
-  PdfParts(const Document& document, const PdfOptions& options, const Rect& area)
+  PdfParts(const Document& document, const PdfOptions& options, const Rect& area,
+           PdfPictures pictures)
       : document_(document),
         ranges_(stroke_ranges(document, LayerChoice::kVisible)),
         options_(options),
-        area_(area) {
+        area_(area),
+        pictures_(std::move(pictures)),
+        masks_(kFirstPictureObject + pictures_.bodies().size()) {
     if (options.grain) grain_.emplace(*options.grain, area);
     if (options.paper.a > 0) alphas_.insert(options.paper.a);
     for (const Layer& layer : document.layers()) {
       if (!layer.visible) continue;
       for (const StrokeId id : layer.strokes) alphas_.insert(document.find(id)->color().a);
       for (const FillId id : layer.fills) alphas_.insert(document.find_fill(id)->color.a);
+      if (pictures_.has(layer)) alphas_.insert(Content::alpha_of(layer));
     }
   }
 
@@ -287,9 +310,12 @@ class PdfParts final : public DrawingParts {
       out += std::to_string(number) + " 0 obj\n" + body + "\nendobj\n";
     };
     object(5, std::to_string(length));
-    object(3, page_object(area_, alphas_, masks_));
+    object(3, page_object(area_, alphas_, pictures_, masks_));
+    for (std::size_t k = 0; k < pictures_.bodies().size(); ++k) {
+      object(kFirstPictureObject + k, pictures_.bodies()[k]);
+    }
     for (std::size_t k = 0; k < masks_.bodies().size(); ++k) {
-      object(kFirstMaskObject + k, masks_.bodies()[k]);
+      object(masks_.first_object() + k, masks_.bodies()[k]);
     }
     append_table(out, places);
     return out;
@@ -313,6 +339,7 @@ class PdfParts final : public DrawingParts {
   Result<void> add_strokes(const StrokeRange& range, Content& content) const {
     const Layer& layer = document_.layers()[range.layer];
     if (range.first == 0) {
+      content.picture(pictures_, layer);
       for (const FillId id : layer.fills) content.fill(*document_.find_fill(id));
     }
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -347,6 +374,7 @@ class PdfParts final : public DrawingParts {
   std::vector<StrokeRange> ranges_;
   PdfOptions options_;
   Rect area_;
+  PdfPictures pictures_;
   std::set<std::uint8_t> alphas_;
   std::uint64_t bytes_ = 0;
   std::uint32_t checksum_ = adler32_of({});
@@ -360,7 +388,10 @@ class PdfParts final : public DrawingParts {
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options) {
   const Rect area = picture_area(ink_bounds(drawing.document), options.area, options.margin_mm);
   if (auto ok = check(drawing.document, options, area); !ok) return tl::unexpected(ok.error());
-  return std::make_unique<PdfParts>(drawing.document, options, area);
+  return PdfPictures::create(drawing.document, options.pictures, kFirstPictureObject)
+      .map([&](PdfPictures pictures) -> std::unique_ptr<DrawingParts> {
+        return std::make_unique<PdfParts>(drawing.document, options, area, std::move(pictures));
+      });
 }
 
 Result<std::string> pdf_text(const Drawing& drawing, const PdfOptions& options) {

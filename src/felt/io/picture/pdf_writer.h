@@ -5,6 +5,7 @@
 #include <string>
 
 #include "felt/base/result.h"
+#include "felt/document/layer_picture.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/drawing_parts.h"
 #include "felt/io/picture/grain_mask.h"
@@ -24,6 +25,7 @@ struct PdfOptions {
   /// If set, each stroke has a mask with the grain of the surface. The strokes are still written as
   /// outlines.
   std::optional<GrainPrint> grain{};
+  PictureChoice pictures = PictureChoice::kMarked;  ///< the pictures of layers in the file
 };
 
 /// Returns the strokes of visible layers as a PDF 1.4 file with one page at true size. Each stroke
@@ -31,10 +33,14 @@ struct PdfOptions {
 /// crosses itself, it is not darker. Equal drawings give equal bytes, because the file contains
 /// neither date nor program version.
 ///
+/// Pictures of layers are images below the fills and strokes of their layer. The opacity of a layer
+/// is applied only to its picture; drawing_parts() has applied it to the strokes and fills.
+///
 /// The grain is written as a soft mask for the outline (PDF 1.4, 7.5.4).
 ///
 /// Fails if the page is empty or larger than the 5080 mm that PDF allows (14400 points), if an
-/// option is invalid, or if a stroke reaches farther than 1e6 mm from the page.
+/// option is invalid, if a picture is damaged, or if a stroke reaches farther than 1e6 mm from the
+/// page.
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options);
 
 /// Returns the same file as one text.

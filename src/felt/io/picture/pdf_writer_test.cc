@@ -11,6 +11,8 @@
 #include "felt/base/read_file.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_fills.h"
+#include "felt/document/testing/small_picture.h"
+#include "felt/io/drawing_builder.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/testing/test_drawings.h"
 #include "felt/render/page_painter.h"
@@ -104,6 +106,65 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
     EXPECT_LT(sum / (ours.width() * ours.height()), 1.5) << "seed " << seed;
   }
   fs::remove_all(folder);
+}
+
+/// A picture lies below the strokes of its layer, where the document has it, with its opacity and
+/// transparent pixels.
+TEST(PdfWriter, AnotherProgramSeesTheSamePictures) {
+  if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "pdftoppm is not installed (package poppler-utils)";
+  }
+  std::string folder = (fs::temp_directory_path() / "felt-pdf-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  Image pixels = Image::create(40, 30).value();
+  fill(pixels.pixels(), {0, 0, 40, 30}, {200, 40, 0, 255});
+  fill(pixels.pixels(), {0, 0, 10, 10}, {0, 0, 255, 255});
+  fill(pixels.pixels(), {30, 20, 40, 30}, {0, 0, 0, 0});
+  auto data = make_picture_data(encode_png(pixels, 96.0).value()).value();
+  DrawingBuilder builder;
+  for (const Affine place : {Affine{0.5, 0, 0, 0.5, 5, 5}, Affine{0.3, 0.3, -0.3, 0.3, 40, 30}}) {
+    LayerState state{"Photo"};
+    state.opacity = place.b == 0.0 ? 1.0 : 0.5;
+    state.picture = std::make_shared<const LayerPicture>(LayerPicture{data, place, true});
+    builder.add_layer(std::move(state));
+  }
+  const Drawing drawing = std::move(builder).build();
+  const Rect area{0.0, 0.0, 60.96, 60.96};
+  const Rgba paper{255, 255, 255, 255};
+  const std::string pdf = pdf_text(drawing, {.area = area, .paper = paper}).value();
+  ASSERT_TRUE(write_file(folder + "/a.pdf", pdf));
+  ASSERT_EQ(std::system(
+                ("pdftoppm -r 150 -png -singlefile " + folder + "/a.pdf " + folder + "/a").c_str()),
+            0);
+  const Image theirs =
+      decode_png(read_file(folder + "/a.png", std::size_t{1} << 26).value()).value().image;
+  const Image ours = render_page(drawing.document, {.dpi = 150.0, .area = area, .paper = paper},
+                                 PictureChoice::kMarked)
+                         .value();
+  ASSERT_EQ(theirs.width(), ours.width());
+  double sum = 0.0;
+  for (int y = 0; y < ours.height(); ++y) {
+    for (int x = 0; x < ours.width(); ++x) {
+      const Rgba a = ours.at(x, y), b = theirs.at(x, y);
+      sum += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+    }
+  }
+  // Only pixels at edges differ. Without the second picture, it would be more than 20.
+  EXPECT_LT(sum / (ours.width() * ours.height()), 4.0);
+  fs::remove_all(folder);
+}
+
+TEST(PdfWriter, ADamagedPictureIsAnError) {
+  auto data = std::make_shared<PictureData>(*testing::picture_data());
+  data->png.resize(40);
+  DrawingBuilder builder;
+  LayerState state{"Photo"};
+  state.picture =
+      std::make_shared<const LayerPicture>(LayerPicture{data, {1, 0, 0, 1, 0, 0}, true});
+  builder.add_layer(std::move(state));
+  const auto pdf = pdf_text(std::move(builder).build(), {.area = Rect{0, 0, 20, 20}});
+  ASSERT_FALSE(pdf);
+  EXPECT_THAT(pdf.error().message, HasSubstr("layer \"Photo\""));
 }
 
 }  // namespace

@@ -11,19 +11,6 @@
 namespace felt {
 namespace {
 
-/// One edge of a frame: points p with dot(normal, p) <= limit are inside.
-struct ClipEdge {
-  Vec normal;
-  double limit = 0.0;
-
-  [[nodiscard]] double outside(Point p) const { return dot(normal, p - Point{}) - limit; }
-};
-
-std::array<ClipEdge, 4> edges_of(const Rect& frame) {
-  return {ClipEdge{{-1.0, 0.0}, -frame.x0}, ClipEdge{{1.0, 0.0}, frame.x1},
-          ClipEdge{{0.0, -1.0}, -frame.y0}, ClipEdge{{0.0, 1.0}, frame.y1}};
-}
-
 /// A part of a curve on one side of an edge.
 struct ClipPart {
   Cubic curve;
@@ -31,9 +18,9 @@ struct ClipPart {
 };
 
 /// Appends the parts of a curve on both sides of an edge.
-void split_at(const Cubic& c, const ClipEdge& edge, std::vector<ClipPart>& out) {
+void split_at(const Cubic& c, const SvgHalfPlane& edge, std::vector<ClipPart>& out) {
   std::array<double, 4> d{};
-  for (std::size_t i = 0; i < 4; ++i) d[i] = edge.outside(c.p[i]);
+  for (std::size_t i = 0; i < 4; ++i) d[i] = edge.outside_mm(c.p[i]);
   const auto is_in = [](double value) { return value <= 0.0; };
   if (std::all_of(d.begin(), d.end(), is_in)) return out.push_back({c, true});
   if (std::none_of(d.begin(), d.end(), is_in)) return out.push_back({c, false});
@@ -41,7 +28,7 @@ void split_at(const Cubic& c, const ClipEdge& edge, std::vector<ClipPart>& out) 
   const auto add = [&](double to) {
     if (!(to > from)) return;
     const Cubic part = sub_segment(c, from, to);
-    out.push_back({part, edge.outside(evaluate(part, 0.5)) <= 0.0});
+    out.push_back({part, edge.outside_mm(evaluate(part, 0.5)) <= 0.0});
     from = to;
   };
   for (const double t : cubic_roots(d[0], 3.0 * (d[1] - d[0]), 3.0 * (d[2] - 2.0 * d[1] + d[0]),
@@ -51,7 +38,7 @@ void split_at(const Cubic& c, const ClipEdge& edge, std::vector<ClipPart>& out) 
   add(1.0);
 }
 
-std::vector<ClipPart> parts_of(const std::vector<Point>& points, const ClipEdge& edge) {
+std::vector<ClipPart> parts_of(const std::vector<Point>& points, const SvgHalfPlane& edge) {
   std::vector<ClipPart> parts;
   for (std::size_t i = 0; i + 3 < points.size(); i += 3) {
     split_at({{points[i], points[i + 1], points[i + 2], points[i + 3]}}, edge, parts);
@@ -71,7 +58,7 @@ void append_curve(std::vector<Point>& points, const Cubic& c) {
 
 /// Cuts a closed loop at one edge (Sutherland and Hodgman, doi:10.1145/360767.360802). Parts of the
 /// loop along the edge cover no area.
-std::vector<Point> cut_loop(const std::vector<Point>& loop, const ClipEdge& edge) {
+std::vector<Point> cut_loop(const std::vector<Point>& loop, const SvgHalfPlane& edge) {
   std::vector<Point> kept;
   for (const ClipPart& part : parts_of(loop, edge)) {
     if (part.is_inside) append_curve(kept, part.curve);
@@ -84,7 +71,7 @@ std::vector<Point> cut_loop(const std::vector<Point>& loop, const ClipEdge& edge
 }
 
 /// Appends the parts of an open or closed line on the inner side of an edge.
-void cut_line(const SvgContour& line, const ClipEdge& edge, std::vector<SvgContour>& out) {
+void cut_line(const SvgContour& line, const SvgHalfPlane& edge, std::vector<SvgContour>& out) {
   const std::vector<ClipPart> parts = parts_of(line.points, edge);
   const auto is_inside = [](const ClipPart& part) { return part.is_inside; };
   if (std::all_of(parts.begin(), parts.end(), is_inside)) return out.push_back(line);
@@ -106,11 +93,11 @@ void cut_line(const SvgContour& line, const ClipEdge& edge, std::vector<SvgConto
 
 }  // namespace
 
-void clip_fill(Fill& fill, const Rect& frame) {
+void clip_fill(Fill& fill, const SvgFrame& frame) {
   std::vector<FillLoop> kept;
   for (FillLoop& loop : fill.loops) {
     std::vector<Point> points = loop.points;
-    for (const ClipEdge& edge : edges_of(frame)) points = cut_loop(points, edge);
+    for (const SvgHalfPlane& edge : frame.planes()) points = cut_loop(points, edge);
     if (points.empty()) continue;
     if (points != loop.points) loop = {std::move(points), {}};
     kept.push_back(std::move(loop));
@@ -118,9 +105,9 @@ void clip_fill(Fill& fill, const Rect& frame) {
   fill.loops = std::move(kept);
 }
 
-std::vector<SvgContour> clip_line(const SvgContour& contour, const Rect& frame) {
+std::vector<SvgContour> clip_line(const SvgContour& contour, const SvgFrame& frame) {
   std::vector<SvgContour> lines{contour};
-  for (const ClipEdge& edge : edges_of(frame)) {
+  for (const SvgHalfPlane& edge : frame.planes()) {
     std::vector<SvgContour> kept;
     for (const SvgContour& line : lines) cut_line(line, edge, kept);
     lines = std::move(kept);

@@ -9,7 +9,7 @@
 namespace felt::svg_clip_test {
 namespace {
 
-constexpr Rect kFrame{0.0, 0.0, 10.0, 10.0};
+const SvgFrame kFrame(Rect{0.0, 0.0, 10.0, 10.0});
 
 SvgContour circle(Point center, double r) {
   SvgPathBuilder builder(100);

@@ -14,6 +14,7 @@ class Dasher {
     const double sum = std::accumulate(pattern.begin(), pattern.end(), 0.0);
     double into = std::fmod(offset, sum);
     if (into < 0.0) into += sum;
+    tiny_ = 1e-11 * sum;
     left_ = pattern_[0];
     while (into > 0.0 && into >= left_ && index_ + 1 < pattern_.size()) {
       into -= left_;
@@ -30,9 +31,10 @@ class Dasher {
         next();
         continue;
       }
-      const double to = std::min(length, at + left_);
+      double to = std::min(length, at + left_);
+      if (length - to <= tiny_) to = length;
       if (is_drawn()) append(c, at, to, length);
-      left_ = to < length ? 0.0 : left_ - (to - at);
+      left_ = to < length || left_ - (to - at) <= tiny_ ? 0.0 : left_ - (to - at);
       at = to;
     }
   }
@@ -75,6 +77,7 @@ class Dasher {
   std::vector<SvgContour> dashes_;
   std::size_t index_ = 0;
   double left_ = 0.0;
+  double tiny_ = 0.0;     ///< shorter lengths are errors of rounding
   bool is_fresh_ = true;  ///< no part of the current pattern length was used yet
   bool open_ = false;     ///< the last dash has not ended yet
 };
@@ -96,6 +99,26 @@ std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
   Dasher dasher(pattern, offset, keep_dots);
   for (std::size_t i = 0; i < lengths.size(); ++i) dasher.along(contour.segment(i), lengths[i]);
   return dasher.take();
+}
+
+std::vector<SvgContour> joined_dashes(std::vector<SvgContour> dashes) {
+  constexpr double kSmooth = 1e-6;
+  std::vector<SvgContour> joined;
+  for (SvgContour& dash : dashes) {
+    const auto goes_on = [&](const SvgContour& before) {
+      const Cubic a = before.segment(before.segment_count() - 1), b = dash.segment(0);
+      const Vec out = tangent(a, 1.0), in = tangent(b, 0.0);
+      return distance(a.p[3], b.p[0]) <= kSmooth * (control_length(a) + control_length(b)) &&
+             std::fabs(cross(out, in)) <= kSmooth && dot(out, in) > 0.0;
+    };
+    if (joined.empty() || !goes_on(joined.back())) {
+      joined.push_back(std::move(dash));
+      continue;
+    }
+    std::vector<Point>& points = joined.back().points;
+    points.insert(points.end(), dash.points.begin() + 1, dash.points.end());
+  }
+  return joined;
 }
 
 }  // namespace felt

@@ -18,4 +18,8 @@ std::optional<std::vector<SvgContour>> svg_dashes(const SvgContour& contour,
                                                   std::span<const double> pattern, double offset,
                                                   bool keep_dots, std::size_t max_dashes);
 
+/// Joins dashes of a pattern without gaps where the line is smooth. They stay separate at corners,
+/// because the corner between two dashes is not filled.
+std::vector<SvgContour> joined_dashes(std::vector<SvgContour> dashes);
+
 }  // namespace felt

@@ -252,9 +252,8 @@ Result<void> SvgDocument::look_through() {
     }
     note_prefixes(node);
     if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
-    if (is_style_sheet(node)) {
-      style_sheet_.add(xml_text_of(node));
-    }
+    if (is_style_sheet(node)) style_sheet_.add(xml_text_of(node));
+    if (xml_local_name(node.name()) == "color-profile") has_color_profile_ = true;
     pugi::xml_node next =
         node.find_child([](const auto& n) { return n.type() == pugi::node_element; });
     while (!next && node != root_) {

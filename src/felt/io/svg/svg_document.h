@@ -40,6 +40,8 @@ class SvgDocument {
   SvgStyleSheet& style_sheet() noexcept { return style_sheet_; }
   /// Returns true if the file refers to an external style sheet (xml-stylesheet).
   [[nodiscard]] bool names_outer_style() const noexcept { return names_outer_style_; }
+  /// Returns true if the file defines a colour profile, to which icc-color() refers.
+  [[nodiscard]] bool has_color_profile() const noexcept { return has_color_profile_; }
 
  private:
   explicit SvgDocument(XmlInput input);
@@ -53,6 +55,7 @@ class SvgDocument {
   std::set<std::string, std::less<>> more_svg_prefixes_;  // prefixes declared below the root
   SvgStyleSheet style_sheet_;
   bool names_outer_style_ = false;
+  bool has_color_profile_ = false;
 };
 
 /// Returns the value of `href`, with or without a prefix; empty if the attribute is missing.

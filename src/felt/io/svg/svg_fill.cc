@@ -13,8 +13,8 @@ namespace felt {
 namespace {
 
 constexpr double kAreaToleranceMm = 0.02;
-/// Shapes with more edges than this are not searched for crossings, which takes quadratic time.
-constexpr std::size_t kMaxSearchedEdges = 4000;
+/// Bound of the work to find crossings of one shape: less than 0.2 s.
+constexpr std::size_t kMaxEdgePairs = 20'000'000;
 
 FillLoop loop_of(const SvgContour& contour, const Affine& to_mm) {
   FillLoop loop{contour.points, {}};
@@ -51,26 +51,43 @@ double signed_area(std::span<const Point> polygon) {
   return area;
 }
 
-/// Returns true if two edges of the polygons properly cross each other.
-bool crosses_itself(const Outline& outline) {
-  std::vector<std::pair<Point, Point>> edges;
+enum class SvgCrossings { kNone, kSome, kUnknown };
+
+/// An edge of a polygon with its bounds.
+struct OutlineEdge {
+  Point a, b;
+  Rect box;
+};
+
+/// Returns whether two edges of the polygons properly cross each other. Compares only edges that
+/// overlap in x, from left to right; the result is unknown if that takes more than kMaxEdgePairs
+/// comparisons.
+SvgCrossings crossings_of(const Outline& outline) {
+  std::vector<OutlineEdge> edges;
   for (std::size_t k = 0; k < outline.contour_count(); ++k) {
     const auto polygon = outline.contour(k);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      edges.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
+      OutlineEdge edge{polygon[i], polygon[(i + 1) % polygon.size()], {}};
+      edge.box.extend(edge.a);
+      edge.box.extend(edge.b);
+      edges.push_back(edge);
     }
   }
-  if (edges.size() > kMaxSearchedEdges) return false;
+  std::sort(edges.begin(), edges.end(),
+            [](const OutlineEdge& e, const OutlineEdge& f) { return e.box.x0 < f.box.x0; });
+  std::size_t pairs = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto& [a, b] = edges[i];
-    for (std::size_t k = i + 1; k < edges.size(); ++k) {
-      const auto& [c, d] = edges[k];
+    const auto& [a, b, box] = edges[i];
+    for (std::size_t k = i + 1; k < edges.size() && edges[k].box.x0 <= box.x1; ++k) {
+      if (++pairs > kMaxEdgePairs) return SvgCrossings::kUnknown;
+      const auto& [c, d, other] = edges[k];
+      if (other.y0 > box.y1 || other.y1 < box.y0) continue;
       if (side_of(c, a, b) * side_of(d, a, b) < 0.0 && side_of(a, c, d) * side_of(b, c, d) < 0.0) {
-        return true;
+        return SvgCrossings::kSome;
       }
     }
   }
-  return false;
+  return SvgCrossings::kNone;
 }
 
 /// Returns true if contour k separates painted from unpainted parts by the non-zero rule. Requires
@@ -108,8 +125,10 @@ SvgArea svg_area(const std::vector<SvgContour>& contours, const Affine& to_mm, b
   if (even_odd || !check_fill(area.fill)) return area;
   Outline outline;
   flatten_fill(area.fill, kAreaToleranceMm, outline);
-  if (crosses_itself(outline)) {
-    area.may_lack_parts = !resolve_crossings(area.fill.loops);
+  const SvgCrossings crossings = crossings_of(outline);
+  if (crossings != SvgCrossings::kNone) {
+    area.may_lack_parts =
+        crossings == SvgCrossings::kUnknown || !resolve_crossings(area.fill.loops);
     return area;
   }
   if (contours.size() == 1) return area;

@@ -189,7 +189,8 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
       "<path stroke='red' d='M1 1h9x'/>"));
   const std::string text = notice_lines(drawing);
   for (const char* expected :
-       {"line 2: text 'title' is not a stroke and was skipped (and 3 more like it)",
+       {"line 2: text 'title' is not a stroke and was skipped (and 2 more like it)",
+        "line 4: image was skipped: it names no picture",
         "line 5: script was skipped: animation is not", "line 6: g has a filter",
         "line 6: g has a mask", "line 6: g has a clip path", "line 7: path has markers",
         "it is in another file", "the element it refers to is not in the file",

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-Result<Imported> import_svg(std::string_view bytes, const ImportOptions&) {
+Result<Imported> import_svg(std::string_view bytes, const ImportOptions& options) {
   std::string unpacked;
   if (is_gzip(bytes)) {
     Result<std::string> text = gunzip(bytes);
@@ -20,7 +20,7 @@ Result<Imported> import_svg(std::string_view bytes, const ImportOptions&) {
   if (bytes.size() > limits::kMaxImportBytes) {
     return fail(ErrorCode::kLimitExceeded, "is larger than 256 MiB");
   }
-  SvgInk ink;
+  SvgInk ink(options);
   if (auto ok = read_svg_scene(bytes, ink); !ok) return tl::unexpected(ok.error());
   return ink.take();
 }

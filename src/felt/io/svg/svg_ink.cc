@@ -21,8 +21,6 @@
 namespace felt {
 namespace {
 
-/// Layer for ink that is in no layer of the file.
-constexpr const char* kLayerName = "Ink";
 /// Notice for ink that is farther from (0, 0) than files can store.
 constexpr const char* kFar = "extends beyond 1e9 mm and was skipped";
 
@@ -96,6 +94,7 @@ void SvgInk::root(const SvgRoot& root) {
     drawing.has_page = page.has_value();
     drawing.page = page.value_or(Page{});
   };
+  has_size_ = root.is_ours || root.width_mm || root.height_mm;
   if (root.is_ours && has_page_attribute_) {
     set_page(written_page(root.page));
     drawing.page.surface = root.surface;
@@ -116,16 +115,35 @@ void SvgInk::paper(Rgba color) {
 }
 
 void SvgInk::layer(const SvgLayer& layer) {
+  end_group();
+  begin_layer(layer);
+}
+
+void SvgInk::begin_layer(const SvgLayer& layer) {
   if (builder_.layer_count() >= limits::kMaxSvgLayers) {
     return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
   }
-  std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
+  std::string name = layer.number == 0 ? kSvgLayerName : svg_clean_name(layer.label);
   layer_state_ = {std::move(name), layer.visible, layer.locked, layer.opacity};
-  builder_.add_layer(layer_state_);
-  layer_ink_.clear();
+  add_layer(layer_state_);
 }
 
-void SvgInk::shape(SvgShape shape) {
+void SvgInk::add_layer(LayerState state) {
+  top_state_ = std::move(state);
+  builder_.add_layer(top_state_);
+  layer_ink_.clear();
+  top_is_empty_ = true;
+  needs_layer_ = false;
+}
+
+/// Makes sure that the top layer is the one for the next stroke or fill.
+void SvgInk::ready_layer() {
+  if (builder_.layer_count() == 0) begin_layer({});
+  if (needs_layer_) add_layer(layer_state_);
+  top_is_empty_ = false;
+}
+
+void SvgInk::add_shape(SvgShape shape) {
   has_part_ = false;
   const bool lowest = std::exchange(may_be_paper_, false);
   if (lowest && take_as_paper(shape)) return;
@@ -143,7 +161,7 @@ bool SvgInk::take_as_paper(const SvgShape& shape) {
   const Rect box = bounds_mm(shape), page = drawing.page.area();
   const double off = std::max({std::fabs(box.x0 - page.x0), std::fabs(box.y0 - page.y0),
                                std::fabs(box.x1 - page.x1), std::fabs(box.y1 - page.y1)});
-  if (!(off <= 0.01)) return false;
+  if (!(off <= 0.01) || shape.group != 0) return false;
   drawing.page.paper = shape.fill->color;
   say(shape, "fills the page and was used as the paper colour");
   return true;
@@ -151,12 +169,12 @@ bool SvgInk::take_as_paper(const SvgShape& shape) {
 
 bool SvgInk::outside_frame(SvgShape& shape) {
   if (!shape.frame) return false;
-  const Rect box = bounds_mm(shape), frame = shape.frame->inflated(1e-6);
-  if (box.x0 >= frame.x0 && box.y0 >= frame.y0 && box.x1 <= frame.x1 && box.y1 <= frame.y1) {
+  const Rect box = bounds_mm(shape);
+  if (shape.frame->contains(box, 1e-6)) {
     shape.frame.reset();
     return false;
   }
-  if (!box.intersects(frame)) {
+  if (shape.frame->misses(box)) {
     say(shape, "is outside the frame that shows it and was skipped");
     return true;
   }
@@ -258,12 +276,45 @@ RoundDashes round_dashes(const SvgLine& line) {
   return result;
 }
 
+/// Returns the sum of the gaps between dashes.
+double gaps_of(const SvgLine& line) {
+  double gaps = 0.0;
+  for (std::size_t i = 1; i < line.dashes.size(); i += 2) gaps += line.dashes[i];
+  return gaps;
+}
+
+/// Returns the exact ink of a straight line with flat or square ends that a transform stretches.
+/// `moved` is the line on the page.
+std::optional<SvgSharpLine> stretched_line(const SvgShape& shape, const SvgContour& moved) {
+  const SvgLine& line = *shape.line;
+  const std::optional<Affine> to_user = inverse(shape.to_mm);
+  if (line.cap == SvgCap::kRound || !to_user || svg_is_similarity(shape.to_mm)) return {};
+  if (moved.closed || moved.segment_count() != 1 || flatness(moved.segment(0)) > 1e-6) return {};
+  const Point a = moved.points.front(), b = moved.points.back();
+  const Vec along = normalized(apply(*to_user, b - a));
+  const Vec half = 0.5 * line.width * apply(shape.to_mm, perp(along));
+  const Vec more =
+      line.cap == SvgCap::kSquare ? 0.5 * line.width * apply(shape.to_mm, along) : Vec();
+  return slanted_line(a - more, b + more, half);
+}
+
+/// Returns true if stretched_line() draws the whole shape.
+bool keeps_ends(const SvgShape& shape) {
+  return shape.line->dashes.empty() &&
+         std::all_of(shape.contours.begin(), shape.contours.end(), [&](const SvgContour& c) {
+           if (c.segment_count() != 1) return false;
+           SvgContour moved = c;
+           for (Point& p : moved.points) p = apply(shape.to_mm, p);
+           return stretched_line(shape, moved).has_value();
+         });
+}
+
 }  // namespace
 
 void SvgInk::add_line(SvgShape& shape) {
   SvgLine line = *shape.line;
   sharp_ = sharp_form(shape);
-  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt && !sharp_;
+  const bool is_flat = gaps_of(line) > 0.0 && line.cap == SvgCap::kButt && !sharp_;
   if (is_flat) {
     RoundDashes round = round_dashes(line);
     const bool changes = round.pattern != line.dashes;
@@ -273,7 +324,8 @@ void SvgInk::add_line(SvgShape& shape) {
     if (round.runs_together) say(shape, "has dashes that merge, because their ends became round");
     if (changes) line.cap = shape.line->cap = SvgCap::kRound;
   }
-  if (!sharp_) notice_ends(shape);
+  const bool has_gaps = line.dashes.empty() || gaps_of(line) > 0.0;
+  if (!sharp_ && !keeps_ends(shape)) notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
     say(shape, "is transparent and has several parts; it became darker at their crossings");
   }
@@ -291,6 +343,7 @@ void SvgInk::add_line(SvgShape& shape) {
       continue;
     }
     dashes_left_ -= std::min(dashes_left_, dashes->size());
+    if (!has_gaps) *dashes = joined_dashes(*std::move(dashes));
     for (SvgContour& dash : *dashes) add_contour(shape, std::move(dash), line.color, line.width);
   }
 }
@@ -304,8 +357,10 @@ void SvgInk::begin_cover_layer(const SvgShape& shape, const Rect& box) {
     return say(shape, "has a fill that was put below the lines that it covers");
   }
   ++cover_layers_;
-  builder_.add_layer(layer_state_);
-  layer_ink_.clear();
+  if (group_.has_layer) {
+    say(shape, "covers lines of its transparent group, which show through");
+  }
+  add_layer(top_state_);
 }
 
 void SvgInk::add_fill(const SvgShape& shape) {
@@ -326,8 +381,9 @@ void SvgInk::add_fill(const SvgShape& shape) {
   if (area.may_lack_parts) {
     say(shape, "crosses itself; parts that it covers twice may lack their fill");
   }
-  if (builder_.layer_count() == 0) layer({});
+  ready_layer();
   begin_cover_layer(shape, box);
+  ready_layer();
   builder_.add_fill(builder_.layer_count() - 1, std::make_shared<const Fill>(std::move(area.fill)),
                     shape.id);
 }
@@ -367,7 +423,12 @@ void SvgInk::add_moved(const SvgShape& shape, SvgContour moved, Rgba color, doub
   // As in SVG, a line without length and without caps shows nothing.
   if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
   std::vector<SvgSharpWidth> sharp_widths;
-  if (sharp_) {
+  if (shape.line && !sharp_) {
+    if (std::optional<SvgSharpLine> slanted = stretched_line(shape, moved)) {
+      moved = std::move(slanted->contour);
+      sharp_widths = std::move(slanted->widths);
+    }
+  } else if (sharp_) {
     SvgSharpLine sharp = sharp_line(moved, *sharp_);
     if (!sharp.is_exact) say(shape, "has ends or corners too close together, which became round");
     moved = std::move(sharp.contour);
@@ -380,8 +441,9 @@ void SvgInk::add_moved(const SvgShape& shape, SvgContour moved, Rgba color, doub
   }
   SvgLineWidths widths = svg_line_widths(line, shape.to_mm, width);
   if (widths.knots.empty()) return say(shape, "has no extent after its transform and was skipped");
-  if (!sharp_widths.empty()) set_widths(widths.knots, line, sharp_widths);
-  if (widths.is_stretched) {
+  if (!sharp_widths.empty()) {
+    set_widths(widths.knots, line, sharp_widths);
+  } else if (widths.is_stretched) {
     say(shape, "has a line that is stretched in one direction; its width was sampled");
   }
   if (widths.was_thin) say(shape, "is thinner than 0.05 mm and became that wide");
@@ -404,13 +466,16 @@ void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name)
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
   // If a shape becomes several strokes, the first one gets its name.
   if (name.empty() && !is_ours && !std::exchange(has_part_, true)) name = shape.id;
-  if (builder_.layer_count() == 0) layer({});
+  ready_layer();
   builder_.add(builder_.layer_count() - 1, *std::move(stroke), name);
   if (!is_ours_) layer_ink_.push_back(box);
 }
 
 Imported SvgInk::take() {
-  return {std::move(builder_).build(), std::move(report_)};
+  end_group();
+  Imported result{std::move(builder_).build(), std::move(report_)};
+  if (!has_size_) set_page_around_ink(result.drawing);
+  return result;
 }
 
 std::string svg_clean_name(std::string_view text) {

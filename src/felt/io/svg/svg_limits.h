@@ -29,6 +29,10 @@ inline constexpr std::size_t kMaxSvgDashes = 100'000;
 /// Maximum number of segments of one stroke. This is less than a .felt file allows. A longer path
 /// becomes several strokes.
 inline constexpr std::size_t kMaxSvgStrokeSegments = 250'000;
+/// Maximum number of pictures, and of their pixels together. 2^27 is twice the largest picture; a
+/// small file could otherwise take minutes, because its pictures are unpacked once to check them.
+inline constexpr std::size_t kMaxSvgPictures = 200;
+inline constexpr std::int64_t kMaxSvgPicturePixels = std::int64_t{1} << 27;
 /// Maximum number of layers of a drawing. Further layers are merged into the last one.
 inline constexpr std::size_t kMaxSvgLayers = 10'000;
 }  // namespace felt::limits

@@ -28,6 +28,14 @@ std::optional<double> page_side(std::string_view text, std::optional<double> box
   return px > 0.0 ? std::optional(px * kSvgMmPerPx) : std::nullopt;
 }
 
+/// Returns true if the file says that it has no width or height, so that it shows nothing.
+bool has_no_size(const pugi::xml_node& root) {
+  const auto is_zero = [&](const char* name) {
+    return svg_paper_mm(root.attribute(name).value()) == 0.0;
+  };
+  return is_zero("width") || is_zero("height");
+}
+
 }  // namespace
 
 /// Computes the transform from the outermost user units to the page. In our files, the user units
@@ -84,8 +92,9 @@ Result<void> SvgWalker::begin() {
     sink_.paper(*color);
   }
   e.state.units.root_font_size = e.state.style.font_size;
-  if (e.state.style.opacity < 1.0) {
-    notice(node, "is transparent as a whole; the transparency was applied to each stroke");
+  if (has_no_size(node)) {
+    notice(node, "has a width or height of 0, so nothing of it is visible");
+    return {};
   }
   push(e, Frame());
   return {};

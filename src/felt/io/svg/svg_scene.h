@@ -9,7 +9,7 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/affine.h"
-#include "felt/geometry/rect.h"
+#include "felt/io/svg/svg_frame.h"
 #include "felt/io/svg/svg_path_builder.h"
 #include "felt/io/svg/svg_style.h"
 #include "felt/stroke/stroke.h"
@@ -58,9 +58,26 @@ struct SvgShape {
   std::optional<SvgFill> fill;
   std::optional<SvgLine> line;
   std::optional<SvgVariableWidth> variable_width;
-  std::string_view pieces;    ///< felt:fill: the references of a fill of ours
-  std::optional<Rect> frame;  ///< the area that the viewport of the shape shows, in mm
-  bool is_cut = false;        ///< has a clip path or mask, which was ignored
+  std::string_view pieces;        ///< felt:fill: the references of a fill of ours
+  std::optional<SvgFrame> frame;  ///< the area that the viewports of the shape show
+  bool is_cut = false;            ///< has a clip path or mask, which was ignored
+  /// The transparent group of the shape, or 0. Consecutive shapes of one group are transparent as a
+  /// whole, by `group_opacity`, which is not part of their colours.
+  std::size_t group = 0;
+  double group_opacity = 1.0;
+};
+
+/// A picture. `to_mm` transforms its user units to the page.
+struct SvgImage {
+  std::string_view element, id;
+  std::int64_t line_number = 0;
+  std::string_view href;
+  double x = 0.0, y = 0.0;
+  std::optional<double> width, height;  ///< absent: by the size of the picture
+  std::string_view aspect;              ///< preserveAspectRatio
+  Affine to_mm;
+  double opacity = 1.0;  ///< of the picture and of its transparent groups
+  std::optional<SvgFrame> frame;
 };
 
 /// A layer of Inkscape, or the content outside all layers.
@@ -90,6 +107,7 @@ class SvgSceneSink {
   /// Begins a layer. All content up to the next call is in this layer.
   virtual void layer(const SvgLayer& layer) = 0;
   virtual void shape(SvgShape shape) = 0;
+  virtual void image(const SvgImage& image) = 0;
   /// Sets the colour of the paper. This is the colour of the background rectangle in a file that
   /// Feltline wrote, or the background colour in other files.
   virtual void paper(Rgba color) = 0;

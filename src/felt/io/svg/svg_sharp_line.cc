@@ -305,4 +305,21 @@ SvgSharpLine sharp_line(const SvgContour& contour, const SvgSharpForm& form) {
   return {contour, std::vector<SvgSharpWidth>(contour.segment_count() + 1, same)};
 }
 
+std::optional<SvgSharpLine> slanted_line(Point a, Point b, Vec half_end) {
+  const double length = distance(a, b), end = norm(half_end);
+  const Vec along = normalized(b - a);
+  const double width = 2.0 * std::fabs(cross(along, half_end));
+  if (!(width >= kMinSharpWidthMm && width <= kMaxSharpWidthMm)) return std::nullopt;
+  // A disc that touches both sides also touches the end if its centre is `end` away from it: the
+  // distance to the end is that times the sine of the slant, which is half the width over `end`.
+  if (!(length >= 2.0 * end)) return std::nullopt;
+  SharpPen pen(a + end * along, width);
+  pen.spike(a + half_end);
+  pen.spike(a - half_end);
+  pen.go(b - end * along, width);
+  pen.spike(b + half_end);
+  pen.spike(b - half_end);
+  return pen.take();
+}
+
 }  // namespace felt

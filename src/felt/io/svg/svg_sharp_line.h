@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "felt/io/svg/svg_path_builder.h"
@@ -44,5 +45,10 @@ struct SvgSharpLine {
 /// mitre is the cone from the disc at the joint to its tip. A flat end is two such cones from the
 /// disc that touches the end.
 SvgSharpLine sharp_line(const SvgContour& contour, const SvgSharpForm& form);
+
+/// Converts a straight line from `a` to `b` with flat ends that a transform has made slanted: the
+/// corners of both ends are `half_end` from the end points. Returns nullopt if the line is too
+/// short or too thin for such ends.
+std::optional<SvgSharpLine> slanted_line(Point a, Point b, Vec half_end);
 
 }  // namespace felt

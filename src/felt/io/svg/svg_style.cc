@@ -181,9 +181,7 @@ std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUni
     sum += *length;
     scan.skip_comma();
   }
-  double gaps = dashes.size() % 2 == 1 ? sum : 0.0;
-  for (std::size_t i = 1; i < dashes.size(); i += 2) gaps += dashes[i];
-  if (!(sum > 0.0) || !(gaps > 0.0)) dashes.clear();
+  if (!(sum > 0.0)) dashes.clear();
   if (dashes.size() % 2 == 1) {
     const std::vector<double> once = dashes;
     dashes.insert(dashes.end(), once.begin(), once.end());

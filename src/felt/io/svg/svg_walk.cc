@@ -41,19 +41,6 @@ bool is_one_of(std::string_view name, const List& list) noexcept {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Transforms a rectangle. Returns nullopt if the result is rotated.
-std::optional<Rect> mapped(const Affine& m, const Rect& r) noexcept {
-  if ((m.b != 0.0 || m.c != 0.0) && (m.a != 0.0 || m.d != 0.0)) return std::nullopt;
-  Rect image;
-  image.extend(apply(m, Point{r.x0, r.y0}));
-  image.extend(apply(m, Point{r.x1, r.y1}));
-  return image;
-}
-
-Rect common(const Rect& a, const Rect& b) noexcept {
-  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
 bool is_given(std::string_view reference) noexcept {
   return !reference.empty() && !svg_same_word(reference, "none") &&
          !svg_same_word(reference, "inherit") && !svg_same_word(reference, "initial");
@@ -158,11 +145,7 @@ bool SvgWalker::resolve(Element& e) {
     notice(e.node, "was read without some of its styles, because the style sheet is too complex");
   }
   s.variables = e.declared.variables;
-  if (!e.declared.unread.empty()) {
-    const bool is_color = e.declared.value_of(e.declared.unread) == "black";
-    notice(e.node, "has a " + std::string(e.declared.unread) + " that could not be read, " +
-                       (is_color ? "and became black" : "which was ignored"));
-  }
+  read_colors(e);
   s.style = svg_style(e.declared, s.style, s.units);
   s.units.font_size = s.style.font_size;
   for (SvgPaint* paint : {&s.style.fill, &s.style.stroke}) {
@@ -176,10 +159,50 @@ bool SvgWalker::resolve(Element& e) {
     notice(e.node, "is hidden in the file and was skipped");
     return false;
   }
-  if (!is_layer) s.opacity *= s.style.opacity;
+  if (!is_layer) apply_opacity(e);
   apply_transform(e);
   notice_effects(e);
   return true;
+}
+
+/// Reports values that could not be read. Browsers reject colours with icc-color(); Inkscape writes
+/// them together with the colour profile, and then the colour before icc-color() counts.
+void SvgWalker::read_colors(Element& e) {
+  constexpr std::array<std::pair<SvgProperty, std::string_view>, 2> kPaints{
+      {{SvgProperty::kFill, "fill"}, {SvgProperty::kStroke, "stroke"}}};
+  for (const auto& [property, name] : kPaints) {
+    const bool is_icc = e.declared[property].find("icc-color(") != std::string_view::npos;
+    if (!is_icc || document_.has_color_profile()) continue;
+    e.declared.set(property, "black");
+    e.declared.unread = name;
+  }
+  if (e.declared.unread.empty()) return;
+  const bool is_color = e.declared.value_of(e.declared.unread) == "black";
+  notice(e.node, "has a " + std::string(e.declared.unread) + " that could not be read, " +
+                     (is_color ? "and became black" : "which was ignored"));
+}
+
+/// Begins a transparent group, if parts of the element may overlap. Otherwise, its colours become
+/// transparent.
+void SvgWalker::apply_opacity(Element& e) {
+  State& s = e.state;
+  const double opacity = s.style.opacity;
+  if (opacity >= 1.0) return;
+  const bool is_shape = is_svg_shape(e.name), is_image = e.name == "image";
+  const bool has_both = s.style.fill.kind != SvgPaint::Kind::kNone &&
+                        s.style.stroke.kind != SvgPaint::Kind::kNone && e.name != "line";
+  const bool overlaps = is_shape ? has_both : !is_image;
+  if (overlaps && opacity > 0.0 && s.group == 0) {
+    s.group = ++groups_;
+    s.group_opacity = opacity;
+    return;
+  }
+  s.opacity *= opacity;
+  if (overlaps && opacity > 0.0) {
+    notice(e.node,
+           "is transparent inside a transparent group; the transparency was applied to "
+           "each stroke");
+  }
 }
 
 /// The properties translate, rotate and scale apply before `transform`, in this order.
@@ -234,12 +257,10 @@ void SvgWalker::dispatch(Element& e, const Frame& from) {
   if (e.name == "g" || e.name == "a") {
     const bool is_layer = document_.inkscape(e.node, "groupmode") == "layer";
     if (is_layer) enter_layer(e);
-    if (!is_layer && e.state.style.opacity < 1.0) {
-      notice(e.node, "is transparent as a whole; the transparency was applied to each stroke");
-    }
     return push(e, from);
   }
   if (is_svg_shape(e.name)) return visit_shape(e);
+  if (e.name == "image") return visit_image(e);
   if (e.name == "use") return visit_use(e, from);
   if (e.name == "svg") return visit_svg(e, from);
   if (e.name == "symbol") return visit_symbol(e, from);
@@ -315,9 +336,6 @@ void SvgWalker::visit_use(Element& e, const Frame& from) {
   Frame& frame = stack_.back();
   frame.next = target;
   frame.only_one = frame.is_use = frame.repeats = true;
-  if (e.state.style.opacity < 1.0) {
-    notice(e.node, "is transparent as a whole; the transparency was applied to each stroke");
-  }
 }
 
 void SvgWalker::visit_svg(Element& e, const Frame& from) {
@@ -344,11 +362,11 @@ void SvgWalker::visit_symbol(Element& e, const Frame& from) {
 void SvgWalker::enter_viewport(Element& e, const Rect& place, bool clips) {
   State& s = e.state;
   if (clips) {
-    const std::optional<Rect> frame = mapped(s.to_mm, place);
-    if (frame) {
-      s.frame = s.frame ? common(*s.frame, *frame) : *frame;
+    SvgFrame frame = s.frame.value_or(SvgFrame());
+    if (frame.cut(place, s.to_mm)) {
+      s.frame = std::move(frame);
     } else {
-      notice(e.node, "is clipped to a rotated frame, which was ignored");
+      notice(e.node, "is clipped to too many rotated frames; this one was ignored");
     }
   }
   s.to_mm = then(translation({place.x0, place.y0}), s.to_mm);
@@ -389,6 +407,40 @@ void SvgWalker::visit_shape(Element& e) {
     segments_left_ -= std::min(segments_left_, c.segment_count());
   }
   if (!outline.contours.empty()) emit(e, std::move(outline.contours));
+}
+
+/// Reads the geometry of a picture. As in SVG 2, a missing size is that of the picture.
+void SvgWalker::visit_image(const Element& e) {
+  if (!e.state.style.visible) return notice(e.node, "is hidden in the file and was skipped");
+  const auto length = [&](const char* name, SvgProperty p, SvgAxis axis) {
+    const std::string_view styled = e.declared[p];
+    const auto value =
+        svg_length(styled.empty() ? e.node.attribute(name).value() : styled, axis, e.state.units);
+    return value;
+  };
+  SvgImage image;
+  image.element = e.name;
+  image.id = e.node.attribute("id").value();
+  image.line_number = document_.line_of(e.node);
+  image.href = svg_href(e.node);
+  image.x = length("x", SvgProperty::kX, SvgAxis::kX).value_or(0.0);
+  image.y = length("y", SvgProperty::kY, SvgAxis::kY).value_or(0.0);
+  image.width = length("width", SvgProperty::kWidth, SvgAxis::kX);
+  image.height = length("height", SvgProperty::kHeight, SvgAxis::kY);
+  image.aspect = e.node.attribute("preserveAspectRatio").value();
+  image.to_mm = e.state.to_mm;
+  image.opacity = e.state.opacity * e.state.group_opacity;
+  image.frame = e.state.frame;
+  begin_content(e);
+  sink_.image(image);
+}
+
+/// Passes the layer of an element to the sink, unless it is the current one.
+void SvgWalker::begin_content(const Element& e) {
+  if (has_layer_ && current_layer_ == e.state.layer.number) return;
+  sink_.layer(e.state.layer);
+  has_layer_ = true;
+  current_layer_ = e.state.layer.number;
 }
 
 }  // namespace felt

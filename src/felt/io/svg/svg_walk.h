@@ -28,9 +28,11 @@ class SvgWalker {
   struct State {
     SvgStyle style;
     Affine to_mm;
-    double opacity = 1.0;
+    double opacity = 1.0;  ///< without that of the group
     SvgUnits units;
-    std::optional<Rect> frame;
+    std::size_t group = 0;  ///< number of the outermost transparent group, or 0
+    double group_opacity = 1.0;
+    std::optional<SvgFrame> frame;
     SvgPaint context_fill, context_stroke;  ///< paints of the enclosing use
     bool default_is_svg = true;
     bool is_cut = false;  ///< an ancestor has a clip path or mask
@@ -67,6 +69,10 @@ class SvgWalker {
   void visit_use(Element& e, const Frame& from);
   void enter_layer(Element& e);
   void visit_shape(Element& e);
+  void visit_image(const Element& e);
+  void begin_content(const Element& e);
+  void read_colors(Element& e);
+  void apply_opacity(Element& e);
   void apply_transform(Element& e);
   void notice_effects(Element& e);
   void draw_line(const Element& e, SvgShape& shape);
@@ -84,6 +90,7 @@ class SvgWalker {
   std::size_t segments_left_;
   std::int64_t repeats_left_, repeat_bytes_left_;
   std::size_t layers_ = 0;
+  std::size_t groups_ = 0;
   std::size_t current_layer_ = 0;
   bool has_layer_ = false;  ///< a layer was passed to the sink
   bool is_ours_ = false;

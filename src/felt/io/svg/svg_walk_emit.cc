@@ -250,6 +250,8 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
   shape.contours = std::move(contours);
   shape.to_mm = e.state.to_mm;
   shape.frame = e.state.frame;
+  shape.group = e.state.group;
+  shape.group_opacity = e.state.group_opacity;
   shape.variable_width = variable_width(e);
   shape.pieces = document_.ours(e.node, "fill");
   if (const auto color = paint_color(style.fill, e, style.fill_opacity);
@@ -272,11 +274,7 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
   if (shape.fill && shape.line && style.reorders_paint) {
     notice(e.node, "paints its line below its fill, which was ignored");
   }
-  if (!has_layer_ || current_layer_ != e.state.layer.number) {
-    sink_.layer(e.state.layer);
-    has_layer_ = true;
-    current_layer_ = e.state.layer.number;
-  }
+  begin_content(e);
   sink_.shape(std::move(shape));
 }
 
