@@ -83,6 +83,14 @@ struct GuideHold {
   double share = 0.0;  ///< 0..1, of the force
 };
 
+/// What a pen felt last of the thresholds of depth (PushClicks).
+struct ClickState {
+  std::size_t passed = 0;  ///< number of thresholds that the pen has passed
+  double direction = 0.0;  ///< of the last click: 1 into the surface, -1 out of it, 0 none
+  double age_s = 1.0;      ///< time since the last click
+  double down_s = 0.0;     ///< time since the touch
+};
+
 /// The state of force bricks from tick to tick, and the data that the loop gives them for this
 /// tick. Each active model has its own ForceMemory. A model that replaces another starts with a
 /// copy of the previous model's memory, so that, for example, a bristle stays anchored. The type
@@ -111,6 +119,7 @@ struct ForceMemory {
   bool turn_is_set = false;
   Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
   GuideHold guide;
+  ClickState click;
 
   ForceTerms terms;  ///< parts of the force on this tick
 

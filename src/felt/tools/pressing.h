@@ -28,8 +28,13 @@ class Pressing {
   /// Returns F1, the force at which a line has its full width, N. The device can exert this force
   /// continuously (firm_push_n).
   [[nodiscard]] double max_n() const noexcept { return max_n_; }
+  /// Returns true if the pressure of a sample is its depth in the surface, so that a threshold of
+  /// pressure can be felt as a click (PushClicks).
+  [[nodiscard]] bool is_felt() const noexcept { return is_felt_; }
   /// Returns the pressure for a spring force in N.
   [[nodiscard]] double of_force(double spring_n) const noexcept;
+  /// Returns the depth, mm, at which a device that senses depth has this pressure.
+  [[nodiscard]] double depth_mm_at(double pressure) const noexcept;
   /// Returns the pressure of a sample, or nullopt if the device senses neither pressure nor depth.
   [[nodiscard]] std::optional<double> of(const PenSample& sample) const noexcept;
 
@@ -37,6 +42,7 @@ class Pressing {
   double stiffness_n_per_m_;
   double max_n_;
   bool senses_depth_;
+  bool is_felt_;
 };
 
 }  // namespace felt

@@ -61,6 +61,14 @@ bool EraserGesture::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   return shows(time_ns);
 }
 
+bool EraserGesture::press_through(std::int64_t time_ns, const Scene& scene) {
+  mode_ = EraserMode::kStroke;
+  pending_.clear();
+  sweep(pen_, pen_, scene);
+  cut(kMaxCuts, time_ns, scene);
+  return std::exchange(changed_, false);
+}
+
 bool EraserGesture::shows(std::int64_t time_ns) {
   if (!changed_) return false;
   const double many = static_cast<double>(divisions_.size());
@@ -212,7 +220,8 @@ void EraserGesture::cut_next(std::int64_t time_ns, const Scene& scene) {
   Line& line = lines_.at(id);
   line.waits = false;
   line.cut_ns = time_ns;
-  if (line.ink) {
+  const bool is_gone = line.erased.contains({0.0, 1.0 * line.stroke->segment_count()});
+  if (line.ink && !is_gone) {
     line.cut_places = line.ink->place_count();
     InkNarrowing::Result left = line.ink->result();
     line.remains.cut(left.holes, kept_widths(*line.original, *line.stroke, left));

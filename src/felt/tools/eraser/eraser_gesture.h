@@ -61,6 +61,9 @@ class EraserGesture {
   bool begin(Point pen, std::int64_t time_ns, const Scene& scene);
   /// Moves the pen straight to this position. Returns true if a new preview is due.
   bool move(Point pen, std::int64_t time_ns, const Scene& scene);
+  /// Erases the whole lines that the eraser covers now, and from now on all whole lines that it
+  /// meets. Returns true if a new preview is due.
+  bool press_through(std::int64_t time_ns, const Scene& scene);
   /// Ends the gesture: does all remaining work.
   void finish(const Scene& scene);
 

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 3> kEraserModes = {"touched", "cro
 
 /// Rows of kEraserOptions.
 struct EraserOption {
-  enum Row : std::size_t { kMode, kRadius, kIncludeWidth, kStrength, kCount };
+  enum Row : std::size_t { kMode, kRadius, kIncludeWidth, kPressThrough, kStrength, kCount };
 };
 
 inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {{
@@ -44,6 +44,13 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
      .fallback = 1,
      .help = "Erases the ink that the ring covers. If off, cuts a line where the ring covers its "
              "centre line."},
+    {.id = "press_through",
+     .label = "Press hard for whole lines",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Pressing hard erases the whole line under the ring. A force-feedback pen clicks at "
+             "this pressure."},
     strength_option(
         "Force level of friction and grain. Does not affect the hardness of the surface."),
 }};
@@ -53,6 +60,7 @@ struct EraserSettings {
   EraserMode mode = EraserMode::kTouched;
   double radius_mm = 2.0;
   bool include_width = true;
+  bool press_through = false;
   double strength = 1.0;
 };
 

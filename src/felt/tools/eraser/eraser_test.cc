@@ -15,6 +15,7 @@
 #include "felt/stroke/width_profile.h"
 #include "felt/tools/eraser/eraser_force.h"
 #include "felt/tools/eraser/eraser_tool.h"
+#include "felt/tools/pressing.h"
 #include "felt/tools/testing/tool_fixture.h"
 
 namespace felt::eraser_test {
@@ -104,6 +105,47 @@ TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
     if (e.pen.commits > 0) e.fixture.undo();
     EXPECT_EQ(e.fixture.document, original) << "seed " << seed;
   }
+}
+
+/// Moves an eraser, 1 mm deep and then at `depth`, across a line that reaches far to both sides.
+void press_across(Eraser& e, double depth) {
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 4));
+  e.fixture.add(straight_stroke({0, 20}, {60, 20}, 1, 1));
+  for (const Point p : way({30, -20}, {30, 0})) e.at(p, -0.5, 0);
+  for (int i = 0; i < 30; ++i) e.at({30, 0}, -depth, 0);
+  e.pen.up({30, 0});
+}
+
+TEST(Eraser, PressingThroughErasesTheWholeLine) {
+  const double hard = Pressing(Fixture().surface, Fixture().device).depth_mm_at(kPressThrough);
+  for (const char* mode : {"touched", "crossing"}) {
+    Eraser e;
+    e.set("press_through", true);
+    e.choose_mode(mode);
+    press_across(e, hard + 0.1);
+    ASSERT_EQ(e.fixture.strokes().size(), 1U) << mode << ": only the line that was not met is left";
+    EXPECT_EQ(e.pen.commits, 1);
+    e.fixture.undo();
+    EXPECT_EQ(e.fixture.strokes().size(), 2U);
+  }
+  Eraser soft;
+  soft.set("press_through", true);
+  press_across(soft, hard - 0.1);
+  EXPECT_EQ(soft.fixture.strokes().size(), 3U) << "a hole leaves two pieces";
+  Eraser off;
+  press_across(off, hard + 1.0);
+  EXPECT_EQ(off.fixture.strokes().size(), 3U);
+}
+
+TEST(Eraser, ALandingPenDoesNotPressThrough) {
+  Eraser e;
+  e.set("press_through", true);
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  const int few = static_cast<int>(0.04 / (1e-9 * static_cast<double>(e.pen.step_ns)));
+  for (int i = 0; i < few; ++i) e.at({30, 0}, -5.0, 0);
+  for (int i = 0; i < 100; ++i) e.at({30, 0}, -0.5, 0);
+  e.pen.up({30, 0});
+  EXPECT_EQ(e.fixture.strokes().size(), 2U);
 }
 
 /// Expects the control points of two fixtures to be equal.

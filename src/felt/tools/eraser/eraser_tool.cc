@@ -3,6 +3,7 @@
 #include <array>
 
 #include "felt/tools/eraser/eraser_force.h"
+#include "felt/tools/pressing.h"
 
 namespace felt {
 namespace {
@@ -40,6 +41,14 @@ EraserMode EraserTool::mode_of(const PenSample& sample) const noexcept {
   return settings_.mode;
 }
 
+bool EraserTool::presses_through(const PenSample& sample, const Scene& scene) const noexcept {
+  if (!settings_.press_through) return false;
+  // A landing pen sinks in before its pressure means something.
+  if (seconds_between(touch_ns_, sample.time_ns, 1.0) < PushClicks::kLandingS) return false;
+  const std::optional<double> pressure = Pressing(scene.surface, scene.device).of(sample);
+  return pressure.value_or(0.0) >= kPressThrough;
+}
+
 ToolResult EraserTool::preview(bool changed, const Scene& scene) const {
   if (!changed) return {.same_preview = true};
   return {.preview = erasing_->edit(scene)};
@@ -55,12 +64,19 @@ ToolResult EraserTool::begin(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
   aim_.clear();
   erasing_.emplace(settings_, mode_of(sample));
+  erases_whole_ = false;
+  touch_ns_ = sample.time_ns;
   return preview(erasing_->begin(*pen_, sample.time_ns, scene), scene);
 }
 
 ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
-  return preview(erasing_->move(*pen_, sample.time_ns, scene), scene);
+  bool changed = erasing_->move(*pen_, sample.time_ns, scene);
+  if (!erases_whole_ && presses_through(sample, scene)) {
+    erases_whole_ = true;
+    changed |= erasing_->press_through(sample.time_ns, scene);
+  }
+  return preview(changed, scene);
 }
 
 ToolResult EraserTool::end(const Scene& scene) {

@@ -3,12 +3,16 @@
 #include <optional>
 
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/push_clicks.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/guide_track.h"
+#include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/pencil_options.h"
+#include "felt/tools/pencil/width_steps.h"
+#include "felt/tools/pressing.h"
 #include "felt/tools/scene.h"
 
 namespace felt {
@@ -36,6 +40,20 @@ class ScaledInertia {
   double share_;
 };
 
+/// Returns the clicks between the steps of the width, or none if the option is off or the device
+/// does not press by depth.
+inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scene) {
+  PushClicks clicks;
+  const Pressing pressing(scene.surface, scene.device);
+  if (!settings.width_steps || !pressing.is_felt()) return clicks;
+  const Medium& medium = medium_of(scene, settings.medium);
+  const std::size_t steps = WidthSteps(drawn_with(medium, settings.ink).width_map).size();
+  for (std::size_t i = 1; i < steps; ++i) {
+    clicks.add(pressing.depth_mm_at(static_cast<double>(i) / static_cast<double>(steps)));
+  }
+  return clicks;
+}
+
 /// Returns the force model of a pencil: the surface (plane, grain, friction between medium and
 /// surface), the attracting target, if any, the guide, if any, and the stabiliser. The model is the
 /// same above and on the surface, so that it does not change at the touch; each part detects by
@@ -48,6 +66,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
   const WellShape shape = well_of(settings.snap, settings.strength);
+  const PushClicks clicks = width_clicks(settings, scene);
   const SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
 
   FeelId id("pencil");
@@ -56,10 +75,11 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
     id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
   }
+  if (clicks.size() > 0) id.with("clicks").with(std::uint64_t{clicks.size()});
   if (scene.guide) id.with("guide").with(std::uint64_t{scene.guide->number()});
   const auto model_with = [&](const auto&... stabiliser) {
-    if (!scene.guide) return ForceModel(Compose(surface, well, stabiliser...));
-    return ForceModel(Compose(surface, well, scene.guide->guide(), stabiliser...));
+    if (!scene.guide) return ForceModel(Compose(surface, clicks, well, stabiliser...));
+    return ForceModel(Compose(surface, clicks, well, scene.guide->guide(), stabiliser...));
   };
   ForceModel model;
   switch (settings.stabiliser.kind) {

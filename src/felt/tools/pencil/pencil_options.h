@@ -26,6 +26,7 @@ struct PencilOption {
     kMinWidth,
     kMaxWidth,
     kGamma,
+    kWidthSteps,
     kMousePressure,
     kMouseTilt,
     kTolerance,
@@ -76,6 +77,14 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .max = 5.0,
      .fallback = 1.0,
      .help = "Above 1, light pressure stays thin for longer; below 1, lines broaden sooner.",
+     .is_seldom = true},
+    {.id = "width_steps",
+     .label = "Widths in steps",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Holds the width at steps such as 0.3, 0.5 and 0.7 mm. A force-feedback pen clicks "
+             "from step to step.",
      .is_seldom = true},
     {.id = "mouse_pressure",
      .label = "Pressure with a mouse",
@@ -193,6 +202,7 @@ struct PencilSettings {
   bool refine = true;
   SnapOptions snap;
   bool keep_separate = false;
+  bool width_steps = false;
   StabiliserOptions stabiliser;
   double strength = 1.0;
 };

@@ -199,6 +199,46 @@ TEST(Pencil, R14_HarderIsBroaderUpToTheClamps) {
   EXPECT_EQ(last, 6.0);
 }
 
+TEST(Pencil, WidthsInStepsAreHeldWhileThePushGrows) {
+  Pencil p;
+  p.set("width_steps", true);
+  p.choose("snap", "off");
+  const std::vector<Point> path = way({0, 0}, {100, 0});
+  p.pen.depth = 0.3;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    p.pen.depth = 0.3 + 4.0 * static_cast<double>(i) / static_cast<double>(path.size());
+    p.pen.at({path[i].x, path[i].y, -p.pen.depth});
+  }
+  p.pen.up({100, 0});
+  const Stroke& stroke = p.stroke();
+  const std::vector<double> steps = {0.3, 0.7, 1.4, 2.8, 5.6};
+  int held = 0;
+  std::vector<bool> met(steps.size());
+  for (int i = 0; i < 1000; ++i) {
+    const double width = stroke.width_mm(0.001 * i * stroke.segment_count());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      if (std::abs(width - steps[k]) > 0.15) continue;  // the tolerance of widths
+      ++held;
+      met[k] = true;
+    }
+  }
+  EXPECT_GE(held, 800);
+  EXPECT_EQ(met, std::vector<bool>(steps.size(), true));
+}
+
+TEST(Pencil, WidthsInStepsAreFeltAsClicksByDevicesThatSenseDepth) {
+  Pencil p;
+  PencilSettings settings;
+  settings.medium = "pencil";
+  settings.ink.width_map.min_mm = 0.3;
+  settings.ink.width_map.max_mm = 6.0;
+  EXPECT_EQ(width_clicks(settings, p.fixture.scene()).size(), 0U);
+  settings.width_steps = true;
+  EXPECT_EQ(width_clicks(settings, p.fixture.scene()).size(), 4U);
+  p.fixture.device.senses_pressure = true;
+  EXPECT_EQ(width_clicks(settings, p.fixture.scene()).size(), 0U);
+}
+
 TEST(Pencil, R14_TheSameForceDrawsTheSameWidthOnEverySurface) {
   for (const double force : {0.2, 0.5, 1.0, 1.7}) {
     std::vector<double> widths;

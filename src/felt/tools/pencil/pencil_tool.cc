@@ -62,6 +62,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   wet_.begin(fitted_);
   straight_.begin(pen_point_, fitted_.width_map);
   hold_.begin();
+  width_steps_ = settings_.width_steps ? WidthSteps(fitted_.width_map) : WidthSteps();
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
@@ -80,7 +81,7 @@ void PencilTool::make_fitter(const Scene& scene) {
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
   const Pressing pressing(scene.surface, scene.device);
-  pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.tilt_deg};
+  pen_ = {pen_point_, width_steps_.held(pressing.of(sample)), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
   fitter_->push(ink);

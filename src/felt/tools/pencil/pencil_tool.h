@@ -12,6 +12,7 @@
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/pencil/straight_ink.h"
 #include "felt/tools/pencil/wet_ink.h"
+#include "felt/tools/pencil/width_steps.h"
 
 namespace felt {
 
@@ -65,6 +66,7 @@ class PencilTool final : public GestureTool {
   StraightInk straight_;
   ModifierHold hold_;
   Stabiliser stabiliser_;
+  WidthSteps width_steps_;  // none if the option is off
   InkSample pen_;  // last sample of the line
   Rgba color_;
 
