@@ -19,7 +19,11 @@ Drawing selected_only(Drawing drawing, const Selection& selection) {
     std::optional<std::size_t> kept;
     for (const StrokeId id : layer.strokes) {
       if (!selection.find(id)) continue;
-      if (!kept) kept = builder.add_layer({layer.name, layer.visible, layer.locked, layer.opacity});
+      if (!kept) {
+        LayerState state = layer.state();
+        state.picture = nullptr;
+        kept = builder.add_layer(std::move(state));
+      }
       builder.add(*kept, drawing.document.find(id), id);
     }
   }

@@ -57,22 +57,28 @@ std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
   return std::make_unique<WholeFile>(std::move(bytes));
 }
 
-/// Returns the drawing with the opacity of each layer applied to its strokes, for formats without
-/// translucent layers. Where strokes of such a layer overlap, they show through.
+/// Returns the drawing with the opacity of each layer and its group applied to its strokes, for
+/// formats without translucent layers. Where strokes of such a layer overlap, they show through.
 Drawing with_faded_strokes(const Drawing& drawing) {
   Drawing faded = drawing;
   Edit edit{"Fade", {}, {}};
   std::size_t position = 0;
   for (const Layer& layer : drawing.document.layers()) {
     const std::size_t at = position++;
-    if (layer.opacity == 1.0) continue;
+    const double opacity = layer.opacity * (layer.group ? layer.group->opacity : 1.0);
+    if (opacity == 1.0) continue;
     LayerState state = layer.state();
     state.opacity = 1.0;
+    if (state.group) {
+      LayerGroup group = *state.group;
+      group.opacity = 1.0;
+      state.group = std::make_shared<const LayerGroup>(std::move(group));
+    }
     edit.layers.push_back({layer.id, layer.state(), std::move(state), at, at});
     for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
       const StrokePtr stroke = drawing.document.find(layer.strokes[i]);
       StrokeData data = stroke->data();
-      data.color.a = static_cast<std::uint8_t>(std::lround(layer.opacity * data.color.a));
+      data.color.a = static_cast<std::uint8_t>(std::lround(opacity * data.color.a));
       const StrokePlace place{layer.id, i};
       edit.changes.push_back(
           {layer.strokes[i], stroke,
@@ -105,21 +111,20 @@ class PartsOfCopy final : public DrawingParts {
   std::unique_ptr<DrawingParts> parts_;
 };
 
-/// Returns true if the format and the options cannot show a translucent layer as a whole.
-bool must_fade_strokes(const Drawing& drawing, FileFormat format, const WriteOptions& options) {
-  const bool has_layers = format == FileFormat::kFelt || format == FileFormat::kPng ||
-                          format == FileFormat::kNdjson || format == FileFormat::kInkml ||
-                          (format == FileFormat::kSvg && !options.compact);
+/// Returns true if the format cannot show a translucent layer as a whole.
+bool must_fade_strokes(const Drawing& drawing, FileFormat format) {
   const std::span<const Layer> layers = drawing.document.layers();
-  return !has_layers && std::any_of(layers.begin(), layers.end(),
-                                    [](const Layer& layer) { return layer.opacity < 1.0; });
+  return format == FileFormat::kXopp &&
+         std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
+           return layer.opacity < 1.0 || (layer.group && layer.group->opacity < 1.0);
+         });
 }
 
 }  // namespace
 
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options) {
-  if (must_fade_strokes(drawing, format, options)) {
+  if (must_fade_strokes(drawing, format)) {
     auto parts = std::make_unique<PartsOfCopy>(with_faded_strokes(drawing));
     return parts->begin(format, options).map([&]() -> std::unique_ptr<DrawingParts> {
       return std::move(parts);
