@@ -97,7 +97,7 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
                       : "were left out; --layers all includes them"));
 }
 
-/// Prints notices about fills and pictures if the format has none.
+/// Prints notices about fills, pictures, blend modes and groups if the format has none.
 void note_lost_objects(const Document& document, Format format, const ConvertArguments& args,
                        Console& console) {
   const LostObjects lost = lost_objects(document, format, args.compact);
@@ -108,6 +108,14 @@ void note_lost_objects(const Document& document, Format format, const ConvertArg
   if (lost.pictures > 0) {
     console.notice(args.output + ": " + std::to_string(lost.pictures) +
                    " pictures were left out, because the format has none");
+  }
+  if (lost.blends > 0) {
+    console.notice(args.output + ": the blend modes of " + std::to_string(lost.blends) +
+                   " layers or groups became normal, because the format has none");
+  }
+  if (lost.groups > 0) {
+    console.notice(args.output + ": " + std::to_string(lost.groups) +
+                   " groups of layers were dissolved, because the format has none");
   }
 }
 

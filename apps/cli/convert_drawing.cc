@@ -58,6 +58,18 @@ Result<std::vector<bool>> chosen_layers(const std::string& text, std::span<const
   }
 }
 
+/// Returns the state of a chosen layer, which is visible even if the layer or its group was hidden.
+LayerState shown_state(const Layer& layer) {
+  LayerState state = layer.state();
+  state.visible = true;
+  if (state.group && !state.group->visible) {
+    LayerGroup group = *state.group;
+    group.visible = true;
+    state.group = std::make_shared<const LayerGroup>(std::move(group));
+  }
+  return state;
+}
+
 }  // namespace
 
 Result<void> choose_layers(const std::string& text, Drawing& drawing) {
@@ -69,8 +81,7 @@ Result<void> choose_layers(const std::string& text, Drawing& drawing) {
   for (std::size_t i = 0; i < document.layers().size(); ++i) {
     if (!(*chosen)[i]) continue;
     const Layer& layer = document.layers()[i];
-    const std::size_t kept =
-        builder.add_layer({layer.name, true, layer.locked, layer.opacity, layer.picture});
+    const std::size_t kept = builder.add_layer(shown_state(layer));
     for (const StrokeId id : layer.strokes) builder.add(kept, document.find(id), id);
     for (const FillId id : layer.fills) {
       builder.add_fill(kept, document.find_fill(id), fill_name(id));

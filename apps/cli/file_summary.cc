@@ -72,33 +72,55 @@ std::string picture_json(const LayerPicture& picture) {
                      picture.data->height_px, picture.exported);
 }
 
+/// Returns the name and the look of a layer or a group of layers.
+template <class State>
+std::string look_text(const State& state) {
+  std::string text = fmt::format("'{}'{}{}", printable(state.name), state.visible ? "" : ", hidden",
+                                 state.locked ? ", locked" : "");
+  if (state.opacity != 1.0) text += ", opacity " + number(state.opacity);
+  if (state.blend != BlendMode::kNormal) text += fmt::format(", {}", blend_mode_name(state.blend));
+  return text;
+}
+
 /// Returns a line for each layer, starting with the lowest. A line contains the number for
-/// --layers, the numbers of strokes and fills, the name, and its state: hidden, locked, opacity and
-/// picture.
+/// --layers, the numbers of strokes and fills, the name, and its state: hidden, locked, opacity,
+/// blend mode, picture and group. A line with a group comes before its lowest layer.
 std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
+  LayerGroupPtr group;
   for (const Layer& layer : opened.drawing.document.layers()) {
-    text += fmt::format(
-        "{:16}{} strokes, {}'{}'{}{}\n", fmt::format("layer {}", ++place), layer.strokes.size(),
-        layer.fills.empty() ? "" : fmt::format("{} fills, ", layer.fills.size()),
-        printable(layer.name), layer.visible ? "" : ", hidden", layer.locked ? ", locked" : "");
-    text.pop_back();
-    if (layer.opacity != 1.0) text += ", opacity " + number(layer.opacity);
+    if (layer.group && !same_group(layer.group, group)) {
+      text += fmt::format("{:16}{}\n", fmt::format("group {}", layer.group->id.value),
+                          look_text(*layer.group));
+    }
+    group = layer.group;
+    text +=
+        fmt::format("{:16}{} strokes, {}{}", fmt::format("layer {}", ++place), layer.strokes.size(),
+                    layer.fills.empty() ? "" : fmt::format("{} fills, ", layer.fills.size()),
+                    look_text(layer.state()));
     if (layer.picture) text += ", " + picture_text(*layer.picture);
+    if (group) text += fmt::format(", in group {}", group->id.value);
     text += '\n';
   }
   return text;
+}
+
+std::string group_json(const LayerGroup& group) {
+  return fmt::format(R"({{"id":{},"name":{},"visible":{},"locked":{},"opacity":{},"blend":"{}"}})",
+                     group.id.value, json_string(group.name), group.visible, group.locked,
+                     number(group.opacity), blend_mode_name(group.blend));
 }
 
 std::string layers_json(const Imported& opened) {
   std::vector<std::string> layers;
   for (const Layer& layer : opened.drawing.document.layers()) {
     layers.push_back(fmt::format(
-        R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{},"opacity":{},"picture":{}}})",
-        json_string(layer.name), layer.visible, layer.locked, layer.strokes.size(),
+        R"({{"name":{},"visible":{},"locked":{},"strokes":{},"fills":{},"opacity":{},"picture":{},"blend":"{}","group":{}}})",
+        json_string(layer.name), layer.own_visible, layer.own_locked, layer.strokes.size(),
         layer.fills.size(), number(layer.opacity),
-        layer.picture ? picture_json(*layer.picture) : "null"));
+        layer.picture ? picture_json(*layer.picture) : "null", blend_mode_name(layer.blend),
+        layer.group ? group_json(*layer.group) : "null"));
   }
   return json_array(layers);
 }

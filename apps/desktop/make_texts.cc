@@ -20,16 +20,18 @@ namespace {
 
 /// Labels of the edits that are not made by tools.
 constexpr const char* kEdits[] = {
-    QT_TRANSLATE_NOOP("edits", "Add layer"),     QT_TRANSLATE_NOOP("edits", "Delete"),
-    QT_TRANSLATE_NOOP("edits", "Duplicate"),     QT_TRANSLATE_NOOP("edits", "Hide layer"),
-    QT_TRANSLATE_NOOP("edits", "Import"),        QT_TRANSLATE_NOOP("edits", "Lock layer"),
-    QT_TRANSLATE_NOOP("edits", "Lower layer"),   QT_TRANSLATE_NOOP("edits", "Move layer"),
-    QT_TRANSLATE_NOOP("edits", "Raise layer"),   QT_TRANSLATE_NOOP("edits", "Remove layer"),
-    QT_TRANSLATE_NOOP("edits", "Rename layer"),  QT_TRANSLATE_NOOP("edits", "Restyle"),
-    QT_TRANSLATE_NOOP("edits", "Show layer"),    QT_TRANSLATE_NOOP("edits", "Unlock layer"),
-    QT_TRANSLATE_NOOP("edits", "Layer opacity"), QT_TRANSLATE_NOOP("edits", "Duplicate layer"),
-    QT_TRANSLATE_NOOP("edits", "Merge layers"),  QT_TRANSLATE_NOOP("edits", "Add picture"),
-    QT_TRANSLATE_NOOP("edits", "Place picture"), QT_TRANSLATE_NOOP("edits", "Export picture"),
+    QT_TRANSLATE_NOOP("edits", "Add layer"),        QT_TRANSLATE_NOOP("edits", "Delete"),
+    QT_TRANSLATE_NOOP("edits", "Duplicate"),        QT_TRANSLATE_NOOP("edits", "Hide layer"),
+    QT_TRANSLATE_NOOP("edits", "Import"),           QT_TRANSLATE_NOOP("edits", "Lock layer"),
+    QT_TRANSLATE_NOOP("edits", "Lower layer"),      QT_TRANSLATE_NOOP("edits", "Move layer"),
+    QT_TRANSLATE_NOOP("edits", "Raise layer"),      QT_TRANSLATE_NOOP("edits", "Remove layer"),
+    QT_TRANSLATE_NOOP("edits", "Rename layer"),     QT_TRANSLATE_NOOP("edits", "Restyle"),
+    QT_TRANSLATE_NOOP("edits", "Show layer"),       QT_TRANSLATE_NOOP("edits", "Unlock layer"),
+    QT_TRANSLATE_NOOP("edits", "Layer opacity"),    QT_TRANSLATE_NOOP("edits", "Duplicate layer"),
+    QT_TRANSLATE_NOOP("edits", "Merge layers"),     QT_TRANSLATE_NOOP("edits", "Add picture"),
+    QT_TRANSLATE_NOOP("edits", "Place picture"),    QT_TRANSLATE_NOOP("edits", "Export picture"),
+    QT_TRANSLATE_NOOP("edits", "Layer blend mode"), QT_TRANSLATE_NOOP("edits", "Group layers"),
+    QT_TRANSLATE_NOOP("edits", "Ungroup layers"),
 };
 
 /// The set of texts of one translation context.

@@ -38,7 +38,7 @@ done
 
 # info prints the same figures for each file, and for a drawing also its page and layers.
 run 0 "$feltline" info a.felt --json
-has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20,"fills":0,"opacity":1,"picture":null}],"recordings":[],"notices":[]}'
+has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20,"fills":0,"opacity":1,"picture":null,"blend":"normal","group":null}],"recordings":[],"notices":[]}'
 sed 's/,"format".*//' out >felt.info
 run 0 "$feltline" info a.ndjson --json
 sed 's/,"format".*//' out >ndjson.info
@@ -124,10 +124,10 @@ run 0 "$feltline" convert fills.svg -o fills.felt
 run 0 "$feltline" info fills.felt
 has out "layer 1         0 strokes, 2 fills, 'Areas', opacity 0.5"
 run 0 "$feltline" info fills.svg --json
-has out '"strokes":0,"fills":2,"opacity":0.5,"picture":null}]'
+has out '"strokes":0,"fills":2,"opacity":0.5,"picture":null,"blend":"normal","group":null}]'
 run 0 "$feltline" convert fills.felt -o chosen.felt --layers 1
 run 0 "$feltline" info chosen.felt --json
-has out '"strokes":0,"fills":2,"opacity":0.5,"picture":null}]'
+has out '"strokes":0,"fills":2,"opacity":0.5,"picture":null,"blend":"normal","group":null}]'
 for ending in ndjson xopp inkml; do
   run 0 "$feltline" convert fills.felt -o "lines.$ending"
   has err "lines.$ending: 2 fills were left out, because the format has only lines"

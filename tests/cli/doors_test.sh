@@ -59,7 +59,7 @@ done
 # .xopp keeps layers and lines; curves become short straight pieces.
 run 0 "$feltline" convert layers.felt -o there.xopp
 run 0 "$feltline" info there.xopp --json
-has out '"strokes":1,"fills":0,"opacity":1,"picture":null}],"recordings":[],"notices"'
+has out '"strokes":1,"fills":0,"opacity":1,"picture":null,"blend":"normal","group":null}],"recordings":[],"notices"'
 run 0 "$feltline" convert a.ndjson -o a.xopp
 run 0 "$feltline" convert a.ndjson -o a2.xopp
 same a.xopp a2.xopp

@@ -110,6 +110,90 @@ grep -aq '/Subtype /Image' with.pdf || fail "--pictures does not change a .pdf"
 run 2 "$feltline" convert traced.felt -o r.ndjson --pictures
 run 2 "$feltline" convert traced.felt -o r.svg --pictures --compact
 
+# A layer that multiplies, in a group that is faded as a whole: poppler and librsvg show the same as our .png.
+cat > blended.events <<'EOF'
+{"event":"option","t_ms":0,"id":"pencil.medium","value":"ink-pen"}
+{"event":"option","t_ms":0,"id":"ink.color","value":"#e0a040"}
+{"event":"pen","t_ms":10,"x":20,"y":30,"z":0,"pressure":1}
+{"event":"pen","t_ms":60,"x":90,"y":60,"z":0,"pressure":1}
+{"event":"pen","t_ms":70,"x":90,"y":60,"z":5}
+{"event":"layer","t_ms":100,"do":"add"}
+{"event":"layer","t_ms":100,"do":"blend","id":2,"mode":"multiply"}
+{"event":"option","t_ms":100,"id":"ink.color","value":"#60c0e0"}
+{"event":"pen","t_ms":110,"x":20,"y":60,"z":0,"pressure":1}
+{"event":"pen","t_ms":160,"x":90,"y":30,"z":0,"pressure":1}
+{"event":"pen","t_ms":170,"x":90,"y":30,"z":5}
+{"event":"layer","t_ms":200,"do":"add"}
+{"event":"pen","t_ms":210,"x":55,"y":20,"z":0,"pressure":1}
+{"event":"pen","t_ms":260,"x":55,"y":70,"z":0,"pressure":1}
+{"event":"pen","t_ms":270,"x":55,"y":70,"z":5}
+{"event":"layer","t_ms":300,"do":"group","ids":[2,3],"name":"Shade"}
+{"event":"layer","t_ms":300,"do":"opacity","group":1,"opacity":0.75}
+{"event":"layer","t_ms":300,"do":"blend","group":1,"mode":"multiply"}
+EOF
+run 0 "$feltline" replay blended.events -o blended.felt
+run 0 "$feltline" info blended.felt
+has out "group 1         'Shade', opacity 0.75, multiply"
+has out "layer 2         1 strokes, 'Layer 2', multiply, in group 1"
+run 0 "$feltline" convert blended.felt -o blended.svg
+has blended.svg 'style="display:inline;mix-blend-mode:multiply"'
+run 0 "$feltline" convert blended.svg -o blended_back.felt
+run 0 "$feltline" info blended_back.felt
+has out "layer 2         1 strokes, 'Layer 2', multiply, in group 1"
+run 0 "$feltline" convert blended.felt -o blended.xopp
+has err "the blend modes of 2 layers or groups became normal, because the format has none"
+has err "1 groups of layers were dissolved, because the format has none"
+run 0 "$feltline" convert blended.felt -o blended.png --dpi 24 --paper '#f0e0c0'
+run 0 "$feltline" convert blended.felt -o blended.pdf --paper '#f0e0c0'
+run 0 "$feltline" convert blended.felt -o paper.svg --paper '#f0e0c0'
+run 0 "$feltline" convert blended.felt -o compact.svg --compact --paper '#f0e0c0'
+# Prints the largest difference, in levels, away from edges, which programs draw differently.
+cat > differ.py <<'EOF'
+import struct, sys, zlib
+
+def pixels(path):
+    data, at, parts, head = open(path, 'rb').read(), 8, b'', None
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        head = struct.unpack('>IIBBBBB', body) if kind == b'IHDR' else head
+        parts += body if kind == b'IDAT' else b''
+        at += size + 12
+    width, height, depth, color = head[:4]
+    assert depth == 8 and color in (2, 6)
+    n = 3 if color == 2 else 4
+    raw, stride, rows, last = zlib.decompress(parts), n * width, [], bytes(n * width)
+    for y in range(height):
+        at = y * (stride + 1)
+        kind, line = raw[at], bytearray(raw[at + 1:at + 1 + stride])
+        for x in range(stride if kind else 0):
+            a, b, c = line[x - n] if x >= n else 0, last[x], last[x - n] if x >= n else 0
+            p = a + b - c
+            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            line[x] = (line[x] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
+        last = bytes(line)
+        rows.append([last[x:x + 3] for x in range(0, stride, n)])
+    return rows
+
+one, two = pixels(sys.argv[1]), pixels(sys.argv[2])
+height, width = min(len(one), len(two)), min(len(one[0]), len(two[0]))
+assert abs(len(one) - len(two)) <= 1 and abs(len(one[0]) - len(two[0])) <= 1
+def is_flat(rows, x, y):
+    return all(max(abs(p - q) for p, q in zip(rows[y + j][x + i], rows[y][x])) <= 2
+               for i in (-1, 0, 1) for j in (-1, 0, 1))
+
+worst = max(max(abs(p - q) for p, q in zip(one[y][x], two[y][x])) for y in range(1, height - 1)
+            for x in range(1, width - 1) if is_flat(one, x, y) and is_flat(two, x, y))
+print(worst)
+sys.exit(worst > 3)
+EOF
+if command -v pdftoppm >/dev/null && command -v rsvg-convert >/dev/null && command -v python3 >/dev/null; then
+  run 0 pdftoppm -r 24 -png -singlefile blended.pdf blended-pdf
+  run 0 rsvg-convert -z 0.25 paper.svg -o blended-svg.png
+  run 0 rsvg-convert -z 0.25 compact.svg -o blended-compact.png
+  for other in pdf svg compact; do run 0 python3 differ.py blended.png "blended-$other.png"; done
+fi
+
 # A compact .svg is a small picture of the visible ink.
 run 0 "$feltline" convert page.felt -o small.svg --compact
 [ "$(grep -c '<path' small.svg)" = 21 ] || fail "20 strokes and the paper make 21 paths"

@@ -67,10 +67,14 @@ struct CheckWhat {
   }
   void operator()(const LayerEvent& e) const {
     using Do = LayerEvent::Do;
-    FELT_CHECK(e.what <= Do::kLeaveOut);
-    FELT_CHECK((e.what == Do::kAdd) == !e.layer);
+    FELT_CHECK(e.what <= Do::kUngroup);
+    const bool is_new = e.what == Do::kAdd || e.what == Do::kGroup;
+    const bool has_group = e.group && *e.group;
+    FELT_CHECK(is_new ? !e.layer && !e.group : e.layer || has_group);
+    FELT_CHECK((e.what == Do::kGroup) == !e.layers.empty());
+    FELT_CHECK(e.mode <= BlendMode::kMultiply);
     if (e.what == Do::kRename || !e.name.empty()) check_text(e.name);
-    FELT_CHECK(e.name.empty() || e.what == Do::kAdd || e.what == Do::kRename);
+    FELT_CHECK(e.name.empty() || is_new || e.what == Do::kRename);
     FELT_CHECK(e.index == 0 || e.what == Do::kMove);
     FELT_CHECK(e.opacity >= 0.0 && e.opacity <= 1.0);
     FELT_CHECK(is_picture_place(e.place));

@@ -207,6 +207,7 @@ void Canvas::take_layers() {
 
 void Canvas::take_look() {
   shown_->desk.set_page(studio_.page());
+  ink_.set_paper(studio_.page().paper);
   shown_->desk.set_palette(palette());
   shown_->look = MarkLook(shown_->desk.paper());
   update();

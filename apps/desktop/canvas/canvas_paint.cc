@@ -105,8 +105,13 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
     });
     ink_.paint(painter, part);
     const Layer* layer = studio_.session().document().layer(studio_.session().layer());
-    painter.setOpacity(layer ? layer->opacity : 1.0);
+    const LayerGroup* group = layer ? layer->group.get() : nullptr;
+    const bool multiplies = (layer && layer->blend == BlendMode::kMultiply) ||
+                            (group && group->blend == BlendMode::kMultiply);
+    painter.setOpacity((layer ? layer->opacity : 1.0) * (group ? group->opacity : 1.0));
+    if (multiplies) painter.setCompositionMode(QPainter::CompositionMode_Multiply);
     s.wet.paint(painter, part, [this](QImage& ink, QPoint at) { ink_.cover(ink, at); });
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     painter.setOpacity(1.0);
   }
   painter.setClipping(false);

@@ -65,8 +65,21 @@ struct InkView::State {
     StrokeId id;
     StrokePtr stroke;
     LayerId layer;
-    double opacity = 1.0;  // of the layer
+    double opacity = 1.0;  // of the layer and its group
+    bool multiplies = false;
   };
+  /// How the strokes of a layer look.
+  struct Look {
+    double opacity = 0.0;  // of the layer and its group; 0 if one of them is hidden
+    bool multiplies = false;
+  };
+  static Look look_of(const LayerState& layer) {
+    if (!is_visible(layer)) return {};
+    const LayerGroup* group = layer.group.get();
+    const auto is_multiply = [](BlendMode mode) { return mode == BlendMode::kMultiply; };
+    return {layer.opacity * (group ? group->opacity : 1.0),
+            is_multiply(layer.blend) || (group && is_multiply(group->blend))};
+  }
 
   explicit State(std::function<void()> on_news) : worker(std::move(on_news)) {}
 
@@ -101,7 +114,8 @@ struct InkView::State {
   std::optional<LayerId> new_ink;  // the layer of new ink, if other layers cover it
   std::optional<Plane> over;       // the plane of these layers, in the view of the current plane
   std::int64_t left = 0, top = 0;  // corner of the widget, in pixels of the plane
-  std::map<LayerId, double> opacities;  // 0 for a hidden layer
+  std::map<LayerId, Look> looks;
+  Rgba paper{255, 255, 255, 255};
   std::vector<Fresh> fresh;
   TilePainter strokes;
   bool is_previewing = false;
@@ -123,7 +137,7 @@ void InkView::State::choose_plane() {
   if (found != planes.end()) {
     std::rotate(found, found + 1, planes.end());
   } else {
-    const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
+    const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0, paper};
     planes.push_back({{++last_plane, now, look}, style, {}});
     if (planes.size() > kMaxPlanes) {
       // Drops the plane whose tiles cover the smallest share of the view. Therefore the last
@@ -178,8 +192,8 @@ InkView::~InkView() = default;
 void InkView::set_document(const Document& document) {
   State& s = *state_;
   s.fresh.clear();
-  s.opacities.clear();
-  for (const Layer& l : document.layers()) s.opacities[l.id] = l.visible ? l.opacity : 0.0;
+  s.looks.clear();
+  for (const Layer& l : document.layers()) s.looks[l.id] = State::look_of(l.state());
   for (State::Plane& plane : s.planes) plane.tiles.clear();
   if (s.over) s.over->tiles.clear();
   s.is_previewing = false;
@@ -192,7 +206,7 @@ void InkView::apply(const Edit& edit) {
   s.is_previewing = false;
   const std::uint64_t order = s.worker.apply(edit);
   for (const LayerChange& c : edit.layers) {
-    if (c.after) s.opacities[c.id] = c.after->visible ? c.after->opacity : 0.0;
+    if (c.after) s.looks[c.id] = State::look_of(*c.after);
   }
   if (!edit.layers.empty() && s.over) {  // the layers above may have changed
     s.drop_over();
@@ -208,10 +222,10 @@ void InkView::apply(const Edit& edit) {
   if (!edit.layers.empty() || edit.changes.size() > kMaxFresh || s.planes.empty()) return;
   const PlaneSpec& plane = s.planes.back().spec;
   for (const StrokeChange& c : edit.changes) {
-    const double opacity = s.opacities[c.after_place.layer];
-    if (c.before || !(opacity > 0.0)) continue;
+    const State::Look look = s.looks[c.after_place.layer];
+    if (c.before || !(look.opacity > 0.0)) continue;
     if (c.after->segment_count() > kMaxFreshSegments) continue;
-    s.fresh.push_back({order, c.id, c.after, c.after_place.layer, opacity});
+    s.fresh.push_back({order, c.id, c.after, c.after_place.layer, look.opacity, look.multiplies});
     const Rect px = plane.view.area_px(c.after->bounds()).inflated(2.0);
     const auto whole = [](double x) { return std::llround(std::clamp(x, -2e9, 2e9)); };
     Q_EMIT changed(
@@ -239,6 +253,14 @@ void InkView::set_grain(const Grain& grain) {
   state_->grain = grain;
   ++state_->style;
   state_->ask();
+}
+
+void InkView::set_paper(Rgba paper) {
+  if (paper.a < 255) paper = {255, 255, 255, 255};
+  if (paper == state_->paper) return;
+  state_->paper = paper;
+  ++state_->style;
+  if (!state_->planes.empty()) state_->ask();
 }
 
 void InkView::set_outline_mode(bool on) {
@@ -455,6 +477,7 @@ void InkView::State::paint_fresh(QPainter& painter, Plane& plane, const QRect& d
     painter.save();
     painter.setClipRegion(stale, Qt::IntersectClip);
     painter.setOpacity(f.opacity);
+    if (f.multiplies) painter.setCompositionMode(QPainter::CompositionMode_Multiply);
     painter.drawImage(box.topLeft(), image);
     painter.restore();
   }

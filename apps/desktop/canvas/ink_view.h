@@ -44,6 +44,9 @@ class InkView : public QObject {
   /// Sets the relief of the surface that the ink shows. The field of `grain` must outlive this
   /// object.
   void set_grain(const Grain& grain);
+  /// Sets the colour below the ink, with which blend modes multiply. A transparent one counts as
+  /// white.
+  void set_paper(Rgba paper);
   /// Sets whether strokes are shown only as hairlines along their centres.
   void set_outline_mode(bool on);
   /// Sets the layer of new ink; the layers above it cover new ink. Without a layer, new ink is

@@ -19,8 +19,29 @@ namespace {
 
 constexpr QSize kSize(300, 220);
 
-/// Returns the expected picture, in which all visible strokes are drawn directly, one after the
-/// other, each layer as a whole over its picture.
+/// Draws the strokes of a layer one after the other over its picture.
+void draw_layer(const Document& document, const Layer& layer, const View& view, double hair_px,
+                Pixels to) {
+  Rasterizer rasterizer;
+  if (layer.picture) {
+    const auto picture = PicturePixels::decode(*layer.picture->data).value();
+    picture->draw(layer.picture->place, view, to.rect(), 1.0, to);
+  }
+  for (const FillId id : layer.fills) {
+    if (hair_px > 0.0) break;
+    rasterizer.draw_fill(*document.find_fill(id), view, to.rect(), to);
+  }
+  for (const StrokeId id : layer.strokes) {
+    if (hair_px > 0.0) {
+      rasterizer.draw_center_line(*document.find(id), view, to.rect(), hair_px, to);
+    } else {
+      rasterizer.draw(*document.find(id), view, to.rect(), to);
+    }
+  }
+}
+
+/// Returns the expected picture, in which all visible layers are drawn directly, one after the
+/// other, each layer and each group as a whole.
 QImage drawn_straight(const Document& document, const QTransform& to_px, double dpr, bool outline,
                       QSize size = kSize) {
   QImage image(size * dpr, QImage::Format_ARGB32_Premultiplied);
@@ -32,30 +53,27 @@ QImage drawn_straight(const Document& document, const QTransform& to_px, double 
   const bool mirrored = to_px.determinant() < 0.0;
   const double x = (mirrored ? -1.0 : 1.0) * to_px.m11() / scale;
   const View view{{origin.x(), origin.y()}, scale * dpr, {x, to_px.m12() / scale}, mirrored};
-  Rasterizer rasterizer;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    QImage whole = image;
-    whole.fill(Qt::transparent);
-    Pixels to = pixels;
-    if (layer.opacity < 1.0) to.data = whole.bits();
-    if (layer.picture) {
-      const auto picture = PicturePixels::decode(*layer.picture->data).value();
-      picture->draw(layer.picture->place, view, pixels.rect(), 1.0, to);
+  constexpr Rgba kPaper{255, 255, 255, 255};
+  QImage group_image = image;
+  const auto layers = document.layers();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const Layer& layer = layers[i];
+    const bool in_group = layer.group && layer.group->is_whole();
+    if (i == 0 || !same_group(layers[i - 1].group, layer.group)) group_image.fill(Qt::transparent);
+    Pixels under = pixels;
+    if (in_group) under.data = group_image.bits();
+    if (layer.visible) {
+      QImage whole = image;
+      whole.fill(Qt::transparent);
+      const bool is_whole = layer.opacity < 1.0 || layer.blend != BlendMode::kNormal;
+      Pixels to = under;
+      if (is_whole) to.data = whole.bits();
+      draw_layer(document, layer, view, outline ? std::max(1.0, dpr) : 0.0, to);
+      if (is_whole) blend(to, pixels.rect(), layer.opacity, layer.blend, kPaper, under);
     }
-    for (const FillId id : layer.fills) {
-      if (outline) break;
-      rasterizer.draw_fill(*document.find_fill(id), view, pixels.rect(), to);
+    if (in_group && (i + 1 == layers.size() || !same_group(layers[i + 1].group, layer.group))) {
+      blend(under, pixels.rect(), layer.group->opacity, layer.group->blend, kPaper, pixels);
     }
-    for (const StrokeId id : layer.strokes) {
-      if (outline) {
-        rasterizer.draw_center_line(*document.find(id), view, pixels.rect(), std::max(1.0, dpr),
-                                    to);
-      } else {
-        rasterizer.draw(*document.find(id), view, pixels.rect(), to);
-      }
-    }
-    if (layer.opacity < 1.0) blend(to, pixels.rect(), layer.opacity, pixels);
   }
   image.setDevicePixelRatio(dpr);
   return image;

@@ -19,8 +19,11 @@ Drawing selected_only(Drawing drawing, const Selection& selection) {
   for (const Layer& layer : drawing.document.layers()) {
     std::optional<std::size_t> added;
     const auto kept = [&] {
-      if (!added)
-        added = builder.add_layer({layer.name, layer.visible, layer.locked, layer.opacity});
+      if (!added) {
+        LayerState state = layer.state();
+        state.picture = nullptr;
+        added = builder.add_layer(std::move(state));
+      }
       return *added;
     };
     for (const FillId id : layer.fills) {

@@ -19,22 +19,30 @@ namespace {
 constexpr int kRowsShown = 6;
 constexpr int kIconPx = 16;
 
-/// Returns a sentence about the objects that are not in a file. Requires that there are any.
+/// Returns sentences about the objects that are not in a file. Requires that there are any.
 QString lost_text(const LostObjects& lost) {
   const QLocale locale;
-  const QString fills = locale.toString(qulonglong(lost.fills));
-  const QString pictures = locale.toString(qulonglong(lost.pictures));
-  if (lost.pictures == 0) {
-    return NoticeBar::tr("Left out, because the format has no fills: %1.").arg(fills);
+  const auto number = [&locale](std::size_t n) { return locale.toString(qulonglong(n)); };
+  QStringList texts;
+  if (lost.fills > 0 && lost.pictures > 0) {
+    texts += NoticeBar::tr(
+                 "Left out, because the format has only lines: fills (%1) and pictures to draw "
+                 "over (%2).")
+                 .arg(number(lost.fills), number(lost.pictures));
+  } else if (lost.fills > 0) {
+    texts +=
+        NoticeBar::tr("Left out, because the format has no fills: %1.").arg(number(lost.fills));
+  } else if (lost.pictures > 0) {
+    texts += NoticeBar::tr("Left out, because the format has no pictures to draw over: %1.")
+                 .arg(number(lost.pictures));
   }
-  if (lost.fills == 0) {
-    return NoticeBar::tr("Left out, because the format has no pictures to draw over: %1.")
-        .arg(pictures);
+  if (lost.blends > 0) {
+    texts += NoticeBar::tr("Blend modes that became normal: %1.").arg(number(lost.blends));
   }
-  return NoticeBar::tr(
-             "Left out, because the format has only lines: fills (%1) and pictures to draw over "
-             "(%2).")
-      .arg(fills, pictures);
+  if (lost.groups > 0) {
+    texts += NoticeBar::tr("Groups of layers that were dissolved: %1.").arg(number(lost.groups));
+  }
+  return texts.join(QLatin1Char(' '));
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "desktop/engine/grain_setting.h"
@@ -20,6 +22,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/io/picture/grain_mask.h"
+#include "felt/render/page_painter.h"
 #include "felt/render/raster.h"
 #include "felt/render/view.h"
 #include "felt/stroke/outline/outline_path.h"
@@ -29,6 +32,8 @@ namespace {
 
 constexpr double kPrintToleranceMm = 0.005;
 constexpr double kPrintGrainDpi = 300.0;
+constexpr double kPrintBlendDpi = 400.0;         // of a page that is printed as a picture (chosen)
+constexpr double kMaxPrintPx = double(1 << 26);  // of such a page: 256 MiB
 
 QColor color_of(Rgba c) {
   return {c.r, c.g, c.b, c.a};
@@ -116,6 +121,30 @@ std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& nam
   return printer;
 }
 
+/// Returns true if the drawing has what printers cannot paint as lines: a blend mode, or a group of
+/// layers that is translucent as a whole.
+bool needs_pixels(const Document& document) {
+  const auto layers = document.layers();
+  return std::any_of(layers.begin(), layers.end(), [](const Layer& l) {
+    return l.visible && (l.blend != BlendMode::kNormal || (l.group && l.group->is_whole()));
+  });
+}
+
+/// Paints the page as one picture.
+void paint_pixels(QPainter& painter, const Drawing& drawing, double dpi,
+                  const std::optional<Grain>& grain) {
+  PageOptions options{.dpi = dpi, .area = drawing.page.area(), .paper = drawing.page.paper};
+  if (grain) options.grain = *grain;
+  Result<Image> image = render_page(drawing.document, options, PictureChoice::kMarked);
+  if (!image) return;
+  const Pixels pixels = image->pixels();
+  const double mm_per_px = kMmPerInch / dpi;
+  painter.drawImage(
+      QRectF(0.0, 0.0, pixels.width * mm_per_px, pixels.height * mm_per_px),
+      QImage(pixels.data, pixels.width, pixels.height, static_cast<qsizetype>(pixels.stride),
+             QImage::Format_RGBA8888_Premultiplied));
+}
+
 }  // namespace
 
 void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
@@ -129,6 +158,12 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
   // White paper does not have to be painted.
   if (page.paper.a > 0 && page.paper != Rgba{255, 255, 255, 255}) {
     painter.fillRect(area, color_of(page.paper));
+  }
+  if (needs_pixels(drawing.document)) {
+    const double largest = kMmPerInch * std::sqrt(kMaxPrintPx / (area.width() * area.height()));
+    paint_pixels(painter, drawing, std::min({dpi, kPrintBlendDpi, largest}), grain);
+    painter.restore();
+    return;
   }
   painter.setPen(Qt::NoPen);
   const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);

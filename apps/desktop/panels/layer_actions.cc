@@ -62,6 +62,29 @@ void add_order(Actions& actions, LayersPanel& panel) {
       ->setIcon(icon_of("lower"));
 }
 
+void add_groups(Actions& actions, LayersPanel& panel) {
+  actions
+      .add(QStringLiteral("layer.group"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Group layers")),
+           {QKeySequence(Qt::CTRL | Qt::Key_G)},
+           layer_text(QT_TRANSLATE_NOOP("LayerActions",
+                                        "Groups the layer with the one below, or puts it into the "
+                                        "group below.")),
+           [&panel] { panel.group_with_below(); })
+      ->setIcon(icon_of("group"));
+  actions
+      .add(QStringLiteral("layer.ungroup"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Ungroup layers")),
+           {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G)},
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Dissolves the group; its layers stay.")),
+           [&panel] { panel.ungroup(); })
+      ->setIcon(icon_of("ungroup"));
+  actions.add(QStringLiteral("layer.leave_group"),
+              layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Take out of the group")), {},
+              layer_text(QT_TRANSLATE_NOOP("LayerActions", "Puts the layer above its group.")),
+              [&panel] { panel.leave_group(); });
+}
+
 void add_use(Actions& actions, LayersPanel& panel) {
   actions.add(QStringLiteral("layer.use_above"),
               layer_text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &above")),
@@ -79,21 +102,33 @@ void add_use(Actions& actions, LayersPanel& panel) {
 
 void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
   add_order(actions, panel);
+  add_groups(actions, panel);
   const auto chosen = [&studio, &panel] {
     return studio.session().document().layer(panel.chosen());
+  };
+  const auto chosen_group = [&studio, &panel] {
+    return studio.session().document().group(panel.chosen_group());
+  };
+  const auto is_visible = [chosen, chosen_group] {
+    const LayerGroupPtr group = chosen_group();
+    return group ? group->visible : chosen() && chosen()->own_visible;
+  };
+  const auto is_locked = [chosen, chosen_group] {
+    const LayerGroupPtr group = chosen_group();
+    return group ? group->locked : chosen() && chosen()->own_locked;
   };
   QAction* show = actions.add_switch(
       QStringLiteral("layer.show"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Show layer")),
       {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "Shows or hides the lines on the layer.")),
-      true, [&panel, chosen](bool on) {
-        if (chosen() && chosen()->visible != on) panel.toggle_visible();
+      true, [&panel, is_visible](bool on) {
+        if (is_visible() != on) panel.toggle_visible();
       });
   show->setIcon(icon_of("eye"));
   QAction* lock = actions.add_switch(
       QStringLiteral("layer.lock"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "Loc&k layer")),
       {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "Protects the layer against changes.")),
-      false, [&panel, chosen](bool on) {
-        if (chosen() && chosen()->locked != on) panel.toggle_locked();
+      false, [&panel, is_locked](bool on) {
+        if (is_locked() != on) panel.toggle_locked();
       });
   lock->setIcon(icon_of("lock"));
   QAction* exported =
@@ -108,18 +143,25 @@ void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
                          });
   exported->setIcon(icon_of("picture"));
   add_use(actions, panel);
-  const auto follow = [&actions, &studio, chosen, show, lock, exported] {
+  const auto follow = [&actions, &panel, chosen, chosen_group, is_visible, is_locked, show, lock,
+                       exported] {
     const Layer* layer = chosen();
     if (!layer) return;
-    show->setChecked(layer->visible);
-    lock->setChecked(layer->locked);
-    exported->setEnabled(layer->picture != nullptr);
-    exported->setChecked(layer->picture && layer->picture->exported);
-    const auto layers = studio.session().document().layers();
-    actions.find(QStringLiteral("layer.raise"))->setEnabled(layers.back().id != layer->id);
-    const bool is_lowest = layers.front().id == layer->id;
-    actions.find(QStringLiteral("layer.lower"))->setEnabled(!is_lowest);
-    actions.find(QStringLiteral("layer.merge"))->setEnabled(!is_lowest);
+    const bool is_group = chosen_group() != nullptr;
+    show->setChecked(is_visible());
+    lock->setChecked(is_locked());
+    const LayerPicture* picture = is_group ? nullptr : layer->picture.get();
+    exported->setEnabled(picture != nullptr);
+    exported->setChecked(picture && picture->exported);
+    const auto enable = [&actions](const char* name, bool on) {
+      actions.find(QString::fromLatin1(name))->setEnabled(on);
+    };
+    enable("layer.raise", panel.can_raise());
+    enable("layer.lower", panel.can_lower());
+    enable("layer.merge", panel.can_merge());
+    enable("layer.group", !is_group && !layer->group);
+    enable("layer.ungroup", is_group || layer->group);
+    enable("layer.leave_group", !is_group && layer->group);
   };
   QObject::connect(&panel, &LayersPanel::changed, show, follow);
   follow();

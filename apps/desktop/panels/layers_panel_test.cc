@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -260,6 +261,133 @@ TEST(LayersPanel, ThumbnailsShowTheInkAndThePictureOfEachLayer) {
   const QImage empty = thumbnails->of({1}).toImage();
   EXPECT_NE(empty.pixelColor(2, empty.height() / 2), QColor(Qt::red));
   EXPECT_TRUE(fixture.spoken(1).contains(QStringLiteral("picture")));
+}
+
+TEST(LayersPanel, TheBoxSetsTheBlendModeOfTheHighlightedLayer) {
+  LayerFixture fixture;
+  auto* box = fixture.panel.findChild<QComboBox*>(QStringLiteral("blend"));
+  ASSERT_NE(box, nullptr);
+  EXPECT_EQ(box->count(), int(kBlendModeNames.size())) << "a name for each mode";
+  EXPECT_EQ(box->currentIndex(), 0);
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Down);
+  EXPECT_EQ(fixture.layer(3)->blend, BlendMode::kMultiply);
+  EXPECT_EQ(fixture.spoken(0), QStringLiteral("c, visible, unlocked, multiplies, current"));
+  fixture.panel.choose({1});
+  EXPECT_EQ(box->currentIndex(), 0);
+  fixture.panel.choose({3});
+  EXPECT_EQ(box->currentIndex(), 1);
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(box->currentIndex(), 0);
+  EXPECT_EQ(testing::nameless(fixture.panel), std::vector<std::string>{});
+}
+
+/// The rows of the list, the topmost first: "(Group 1) c b | Ink"; | ends a group.
+std::string rows(const LayerFixture& fixture) {
+  std::string text;
+  bool was_in = false;
+  const QAbstractItemModel& model = *fixture.list->model();
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const QModelIndex index = model.index(row, 0);
+    const bool is_in = index.data(LayersModel::kIndented).toBool();
+    const bool is_group = index.data(LayersModel::kIsGroup).toBool();
+    if (was_in && !is_in) text += "| ";
+    was_in = is_in;
+    const std::string name = index.data().toString().toStdString();
+    text += is_group ? "(" + name + ") " : name + " ";
+  }
+  return text + (was_in ? "|" : "");
+}
+
+TEST(LayersPanel, GroupsHaveRowsThatShowLockFadeAndCollapse) {
+  LayerFixture fixture;
+  fixture.panel.group_with_below();  // c and b
+  EXPECT_EQ(rows(fixture), "(Group 1) c b | Ink ");
+  EXPECT_EQ(fixture.spoken(0), QStringLiteral("Group 1 (group), visible, unlocked, expanded"));
+  EXPECT_EQ(fixture.spoken(1),
+            QStringLiteral("c, visible, unlocked, in the group Group 1, current"));
+  fixture.click(LayerDelegate::eye_of(fixture.row(0)).center());
+  EXPECT_FALSE(fixture.layer(2)->visible);
+  EXPECT_TRUE(fixture.layer(2)->own_visible);
+  EXPECT_EQ(layer_names(fixture.studio), "c b Ink*") << "the only open layer";
+  fixture.click(LayerDelegate::eye_of(fixture.row(0)).center());
+  EXPECT_TRUE(fixture.layer(2)->visible);
+  fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+  EXPECT_TRUE(fixture.layer(2)->locked);
+  fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+  EXPECT_EQ(fixture.panel.chosen_group(), GroupId{1});
+  fixture.panel.set_opacity(0.5, false);
+  fixture.panel.set_blend(BlendMode::kMultiply);
+  EXPECT_EQ(fixture.layer(2)->group->opacity, 0.5);
+  EXPECT_EQ(fixture.layer(2)->group->blend, BlendMode::kMultiply);
+  EXPECT_EQ(fixture.layer(2)->opacity, 1.0);
+  const std::size_t steps = fixture.studio.session().history().undo_count();
+  fixture.click(LayerDelegate::arrow_of(fixture.row(0)).center());
+  EXPECT_EQ(rows(fixture), "(Group 1) Ink ");
+  fixture.list->setFocus();
+  fixture.panel.choose_group({1});
+  QTest::keyClick(fixture.list, Qt::Key_Right);
+  EXPECT_EQ(rows(fixture), "(Group 1) c b | Ink ");
+  QTest::keyClick(fixture.list, Qt::Key_Left);
+  EXPECT_EQ(rows(fixture), "(Group 1) Ink ");
+  EXPECT_EQ(fixture.studio.session().history().undo_count(), steps) << "it is not a step of undo";
+  fixture.studio.apply(LayerEvent{Do::kUse, {2}});
+  EXPECT_EQ(fixture.panel.chosen_group(), GroupId{1}) << "stands for its layers";
+}
+
+TEST(LayersPanel, LayersAreDraggedIntoGroupsAndOutOfThem) {
+  LayerFixture fixture;
+  fixture.studio.apply(LayerEvent{Do::kAdd, {}, "d"});
+  fixture.panel.choose({3});
+  fixture.panel.group_with_below();
+  QAbstractItemModel& model = *fixture.list->model();
+  ASSERT_EQ(rows(fixture), "d (Group 1) c b | Ink ");
+  EXPECT_TRUE(model.moveRow({}, 0, {}, 2)) << "below the row of the group: to its top";
+  EXPECT_EQ(rows(fixture), "(Group 1) d c b | Ink ");
+  EXPECT_TRUE(model.moveRow({}, 3, {}, 1));
+  EXPECT_EQ(rows(fixture), "(Group 1) b d c | Ink ");
+  EXPECT_TRUE(model.moveRow({}, 4, {}, 3)) << "between two of its layers";
+  EXPECT_EQ(rows(fixture), "(Group 1) b d Ink c |");
+  EXPECT_TRUE(model.moveRow({}, 2, {}, 0)) << "above the row of the group: out of it";
+  EXPECT_EQ(rows(fixture), "d (Group 1) b Ink c |");
+  EXPECT_TRUE(model.moveRow({}, 1, {}, 0)) << "the whole group";
+  EXPECT_EQ(rows(fixture), "(Group 1) b Ink c | d ");
+  EXPECT_FALSE(model.moveRow({}, 0, {}, 3)) << "into itself";
+  EXPECT_TRUE(model.moveRow({}, 1, {}, 5));
+  EXPECT_EQ(rows(fixture), "(Group 1) Ink c | d b ");
+  EXPECT_TRUE(model.setData(model.index(0, 0), QStringLiteral("Cat")));
+  EXPECT_EQ(rows(fixture), "(Cat) Ink c | d b ");
+}
+
+TEST(LayerActions, GroupAndUngroup) {
+  LayerFixture fixture;
+  QWidget window;
+  Actions actions(&window);
+  add_layer_actions(actions, fixture.studio, fixture.panel);
+  const auto find = [&actions](const char* name) {
+    return actions.find(QString::fromLatin1(name));
+  };
+  EXPECT_FALSE(find("layer.ungroup")->isEnabled());
+  find("layer.group")->trigger();
+  EXPECT_EQ(rows(fixture), "(Group 1) c b | Ink ");
+  EXPECT_FALSE(find("layer.group")->isEnabled()) << "it is in a group already";
+  EXPECT_FALSE(find("layer.raise")->isEnabled()) << "the highest of its group";
+  fixture.panel.choose({2});
+  EXPECT_FALSE(find("layer.merge")->isEnabled()) << "the layer below is not in the group";
+  find("layer.leave_group")->trigger();
+  EXPECT_EQ(rows(fixture), "b (Group 1) c | Ink ");
+  find("layer.group")->trigger();
+  EXPECT_EQ(rows(fixture), "(Group 1) b c | Ink ") << "joins the group below";
+  fixture.panel.choose_group({1});
+  EXPECT_TRUE(find("layer.lower")->isEnabled());
+  find("layer.lower")->trigger();
+  EXPECT_EQ(rows(fixture), "Ink (Group 1) b c |");
+  find("layer.show")->trigger();
+  EXPECT_FALSE(fixture.layer(2)->visible);
+  fixture.studio.apply(UndoEvent{});
+  fixture.panel.choose_group({1});
+  find("layer.ungroup")->trigger();
+  EXPECT_EQ(rows(fixture), "Ink b c ");
 }
 
 }  // namespace

@@ -651,6 +651,30 @@
         <source>Shows the picture of the layer in exported files.</source>
         <translation>Zeigt das Bild der Ebene in exportierten Dateien.</translation>
     </message>
+    <message>
+        <source>&amp;Group layers</source>
+        <translation>Ebenen &amp;gruppieren</translation>
+    </message>
+    <message>
+        <source>Groups the layer with the one below, or puts it into the group below.</source>
+        <translation>Gruppiert die Ebene mit der darunter oder legt sie in die Gruppe darunter.</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup layers</source>
+        <translation>Gruppe a&amp;uflösen</translation>
+    </message>
+    <message>
+        <source>Dissolves the group; its layers stay.</source>
+        <translation>Löst die Gruppe auf; ihre Ebenen bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Take out of the group</source>
+        <translation>Aus der Gruppe neh&amp;men</translation>
+    </message>
+    <message>
+        <source>Puts the layer above its group.</source>
+        <translation>Legt die Ebene über ihre Gruppe.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -1805,6 +1829,18 @@
     <message>
         <source>Fill</source>
         <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Layer blend mode</source>
+        <translation>Mischmodus der Ebene</translation>
+    </message>
+    <message>
+        <source>Group layers</source>
+        <translation>Ebenen gruppieren</translation>
+    </message>
+    <message>
+        <source>Ungroup layers</source>
+        <translation>Gruppe auflösen</translation>
     </message>
 </context>
 <context>
@@ -3418,6 +3454,36 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>, opacity %1 %</source>
         <translation>, Deckkraft %1 %</translation>
     </message>
+    <message>
+        <source>, multiplies</source>
+        <translation>, multipliziert</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>, in the group %1</source>
+        <translation>, in der Gruppe %1</translation>
+    </message>
+    <message>
+        <source>%1 (group), %2, %3, %4</source>
+        <translation>%1 (Gruppe), %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>collapsed</source>
+        <translation>eingeklappt</translation>
+    </message>
+    <message>
+        <source>expanded</source>
+        <translation>ausgeklappt</translation>
+    </message>
+    <message>
+        <source>%1
+Double-click to rename, drag to move, drag layers into it</source>
+        <translation>%1
+Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3492,6 +3558,26 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Opacity of the layer</source>
         <translation>Deckkraft der Ebene</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode:</source>
+        <translation>&amp;Mischmodus:</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplizieren</translation>
+    </message>
+    <message>
+        <source>Blend mode of the layer</source>
+        <translation>Mischmodus der Ebene</translation>
+    </message>
+    <message>
+        <source>Multiply makes what is below darker, for shading on line art</source>
+        <translation>Multiplizieren macht dunkler, was darunter liegt: zum Schattieren von Linien</translation>
     </message>
 </context>
 <context>
@@ -4003,6 +4089,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Left out, because the format has only lines: fills (%1) and pictures to draw over (%2).</source>
         <translation>Weggelassen, weil das Format nur Linien hat: Füllungen (%1) und Bilder zum Nachzeichnen (%2).</translation>
+    </message>
+    <message>
+        <source>Blend modes that became normal: %1.</source>
+        <translation>Mischmodi, die normal wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Groups of layers that were dissolved: %1.</source>
+        <translation>Aufgelöste Gruppen von Ebenen: %1.</translation>
     </message>
 </context>
 <context>

@@ -651,6 +651,30 @@
         <source>Shows the picture of the layer in exported files.</source>
         <translation>Toont de afbeelding van de laag in geëxporteerde bestanden.</translation>
     </message>
+    <message>
+        <source>&amp;Group layers</source>
+        <translation>Lagen &amp;groeperen</translation>
+    </message>
+    <message>
+        <source>Groups the layer with the one below, or puts it into the group below.</source>
+        <translation>Groepeert de laag met die eronder, of zet hem in de groep eronder.</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup layers</source>
+        <translation>Groep &amp;opheffen</translation>
+    </message>
+    <message>
+        <source>Dissolves the group; its layers stay.</source>
+        <translation>Heft de groep op; de lagen blijven.</translation>
+    </message>
+    <message>
+        <source>&amp;Take out of the group</source>
+        <translation>&amp;Uit de groep halen</translation>
+    </message>
+    <message>
+        <source>Puts the layer above its group.</source>
+        <translation>Zet de laag boven zijn groep.</translation>
+    </message>
 </context>
 <context>
     <name>Material</name>
@@ -1805,6 +1829,18 @@
     <message>
         <source>Fill</source>
         <translation>Vullen</translation>
+    </message>
+    <message>
+        <source>Layer blend mode</source>
+        <translation>Mengmodus van laag</translation>
+    </message>
+    <message>
+        <source>Group layers</source>
+        <translation>Lagen groeperen</translation>
+    </message>
+    <message>
+        <source>Ungroup layers</source>
+        <translation>Groep opheffen</translation>
     </message>
 </context>
 <context>
@@ -3418,6 +3454,36 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>, opacity %1 %</source>
         <translation>, dekking %1 %</translation>
     </message>
+    <message>
+        <source>, multiplies</source>
+        <translation>, vermenigvuldigt</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Groep %1</translation>
+    </message>
+    <message>
+        <source>, in the group %1</source>
+        <translation>, in de groep %1</translation>
+    </message>
+    <message>
+        <source>%1 (group), %2, %3, %4</source>
+        <translation>%1 (groep), %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>collapsed</source>
+        <translation>ingeklapt</translation>
+    </message>
+    <message>
+        <source>expanded</source>
+        <translation>uitgeklapt</translation>
+    </message>
+    <message>
+        <source>%1
+Double-click to rename, drag to move, drag layers into it</source>
+        <translation>%1
+Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3492,6 +3558,26 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Opacity of the layer</source>
         <translation>Dekking van de laag</translation>
+    </message>
+    <message>
+        <source>&amp;Blend mode:</source>
+        <translation>&amp;Mengmodus:</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normaal</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Vermenigvuldigen</translation>
+    </message>
+    <message>
+        <source>Blend mode of the layer</source>
+        <translation>Mengmodus van de laag</translation>
+    </message>
+    <message>
+        <source>Multiply makes what is below darker, for shading on line art</source>
+        <translation>Vermenigvuldigen maakt donkerder wat eronder ligt: voor schaduw op lijnen</translation>
     </message>
 </context>
 <context>
@@ -4003,6 +4089,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Left out, because the format has only lines: fills (%1) and pictures to draw over (%2).</source>
         <translation>Weggelaten, omdat het formaat alleen lijnen heeft: vullingen (%1) en afbeeldingen om over te trekken (%2).</translation>
+    </message>
+    <message>
+        <source>Blend modes that became normal: %1.</source>
+        <translation>Mengmodi die normaal werden: %1.</translation>
+    </message>
+    <message>
+        <source>Groups of layers that were dissolved: %1.</source>
+        <translation>Opgeheven groepen van lagen: %1.</translation>
     </message>
 </context>
 <context>

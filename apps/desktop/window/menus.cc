@@ -47,7 +47,8 @@ constexpr std::array kMenus{
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
             "layer.add layer.duplicate layer.merge layer.rename layer.remove - layer.show "
-            "layer.lock layer.export_picture - layer.raise layer.lower - layer.*"},
+            "layer.lock layer.export_picture - layer.raise layer.lower - layer.group "
+            "layer.ungroup layer.leave_group - layer.*"},
     MenuRow{
         "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
         "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "

@@ -5,11 +5,13 @@
 #include <cerrno>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/fill_blob.h"
+#include "felt/store/layer_group_table.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -34,8 +36,8 @@ Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
   return {};
 }
 
-/// Reads the layers of a base into a new document.
-Result<void> read_layers(ByteReader& in, Document& document) {
+/// Reads the layers of a base as an edit of a new document.
+Result<Edit> read_layers(ByteReader& in, const Document& document) {
   const std::uint32_t count = in.u32();
   if (!in.has(count, kMinLayerBytes) || count == 0)
     return invalid_data("the list of layers is incomplete");
@@ -48,6 +50,7 @@ Result<void> read_layers(ByteReader& in, Document& document) {
     const std::uint8_t flags = in.u8();
     change.after->visible = (flags & kRowVisible) != 0;
     change.after->locked = (flags & kRowLocked) != 0;
+    change.after->blend = blend_of_flags(flags);
     if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr);
     if (change.id == first.id) {
       edit.layers.front().after = std::move(change.after);
@@ -57,7 +60,21 @@ Result<void> read_layers(ByteReader& in, Document& document) {
     }
   }
   if (!in.ok()) return invalid_data("the list of layers is incomplete");
-  return document.apply(edit);
+  return edit;
+}
+
+/// Reads the groups of the layers of a base, which a base of an older program does not have. They
+/// are in the order of the layers.
+void read_groups(ByteReader& in, Edit& edit) {
+  if (in.left() == 0) return;
+  std::vector<LayerChange*> layers(edit.layers.size());
+  for (LayerChange& c : edit.layers) {
+    if (c.after) layers[c.after_index] = &c;
+  }
+  for (LayerChange* c : layers) {
+    if (c) c->after->group = read_layer_group(in);
+  }
+  separate_groups_of(edit);
 }
 
 }  // namespace
@@ -100,12 +117,14 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     const bool has_look = layer.opacity != 1.0 || layer.picture;
     out.u64(layer.id.value);
     out.text(std::string_view(layer.name).substr(0, kMaxTextBytes));
-    out.u8(static_cast<std::uint8_t>((layer.visible ? kRowVisible : 0) |
-                                     (layer.locked ? kRowLocked : 0) |
-                                     (has_look ? kRowHasLook : 0)));
+    out.u8(static_cast<std::uint8_t>((layer.own_visible ? kRowVisible : 0) |
+                                     (layer.own_locked ? kRowLocked : 0) |
+                                     (has_look ? kRowHasLook : 0) | flags_of_blend(layer.blend)));
     if (has_look) append_layer_look(out, layer.state(), nullptr);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
+  // The groups are last, because programs from before groups ignore what follows the page.
+  for (const Layer& layer : document.layers()) append_layer_group(out, layer.group);
   return bytes;
 }
 
@@ -114,10 +133,13 @@ Result<Drawing> read_base_head(std::string_view bytes) {
   const StrokeId last_stroke{in.u64()};
   const LayerId last_layer{in.u64()}, in_use{in.u64()};
   Document document;
-  if (auto ok = read_layers(in, document); !ok) return tl::unexpected(ok.error());
-  document.reserve_ids(last_stroke, last_layer);
+  Result<Edit> layers = read_layers(in, document);
+  if (!layers) return tl::unexpected(layers.error());
   Result<Drawing> drawing = parse_felt(in.text(kMaxHeadBytes));
   if (!drawing) return drawing;
+  read_groups(in, *layers);
+  if (auto ok = document.apply(*layers); !ok) return tl::unexpected(ok.error());
+  document.reserve_ids(last_stroke, last_layer);
   drawing->document = std::move(document);
   drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};
   return drawing;

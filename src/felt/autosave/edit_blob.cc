@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kVersionWithFills = 2;
+constexpr std::uint8_t kVersionWithGroups = 3;  // has the groups of all changed layers at its end
 constexpr std::size_t kMaxNameBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
@@ -51,7 +52,8 @@ void write_layer(ByteWriter& out, const LayerChange& c) {
   }
   const bool has_look = c.after->opacity != 1.0 || c.after->picture;
   out.u8(static_cast<std::uint8_t>(kIsThere | (c.after->visible ? kVisible : 0) |
-                                   (c.after->locked ? kLocked : 0) | (has_look ? kHasLook : 0)));
+                                   (c.after->locked ? kLocked : 0) | (has_look ? kHasLook : 0) |
+                                   flags_of_blend(c.after->blend)));
   out.u64(c.after_index);
   out.text(c.after->name);
   const LayerPicture* before = c.before ? c.before->picture.get() : nullptr;
@@ -94,6 +96,7 @@ LayerChange read_layer(ByteReader& in, const Document& document) {
   c.after_index = in.u64();
   c.after = LayerState{std::string(in.text(kMaxNameBytes)), (flags & kVisible) != 0,
                        (flags & kLocked) != 0};
+  c.after->blend = blend_of_flags(flags);
   if ((flags & kHasLook) == 0) return c;
   const Layer* before = document.layer(c.id);
   read_layer_look(in, *c.after, before && before->picture ? before->picture->data : nullptr);
@@ -147,9 +150,20 @@ Result<void> find_layers(const Document& document, std::vector<LayerChange>& cha
 
 }  // namespace
 
+namespace {
+
+bool has_groups(const Edit& edit) {
+  return std::any_of(edit.layers.begin(), edit.layers.end(),
+                     [](const LayerChange& c) { return c.after && c.after->group; });
+}
+
+}  // namespace
+
 Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   ByteWriter writer(out);
-  writer.u8(edit.fills.empty() ? kVersion : kVersionWithFills);
+  const bool with_groups = has_groups(edit);
+  const bool with_fills = with_groups || !edit.fills.empty();
+  writer.u8(with_groups ? kVersionWithGroups : with_fills ? kVersionWithFills : kVersion);
   writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
   for (const LayerChange& c : edit.layers) write_layer(writer, c);
@@ -157,10 +171,14 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   for (const StrokeChange& c : edit.changes) {
     if (auto ok = write_stroke(writer, c); !ok) return ok;
   }
-  if (edit.fills.empty()) return {};
+  if (!with_fills) return {};
   writer.u32(static_cast<std::uint32_t>(edit.fills.size()));
   for (const FillChange& c : edit.fills) {
     if (auto ok = write_fill(writer, c); !ok) return ok;
+  }
+  if (!with_groups) return {};
+  for (const LayerChange& c : edit.layers) {
+    append_layer_group(writer, c.after ? c.after->group : nullptr);
   }
   return {};
 }
@@ -172,7 +190,7 @@ namespace {
 Result<Edit> parse(std::string_view bytes, const Document& document) {
   ByteReader in(bytes);
   const std::uint8_t version = in.u8();
-  if (version != kVersion && version != kVersionWithFills)
+  if (version < kVersion || version > kVersionWithGroups)
     return invalid_data("the edit has an unknown version");
   Edit edit;
   edit.label = std::string(in.text(kMaxNameBytes));
@@ -187,12 +205,16 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
     if (!change) return tl::unexpected(change.error());
     edit.changes.push_back(*std::move(change));
   }
-  const std::uint32_t fills = version == kVersionWithFills ? in.u32() : 0;
+  const std::uint32_t fills = version >= kVersionWithFills ? in.u32() : 0;
   if (!in.has(fills, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   for (std::uint32_t i = 0; i < fills; ++i) {
     Result<FillChange> change = read_fill(in);
     if (!change) return tl::unexpected(change.error());
     edit.fills.push_back(*std::move(change));
+  }
+  for (std::size_t i = 0; version == kVersionWithGroups && i < edit.layers.size(); ++i) {
+    const LayerGroupPtr group = read_layer_group(in);
+    if (edit.layers[i].after) edit.layers[i].after->group = group;
   }
   if (!in.ok() || in.left() > 0)
     return invalid_data("the edit does not have the length that it states");
@@ -250,6 +272,7 @@ Result<void> apply_what_fits(std::string_view bytes, Document& document) {
     if (!change.after || document.layer(change.id)) continue;
     Edit add;
     add.layers.push_back({change.id, std::nullopt, change.after, 0, document.layers().size()});
+    add.layers.back().after->group = nullptr;  // the others of its group may be elsewhere
     static_cast<void>(document.apply(add));
   }
   for (StrokeChange& change : edit->changes) force(std::move(change), document);

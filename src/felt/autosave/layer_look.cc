@@ -1,6 +1,7 @@
 #include "felt/autosave/layer_look.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace felt {
@@ -8,7 +9,21 @@ namespace {
 
 enum class PictureBytes : std::uint8_t { kNone, kKnown, kHere };
 
+constexpr unsigned kBlendShift = 4;
+constexpr std::uint8_t kGroupVisible = 1, kGroupLocked = 2;  // flags of a group
+constexpr std::size_t kMaxGroupNameBytes = 4096;
+static_assert(kBlendModeNames.size() <= 16);
+
 }  // namespace
+
+std::uint8_t flags_of_blend(BlendMode blend) noexcept {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(blend) << kBlendShift);
+}
+
+BlendMode blend_of_flags(std::uint8_t flags) noexcept {
+  const unsigned mode = static_cast<unsigned>(flags) >> kBlendShift;
+  return mode < kBlendModeNames.size() ? static_cast<BlendMode>(mode) : BlendMode::kNormal;
+}
 
 void append_layer_look(ByteWriter& out, const LayerState& state, const PictureData* known) {
   out.f64(state.opacity);
@@ -41,6 +56,29 @@ void read_layer_look(ByteReader& in, LayerState& state,
   }
   if (!in.ok() || !picture.data || !is_picture_place(picture.place)) return;
   state.picture = std::make_shared<const LayerPicture>(std::move(picture));
+}
+
+void append_layer_group(ByteWriter& out, const LayerGroupPtr& group) {
+  out.u64(group ? group->id.value : 0);
+  if (!group) return;
+  out.text(std::string_view(group->name).substr(0, kMaxGroupNameBytes));
+  out.u8(static_cast<std::uint8_t>((group->visible ? kGroupVisible : 0) |
+                                   (group->locked ? kGroupLocked : 0) |
+                                   flags_of_blend(group->blend)));
+  out.f64(group->opacity);
+}
+
+LayerGroupPtr read_layer_group(ByteReader& in) {
+  LayerGroup group{.id = {in.u64()}, .name = {}};
+  if (!group.id) return nullptr;
+  group.name = std::string(in.text(kMaxGroupNameBytes));
+  const std::uint8_t flags = in.u8();
+  group.visible = (flags & kGroupVisible) != 0;
+  group.locked = (flags & kGroupLocked) != 0;
+  group.blend = blend_of_flags(flags);
+  group.opacity = in.f64();
+  if (!in.ok() || !(group.opacity >= 0.0 && group.opacity <= 1.0)) return nullptr;
+  return std::make_shared<const LayerGroup>(std::move(group));
 }
 
 }  // namespace felt

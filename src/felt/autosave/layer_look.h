@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "felt/document/edit.h"
@@ -11,9 +12,20 @@ namespace felt {
 /// of the picture are left out; the reader then needs the same `known`.
 void append_layer_look(ByteWriter& out, const LayerState& state, const PictureData* known);
 
+/// The blend mode of a layer is in the upper four bits of the flags of the layer, because programs
+/// from before blend modes ignore these bits: they recover the layer as a normal one.
+std::uint8_t flags_of_blend(BlendMode blend) noexcept;
+/// Returns the mode in these flags. A mode that does not exist gives kNormal.
+BlendMode blend_of_flags(std::uint8_t flags) noexcept;
+
 /// Reads what append_layer_look() has written into `state`. Invalid bytes give an opacity of 1, or
 /// no picture.
 void read_layer_look(ByteReader& in, LayerState& state,
                      const std::shared_ptr<const PictureData>& known);
+
+/// Appends a group of layers, which may be null.
+void append_layer_group(ByteWriter& out, const LayerGroupPtr& group);
+/// Reads what append_layer_group() has written. Invalid bytes give null.
+LayerGroupPtr read_layer_group(ByteReader& in);
 
 }  // namespace felt

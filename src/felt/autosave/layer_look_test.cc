@@ -48,5 +48,73 @@ TEST(AutosaveLook, ABaseHoldsTheLooksOfItsLayers) {
   EXPECT_TRUE(back.document == drawing.document);
 }
 
+/// Returns a document of a multiplying layer, which is in a group, and a normal one.
+Document with_group() {
+  Document document;
+  const Layer& ink = document.layers()[0];
+  LayerState state = ink.state();
+  state.blend = BlendMode::kMultiply;
+  state.group = std::make_shared<const LayerGroup>(
+      LayerGroup{{3}, "Cat", false, true, 0.25, BlendMode::kMultiply});
+  Edit edit;
+  edit.layers.push_back({ink.id, ink.state(), state, 0, 0});
+  edit.layers.push_back({{2}, std::nullopt, LayerState{"Top"}, 0, 1});
+  EXPECT_TRUE(document.apply(edit));
+  return document;
+}
+
+TEST(AutosaveLook, ABlendModeTakesNoBytesSoThatOlderProgramsReadTheEdit) {
+  EXPECT_EQ(blend_of_flags(flags_of_blend(BlendMode::kMultiply)), BlendMode::kMultiply);
+  EXPECT_EQ(blend_of_flags(0xff), BlendMode::kNormal) << "a mode of a newer program";
+  const Document document;
+  const LayerState before = document.layers()[0].state();
+  LayerState after = before;
+  after.blend = BlendMode::kMultiply;
+  Edit edit;
+  edit.layers.push_back({{1}, before, after, 0, 0});
+  std::string bytes, plain;
+  ASSERT_TRUE(append_edit_blob(bytes, edit));
+  EXPECT_EQ(read_edit_blob(bytes, document).value(), edit);
+  edit.layers[0].after->blend = BlendMode::kNormal;
+  ASSERT_TRUE(append_edit_blob(plain, edit));
+  ASSERT_EQ(bytes.size(), plain.size());
+  int changed = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (bytes[i] == plain[i]) continue;
+    ++changed;
+    EXPECT_EQ((bytes[i] ^ plain[i]) & 0x0f, 0) << "the flags that older programs read";
+  }
+  EXPECT_EQ(changed, 1);
+}
+
+TEST(AutosaveLook, EditsAndBasesHoldGroups) {
+  const Document document = with_group();
+  Edit edit;  // changes the group of the lower layer
+  const LayerState before = document.layers()[0].state();
+  LayerState after = before;
+  LayerGroup group = *before.group;
+  group.opacity = 0.75;
+  after.group = std::make_shared<const LayerGroup>(group);
+  edit.layers.push_back({{1}, before, after, 0, 0});
+  edit.layers.push_back({{2}, document.layers()[1].state(), std::nullopt, 1, 0});
+  std::string bytes;
+  ASSERT_TRUE(append_edit_blob(bytes, edit));
+  EXPECT_EQ(read_edit_blob(bytes, document).value(), edit);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(read_edit_blob(bytes.substr(0, size), document)) << size;
+  }
+  Drawing drawing;
+  drawing.document = document;
+  const std::string head = base_head_bytes(drawing).value();
+  EXPECT_TRUE(read_base_head(head).value().document == document);
+  // A base without groups is one of an older program, which has no bytes after the page.
+  std::string group_bytes;
+  ByteWriter out(group_bytes);
+  for (const Layer& layer : document.layers()) append_layer_group(out, layer.group);
+  const Drawing old = read_base_head(head.substr(0, head.size() - group_bytes.size())).value();
+  EXPECT_FALSE(old.document.layers()[0].group);
+  EXPECT_EQ(old.document.layers()[0].blend, BlendMode::kMultiply);
+}
+
 }  // namespace
 }  // namespace felt::layer_look_test

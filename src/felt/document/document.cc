@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "felt/base/check.h"
 #include "felt/document/reorder.h"
@@ -110,8 +111,33 @@ class Document::Plan {
         })
         .and_then([&]() -> Result<void> {
           if (layer_order_.empty()) return misfit("no layer would be left");
-          return {};
+          return check_groups();
         });
+  }
+
+  /// Checks that the layers of every group are neighbours and have equal groups after the edit.
+  [[nodiscard]] Result<void> check_groups() const {
+    if (edit_.layers.empty()) return {};
+    std::map<LayerId, LayerGroupPtr> groups;
+    for (const Layer& l : document_.layers_) groups[l.id] = l.group;
+    for (const LayerChange& c : edit_.layers) {
+      if (c.after) groups[c.id] = c.after->group;
+    }
+    std::set<GroupId> done;
+    LayerGroupPtr last;
+    for (const LayerId id : layer_order_) {
+      const LayerGroupPtr& group = groups[id];
+      if (!same_group(group, last)) {
+        if (last) done.insert(last->id);
+        last = group;
+      }
+      if (!group) continue;
+      const std::string name = "group " + std::to_string(group->id.value);
+      if (!group->id) return misfit("a group without an id");
+      if (done.contains(group->id)) return misfit("the layers of " + name + " are not neighbours");
+      if (!equal_groups(group, last)) return misfit("the layers of " + name + " differ in it");
+    }
+    return {};
   }
 
   /// Checks the changes of strokes or of fills, and computes the new orders in their layers.
@@ -189,10 +215,14 @@ class Document::Plan {
     if (c.after) {
       Layer* l = layer(c.id);
       l->name = c.after->name;
-      l->visible = c.after->visible;
-      l->locked = c.after->locked;
+      l->visible = is_visible(*c.after);
+      l->locked = is_locked(*c.after);
+      l->own_visible = c.after->visible;
+      l->own_locked = c.after->locked;
+      l->group = c.after->group;
       l->opacity = c.after->opacity;
       l->picture = c.after->picture;
+      l->blend = c.after->blend;
     }
     document_.last_layer_id_ = std::max(document_.last_layer_id_, c.id.value);
   }
@@ -310,6 +340,20 @@ const Layer* Document::layer(LayerId id) const noexcept {
   const auto found =
       std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == id; });
   return found == layers_.end() ? nullptr : &*found;
+}
+
+GroupId Document::new_group_id() const noexcept {
+  GroupId last;
+  for (const Layer& l : layers_) {
+    if (l.group) last = std::max(last, l.group->id);
+  }
+  return {last.value + 1};
+}
+
+LayerGroupPtr Document::group(GroupId id) const noexcept {
+  const auto found = std::find_if(layers_.begin(), layers_.end(),
+                                  [id](const Layer& l) { return l.group && l.group->id == id; });
+  return found == layers_.end() ? nullptr : found->group;
 }
 
 void Document::reserve_ids(StrokeId stroke, LayerId layer) noexcept {

@@ -17,14 +17,20 @@ namespace felt {
 struct Layer {
   LayerId id;
   std::string name;
-  bool visible = true;
-  bool locked = false;
+  bool visible = true;  ///< the layer and its group are visible
+  bool locked = false;  ///< the layer or its group is locked
   double opacity = 1.0;
   LayerPicturePtr picture = {};
+  BlendMode blend = BlendMode::kNormal;
+  LayerGroupPtr group = {};
   std::vector<StrokeId> strokes;  ///< the lowest first
   std::vector<FillId> fills{};    ///< the lowest first
+  bool own_visible = true;        ///< without its group
+  bool own_locked = false;        ///< without its group
 
-  [[nodiscard]] LayerState state() const { return {name, visible, locked, opacity, picture}; }
+  [[nodiscard]] LayerState state() const {
+    return {name, own_visible, own_locked, opacity, picture, blend, group};
+  }
   friend bool operator==(const Layer& a, const Layer& b) {
     return a.id == b.id && a.state() == b.state() && a.strokes == b.strokes && a.fills == b.fills;
   }
@@ -36,6 +42,7 @@ struct Layer {
 ///
 /// Every stroke and every fill is in exactly one layer, once. A document always has at least one
 /// layer. The id of a removed stroke or fill is not reused; strokes and fills share one counter.
+/// The layers of a group are neighbours and have equal groups.
 /// Only tools respect locked layers: the document applies every edit that fits, because undo would
 /// fail otherwise.
 class Document {
@@ -73,7 +80,13 @@ class Document {
     return {last_id_ + 1 + n};
   }
   /// Returns an id that no layer of this document ever had.
-  [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
+  [[nodiscard]] LayerId new_layer_id(std::uint64_t n = 0) const noexcept {
+    return {last_layer_id_ + 1 + n};
+  }
+  /// Returns an id that no group of this document has. It is one more than the largest one.
+  [[nodiscard]] GroupId new_group_id() const noexcept;
+  /// Returns the group with this id, or null if no layer is in such a group.
+  [[nodiscard]] LayerGroupPtr group(GroupId id) const noexcept;
 
   /// Marks all ids up to these as used; that of a stroke also counts for fills. Readers of files
   /// call this so that ids used before the drawing was saved are not reused.

@@ -1,32 +1,18 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "felt/document/blend_mode.h"
+#include "felt/document/id.h"
+#include "felt/document/layer_group.h"
 #include "felt/document/layer_picture.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
-
-/// A typed number that names a stroke, layer or fill of a document. The id zero names nothing. Ids
-/// are never reused within a document, so an id in an undo step always means the same object.
-template <class Tag>
-struct Id {
-  std::uint64_t value = 0;
-
-  /// Returns true if the id is not zero.
-  [[nodiscard]] constexpr explicit operator bool() const noexcept { return value != 0; }
-  friend constexpr auto operator<=>(Id, Id) noexcept = default;
-};
-
-using StrokeId = Id<struct StrokeTag>;
-using LayerId = Id<struct LayerTag>;
-using FillId = Id<struct FillTag>;
 
 using StrokePtr = std::shared_ptr<const Stroke>;
 struct Fill;  // fill.h
@@ -74,14 +60,24 @@ struct LayerState {
   bool locked = false;           ///< tools do not change its strokes; undo can
   double opacity = 1.0;          ///< 0..1, of the layer as a whole: its strokes do not show through
   LayerPicturePtr picture = {};  ///< below the strokes; null for most layers
+  BlendMode blend = BlendMode::kNormal;  ///< of the layer as a whole with what is below it
+  LayerGroupPtr group = {};              ///< null if the layer is in no group
 
   /// Compares by value.
   friend bool operator==(const LayerState& a, const LayerState& b) {
     return a.name == b.name && a.visible == b.visible && a.locked == b.locked &&
-           a.opacity == b.opacity &&
+           a.opacity == b.opacity && a.blend == b.blend && equal_groups(a.group, b.group) &&
            (a.picture == b.picture || (a.picture && b.picture && *a.picture == *b.picture));
   }
 };
+
+/// Return true if the layer and its group are visible, and if the layer or its group is locked.
+[[nodiscard]] inline bool is_visible(const LayerState& layer) noexcept {
+  return layer.visible && (!layer.group || layer.group->visible);
+}
+[[nodiscard]] inline bool is_locked(const LayerState& layer) noexcept {
+  return layer.locked || (layer.group && layer.group->locked);
+}
 
 /// The change of one layer: added (`before` is empty), removed (`after` is empty; the same edit
 /// must remove or move its strokes and fills), moved, or given another state. Indices are absolute,

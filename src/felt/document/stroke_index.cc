@@ -115,7 +115,7 @@ void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
   }
   for (const LayerChange& c : edit.layers) {
     if (c.after) {
-      layers_[c.id].editable = c.after->visible && !c.after->locked;
+      layers_[c.id].editable = is_visible(*c.after) && !is_locked(*c.after);
     } else {
       layers_.erase(c.id);
     }

@@ -57,23 +57,29 @@ std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
   return std::make_unique<WholeFile>(std::move(bytes));
 }
 
-/// Returns the drawing with the opacity of each layer applied to its strokes and fills, for formats
-/// without translucent layers. Where those of such a layer overlap, they show through. A layer with
-/// a picture keeps its opacity, for the picture.
+/// Returns the drawing with the opacity of each layer and its group applied to its strokes and
+/// fills, for formats without translucent layers. Where those of such a layer overlap, they show
+/// through.
 Drawing with_faded_strokes(const Drawing& drawing) {
   Drawing faded = drawing;
   Edit edit{"Fade", {}, {}};
   std::size_t position = 0;
   for (const Layer& layer : drawing.document.layers()) {
     const std::size_t at = position++;
-    if (layer.opacity == 1.0) continue;
+    const double opacity = layer.opacity * (layer.group ? layer.group->opacity : 1.0);
+    if (opacity == 1.0) continue;
     LayerState state = layer.state();
-    if (!layer.picture) state.opacity = 1.0;
+    state.opacity = 1.0;
+    if (state.group) {
+      LayerGroup group = *state.group;
+      group.opacity = 1.0;
+      state.group = std::make_shared<const LayerGroup>(std::move(group));
+    }
     edit.layers.push_back({layer.id, layer.state(), std::move(state), at, at});
     for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
       const StrokePtr stroke = drawing.document.find(layer.strokes[i]);
       StrokeData data = stroke->data();
-      data.color.a = static_cast<std::uint8_t>(std::lround(layer.opacity * data.color.a));
+      data.color.a = static_cast<std::uint8_t>(std::lround(opacity * data.color.a));
       const StrokePlace place{layer.id, i};
       edit.changes.push_back(
           {layer.strokes[i], stroke,
@@ -82,7 +88,7 @@ Drawing with_faded_strokes(const Drawing& drawing) {
     for (std::size_t i = 0; i < layer.fills.size(); ++i) {
       const FillPtr fill = drawing.document.find_fill(layer.fills[i]);
       Fill other = *fill;
-      other.color.a = static_cast<std::uint8_t>(std::lround(layer.opacity * other.color.a));
+      other.color.a = static_cast<std::uint8_t>(std::lround(opacity * other.color.a));
       const StrokePlace place{layer.id, i};
       edit.fills.push_back(
           {layer.fills[i], fill, std::make_shared<const Fill>(std::move(other)), place, place});
@@ -119,14 +125,13 @@ class PartsOfCopy final : public DrawingParts {
   std::unique_ptr<DrawingParts> parts_;
 };
 
-/// Returns true if the format and the options cannot show a translucent layer as a whole.
-bool must_fade_strokes(const Drawing& drawing, FileFormat format, const WriteOptions& options) {
-  const bool has_layers = format == FileFormat::kFelt || format == FileFormat::kPng ||
-                          format == FileFormat::kNdjson || format == FileFormat::kInkml ||
-                          (format == FileFormat::kSvg && !options.compact);
+/// Returns true if the format cannot show a translucent layer as a whole.
+bool must_fade_strokes(const Drawing& drawing, FileFormat format) {
   const std::span<const Layer> layers = drawing.document.layers();
-  return !has_layers && std::any_of(layers.begin(), layers.end(),
-                                    [](const Layer& layer) { return layer.opacity < 1.0; });
+  return format == FileFormat::kXopp &&
+         std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
+           return layer.opacity < 1.0 || (layer.group && layer.group->opacity < 1.0);
+         });
 }
 
 Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, FileFormat format,
@@ -167,7 +172,7 @@ Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, 
 
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options) {
-  if (!must_fade_strokes(drawing, format, options)) {
+  if (!must_fade_strokes(drawing, format)) {
     return parts_as_they_are(drawing, format, options);
   }
   auto parts = std::make_unique<PartsOfCopy>(with_faded_strokes(drawing));

@@ -51,7 +51,74 @@ TEST(LayerLooks, OtherFormatsFadeTheStrokes) {
   const Drawing back = read_back(FileFormat::kXopp);
   const StrokePtr stroke = back.document.find(back.document.layers()[0].strokes[0]);
   EXPECT_EQ(stroke->color().a, 100);
-  EXPECT_THAT(bytes_in(FileFormat::kPdf), HasSubstr("/A100"));
+}
+
+TEST(LayerLooks, PdfAndCompactSvgFadeTheLayerAsAWhole) {
+  const std::string pdf = bytes_in(FileFormat::kPdf);
+  EXPECT_THAT(pdf, HasSubstr("/A200 <<"));
+  EXPECT_THAT(pdf, HasSubstr("/L1 << /ca 0.5 /BM /Normal >>"));
+  EXPECT_THAT(pdf, HasSubstr("/Subtype /Form"));
+  const std::string svg =
+      drawing_bytes(faded_drawing(), FileFormat::kSvg, {.compact = true}).value();
+  EXPECT_THAT(svg, HasSubstr("<g opacity=\"0.5\">\n<path"));
+}
+
+/// Returns a drawing of three layers: the upper two are in a group. All multiply.
+Drawing grouped_drawing() {
+  DrawingBuilder builder;
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    LayerState state{"Layer " + std::to_string(i)};
+    state.blend = BlendMode::kMultiply;
+    if (i > 1) {
+      state.group = std::make_shared<const LayerGroup>(
+          LayerGroup{{5}, "A & B", true, true, 0.25, BlendMode::kMultiply});
+    }
+    builder.add(builder.add_layer(std::move(state)), testing::random_stroke(i), "");
+  }
+  return std::move(builder).build();
+}
+
+TEST(LayerLooks, SvgAndInkmlKeepBlendModesAndGroups) {
+  const Drawing drawing = grouped_drawing();
+  for (const FileFormat format : {FileFormat::kSvg, FileFormat::kInkml, FileFormat::kFelt}) {
+    const std::string bytes = drawing_bytes(drawing, format).value();
+    const Drawing back = parse_drawing(bytes, "file").value().drawing;
+    EXPECT_TRUE(back.document == drawing.document);
+    EXPECT_EQ(lost_objects(drawing.document, format), LostObjects());
+  }
+  EXPECT_THAT(drawing_bytes(drawing, FileFormat::kSvg).value(),
+              HasSubstr("inkscape:label=\"A &amp; B\" sodipodi:insensitive=\"true\" "
+                        "style=\"display:inline;opacity:0.25;mix-blend-mode:multiply\">"));
+}
+
+TEST(LayerLooks, PicturesOfBlendModesAndGroups) {
+  const Drawing drawing = grouped_drawing();
+  const std::string pdf = drawing_bytes(drawing, FileFormat::kPdf).value();
+  EXPECT_THAT(pdf, HasSubstr("/L1 << /ca 1 /BM /Multiply >>"));
+  EXPECT_THAT(pdf, HasSubstr("/L4 << /ca 0.25 /BM /Multiply >>")) << "the group of two layers";
+  EXPECT_THAT(pdf, Not(HasSubstr("/L5 <<")));
+  const std::string svg = drawing_bytes(drawing, FileFormat::kSvg, {.compact = true}).value();
+  EXPECT_THAT(svg, HasSubstr("<g opacity=\"0.25\" style=\"mix-blend-mode:multiply\">\n"
+                             "<g style=\"mix-blend-mode:multiply\">\n<path"));
+  for (const FileFormat format : {FileFormat::kPdf, FileFormat::kPng}) {
+    EXPECT_EQ(lost_objects(drawing.document, format), LostObjects());
+  }
+  EXPECT_EQ(lost_objects(drawing.document, FileFormat::kSvg, true), LostObjects());
+}
+
+TEST(LayerLooks, XoppAndNdjsonLoseBlendModesAndGroups) {
+  const Drawing drawing = grouped_drawing();
+  EXPECT_EQ(lost_objects(drawing.document, FileFormat::kXopp), (LostObjects{0, 0, 4, 1}));
+  EXPECT_EQ(lost_objects(drawing.document, FileFormat::kNdjson), (LostObjects{0, 0, 4, 0}));
+  const Drawing back =
+      parse_drawing(drawing_bytes(drawing, FileFormat::kXopp).value(), "file").value().drawing;
+  ASSERT_EQ(back.document.layers().size(), 3U);
+  EXPECT_FALSE(back.document.layers()[2].group);
+  const auto alpha = [](const Document& document, std::size_t layer) {
+    return int{document.find(document.layers()[layer].strokes[0])->color().a};
+  };
+  EXPECT_NEAR(alpha(back.document, 2), 0.25 * alpha(drawing.document, 2), 0.6)
+      << "the opacity of the group goes to the strokes";
 }
 
 TEST(LayerLooks, PicturesAreLeftOutUnlessAskedFor) {

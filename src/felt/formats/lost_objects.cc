@@ -8,11 +8,20 @@ LostObjects lost_objects(const Document& document, FileFormat format, bool compa
   const FormatTraits& traits = traits_of(format);
   const bool has_fills = format == FileFormat::kFelt || traits.picture;
   const bool has_pictures = format == FileFormat::kFelt || (traits.picture && !compact);
+  const bool has_blends = has_fills || format == FileFormat::kInkml;
+  const bool has_groups = !traits.layers || compact || has_blends;
+  const LayerGroup* last = nullptr;
   LostObjects lost;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible && !traits.layers) continue;
     if (!has_fills) lost.fills += layer.fills.size();
     if (!has_pictures && layer.picture) ++lost.pictures;
+    const bool begins_group = layer.group && (!last || last->id != layer.group->id);
+    last = layer.group.get();
+    if (!has_groups && begins_group) ++lost.groups;
+    if (has_blends) continue;
+    if (layer.blend != BlendMode::kNormal) ++lost.blends;
+    if (begins_group && layer.group->blend != BlendMode::kNormal) ++lost.blends;
   }
   return lost;
 }

@@ -98,8 +98,22 @@ Edit DrawingBuilder::edit() const {
   return edit;
 }
 
+void DrawingBuilder::number_groups() {
+  std::vector<LayerGroupPtr*> groups;
+  for (NewLayer& layer : layers_) groups.push_back(&layer.state.group);
+  separate_groups(groups, GroupNumbers::kFromOne);
+  for (NewLayer& layer : layers_) {
+    LayerGroupPtr& shared = layer.state.group;
+    if (!shared || is_layer_name(shared->name)) continue;
+    LayerGroup group = *shared;
+    group.name = "Group " + std::to_string(group.id.value);
+    shared = std::make_shared<const LayerGroup>(std::move(group));
+  }
+}
+
 Drawing DrawingBuilder::build() && {
   if (layers_.empty()) add_layer({"Ink"});
+  number_groups();
   FELT_CHECK(drawing_.document.apply(edit()).has_value());
   make_valid(drawing_.page);
   return std::move(drawing_);

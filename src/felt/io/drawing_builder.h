@@ -30,7 +30,8 @@ class DrawingBuilder {
   [[nodiscard]] Drawing& drawing() noexcept { return drawing_; }
 
   /// Adds a layer on top and returns its index. If the name is empty, too long, not UTF-8 or has a
-  /// NUL, the layer is named after its position: "Layer 3".
+  /// NUL, the layer is named after its position: "Layer 3". Neighbours with groups of the same id
+  /// are in one group; build() numbers the groups from 1.
   std::size_t add_layer(LayerState state);
   /// Replaces the state of a layer. Requires an index from add_layer(); the name has the same
   /// rules.
@@ -61,6 +62,7 @@ class DrawingBuilder {
     std::vector<std::pair<std::uint64_t, FillPtr>> fills{};  // with the requested ids
   };
   [[nodiscard]] Edit edit() const;
+  void number_groups();
 
   Drawing drawing_{.has_page = false};
   std::vector<NewLayer> layers_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/blend_mode.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -47,7 +48,12 @@ void fill(Pixels target, PixelRect area, Rgba color) noexcept;
 
 /// Blends `area` of a picture, made more transparent by `opacity` (0..1), over the same area of
 /// another one. Requires that both have the same order of bytes and contain the area.
-void blend(Pixels from, PixelRect area, double opacity, Pixels target) noexcept;
+///
+/// The formulas are those of CSS (https://www.w3.org/TR/compositing-1/#blending), as if the target
+/// were then drawn on opaque `paper`: where the target is transparent, BlendMode::kMultiply
+/// multiplies with the paper. White gives the result of CSS without paper.
+void blend(Pixels from, PixelRect area, double opacity, BlendMode mode, Rgba paper,
+           Pixels target) noexcept;
 
 /// A picture in memory, RGBA, premultiplied.
 class Image {

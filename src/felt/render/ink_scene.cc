@@ -205,8 +205,10 @@ void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage)
 }
 
 void InkScene::set_look(SceneLayer& layer, const LayerState& state) {
-  layer.is_visible = state.visible;
+  layer.is_visible = felt::is_visible(state);
   layer.opacity = state.opacity;
+  layer.blend = state.blend;
+  layer.group = state.group;
   const bool is_decoded =
       layer.picture && state.picture &&
       (layer.picture->data == state.picture->data || *layer.picture->data == *state.picture->data);
@@ -222,8 +224,10 @@ void InkScene::add_layers(const Edit& edit, InkDamage& damage) const {
   for (const LayerChange& c : edit.layers) {
     const auto found = layers_.find(c.id);
     if (found == layers_.end() || !found->second.is_visible) continue;
-    const bool same_ink = c.before && c.after && c.before->visible == c.after->visible &&
-                          c.before_index == c.after_index && c.before->opacity == c.after->opacity;
+    const bool same_ink =
+        c.before && c.after && c.before->visible == c.after->visible &&
+        c.before_index == c.after_index && c.before->opacity == c.after->opacity &&
+        c.before->blend == c.after->blend && equal_groups(c.before->group, c.after->group);
     if (same_ink && c.before->picture == c.after->picture) continue;
     const SceneLayer& layer = found->second;
     Rect all = layer.picture ? bounds_of(*layer.picture) : Rect{};
@@ -371,13 +375,14 @@ void InkScene::carry_out(const Edit& edit) {
 void InkScene::find(const Rect& area, std::vector<const SceneStroke*>& found,
                     std::optional<LayerId> above) const {
   found.clear();
+  const bool covers = above.has_value();
   for (const LayerId id : layer_order_) {
     if (above) {
       if (id == *above) above.reset();
       continue;
     }
     const SceneLayer& layer = layers_.at(id);
-    if (!layer.is_visible) continue;
+    if (!layer.is_visible || (covers && layer.is_blended())) continue;
     const auto first = static_cast<std::ptrdiff_t>(found.size());
     layer.grid.find(area, found);
     std::sort(found.begin() + first, found.end(),
@@ -391,13 +396,14 @@ void InkScene::find_ink(const Rect& area, std::vector<SceneInk>& found,
   find(area, strokes, above);
   found.clear();
   auto next = strokes.begin();
+  const bool covers = above.has_value();
   for (const LayerId id : layer_order_) {
     if (above) {
       if (id == *above) above.reset();
       continue;
     }
     const SceneLayer& layer = layers_.at(id);
-    if (!layer.is_visible) continue;
+    if (!layer.is_visible || (covers && layer.is_blended())) continue;
     for (const FillId fill_id : layer.fills) {
       const SceneFill& fill = fills_.at(fill_id);
       if (fill.box.intersects(area)) found.push_back({nullptr, &fill, &layer});
@@ -410,12 +416,14 @@ void InkScene::find_ink(const Rect& area, std::vector<SceneInk>& found,
 
 std::vector<const SceneLayer*> InkScene::special_layers(std::optional<LayerId> above) const {
   std::vector<const SceneLayer*> special;
+  const bool covers = above.has_value();
   for (const LayerId id : layer_order_) {
     if (above) {
       if (id == *above) above.reset();
       continue;
     }
     const SceneLayer& layer = layers_.at(id);
+    if (covers && layer.is_blended()) continue;
     if (layer.is_visible && layer.is_special()) special.push_back(&layer);
   }
   return special;

@@ -30,14 +30,24 @@ struct SceneLayer {
   bool is_visible = true;
   std::size_t position = 0;  ///< position among the layers; 0 is the lowest
   double opacity = 1.0;
+  BlendMode blend = BlendMode::kNormal;
+  LayerGroupPtr group;                          ///< null if the layer is in no group
   LayerPicturePtr picture;                      ///< null for most layers
   std::shared_ptr<const PicturePixels> pixels;  ///< of `picture`; null if it is damaged
   StrokeOrder order;
   StrokeGrid grid;
   std::vector<FillId> fills;  ///< the lowest first; all are below the strokes
 
+  /// Returns true if the layer, or its group, must be drawn as a whole and then blended.
+  [[nodiscard]] bool is_whole() const noexcept {
+    return opacity < 1.0 || blend != BlendMode::kNormal || (group && group->is_whole());
+  }
+  /// Returns true if the layer, or its group, does not cover what is below it.
+  [[nodiscard]] bool is_blended() const noexcept {
+    return blend != BlendMode::kNormal || (group && group->blend != BlendMode::kNormal);
+  }
   /// Returns true if drawing its strokes one by one does not give the picture of the layer.
-  [[nodiscard]] bool is_special() const noexcept { return opacity < 1.0 || pixels; }
+  [[nodiscard]] bool is_special() const noexcept { return is_whole() || pixels; }
 };
 
 /// A stroke or a fill that was found in a scene: one of the two pointers is set.
@@ -79,14 +89,15 @@ class InkScene {
 
   /// Replaces the content of `found` with all strokes that are in visible layers and have bounds
   /// touching the area, lowest first. The pointers are valid until the next change. If `above` is
-  /// set, finds only strokes of the layers above that layer.
+  /// set, finds only strokes that cover that layer: those of the layers above it that are not
+  /// blended (SceneLayer::is_blended).
   void find(const Rect& area, std::vector<const SceneStroke*>& found,
             std::optional<LayerId> above = {}) const;
   /// Does the same for strokes and fills. The fills of a layer come before its strokes.
   void find_ink(const Rect& area, std::vector<SceneInk>& found,
                 std::optional<LayerId> above = {}) const;
   /// Returns the visible layers for which SceneLayer::is_special() is true, lowest first. If
-  /// `above` is set, returns only layers above that layer.
+  /// `above` is set, returns only those of the layers that find() uses then.
   [[nodiscard]] std::vector<const SceneLayer*> special_layers(
       std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kFinestDpi = 100'000.0;
 constexpr double kWidestMarginMm = 10'000.0;
+constexpr Rgba kWhite{255, 255, 255,
+                      255};  // the page has its paper: where it has none, CSS applies
 
 /// Returns the number of pixels that cover a length. The last one may extend beyond it, but not
 /// because of rounding alone.
@@ -61,11 +63,33 @@ void PagePainter::draw(const Stroke& stroke) {
 }
 
 Result<void> PagePainter::draw(const Document& document, PictureChoice pictures) {
-  for (const Layer& layer : document.layers()) {
+  const std::span<const Layer> layers = document.layers();
+  for (std::size_t i = 0; i < layers.size();) {
+    const LayerGroupPtr& group = layers[i].group;
+    std::size_t end = i + 1;
+    while (end < layers.size() && same_group(group, layers[end].group)) ++end;
+    const std::span<const Layer> part = layers.subspan(i, end - i);
+    i = end;
+    if (!group || !group->is_whole() || !group->visible) {
+      if (auto ok = draw_layers(document, part, pictures, image_.pixels()); !ok) return ok;
+      continue;
+    }
+    Result<Image> whole = Image::create(image_.width(), image_.height());
+    if (!whole) return tl::unexpected(whole.error());
+    const Pixels pixels = whole->pixels();
+    if (auto ok = draw_layers(document, part, pictures, pixels); !ok) return ok;
+    blend(pixels, pixels.rect(), group->opacity, group->blend, kWhite, image_.pixels());
+  }
+  return {};
+}
+
+Result<void> PagePainter::draw_layers(const Document& document, std::span<const Layer> layers,
+                                      PictureChoice pictures, Pixels target) {
+  for (const Layer& layer : layers) {
     if (!layer.visible) continue;
     const LayerPicture* picture = exported_picture(layer, pictures);
     if (layer.strokes.empty() && layer.fills.empty() && !picture) continue;
-    if (auto ok = draw_layer(document, layer, picture); !ok) {
+    if (auto ok = draw_layer(document, layer, picture, target); !ok) {
       return tl::unexpected(with_context(ok.error(), "layer \"" + layer.name + '"'));
     }
   }
@@ -73,19 +97,20 @@ Result<void> PagePainter::draw(const Document& document, PictureChoice pictures)
 }
 
 Result<void> PagePainter::draw_layer(const Document& document, const Layer& layer,
-                                     const LayerPicture* picture) {
-  const bool is_group = layer.opacity < 1.0 && !(layer.strokes.empty() && layer.fills.empty());
-  std::optional<Image> group;
-  if (is_group) {
+                                     const LayerPicture* picture, Pixels target) {
+  const bool has_ink = !layer.strokes.empty() || !layer.fills.empty();
+  const bool is_whole = layer.blend != BlendMode::kNormal || (layer.opacity < 1.0 && has_ink);
+  std::optional<Image> whole;
+  if (is_whole) {
     Result<Image> made = Image::create(image_.width(), image_.height());
     if (!made) return tl::unexpected(made.error());
-    group = *std::move(made);
+    whole = *std::move(made);
   }
-  const Pixels pixels = group ? group->pixels() : image_.pixels();
+  const Pixels pixels = whole ? whole->pixels() : target;
   if (picture) {
     const auto decoded = PicturePixels::decode(*picture->data);
     if (!decoded) return tl::unexpected(decoded.error());
-    (*decoded)->draw(picture->place, view_, pixels.rect(), is_group ? 1.0 : layer.opacity, pixels);
+    (*decoded)->draw(picture->place, view_, pixels.rect(), is_whole ? 1.0 : layer.opacity, pixels);
   }
   for (const FillId id : layer.fills) {
     rasterizer_.draw_fill(*document.find_fill(id), view_, pixels.rect(), pixels);
@@ -93,7 +118,7 @@ Result<void> PagePainter::draw_layer(const Document& document, const Layer& laye
   for (const StrokeId id : layer.strokes) {
     rasterizer_.draw(*document.find(id), view_, pixels.rect(), grain_, pixels);
   }
-  if (group) blend(pixels, pixels.rect(), layer.opacity, image_.pixels());
+  if (whole) blend(pixels, pixels.rect(), layer.opacity, layer.blend, kWhite, target);
   return {};
 }
 

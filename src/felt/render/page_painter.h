@@ -41,15 +41,18 @@ class PagePainter {
 
   /// Draws a stroke on top of the others.
   void draw(const Stroke& stroke);
-  /// Draws the visible layers of a document with their opacities, and these pictures. Fails if a
-  /// picture is damaged, or if the memory limit of Image does not allow a translucent layer.
+  /// Draws the visible layers of a document with their opacities, blend modes and groups, and these
+  /// pictures. Fails if a picture is damaged, or if the memory limit of Image does not allow a
+  /// layer or group that is drawn as a whole.
   Result<void> draw(const Document& document, PictureChoice pictures);
   [[nodiscard]] const View& view() const noexcept { return view_; }
   [[nodiscard]] Image& image() noexcept { return image_; }
 
  private:
-  Result<void> draw_layer(const Document& document, const Layer& layer,
-                          const LayerPicture* picture);
+  Result<void> draw_layers(const Document& document, std::span<const Layer> layers,
+                           PictureChoice pictures, Pixels target);
+  Result<void> draw_layer(const Document& document, const Layer& layer, const LayerPicture* picture,
+                          Pixels target);
   PagePainter(Image image, const View& view, const Grain& grain)
       : image_(std::move(image)), view_(view), grain_(grain) {}
 

@@ -68,6 +68,28 @@ Gap gap_of(const InkScene& scene, const TileSplit& split) {
   return gap;
 }
 
+/// Adds the groups of layers that are drawn as a whole. `layers` are those of job.groups.
+void add_folders(const std::vector<SceneInk>& ink, const std::vector<const SceneLayer*>& layers,
+                 InkJob& job) {
+  std::size_t item = 0, group = 0;
+  while (item < ink.size() || group < layers.size()) {
+    const SceneLayer* layer = item < ink.size() ? ink[item].layer : layers[group];
+    if (group < layers.size() && layers[group]->position < layer->position) layer = layers[group];
+    const auto is_same = [layer](const SceneLayer* other) {
+      return other == layer || same_group(other->group, layer->group);
+    };
+    InkFolder folder{item, item, group, group};
+    while (item < ink.size() && is_same(ink[item].layer)) ++item;
+    while (group < layers.size() && is_same(layers[group])) ++group;
+    if (!layer->group || !layer->group->is_whole()) continue;
+    folder.last = item;
+    folder.last_group = group;
+    folder.opacity = layer->group->opacity;
+    folder.blend = layer->group->blend;
+    job.folders.push_back(folder);
+  }
+}
+
 /// Returns the job that draws this ink, which is in drawing order, and the special layers.
 InkJob job_from(const std::vector<SceneInk>& ink, const std::vector<const SceneLayer*>& special,
                 const View& view, PixelRect part) {
@@ -79,6 +101,7 @@ InkJob job_from(const std::vector<SceneInk>& ink, const std::vector<const SceneL
     job.items.push_back({i.stroke ? i.stroke->stroke : nullptr, i.fill ? i.fill->fill : nullptr});
   }
   const Rect area = area_of(view, part);
+  std::vector<const SceneLayer*> layers;
   for (const SceneLayer* layer : special) {
     const auto first = std::partition_point(ink.begin(), ink.end(), [layer](const SceneInk& i) {
       return i.layer->position < layer->position;
@@ -91,13 +114,16 @@ InkJob job_from(const std::vector<SceneInk>& ink, const std::vector<const SceneL
                    static_cast<std::size_t>(last - ink.begin()),
                    layer->opacity,
                    nullptr,
-                   {}};
+                   {},
+                   layer->blend};
     if (shows_picture) {
       group.pixels = layer->pixels;
       group.place = layer->picture->place;
     }
     job.groups.push_back(std::move(group));
+    layers.push_back(layer);
   }
+  add_folders(ink, layers, job);
   return job;
 }
 
@@ -111,7 +137,7 @@ bool is_special_below(const InkScene& scene) {
     const SceneStroke* stroke = scene.find(id);
     if (!stroke) return true;
     const std::size_t position = stroke->layer->position;
-    return position > highest.position || (position == highest.position && highest.opacity == 1.0);
+    return position > highest.position || (position == highest.position && !highest.is_whole());
   });
 }
 
@@ -142,27 +168,60 @@ void TilePainter::draw_item(InkJob& job, const InkStyle& style, Pixels target) {
   }
 }
 
+namespace {
+
+enum class Buffer { kNew, kKept };
+
+/// Returns pixels like those of `target` in a buffer. A new one is cleared.
+Pixels whole_of(std::vector<std::uint8_t>& bytes, const Pixels& target, Buffer buffer) {
+  if (buffer == Buffer::kNew) {
+    bytes.assign(
+        4 * static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height), 0);
+  }
+  Pixels pixels = target;
+  pixels.data = bytes.data();
+  pixels.stride = std::ptrdiff_t{4} * target.width;
+  return pixels;
+}
+
+}  // namespace
+
 void TilePainter::draw_next(InkJob& job, const InkStyle& style, Pixels target) {
+  const auto folder = [&job]() -> const InkFolder* {
+    return job.next_folder < job.folders.size() ? &job.folders[job.next_folder] : nullptr;
+  };
+  const bool begins = folder() && job.next >= folder()->first &&
+                      job.next_group >= folder()->first_group && !job.is_in_group;
+  if (!begins && !job.is_in_folder) return draw_in_group(job, style, target);
+  const Pixels to = whole_of(job.folder_pixels, target,
+                             std::exchange(job.is_in_folder, true) ? Buffer::kKept : Buffer::kNew);
+  InkStyle inside = style;
+  inside.paper = InkStyle{}.paper;  // the folder is blended on its own
+  draw_in_group(job, inside, to);
+  if (job.next < folder()->last || job.next_group < folder()->last_group) return;
+  blend(to, job.part, folder()->opacity, folder()->blend, style.paper, target);
+  job.is_in_folder = false;
+  ++job.next_folder;
+}
+
+void TilePainter::draw_in_group(InkJob& job, const InkStyle& style, Pixels target) {
   const bool is_grouped =
       job.next_group < job.groups.size() && job.next >= job.groups[job.next_group].first;
   if (!is_grouped) return draw_item(job, style, target);
   const InkGroup& group = job.groups[job.next_group];
-  const bool is_translucent = group.opacity < 1.0 && group.last > group.first;
+  const bool has_mode = group.blend != BlendMode::kNormal;
+  const bool is_whole = has_mode || (group.opacity < 1.0 && group.last > group.first);
   Pixels to = target;
-  if (is_translucent) {
-    if (!job.is_in_group)
-      job.group_pixels.assign(
-          4 * static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height), 0);
-    to.data = job.group_pixels.data();
-    to.stride = std::ptrdiff_t{4} * target.width;
+  if (is_whole) {
+    to = whole_of(job.group_pixels, target, job.is_in_group ? Buffer::kKept : Buffer::kNew);
   }
   if (!std::exchange(job.is_in_group, true) && group.pixels) {
-    group.pixels->draw(group.place, job.view, job.part, is_translucent ? 1.0 : group.opacity, to);
+    group.pixels->draw(group.place, job.view, job.part, is_whole ? 1.0 : group.opacity, to);
   } else if (job.next < group.last) {
     draw_item(job, style, to);
   }
   if (job.next < group.last) return;
-  if (is_translucent) blend(to, job.part, group.opacity, target);
+  if (is_whole) blend(to, job.part, group.opacity, group.blend, style.paper, target);
   job.is_in_group = false;
   ++job.next_group;
 }

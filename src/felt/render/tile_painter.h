@@ -19,6 +19,7 @@ struct InkStyle {
   Grain grain{};
   /// If above 0, only the centre lines of strokes are drawn, this many pixels wide.
   double hair_px = 0.0;
+  Rgba paper{255, 255, 255, 255};  ///< below the picture: blend modes multiply with it
 };
 
 /// A stroke or a fill to draw: one of the two pointers is set.
@@ -34,6 +35,16 @@ struct InkGroup {
   double opacity = 1.0;
   std::shared_ptr<const PicturePixels> pixels;  ///< null if the layer has no picture
   Affine place;                                 ///< of the picture
+  BlendMode blend = BlendMode::kNormal;
+};
+
+/// A group of layers of an InkJob that is drawn as a whole (LayerGroup::is_whole): the items from
+/// `first` to `last` and the groups from `first_group` to `last_group` (not included) of the job.
+struct InkFolder {
+  std::size_t first = 0, last = 0;
+  std::size_t first_group = 0, last_group = 0;
+  double opacity = 1.0;
+  BlendMode blend = BlendMode::kNormal;
 };
 
 /// The strokes and fills that a part of a picture shows, drawn one at a time, so that a long job
@@ -43,15 +54,21 @@ struct InkJob {
   View view;
   PixelRect part;
   std::vector<InkItem> items;
-  std::vector<InkGroup> groups;  ///< only of layers that are special, lowest first
+  std::vector<InkGroup> groups;    ///< only of layers that are special, lowest first
+  std::vector<InkFolder> folders;  ///< lowest first
   std::size_t next = 0;
   std::size_t next_group = 0;
-  bool is_in_group = false;                ///< the group `next_group` has begun
-  std::vector<std::uint8_t> group_pixels;  ///< its strokes so far, if it is translucent
+  std::size_t next_folder = 0;
+  bool is_in_group = false;                 ///< the group `next_group` has begun
+  bool is_in_folder = false;                ///< the folder `next_folder` has begun
+  std::vector<std::uint8_t> group_pixels;   ///< its strokes so far, if it is drawn as a whole
+  std::vector<std::uint8_t> folder_pixels;  ///< the layers of the folder so far
 
-  [[nodiscard]] bool has_begun() const noexcept { return next + next_group > 0 || is_in_group; }
+  [[nodiscard]] bool has_begun() const noexcept {
+    return next + next_group > 0 || is_in_group || is_in_folder;
+  }
   [[nodiscard]] bool is_done() const noexcept {
-    return next == items.size() && next_group == groups.size();
+    return next == items.size() && next_group == groups.size() && next_folder == folders.size();
   }
   [[nodiscard]] bool is_blank() const noexcept { return items.empty() && groups.empty(); }
 };
@@ -97,6 +114,8 @@ class TilePainter {
  private:
   [[nodiscard]] static bool is_valid(const InkScene& scene, const View& view,
                                      const TileSplit& split);
+  /// Draws the next item or picture of a job, in its group.
+  void draw_in_group(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws the next item of a job.
   void draw_item(InkJob& job, const InkStyle& style, Pixels target);
   bool fits(const InkScene& scene, const TileSplit& split, PixelRect part) const;

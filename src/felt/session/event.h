@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "felt/document/edit.h"
 #include "felt/haptics/capabilities.h"
@@ -129,8 +130,8 @@ struct RestyleEvent {
   friend bool operator==(const RestyleEvent&, const RestyleEvent&) = default;
 };
 
-/// Changes a layer. {"event":"layer","do":"hide","id":2},
-/// {"event":"layer","do":"add","name":"Ideas"}
+/// Changes a layer or a group of layers. {"event":"layer","do":"hide","id":2},
+/// {"event":"layer","do":"add","name":"Ideas"}, {"event":"layer","do":"lock","group":1}
 struct LayerEvent {
   enum class Do : std::uint8_t {
     kAdd,     ///< adds a layer above the current one and uses it; an empty `name` gives "Layer N"
@@ -150,6 +151,9 @@ struct LayerEvent {
     kPlace,      ///< sets the place of the layer's picture
     kExport,     ///< exported files show the layer's picture
     kLeaveOut,   ///< exported files do not show the layer's picture
+    kBlend,      ///< sets how the layer is combined with what is below it
+    kGroup,      ///< puts `layers` into a new group, at the position of the highest of them
+    kUngroup,    ///< dissolves the group; its layers stay as they look
   };
   Do what = Do::kAdd;
   LayerId layer;          ///< unused for kAdd
@@ -157,6 +161,12 @@ struct LayerEvent {
   std::size_t index = 0;  ///< for kMove: 0 is the lowest; greater values are clamped to the highest
   double opacity = 1.0;   ///< for kOpacity: 0..1
   Affine place = {};      ///< for kPlace: LayerPicture::place
+  BlendMode mode = BlendMode::kNormal;  ///< for kBlend
+  /// With a zero `layer`, the event is for this group: kUngroup, kRemove, kRename, kShow, kHide,
+  /// kLock, kUnlock, kRaise, kLower, kMove, kOpacity, kDuplicate and kBlend. For kMove of a layer,
+  /// this is its group after the move, zero for none; if it is not set, the position decides.
+  std::optional<GroupId> group = {};
+  std::vector<LayerId> layers = {};  ///< for kGroup
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 

@@ -2,53 +2,16 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "felt/document/edit_builder.h"
+#include "felt/session/group_edit.h"
 
 namespace felt {
 namespace {
 
 using Do = LayerEvent::Do;
-
-std::string label_of(Do what) {
-  switch (what) {
-    case Do::kAdd:
-      return "Add layer";
-    case Do::kRemove:
-      return "Remove layer";
-    case Do::kRename:
-      return "Rename layer";
-    case Do::kShow:
-      return "Show layer";
-    case Do::kHide:
-      return "Hide layer";
-    case Do::kLock:
-      return "Lock layer";
-    case Do::kUnlock:
-      return "Unlock layer";
-    case Do::kRaise:
-      return "Raise layer";
-    case Do::kLower:
-      return "Lower layer";
-    case Do::kMove:
-      return "Move layer";
-    case Do::kOpacity:
-      return "Layer opacity";
-    case Do::kDuplicate:
-      return "Duplicate layer";
-    case Do::kMerge:
-      return "Merge layers";
-    case Do::kPlace:
-      return "Place picture";
-    case Do::kExport:
-    case Do::kLeaveOut:
-      return "Export picture";
-    case Do::kUse:
-      break;
-  }
-  return "Use layer";
-}
 
 std::string title_of(const Layer& layer) {
   return "layer " + std::to_string(layer.id.value) + " (" + layer.name + ")";
@@ -67,6 +30,12 @@ LayerChange new_layer(const Document& document, std::string name, std::size_t in
   return {id, std::nullopt, LayerState{std::move(name)}, 0, index};
 }
 
+/// Returns the group of the current layer, in which new layers next to it are put, too.
+LayerGroupPtr group_in_use(const Document& document, LayerId in_use) {
+  const Layer* layer = document.layer(in_use);
+  return layer ? layer->group : nullptr;
+}
+
 /// Returns the state of the layer after the event. Position and removal are not part of this state.
 LayerState changed(LayerState state, const LayerEvent& event) {
   if (event.what == Do::kRename) state.name = event.name;
@@ -77,6 +46,7 @@ LayerState changed(LayerState state, const LayerEvent& event) {
     state.locked = event.what == Do::kLock;
   }
   if (event.what == Do::kOpacity) state.opacity = event.opacity;
+  if (event.what == Do::kBlend) state.blend = event.mode;
   if (event.what == Do::kPlace) state.picture = placed(*state.picture, event.place);
   if (event.what == Do::kExport || event.what == Do::kLeaveOut) {
     LayerPicture picture = *state.picture;
@@ -86,19 +56,10 @@ LayerState changed(LayerState state, const LayerEvent& event) {
   return state;
 }
 
-std::size_t moved(std::size_t index, std::size_t count, const LayerEvent& event) {
-  if (event.what == Do::kRaise) return std::min(index + 1, count - 1);
-  if (event.what == Do::kLower) return index - std::min<std::size_t>(index, 1);
-  if (event.what == Do::kMove) return std::min(event.index, count - 1);
-  return index;
-}
-
 Edit change_of(const Document& document, const Layer& layer, const LayerEvent& event) {
-  const std::size_t count = document.layers().size();
   const std::size_t index = index_of(document, layer.id);
-  LayerChange change{layer.id, layer.state(), changed(layer.state(), event), index,
-                     moved(index, count, event)};
-  if (change.after == change.before && change.after_index == index) return {};
+  LayerChange change{layer.id, layer.state(), changed(layer.state(), event), index, index};
+  if (change.after == change.before) return {};
   return {label_of(event.what), {}, {std::move(change)}};
 }
 
@@ -111,34 +72,12 @@ Edit removal_of(const Document& document, const Layer& layer) {
   return edit;
 }
 
-/// Lets the pieces of a copied loop name the copies of the strokes of its layer.
-void name_copies(const Document& document, const Layer& layer, FillLoop& loop) {
-  for (FillPiece& piece : loop.pieces) {
-    const auto at = std::find(layer.strokes.begin(), layer.strokes.end(), piece.stroke);
-    if (at == layer.strokes.end()) continue;
-    piece.stroke = document.new_id(static_cast<std::size_t>(at - layer.strokes.begin()));
-  }
-}
-
 /// Returns an edit that adds a copy of the layer with all its strokes and fills above it.
 Edit copy_of(const Document& document, const Layer& layer) {
   LayerState state = layer.state();
   state.name += " copy";
-  const LayerId id = document.new_layer_id();
   Edit edit{label_of(Do::kDuplicate), {}, {}};
-  edit.layers.push_back({id, std::nullopt, std::move(state), 0, index_of(document, layer.id) + 1});
-  edit.changes.reserve(layer.strokes.size());
-  for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
-    edit.changes.push_back(
-        {document.new_id(i), nullptr, document.find(layer.strokes[i]), {}, {id, i}});
-  }
-  for (std::size_t i = 0; i < layer.fills.size(); ++i) {
-    Fill fill = *document.find_fill(layer.fills[i]);
-    for (FillLoop& loop : fill.loops) name_copies(document, layer, loop);
-    const FillId copy = document.new_fill_id(layer.strokes.size() + i);
-    edit.fills.push_back(
-        {copy, nullptr, std::make_shared<const Fill>(std::move(fill)), {}, {id, i}});
-  }
+  add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1, edit);
   return edit;
 }
 
@@ -175,9 +114,16 @@ Result<void> check_merge(const Document& document, const Layer& layer) {
         *part, part->visible ? "is locked and cannot be merged" : "is hidden and cannot be merged");
   }
   if (layer.picture) return refusal(layer, "has a picture and cannot be merged");
+  if (!equal_groups(layer.group, below.group)) {
+    return refusal(layer, "and " + title_of(below) + " are not in the same group");
+  }
   if (layer.opacity != below.opacity) {
     return refusal(layer, "and " + title_of(below) +
                               " differ in opacity: make it equal before you merge them");
+  }
+  if (layer.blend != below.blend) {
+    return refusal(layer, "and " + title_of(below) +
+                              " differ in blend mode: make it equal before you merge them");
   }
   return {};
 }
@@ -209,20 +155,98 @@ Result<void> check_event(const Document& document, const Layer& layer, const Lay
   return layer.picture ? Result<void>() : refusal(layer, "has no picture");
 }
 
-/// Completes an edit of one layer. If no open layer would remain, the edit also adds one on top.
-void keep_one_open(const Document& document, Edit& edit) {
-  if (edit.layers.empty()) return;
-  const LayerChange& change = edit.layers.front();
-  const std::span<const Layer> layers = document.layers();
-  const bool stays_open = change.after && change.after->visible && !change.after->locked;
-  const bool other_is_open = std::any_of(layers.begin(), layers.end(), [&](const Layer& l) {
-    return l.id != change.id && is_open(l);
-  });
-  if (stays_open || other_is_open) return;
-  edit.layers.push_back(new_layer(document, {}, layers.size() - (change.after ? 0 : 1)));
+}  // namespace
+
+std::string label_of(Do what) {
+  switch (what) {
+    case Do::kAdd:
+      return "Add layer";
+    case Do::kRemove:
+      return "Remove layer";
+    case Do::kRename:
+      return "Rename layer";
+    case Do::kShow:
+      return "Show layer";
+    case Do::kHide:
+      return "Hide layer";
+    case Do::kLock:
+      return "Lock layer";
+    case Do::kUnlock:
+      return "Unlock layer";
+    case Do::kRaise:
+      return "Raise layer";
+    case Do::kLower:
+      return "Lower layer";
+    case Do::kMove:
+      return "Move layer";
+    case Do::kOpacity:
+      return "Layer opacity";
+    case Do::kDuplicate:
+      return "Duplicate layer";
+    case Do::kMerge:
+      return "Merge layers";
+    case Do::kPlace:
+      return "Place picture";
+    case Do::kExport:
+    case Do::kLeaveOut:
+      return "Export picture";
+    case Do::kBlend:
+      return "Layer blend mode";
+    case Do::kGroup:
+      return "Group layers";
+    case Do::kUngroup:
+      return "Ungroup layers";
+    case Do::kUse:
+      break;
+  }
+  return "Use layer";
 }
 
-}  // namespace
+void keep_one_open(const Document& document, Edit& edit) {
+  if (edit.layers.empty()) return;
+  const auto stays_open = [](const LayerState& state) {
+    return is_visible(state) && !is_locked(state);
+  };
+  std::set<LayerId> changed;
+  std::size_t count = document.layers().size();
+  for (const LayerChange& c : edit.layers) {
+    if (c.after && stays_open(*c.after)) return;
+    changed.insert(c.id);
+    if (!c.before) ++count;
+    if (!c.after) --count;
+  }
+  const std::span<const Layer> layers = document.layers();
+  const bool other_is_open = std::any_of(layers.begin(), layers.end(), [&](const Layer& l) {
+    return !changed.contains(l.id) && is_open(l);
+  });
+  if (!other_is_open) edit.layers.push_back(new_layer(document, {}, count));
+}
+
+void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
+              Edit& edit) {
+  const LayerId id = document.new_layer_id(edit.layers.size());
+  const std::size_t made = edit.changes.size() + edit.fills.size();
+  edit.layers.push_back({id, std::nullopt, std::move(state), 0, index});
+  for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+    edit.changes.push_back(
+        {document.new_id(made + i), nullptr, document.find(layer.strokes[i]), {}, {id, i}});
+  }
+  // Lets the pieces of the copied fills name the copies of the strokes of the layer.
+  const auto name_copies = [&](FillLoop& loop) {
+    for (FillPiece& piece : loop.pieces) {
+      const auto at = std::find(layer.strokes.begin(), layer.strokes.end(), piece.stroke);
+      if (at == layer.strokes.end()) continue;
+      piece.stroke = document.new_id(made + static_cast<std::size_t>(at - layer.strokes.begin()));
+    }
+  };
+  for (std::size_t i = 0; i < layer.fills.size(); ++i) {
+    Fill fill = *document.find_fill(layer.fills[i]);
+    for (FillLoop& loop : fill.loops) name_copies(loop);
+    const FillId copy = document.new_fill_id(made + layer.strokes.size() + i);
+    edit.fills.push_back(
+        {copy, nullptr, std::make_shared<const Fill>(std::move(fill)), {}, {id, i}});
+  }
+}
 
 LayerId highest_open_layer(const Document& document) noexcept {
   const std::span<const Layer> layers = document.layers();
@@ -233,8 +257,12 @@ LayerId highest_open_layer(const Document& document) noexcept {
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
   if (event.what == Do::kAdd) {
     const std::size_t above = std::min(index_of(document, in_use) + 1, document.layers().size());
-    return Edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
+    Edit edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
+    edit.layers.front().after->group = group_in_use(document, in_use);
+    return edit;
   }
+  const bool is_of_group = event.what == Do::kGroup || event.what == Do::kUngroup;
+  if (is_of_group || (!event.layer && event.group)) return group_edit(document, event);
   const Layer* layer = document.layer(event.layer);
   if (!layer) {
     return fail(ErrorCode::kNotFound, "no layer " + std::to_string(event.layer.value));
@@ -243,6 +271,9 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
   if (event.what == Do::kUse) return Edit{};
   if (event.what == Do::kDuplicate) return copy_of(document, *layer);
   if (event.what == Do::kMerge) return merge_of(document, *layer);
+  const bool moves =
+      event.what == Do::kMove || event.what == Do::kRaise || event.what == Do::kLower;
+  if (moves) return layer_move(document, event);
   Edit edit =
       event.what == Do::kRemove ? removal_of(document, *layer) : change_of(document, *layer, event);
   keep_one_open(document, edit);
@@ -256,6 +287,7 @@ Result<Edit> picture_edit(const Document& document, const AddPicture& event, Lay
   }
   const std::size_t index = std::min(index_of(document, in_use), document.layers().size());
   LayerChange change = new_layer(document, event.name, index);
+  change.after->group = group_in_use(document, in_use);
   change.after->picture =
       std::make_shared<const LayerPicture>(LayerPicture{event.data, event.place});
   return Edit{"Add picture", {}, {std::move(change)}};
@@ -263,7 +295,8 @@ Result<Edit> picture_edit(const Document& document, const AddPicture& event, Lay
 
 LayerId used_after(const Document& document, const LayerEvent& event, const Edit& edit) {
   if (event.what == Do::kUse) return event.layer;
-  if (event.what == Do::kAdd || event.what == Do::kDuplicate) return edit.layers.front().id;
+  if (event.what == Do::kAdd) return edit.layers.front().id;
+  if (event.what == Do::kDuplicate) return edit.layers.back().id;
   if (event.what != Do::kMerge) return {};
   return document.layers()[index_of(document, event.layer) - 1].id;
 }

@@ -21,10 +21,12 @@ LayerId highest_open_layer(const Document& document) noexcept;
 /// the edit also adds an open layer on top, because ink must never go to a layer that the user
 /// cannot see.
 ///
+/// If the event is for a group, the edit is that of group_edit().
+///
 /// Fails if the layer does not exist; if the event is kUse and the layer is not open; if a value is
 /// out of range; if the event changes a picture and the layer has none, or is locked; or if layers
-/// cannot be merged: both must be open and have the same opacity, and the upper one must have no
-/// picture. The message names the layer and the reason.
+/// cannot be merged: both must be open, in the same group and have the same opacity and blend mode,
+/// and the upper one must have no picture. The message names the layer and the reason.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
 
 /// Returns an edit that adds a layer with a picture below the layer `in_use`. Fails if the event
@@ -34,6 +36,17 @@ Result<Edit> picture_edit(const Document& document, const AddPicture& event, Lay
 /// Returns the layer that the event makes the current one; an empty id if it leaves the current
 /// layer. `document` is the document before `edit`, which layer_edit() has returned for the event.
 LayerId used_after(const Document& document, const LayerEvent& event, const Edit& edit);
+
+/// Returns the name of an event in the undo menu.
+std::string label_of(LayerEvent::Do what);
+
+/// Completes an edit of layers: if no open layer would remain, the edit also adds one on top.
+void keep_one_open(const Document& document, Edit& edit);
+
+/// Adds a copy of a layer with all its strokes and fills to `edit`, at the position `index` and
+/// with this state. Requires that the edit contains only such copies.
+void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
+              Edit& edit);
 
 /// Returns an edit that adds an open layer on top.
 Edit add_layer_on_top(const Document& document);

@@ -15,6 +15,7 @@
 #include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/page_scan.h"
@@ -61,6 +62,7 @@ class Findings {
         take_view(row))
       return;
     if (take_material(row) || take_opacity(row) || take_picture(row)) return;
+    if (take_blend(row) || take_group(row)) return;
     if (!take_color(row)) ++others;
   }
 
@@ -78,6 +80,8 @@ class Findings {
   std::map<std::int64_t, FoundLayer> layers;
   std::map<std::int64_t, double> opacities;          // by layer
   std::map<std::int64_t, LayerPicturePtr> pictures;  // by layer
+  std::map<std::int64_t, BlendMode> blends;          // by layer
+  std::map<std::int64_t, LayerGroupPtr> groups;      // by layer
   std::map<std::int64_t, NamedColor> colors;
   std::optional<Drawing> head;  // without the document and the palette's colours
   std::optional<Viewport> view;
@@ -207,6 +211,24 @@ class Findings {
     if (pictures.size() < kMaxLayers) pictures.try_emplace(*whole(v[1]), std::move(picture));
     return true;
   }
+  bool take_blend(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 3 || !text(v[1]) || !whole(v[2]) || !is_id(*whole(v[2]))) return false;
+    const auto mode = blend_mode_of(*text(v[1]));
+    if (mode && blends.size() < kMaxLayers) blends.try_emplace(*whole(v[2]), *mode);
+    return mode.has_value();
+  }
+  bool take_group(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 8 || !whole(v[1]) || !is_id(*whole(v[1])) || !whole(v[2]) || !text(v[3]) ||
+        !whole(v[4]) || !whole(v[5]) || !number(v[6]) || !text(v[7])) {
+      return false;
+    }
+    const LayerGroupPtr group = group_of_row(*whole(v[2]), *text(v[3]), *whole(v[4]), *whole(v[5]),
+                                             *number(v[6]), *text(v[7]));
+    if (group && groups.size() < kMaxLayers) groups.try_emplace(*whole(v[1]), group);
+    return group != nullptr;
+  }
   bool take_color(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.size() != 3 || !whole(v[1]) || !is_color_number(*whole(v[1])) || !text(v[2])) {
@@ -272,15 +294,16 @@ class Assembly {
                         " layers lost their names and positions; they were put on top.");
   }
 
-  /// Gives the layers their opacities and pictures.
+  /// Gives the layers their opacities, pictures, blend modes and groups.
   void set_layer_looks() {
+    const auto set = [](const auto& found, std::int64_t id, auto& value) {
+      if (const auto at = found.find(id); at != found.end()) value = at->second;
+    };
     for (auto& [id, layer] : found_.layers) {
-      if (const auto found = found_.opacities.find(id); found != found_.opacities.end()) {
-        layer.state.opacity = found->second;
-      }
-      if (const auto found = found_.pictures.find(id); found != found_.pictures.end()) {
-        layer.state.picture = found->second;
-      }
+      set(found_.opacities, id, layer.state.opacity);
+      set(found_.pictures, id, layer.state.picture);
+      set(found_.blends, id, layer.state.blend);
+      set(found_.groups, id, layer.state.group);
     }
   }
 
@@ -305,6 +328,7 @@ class Assembly {
         edit.layers.push_back({id, std::nullopt, state, 0, i});
       }
     }
+    separate_groups_of(edit);
     place(found_.strokes, edit.changes, " stroke");
     place(found_.fills, edit.fills, " fill");
     return document.apply(edit);

@@ -20,8 +20,9 @@ struct Salvaged {
 /// Reads a .felt file that read_felt() refuses, page by page and without SQLite. Recovers every
 /// stroke whose pages are intact; a correct checksum shows that a stroke is intact. A stroke keeps
 /// its layer and order if these are known. Otherwise it is put into a separate layer. Layers keep
-/// their opacities and pictures. Recordings, and content of a newer Feltline, are not recovered.
-/// The file is only read. If the file is intact, the result is the same as that of read_felt().
+/// their opacities, blend modes, groups and pictures. Recordings, and content of a newer Feltline,
+/// are not recovered. The file is only read. If the file is intact, the result is the same as that
+/// of read_felt().
 ///
 /// Fails if the file cannot be read or no part of a drawing is found; the message begins with the
 /// path.

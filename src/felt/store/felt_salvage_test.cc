@@ -127,13 +127,16 @@ Drawing drawing_with_looks() {
   LayerState birds = layers[1].state(), trees = layers[2].state();
   birds.opacity = 0.375;
   trees.picture = testing::red_blue_picture(1.0 / 3.0, 7.0);
+  trees.blend = BlendMode::kMultiply;
+  birds.group = trees.group = std::make_shared<const LayerGroup>(
+      LayerGroup{{5}, "Outside", true, true, 0.25, BlendMode::kMultiply});
   edit.layers.push_back({layers[1].id, layers[1].state(), birds, 1, 1});
   edit.layers.push_back({layers[2].id, layers[2].state(), trees, 2, 2});
   EXPECT_TRUE(drawing.document.apply(edit));
   return drawing;
 }
 
-TEST(FeltSalvage, LayersKeepTheirOpacitiesAndPictures) {
+TEST(FeltSalvage, LayersKeepTheirLooksAndGroups) {
   const Drawing drawing = drawing_with_looks();
   std::string bytes = felt_bytes(drawing).value();
   bytes.replace(0, 100, 100, '\0');  // only the head of the file

@@ -6,6 +6,7 @@
 
 #include "felt/base/check.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 
@@ -178,9 +179,12 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
     std::string_view name, sql;
     bool& has;
   };
-  for (const PlainTable& plain : {PlainTable{"material", kMaterialTable, schema.has_materials},
-                                  PlainTable{"layer_look", kLayerLookTable, schema.has_layer_looks},
-                                  PlainTable{"picture", kPictureTable, schema.has_pictures}}) {
+  for (const PlainTable& plain :
+       {PlainTable{"material", kMaterialTable, schema.has_materials},
+        PlainTable{"layer_look", kLayerLookTable, schema.has_layer_looks},
+        PlainTable{"picture", kPictureTable, schema.has_pictures},
+        PlainTable{"layer_blend", kLayerBlendTable, schema.has_layer_blends},
+        PlainTable{"layer_group", kLayerGroupTable, schema.has_layer_groups}}) {
     if (table.name != plain.name) continue;
     if (table.sql != plain.sql)
       return invalid_data("the table '" + table.name + "' has an unexpected definition");

@@ -28,10 +28,12 @@ struct FeltTable {
 /// The tables of a file.
 struct FeltSchema {
   FeltTable drawing, layer, palette, shown, stroke;
-  bool has_materials = false;    ///< the table `material` (material_table.h)
-  bool has_fills = false;        ///< the table `fill` (fill_table.h)
-  bool has_layer_looks = false;  ///< the table `layer_look` (layer_look_table.h)
-  bool has_pictures = false;     ///< the table `picture` (layer_look_table.h)
+  bool has_materials = false;     ///< the table `material` (material_table.h)
+  bool has_fills = false;         ///< the table `fill` (fill_table.h)
+  bool has_layer_looks = false;   ///< the table `layer_look` (layer_look_table.h)
+  bool has_pictures = false;      ///< the table `picture` (layer_look_table.h)
+  bool has_layer_blends = false;  ///< the table `layer_blend` (layer_group_table.h)
+  bool has_layer_groups = false;  ///< the table `layer_group` (layer_group_table.h)
   /// The three tables of recordings; empty if the file has no recordings.
   std::vector<FeltTable> recordings;
   /// Tables of a newer Feltline, in the order of their names.

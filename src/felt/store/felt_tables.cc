@@ -8,6 +8,7 @@
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/stroke_blob.h"
@@ -30,7 +31,7 @@ std::uint32_t checksum_of(const Drawing& d) {
   for (const Layer& layer : d.document.layers()) {
     out.u64(layer.id.value);
     out.text(layer.name);
-    out.u8(static_cast<std::uint8_t>((layer.visible ? 1 : 0) | (layer.locked ? 2 : 0)));
+    out.u8(static_cast<std::uint8_t>((layer.own_visible ? 1 : 0) | (layer.own_locked ? 2 : 0)));
     out.u64(layer.strokes.size());
     for (const StrokeId id : layer.strokes) out.u64(id.value);
   }
@@ -93,8 +94,8 @@ Result<void> write_layers(const Database& db, const Document& document) {
     row->bind(1, static_cast<std::int64_t>(layer.id.value));
     row->bind(2, place++);
     row->bind_text(3, layer.name);
-    row->bind(4, std::int64_t{layer.visible});
-    row->bind(5, std::int64_t{layer.locked});
+    row->bind(4, std::int64_t{layer.own_visible});
+    row->bind(5, std::int64_t{layer.own_locked});
     if (auto done = row->step(); !done) return tl::unexpected(done.error());
     row->reset();
   }
@@ -235,6 +236,8 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_drawing_row(database, drawing); })
       .and_then([&] { return write_layers(database, drawing.document); })
       .and_then([&] { return write_layer_looks(database, drawing.document); })
+      .and_then([&] { return write_layer_blends(database, drawing.document); })
+      .and_then([&] { return write_layer_groups(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
       .and_then([&] { return write_fills(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
@@ -250,6 +253,8 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   Result<void> done = read_layers(database, drawing.document, edit);
   if (done && schema.has_layer_looks) done = read_layer_opacities(database, edit);
   if (done && schema.has_pictures) done = read_pictures(database, edit);
+  if (done && schema.has_layer_blends) done = read_layer_blends(database, edit);
+  if (done && schema.has_layer_groups) done = read_layer_groups(database, edit);
   if (done) done = read_strokes(database, edit);
   if (done && schema.has_fills) done = read_fills(database, edit);
   if (done) {

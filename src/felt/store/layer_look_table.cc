@@ -1,13 +1,13 @@
 #include "felt/store/layer_look_table.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "felt/document/document.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/layer_rows.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -16,11 +16,6 @@ namespace {
 // A database reads values up to kMaxStrokeBlobBytes: a picture, and also the event that adds it to
 // a recording, in base64.
 static_assert(PictureData::kMaxBytes / 3 * 4 + 10'000 < kMaxStrokeBlobBytes);
-
-tl::unexpected<Error> invalid_look(std::string_view table) {
-  return fail(ErrorCode::kInvalidData,
-              "the table '" + std::string(table) + "' contains an invalid value");
-}
 
 /// Returns the checksum of a picture and its place.
 std::int64_t picture_checksum(const LayerPicture& picture) {
@@ -69,32 +64,6 @@ Result<void> write_pictures(Database& database, const Document& document) {
   return {};
 }
 
-/// Returns the state that an edit gives to a layer, or null if it adds no such layer.
-LayerState* state_of(Edit& edit, std::int64_t layer) {
-  const auto found = std::find_if(edit.layers.begin(), edit.layers.end(), [layer](const auto& c) {
-    return c.after && static_cast<std::int64_t>(c.id.value) == layer;
-  });
-  return found == edit.layers.end() ? nullptr : &*found->after;
-}
-
-/// Calls read(row, state) for each row of a table; its first column is the id of a layer.
-template <class Read>
-Result<void> for_each_look(const Database& database, const char* select, std::string_view table,
-                           Edit& edit, Read read) {
-  const auto row = database.prepare(select);
-  if (!row) return tl::unexpected(row.error());
-  std::set<std::int64_t> seen;
-  for (;;) {
-    const Result<bool> more = row->step();
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) return {};
-    LayerState* state = row->is_integer(0) ? state_of(edit, row->integer(0)) : nullptr;
-    if (!state || !seen.insert(row->integer(0)).second || !read(*row, *state)) {
-      return invalid_look(table);
-    }
-  }
-}
-
 bool read_picture(const Statement& row, LayerState& state) {
   std::array<double, 6> m{};
   for (int i = 0; i < 6; ++i) {
@@ -130,18 +99,18 @@ Result<void> write_layer_looks(Database& database, const Document& document) {
 }
 
 Result<void> read_layer_opacities(const Database& database, Edit& edit) {
-  return for_each_look(database, "SELECT layer, opacity FROM layer_look", "layer_look", edit,
-                       [](const Statement& row, LayerState& state) {
-                         if (!row.is_real(1)) return false;
-                         state.opacity = row.real(1);
-                         return state.opacity >= 0.0 && state.opacity <= 1.0;
-                       });
+  return for_each_layer_row(database, "SELECT layer, opacity FROM layer_look", "layer_look", edit,
+                            [](const Statement& row, LayerState& state) {
+                              if (!row.is_real(1)) return false;
+                              state.opacity = row.real(1);
+                              return state.opacity >= 0.0 && state.opacity <= 1.0;
+                            });
 }
 
 Result<void> read_pictures(const Database& database, Edit& edit) {
-  return for_each_look(database,
-                       "SELECT layer, a, b, c, d, e, f, exported, png, checksum FROM picture",
-                       "picture", edit, read_picture);
+  return for_each_layer_row(database,
+                            "SELECT layer, a, b, c, d, e, f, exported, png, checksum FROM picture",
+                            "picture", edit, read_picture);
 }
 
 }  // namespace felt

@@ -24,7 +24,9 @@ class Collector final : public SvgSceneSink {
  public:
   explicit Collector(PaintedScene& scene) : scene_(scene) {}
   void root(const SvgRoot& root) override { scene_.root = root; }
-  void layer(const SvgLayer& layer) override { visible_ = layer.visible; }
+  void layer(const SvgLayer& layer) override {
+    visible_ = layer.visible && (!layer.group || layer.group->visible);
+  }
   void shape(SvgShape shape) override {
     if (visible_) scene_.shapes.push_back(std::move(shape));
   }

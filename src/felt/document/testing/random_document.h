@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +14,8 @@
 namespace felt::testing {
 
 /// Makes random edits that fit a document, for property tests: strokes are added, removed, replaced
-/// and moved between layers, and so are fills; layers are added, removed, renamed and moved. The
-/// same seed gives the same edits.
+/// and moved between layers, and so are fills; layers are added, removed, renamed, moved and
+/// grouped. The same seed gives the same edits.
 class RandomEdits {
  public:
   explicit RandomEdits(std::uint64_t seed) : seed_(seed), random_(seed), fills_(~seed) {}
@@ -32,6 +33,7 @@ class RandomEdits {
     for (int k = random_.pick(0, 2); k > 0; --k) move_stroke();
     for (int k = random_.pick(0, 5); k > 0; --k) add_stroke(document.new_id(made_++));
     for (int k = random_.pick(0, 2); k > 0; --k) replace_stroke();
+    make_groups_valid();
     write_strokes(document, before, edit);
     write_layers(layers_before, edit);
     std::vector<LayerId> layers;
@@ -105,11 +107,35 @@ class RandomEdits {
     state.locked = random_.chance(0.5);
     state.name += "'";
     state.opacity = random_.chance(0.5) ? 1.0 : random_.uniform(0.0, 1.0);
+    state.blend = random_.chance(0.7) ? BlendMode::kNormal : BlendMode::kMultiply;
     if (random_.chance(0.3)) state.picture = nullptr;
     if (random_.chance(0.3)) state.picture = red_blue_picture(random_.uniform(-9.0, 99.0), 0.5);
+    if (random_.chance(0.3)) change_group(any(layers_.size()));
     if (state.picture && random_.chance(0.3)) {
       state.picture = placed(*state.picture, {0.1, 0.2, -0.2, 0.1, random_.uniform(0.0, 9.0), 5.0});
     }
+  }
+
+  /// Puts a few neighbours into a new group, or takes them out of their groups.
+  void change_group(std::size_t first) {
+    const std::size_t last = std::min(layers_.size(), first + 1 + any(3));
+    LayerGroupPtr group;
+    if (random_.chance(0.7)) {
+      const std::uint64_t id = 100 + ++made_groups_;
+      group = std::make_shared<const LayerGroup>(
+          LayerGroup{{id},
+                     "Group " + std::to_string(id),
+                     random_.chance(0.7),
+                     random_.chance(0.3),
+                     random_.chance(0.5) ? 1.0 : random_.uniform(0.0, 1.0),
+                     random_.chance(0.7) ? BlendMode::kNormal : BlendMode::kMultiply});
+    }
+    for (std::size_t i = first; i < last; ++i) layers_[i].second.group = group;
+  }
+  void make_groups_valid() {
+    std::vector<LayerGroupPtr*> groups;
+    for (auto& [id, state] : layers_) groups.push_back(&state.group);
+    separate_groups(groups, GroupNumbers::kKept);
   }
 
   static std::vector<std::pair<StrokeId, StrokePlace>> places(const Orders& orders) {
@@ -168,18 +194,27 @@ class RandomEdits {
   std::uint64_t seed_;
   RandomStroke random_;
   RandomFills fills_;
-  std::uint64_t count_ = 0, strokes_ = 0, made_ = 0;
+  std::uint64_t count_ = 0, strokes_ = 0, made_ = 0, made_groups_ = 0;
   Orders orders_;
   Layers layers_;
   std::vector<StrokeId> changed_;
 };
 
 /// Returns true if the invariants of every document hold: each stroke and fill is in one layer,
-/// once; layers have ids; find, place and layer_of agree.
+/// once; layers have ids; the layers of a group are neighbours and have equal groups; find, place
+/// and layer_of agree.
 inline bool is_consistent(const Document& document) {
   std::size_t count = 0, fills = 0;
+  std::set<GroupId> groups;
+  LayerGroupPtr last;
   for (const Layer& layer : document.layers()) {
     if (!layer.id || document.layer(layer.id) != &layer) return false;
+    if (layer.visible != is_visible(layer.state())) return false;
+    if (layer.locked != is_locked(layer.state())) return false;
+    const bool is_same = same_group(layer.group, last);
+    if (layer.group && !is_same && !groups.insert(layer.group->id).second) return false;
+    if (is_same && *layer.group != *last) return false;
+    last = layer.group;
     for (std::size_t i = 0; i < layer.strokes.size(); ++i, ++count) {
       const StrokeId id = layer.strokes[i];
       if (!document.find(id) || document.place(id) != StrokePlace{layer.id, i}) return false;

@@ -163,6 +163,31 @@ Result<void> parse_layer(Value& value, EventFields& out) {
   return {};
 }
 
+constexpr std::size_t kMaxIds = 10'000;  // a file has no more layers
+
+Result<void> parse_layers(Value& value, EventFields& out) {
+  return for_each_element(value, "ids", [&out](Value& item) -> Result<void> {
+    const std::string_view token = token_of(item);
+    LayerId id;
+    if (token.size() > limits::kMaxNumberChars || item.get_uint64().get(id.value) || !id) {
+      return bad(excerpt(token) + " is not a layer, which is a whole number, at least 1");
+    }
+    if (out.layers.size() == kMaxIds) return bad("has more than 10000 layers");
+    out.layers.push_back(id);
+    return {};
+  });
+}
+
+Result<void> parse_group(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  GroupId group;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(group.value)) {
+    return bad("group: " + excerpt(token) + " is not a group, which is a whole number");
+  }
+  out.group = group;
+  return {};
+}
+
 /// Reads a non-negative quantity of a device.
 template <double Capabilities::*Quantity>
 Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
@@ -247,6 +272,13 @@ Result<void> parse_matrix(Value& value, EventFields& out) {
   return bad("matrix: a picture cannot be placed like this");
 }
 
+Result<void> parse_mode(Value& value, EventFields& out) {
+  BlendMode mode{};
+  if (auto read = parse_word(value, "mode", kBlendModeNames, mode); !read) return read;
+  out.mode = mode;
+  return {};
+}
+
 Result<void> parse_png(Value& value, EventFields& out) {
   std::string text;
   constexpr std::size_t kMaxText = PictureData::kMaxBytes / 3 * 4 + 4;
@@ -297,7 +329,10 @@ constexpr std::array kLayerFields = {
     EventField{"name", false,
                [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }},
     EventField{"opacity", false, parse_opacity},
-    EventField{"matrix", false, parse_matrix}};
+    EventField{"matrix", false, parse_matrix},
+    EventField{"mode", false, parse_mode},
+    EventField{"group", false, parse_group},
+    EventField{"ids", false, parse_layers}};
 constexpr std::array kMoveFields = {
     kEvent, kTime,
     EventField{"dx", false,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "felt/geometry/vec3.h"
 #include "felt/io/ndjson/ndjson_object.h"
@@ -41,6 +42,9 @@ struct EventFields {
   std::optional<double> width_factor;
   std::shared_ptr<const PictureData> picture;
   std::optional<Affine> matrix;
+  std::optional<BlendMode> mode;
+  std::optional<GroupId> group;
+  std::vector<LayerId> layers;
   GuideLine guide;
 };
 

@@ -26,10 +26,15 @@ struct Glance {
 LayerEvent layer_event(EventFields&& fields) {
   using Do = LayerEvent::Do;
   LayerEvent event{fields.action, fields.layer};
-  if (event.what == Do::kAdd) event.layer = {};
-  if (event.what == Do::kAdd || event.what == Do::kRename) event.name = std::move(fields.name);
+  const bool is_new = event.what == Do::kAdd || event.what == Do::kGroup;
+  if (is_new || event.what == Do::kUngroup) event.layer = {};
+  if (is_new || event.what == Do::kRename) event.name = std::move(fields.name);
+  if (event.what == Do::kGroup) event.layers = std::move(fields.layers);
+  const bool is_of_group = !event.layer && !is_new;
+  if (is_of_group || event.what == Do::kMove) event.group = fields.group;
   if (event.what == Do::kMove) event.index = fields.index.value_or(0);
   if (event.what == Do::kOpacity) event.opacity = fields.opacity.value_or(1.0);
+  if (event.what == Do::kBlend) event.mode = fields.mode.value_or(BlendMode::kNormal);
   if (event.what == Do::kPlace) event.place = fields.matrix.value_or(Affine{});
   return event;
 }
@@ -87,12 +92,33 @@ Result<void> check_pose(EventName name, const EventFields& fields) {
   return json::bad("key \"z\" is missing, and there is no pressure");
 }
 
+/// A layer event is for a layer, several layers or a group.
+Result<void> check_layer_name(const EventFields& fields) {
+  using Do = LayerEvent::Do;
+  const bool has_group = fields.group && *fields.group;
+  switch (fields.action) {
+    case Do::kAdd:
+      return {};
+    case Do::kGroup:
+      return fields.layers.empty() ? json::bad("key \"ids\" is missing") : Result<void>();
+    case Do::kUngroup:
+      return has_group ? Result<void>() : json::bad("key \"group\" is missing");
+    case Do::kUse:
+    case Do::kMerge:
+    case Do::kPlace:
+    case Do::kExport:
+    case Do::kLeaveOut:
+      break;
+    default:
+      if (has_group) return {};
+  }
+  return fields.layer ? Result<void>() : json::bad("key \"id\" is missing");
+}
+
 /// The required keys of a layer event depend on its action.
 Result<void> check_layer(EventName name, const EventFields& fields) {
   if (name != EventName::kLayer) return {};
-  if (fields.action != LayerEvent::Do::kAdd && !fields.layer) {
-    return json::bad("key \"id\" is missing");
-  }
+  if (auto named = check_layer_name(fields); !named) return named;
   if (fields.action == LayerEvent::Do::kRename && fields.name.empty()) {
     return json::bad("key \"name\" is missing");
   }
@@ -104,6 +130,9 @@ Result<void> check_layer(EventName name, const EventFields& fields) {
   }
   if (fields.action == LayerEvent::Do::kPlace && !fields.matrix) {
     return json::bad("key \"matrix\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kBlend && !fields.mode) {
+    return json::bad("key \"mode\" is missing");
   }
   return {};
 }

@@ -141,7 +141,8 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   EXPECT_EQ(error_of(R"({"event":"layer","id":1,"t_ms":0})"), "key \"do\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"fly","id":1,"t_ms":0})"),
             "do: \"fly\" is not one of add, remove, rename, show, hide, lock, unlock, raise, "
-            "lower, use, move, opacity, duplicate, merge, place, export, leave-out");
+            "lower, use, move, opacity, duplicate, merge, place, export, leave-out, blend, group, "
+            "ungroup");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0})"), "key \"id\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"t_ms":0})"),
             "key \"name\" is missing");
@@ -395,6 +396,39 @@ TEST(EventReader, RefusesBadPictures) {
               ::testing::StartsWith("png: the PNG file is damaged"));
   EXPECT_EQ(error_of(R"({"event":"layer","do":"opacity","id":1,"t_ms":0})"),
             "key \"opacity\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"blend","id":1,"t_ms":0})"),
+            "key \"mode\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"blend","id":1,"mode":"screen","t_ms":0})"),
+            "mode: \"screen\" is not one of normal, multiply");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"group","id":1,"t_ms":0})"),
+            "key \"ids\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"group","ids":[1,0],"t_ms":0})"),
+            "ids[1]: 0 is not a layer, which is a whole number, at least 1");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"ungroup","id":1,"t_ms":0})"),
+            "key \"group\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","group":0,"t_ms":0})"),
+            "key \"id\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"use","group":1,"t_ms":0})"),
+            "key \"id\" is missing");
+}
+
+TEST(EventReader, ReadsBlendModesAndGroups) {
+  using Do = LayerEvent::Do;
+  LayerEvent blend{Do::kBlend, {2}};
+  blend.mode = BlendMode::kMultiply;
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"blend","id":2,"mode":"multiply","t_ms":0})"),
+            (Event{0, blend}));
+  LayerEvent group{Do::kGroup, {}, "Cat"};
+  group.layers = {{2}, {3}};
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"group","ids":[2,3],"name":"Cat","t_ms":0})"),
+            (Event{0, group}));
+  LayerEvent hide{Do::kHide, {}};
+  hide.group = GroupId{4};
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"hide","group":4,"t_ms":0})"), (Event{0, hide}));
+  LayerEvent out{Do::kMove, {2}, {}, 1};
+  out.group = GroupId{};
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"move","id":2,"index":1,"group":0,"t_ms":0})"),
+            (Event{0, out}));
   EXPECT_EQ(error_of(R"({"event":"layer","do":"place","id":1,"t_ms":0})"),
             "key \"matrix\" is missing");
   for (const char* matrix :

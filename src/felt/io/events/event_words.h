@@ -14,9 +14,10 @@ inline constexpr std::array<std::string_view, 3> kSelectionWords = {"all", "none
 
 inline constexpr std::array<std::string_view, 2> kOrderWords = {"front", "back"};
 
-inline constexpr std::array<std::string_view, 17> kLayerWords = {
-    "add", "remove", "rename",  "show",      "hide",  "lock",  "unlock", "raise",    "lower",
-    "use", "move",   "opacity", "duplicate", "merge", "place", "export", "leave-out"};
+inline constexpr std::array<std::string_view, 20> kLayerWords = {
+    "add",   "remove", "rename",    "show",  "hide",    "lock",      "unlock",
+    "raise", "lower",  "use",       "move",  "opacity", "duplicate", "merge",
+    "place", "export", "leave-out", "blend", "group",   "ungroup"};
 
 inline constexpr std::array<std::string_view, 5> kGuideWords = {"none", "groove", "as-needed",
                                                                 "error-amplifying", "teacher"};
@@ -36,7 +37,7 @@ constexpr std::string_view word_of(GuideKind kind) {
 
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
 static_assert(word_of(OrderEvent::To::kBack) == "back");
-static_assert(word_of(LayerEvent::Do::kLeaveOut) == "leave-out");
+static_assert(word_of(LayerEvent::Do::kUngroup) == "ungroup");
 static_assert(word_of(GuideKind::kTeacher) == "teacher");
 
 }  // namespace felt::json

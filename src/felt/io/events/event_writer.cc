@@ -90,6 +90,12 @@ struct AddWhat {
     if (e.what == LayerEvent::Do::kMove) out.add_raw("index", std::to_string(e.index));
     if (e.what == LayerEvent::Do::kOpacity) out.add_number("opacity", e.opacity);
     if (e.what == LayerEvent::Do::kPlace) add_matrix(out, e.place);
+    if (e.what == LayerEvent::Do::kBlend) out.add_text("mode", blend_mode_name(e.mode));
+    if (e.group) out.add_raw("group", std::to_string(e.group->value));
+    if (e.what != LayerEvent::Do::kGroup) return;
+    std::vector<std::string> ids;
+    for (const LayerId id : e.layers) ids.push_back(std::to_string(id.value));
+    out.add_raw("ids", json_array(ids));
   }
   void operator()(const AddPicture& e) const {
     kind("picture");

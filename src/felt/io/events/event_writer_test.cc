@@ -120,13 +120,24 @@ Affine any_picture_place() {
 
 LayerEvent any_layer_event() {
   using Do = LayerEvent::Do;
-  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 17)), {}, {}};
+  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 20)), {}, {}};
+  if (event.what == Do::kGroup) {
+    event.layers = {{1}, {*rc::gen::positive<std::uint64_t>()}};
+    return event;
+  }
+  const bool may_be_group = event.what == Do::kHide || event.what == Do::kMove;
+  if (event.what == Do::kUngroup || (may_be_group && *rc::gen::arbitrary<bool>())) {
+    event.group = GroupId{*rc::gen::positive<std::uint64_t>()};
+    return event;
+  }
+  if (event.what == Do::kMove && *rc::gen::arbitrary<bool>()) event.group = GroupId{};
   if (event.what != Do::kAdd) event.layer.value = *rc::gen::positive<std::uint64_t>();
   const bool is_named = event.what == Do::kAdd ? *rc::gen::arbitrary<bool>() : false;
   if (is_named || event.what == Do::kRename) event.name = *event_texts();
   if (event.what == Do::kMove) event.index = *rc::gen::arbitrary<std::uint32_t>();
   if (event.what == Do::kOpacity) event.opacity = *rc::gen::inRange(0, 1001) / 1000.0;
   if (event.what == Do::kPlace) event.place = any_picture_place();
+  if (event.what == Do::kBlend) event.mode = BlendMode::kMultiply;
   return event;
 }
 

@@ -177,19 +177,37 @@ class InkmlReader {
     if (felt_.empty() || group.only_defines) return group;
     const pugi::xml_attribute layer = node.attribute((felt_ + "layer").c_str());
     if (!layer) return group;
-    const auto is = [&](const char* key, std::string_view value) {
-      return node.attribute((felt_ + key).c_str()).value() == value;
-    };
     const std::string_view label = layer.value();
     if (label.size() > limits::kMaxNameBytes) {
       notice(node, "has a name of more than 4096 bytes, which was skipped");
     }
-    const double opacity =
-        inkml::number_of(node.attribute((felt_ + "opacity").c_str()).value()).value_or(1.0);
-    group.layer =
-        builder_.add_layer({std::string(label), !is("visible", "false"), is("locked", "true"),
-                            opacity >= 0.0 && opacity <= 1.0 ? opacity : 1.0});
+    LayerState state{.name = std::string(label)};
+    read_look(node, "", state);
+    if (const std::uint64_t number = node.attribute((felt_ + "group").c_str()).as_ullong()) {
+      LayerGroup layers{.id = {number},
+                        .name = node.attribute((felt_ + "group-name").c_str()).value()};
+      read_look(node, "group-", layers);
+      state.group = std::make_shared<const LayerGroup>(std::move(layers));
+    }
+    group.layer = builder_.add_layer(std::move(state));
     return group;
+  }
+
+  /// Reads the attributes of a layer or of a group of layers. Invalid values have no effect.
+  template <class State>
+  void read_look(const pugi::xml_node& node, const std::string& prefix, State& state) {
+    const auto value = [&](const char* key) -> std::string_view {
+      return node.attribute((felt_ + prefix + key).c_str()).value();
+    };
+    state.visible = value("visible") != "false";
+    state.locked = value("locked") == "true";
+    const double opacity = inkml::number_of(value("opacity")).value_or(1.0);
+    if (opacity >= 0.0 && opacity <= 1.0) state.opacity = opacity;
+    const std::string_view mode = value("blend");
+    state.blend = blend_mode_of(mode).value_or(BlendMode::kNormal);
+    if (!mode.empty() && !blend_mode_of(mode)) {
+      notice(node, "has a blend mode that is not supported, which was ignored");
+    }
   }
 
   // A view of a trace that is drawn in its own place adds no ink. A view of a trace in definitions

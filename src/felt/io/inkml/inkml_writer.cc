@@ -105,6 +105,24 @@ class InkmlParts final : public DrawingParts {
     head_ += "</brush>\n";
   }
 
+  /// Appends the attributes of a layer or of a group of layers.
+  template <class State>
+  static void append_look(std::string& out, const State& state, const std::string& prefix) {
+    const auto attribute = [&](const char* name, std::string_view value) {
+      out += " felt:" + prefix + name + "=\"";
+      out += value;
+      out += '"';
+    };
+    if (!state.visible) attribute("visible", "false");
+    if (state.locked) attribute("locked", "true");
+    if (state.opacity < 1.0) {
+      std::array<char, 32> number{};
+      const auto end = std::to_chars(number.begin(), number.end(), state.opacity).ptr;
+      attribute("opacity", std::string(number.data(), end));
+    }
+    if (state.blend != BlendMode::kNormal) attribute("blend", blend_mode_name(state.blend));
+  }
+
   static Result<void> append_layer(std::string& out, const Layer& layer) {
     if (layer.name.size() > limits::kMaxNameBytes) {
       return fail(ErrorCode::kLimitExceeded,
@@ -115,12 +133,14 @@ class InkmlParts final : public DrawingParts {
       return tl::unexpected(with_context(ok.error(), "a layer's name"));
     }
     out += '"';
-    if (!layer.visible) out += " felt:visible=\"false\"";
-    if (layer.locked) out += " felt:locked=\"true\"";
-    if (layer.opacity < 1.0) {
-      std::array<char, 32> number{};
-      const auto end = std::to_chars(number.begin(), number.end(), layer.opacity).ptr;
-      out += " felt:opacity=\"" + std::string(number.data(), end) + '"';
+    append_look(out, layer.state(), "");
+    if (layer.group) {
+      out += " felt:group=\"" + std::to_string(layer.group->id.value) + "\" felt:group-name=\"";
+      if (auto ok = append_xml_attribute(out, layer.group->name); !ok) {
+        return tl::unexpected(with_context(ok.error(), "the name of a group of layers"));
+      }
+      out += '"';
+      append_look(out, *layer.group, "group-");
     }
     out += ">\n";
     return {};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "felt/io/fill_path.h"
+#include "felt/io/picture/pdf_objects.h"
 #include "felt/io/picture/pdf_pictures.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/outline/outline_path.h"
@@ -19,22 +20,8 @@
 namespace felt {
 namespace {
 
-constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kMaxPoints = 14'400.0;
 constexpr double kClipMarginMm = 1e6;
-constexpr double kPdfStepsPerMm = 1e3;  // a step of coordinates is 1e-3 mm
-constexpr double kHairMm = 5e-4;
-
-/// Appends a value with four decimals, without trailing zeros, and a space.
-void append_pdf_number(std::string& out, double value) {
-  constexpr double kPlaces = 1e4;
-  std::array<char, 40> text;
-  const double rounded = std::round(value * kPlaces) / kPlaces;
-  out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(),
-                                        rounded == 0.0 ? 0.0 : rounded, std::chars_format::fixed)
-                              .ptr);
-  out += ' ';
-}
 
 /// Appends a length in mm as whole steps, and a space.
 void append_grid_steps(std::string& out, double mm) {
@@ -55,10 +42,11 @@ class Content {
     std::array<char, 160> text{};
     // The scale needs more digits than the rest, because a page can be 14400 points long.
     std::snprintf(text.data(), text.size(), "%.*f 0 0 %.*f ", kMatrixDigits,
-                  kPointsPerMm / kPdfStepsPerMm, kMatrixDigits, -kPointsPerMm / kPdfStepsPerMm);
+                  kPdfPointsPerMm / kPdfStepsPerMm, kMatrixDigits,
+                  -kPdfPointsPerMm / kPdfStepsPerMm);
     out_ += text.data();
-    append_pdf_number(out_, -area.x0 * kPointsPerMm);
-    append_pdf_number(out_, area.y1 * kPointsPerMm);
+    append_pdf_number(out_, -area.x0 * kPdfPointsPerMm);
+    append_pdf_number(out_, area.y1 * kPdfPointsPerMm);
     out_ += "cm\n";
   }
 
@@ -88,16 +76,17 @@ class Content {
   /// Appends the picture of a layer, if it has one in the file.
   void picture(const PdfPictures& pictures, const Layer& layer) {
     if (!pictures.has(layer)) return;
-    set_color({color_.r, color_.g, color_.b, alpha_of(layer)});
+    set_color({color_.r, color_.g, color_.b, 255});
     pictures.append_commands(out_, layer, kPdfStepsPerMm);
   }
 
-  [[nodiscard]] const std::string& text() const noexcept { return out_; }
-
-  /// Returns the alpha of the picture of a layer.
-  static std::uint8_t alpha_of(const Layer& layer) {
-    return static_cast<std::uint8_t>(std::lround(255.0 * layer.opacity));
+  /// Appends the form with this number.
+  void form(std::size_t number) {
+    const std::string name = std::to_string(number);
+    out_ += "q /L" + name + " gs /F" + name + " Do Q\n";
   }
+
+  [[nodiscard]] const std::string& text() const noexcept { return out_; }
 
  private:
   void outline(const OutlinePath& path) {
@@ -145,87 +134,12 @@ class Content {
   bool has_color_ = false;
 };
 
-/// The objects of the pictures follow the page's content, and then those of the masks, two for each
-/// mask: the picture, and the group that places it on the page.
-constexpr std::size_t kFirstPictureObject = 6;
-
-/// Collects the picture and the group of each mask as bodies of PDF objects.
-class Masks {
- public:
-  explicit Masks(std::size_t first_object) : first_object_(first_object) {}
-
-  /// Returns the number of the object with the picture of a mask.
-  [[nodiscard]] std::size_t picture_of(std::size_t mask) const noexcept {
-    return first_object_ + 2 * (mask - 1);
-  }
-  [[nodiscard]] std::size_t first_object() const noexcept { return first_object_; }
-  [[nodiscard]] std::size_t count() const noexcept { return bodies_.size() / 2; }
-  [[nodiscard]] const std::vector<std::string>& bodies() const noexcept { return bodies_; }
-
-  /// Adds a mask and returns its number, from 1.
-  std::size_t add(const GrainMask& mask) {
-    const std::string packed =
-        zlib_packed({reinterpret_cast<const char*>(mask.seen.data()), mask.seen.size()});
-    bodies_.push_back("<< /Type /XObject /Subtype /Image /Width " + std::to_string(mask.width) +
-                      " /Height " + std::to_string(mask.height) +
-                      " /ColorSpace /DeviceGray /BitsPerComponent 8 /Filter /FlateDecode /Length " +
-                      std::to_string(packed.size()) + " >>\nstream\n" + packed + "\nendstream");
-    // The unit square of a picture has y up; our page has y down. The picture is slightly smaller
-    // than its area, because programs that round a picture outwards to whole pixels, such as
-    // poppler, would stretch one that ends on a pixel's edge by a pixel.
-    const Rect area = mask.area.inflated(-kHairMm);
-    std::string place = "q ";
-    for (const double v : {area.width(), 0.0, 0.0, -area.height(), area.x0, area.y1}) {
-      append_pdf_number(place, kPdfStepsPerMm * v);
-    }
-    place += "cm /P Do Q\n";
-    std::string group = "<< /Type /XObject /Subtype /Form /BBox [";
-    for (const double v : {mask.area.x0, mask.area.y0, mask.area.x1, mask.area.y1}) {
-      append_pdf_number(group, kPdfStepsPerMm * v);
-    }
-    group +=
-        "] /Group << /S /Transparency /CS /DeviceGray /I true >> /Resources << /XObject << /P " +
-        std::to_string(picture_of(count() + 1)) + " 0 R >> >> /Length " +
-        std::to_string(place.size()) + " >>\nstream\n" + place + "endstream";
-    bodies_.push_back(std::move(group));
-    return count();
-  }
-
- private:
-  std::size_t first_object_;
-  std::vector<std::string> bodies_;
-};
-
-std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
-                        const PdfPictures& pictures, const Masks& masks) {
-  std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
-  append_pdf_number(out, area.width() * kPointsPerMm);
-  append_pdf_number(out, area.height() * kPointsPerMm);
-  // With this group, transparent colours are blended in the device's RGB space. It is close to
-  // sRGB, in which Feltline blends everywhere else.
-  out +=
-      "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> "
-      "/Resources << /ExtGState <<";
-  for (const std::uint8_t alpha : alphas) {
-    out += " /A" + std::to_string(alpha) + " << /ca ";
-    append_pdf_number(out, alpha / 255.0);
-    out += ">>";
-  }
-  for (std::size_t mask = 1; mask <= masks.count(); ++mask) {
-    out += " /G" + std::to_string(mask) + " << /SMask << /S /Luminosity /G " +
-           std::to_string(masks.picture_of(mask) + 1) + " 0 R >> >>";
-  }
-  out += " >>";
-  if (!pictures.bodies().empty()) out += " /XObject <<" + pictures.resources() + " >>";
-  return out + " >> >>";
-}
-
 Result<void> check(const Document& document, const PdfOptions& options, const Rect& area) {
   if (!(options.tolerance_mm > 0.0) || !(options.margin_mm >= 0.0)) {
     return fail(ErrorCode::kInvalidArgument,
                 "PDF: the tolerance must be above 0, the margin 0 or more");
   }
-  const double longest = std::max(area.width(), area.height()) * kPointsPerMm;
+  const double longest = std::max(area.width(), area.height()) * kPdfPointsPerMm;
   if (!(area.width() > 0.0) || !(area.height() > 0.0) || !(longest <= kMaxPoints)) {
     return fail(ErrorCode::kLimitExceeded,
                 "the sides of a PDF page must be above 0 and at most 5080 mm");
@@ -251,8 +165,8 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
 }
 
 /// Makes a PDF file. The objects for the catalogue (1), the pages (2) and the packed content of the
-/// page (4) come first. The length of the content (5), the page (3), the pictures and the masks
-/// follow when they are known.
+/// page (4) come first. The length of the content (5), the page (3), the pictures, the masks and
+/// the forms follow when they are known.
 class PdfParts final : public DrawingParts {
  public:
   PdfParts(const Document& document, const PdfOptions& options, const Rect& area,
@@ -262,20 +176,23 @@ class PdfParts final : public DrawingParts {
         options_(options),
         area_(area),
         pictures_(std::move(pictures)),
-        masks_(kFirstPictureObject + pictures_.bodies().size()) {
+        masks_(kFirstPdfObject + pictures_.bodies().size()) {
     if (options.grain) grain_.emplace(*options.grain, area);
     if (options.paper.a > 0) alphas_.insert(options.paper.a);
     for (const Layer& layer : document.layers()) {
       if (!layer.visible) continue;
       for (const StrokeId id : layer.strokes) alphas_.insert(document.find(id)->color().a);
       for (const FillId id : layer.fills) alphas_.insert(document.find_fill(id)->color.a);
-      if (pictures_.has(layer)) alphas_.insert(Content::alpha_of(layer));
+      if (pictures_.has(layer)) alphas_.insert(255);
     }
   }
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
-  // Parts with masks must be made in order, because masks are numbered in that order.
-  [[nodiscard]] bool any_order() const override { return !grain_; }
+  // Masks and forms are numbered in the order in which they are made.
+  [[nodiscard]] bool any_order() const override {
+    return !grain_ && std::none_of(ranges_.begin(), ranges_.end(),
+                                   [this](const StrokeRange& r) { return is_in_form(r); });
+  }
 
   Result<void> make(std::size_t i, DrawingPart& out) const override {
     out.clear();
@@ -285,7 +202,7 @@ class PdfParts final : public DrawingParts {
       content.begin(area_);
       if (options_.paper.a > 0) content.paper(area_, options_.paper);
     } else {
-      if (auto ok = add_strokes(ranges_[i - 1], content); !ok) return ok;
+      if (auto ok = add_page_part(i - 1, content); !ok) return ok;
     }
     append_deflated(out.bytes, content.text());
     out.raw_bytes = content.text().size();
@@ -310,12 +227,16 @@ class PdfParts final : public DrawingParts {
       out += std::to_string(number) + " 0 obj\n" + body + "\nendobj\n";
     };
     object(5, std::to_string(length));
-    object(3, page_object(area_, alphas_, pictures_, masks_));
+    const PdfResources resources{alphas_, pictures_, masks_, forms_};
+    object(3, pdf_page_object(area_, resources));
     for (std::size_t k = 0; k < pictures_.bodies().size(); ++k) {
-      object(kFirstPictureObject + k, pictures_.bodies()[k]);
+      object(kFirstPdfObject + k, pictures_.bodies()[k]);
     }
     for (std::size_t k = 0; k < masks_.bodies().size(); ++k) {
       object(masks_.first_object() + k, masks_.bodies()[k]);
+    }
+    for (std::size_t k = 0; k < forms_.size(); ++k) {
+      object(resources.object_of_form(k + 1), pdf_form_object(area_, forms_[k], resources));
     }
     append_table(out, places);
     return out;
@@ -336,8 +257,55 @@ class PdfParts final : public DrawingParts {
            "4 0 obj\n<< /Length 5 0 R /Filter /FlateDecode >>\nstream\n";
   }
 
+  [[nodiscard]] const Layer& layer_of(const StrokeRange& range) const {
+    return document_.layers()[range.layer];
+  }
+  [[nodiscard]] static bool is_whole(const Layer& layer) noexcept {
+    return layer.opacity < 1.0 || layer.blend != BlendMode::kNormal;
+  }
+  /// Returns the group of a range that is drawn as a whole, or null.
+  [[nodiscard]] const LayerGroup* whole_group(const StrokeRange& range) const {
+    const LayerGroup* group = layer_of(range).group.get();
+    return group && group->is_whole() ? group : nullptr;
+  }
+  [[nodiscard]] bool is_in_form(const StrokeRange& range) const {
+    return whole_group(range) || is_whole(layer_of(range));
+  }
+
+  /// Adds a range to the page. The first range of a form adds the whole form, the others nothing.
+  Result<void> add_page_part(std::size_t i, Content& content) const {
+    const LayerGroup* group = whole_group(ranges_[i]);
+    if (!group) return add_layer_part(i, content);
+    const auto is_same = [&](std::size_t k) {
+      const LayerGroup* other = whole_group(ranges_[k]);
+      return other && other->id == group->id;
+    };
+    if (i > 0 && is_same(i - 1)) return {};
+    Content inside;
+    for (std::size_t k = i; k < ranges_.size() && is_same(k); ++k) {
+      if (auto ok = add_layer_part(k, inside); !ok) return ok;
+    }
+    forms_.push_back({inside.text(), group->opacity, group->blend});
+    content.form(forms_.size());
+    return {};
+  }
+
+  Result<void> add_layer_part(std::size_t i, Content& content) const {
+    const Layer& layer = layer_of(ranges_[i]);
+    if (!is_whole(layer)) return add_strokes(ranges_[i], content);
+    if (ranges_[i].first > 0) return {};
+    Content inside;
+    for (std::size_t k = i; k < ranges_.size() && ranges_[k].layer == ranges_[i].layer; ++k) {
+      if (auto ok = add_strokes(ranges_[k], inside); !ok) return ok;
+    }
+    if (inside.text().empty()) return {};
+    forms_.push_back({inside.text(), layer.opacity, layer.blend});
+    content.form(forms_.size());
+    return {};
+  }
+
   Result<void> add_strokes(const StrokeRange& range, Content& content) const {
-    const Layer& layer = document_.layers()[range.layer];
+    const Layer& layer = layer_of(range);
     if (range.first == 0) {
       content.picture(pictures_, layer);
       for (const FillId id : layer.fills) content.fill(*document_.find_fill(id));
@@ -380,7 +348,8 @@ class PdfParts final : public DrawingParts {
   std::uint32_t checksum_ = adler32_of({});
   // Set if the strokes have masks. Used by one thread only, because any_order() is then false.
   mutable std::optional<GrainMasks> grain_;
-  mutable Masks masks_;
+  mutable PdfMasks masks_;
+  mutable std::vector<PdfForm> forms_;  // used by one thread only, too
 };
 
 }  // namespace
@@ -388,7 +357,7 @@ class PdfParts final : public DrawingParts {
 Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options) {
   const Rect area = picture_area(ink_bounds(drawing.document), options.area, options.margin_mm);
   if (auto ok = check(drawing.document, options, area); !ok) return tl::unexpected(ok.error());
-  return PdfPictures::create(drawing.document, options.pictures, kFirstPictureObject)
+  return PdfPictures::create(drawing.document, options.pictures, kFirstPdfObject)
       .map([&](PdfPictures pictures) -> std::unique_ptr<DrawingParts> {
         return std::make_unique<PdfParts>(drawing.document, options, area, std::move(pictures));
       });

@@ -33,10 +33,9 @@ struct PdfOptions {
 /// crosses itself, it is not darker. Equal drawings give equal bytes, because the file contains
 /// neither date nor program version.
 ///
-/// Pictures of layers are images below the fills and strokes of their layer. The opacity of a layer
-/// is applied only to its picture; drawing_parts() has applied it to the strokes and fills.
-///
-/// The grain is written as a soft mask for the outline (PDF 1.4, 7.5.4).
+/// Pictures of layers are images below the fills and strokes of their layer. The grain is written
+/// as a soft mask for the outline (PDF 1.4, 7.5.4). A layer or a group of layers with an opacity or
+/// a blend mode is a transparency group.
 ///
 /// Fails if the page is empty or larger than the 5080 mm that PDF allows (14400 points), if an
 /// option is invalid, if a picture is damaged, or if a stroke reaches farther than 1e6 mm from the

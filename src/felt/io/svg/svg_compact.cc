@@ -76,30 +76,65 @@ Result<void> append_strokes(std::string& out, const std::vector<StrokePtr>& stro
   return {};
 }
 
-/// Appends the visible layers. Strokes of neighbouring layers without fills can share a group.
+/// Begins a group with an opacity and a blend mode.
+void append_whole_begin(std::string& out, double opacity, BlendMode blend) {
+  out += "<g";
+  if (opacity < 1.0) {
+    out += " opacity=\"";
+    append_number(out, std::round(opacity * 1e3) / 1e3);
+    out += '"';
+  }
+  if (blend != BlendMode::kNormal) {
+    out += " style=\"mix-blend-mode:";
+    out += blend_mode_name(blend);
+    out += '"';
+  }
+  out += ">\n";
+}
+
+Result<void> append_fills(std::string& out, const Document& document, const Layer& layer) {
+  for (const FillId id : layer.fills) {
+    const Fill& fill = *document.find_fill(id);
+    const Rect box = fill_bounds(fill);
+    if (std::max({-box.x0, -box.y0, box.x1, box.y1}) > kMaxCoordinateMm) {
+      return fail(ErrorCode::kLimitExceeded, fill_name(id) + ": the fill extends beyond 1e9 mm");
+    }
+    OutlinePath path = fill_path(fill);
+    for (Point& p : path.points) p = {rounded(p.x), rounded(p.y)};
+    out += "<path" + fill_of(fill.color) + " fill-rule=\"evenodd\" d=\"";
+    append_path_data(out, path);
+    out += "\"/>\n";
+  }
+  return {};
+}
+
+/// Appends the visible layers. Strokes of neighbouring layers can share a group, unless one of the
+/// layers has fills or is drawn as a whole.
 Result<void> append_layers(std::string& out, const Document& document) {
   std::vector<StrokePtr> strokes;
+  LayerGroupPtr open;  // the group of layers that has begun, if it is drawn as a whole
   const auto flush = [&] { return append_strokes(out, std::exchange(strokes, {})); };
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
-    if (!layer.fills.empty()) {
+    const LayerGroupPtr group = layer.group && layer.group->is_whole() ? layer.group : nullptr;
+    const bool is_whole = layer.opacity < 1.0 || layer.blend != BlendMode::kNormal;
+    const bool is_next = !equal_groups(group, open);
+    if (is_whole || is_next || !layer.fills.empty()) {
       if (auto ok = flush(); !ok) return ok;
     }
-    for (const FillId id : layer.fills) {
-      const Fill& fill = *document.find_fill(id);
-      const Rect box = fill_bounds(fill);
-      if (std::max({-box.x0, -box.y0, box.x1, box.y1}) > kMaxCoordinateMm) {
-        return fail(ErrorCode::kLimitExceeded, fill_name(id) + ": the fill extends beyond 1e9 mm");
-      }
-      OutlinePath path = fill_path(fill);
-      for (Point& p : path.points) p = {rounded(p.x), rounded(p.y)};
-      out += "<path" + fill_of(fill.color) + " fill-rule=\"evenodd\" d=\"";
-      append_path_data(out, path);
-      out += "\"/>\n";
-    }
+    if (is_next && open) out += "</g>\n";
+    if (is_next && group) append_whole_begin(out, group->opacity, group->blend);
+    open = group;
+    if (is_whole) append_whole_begin(out, layer.opacity, layer.blend);
+    if (auto ok = append_fills(out, document, layer); !ok) return ok;
     for (const StrokeId id : layer.strokes) strokes.push_back(document.find(id));
+    if (!is_whole) continue;
+    if (auto ok = flush(); !ok) return ok;
+    out += "</g>\n";
   }
-  return flush();
+  if (auto ok = flush(); !ok) return ok;
+  if (open) out += "</g>\n";
+  return {};
 }
 
 }  // namespace

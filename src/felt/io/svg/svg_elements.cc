@@ -421,19 +421,36 @@ Result<std::string> svg_model_text(const Drawing& drawing, const Page* page) {
   return out;
 }
 
-Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number) {
+namespace {
+
+/// Begins a layer, or a group of layers, whose attribute `id` is given.
+template <class State>
+Result<void> append_layer_begin(std::string& out, const State& state, const std::string& id) {
   std::string label;
-  if (auto ok = append_xml_attribute(label, layer.name); !ok) return ok;
-  out += "<g id=\"layer" + std::to_string(number) +
-         "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
-  if (layer.locked) out += " sodipodi:insensitive=\"true\"";
-  out += layer.visible ? " style=\"display:inline" : " style=\"display:none";
-  if (layer.opacity < 1.0) {
+  if (auto ok = append_xml_attribute(label, state.name); !ok) return ok;
+  out += "<g id=\"" + id + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
+  if (state.locked) out += " sodipodi:insensitive=\"true\"";
+  out += state.visible ? " style=\"display:inline" : " style=\"display:none";
+  if (state.opacity < 1.0) {
     out += ";opacity:";
-    append_number(out, layer.opacity);
+    append_number(out, state.opacity);
+  }
+  if (state.blend != BlendMode::kNormal) {
+    out += ";mix-blend-mode:";
+    out += blend_mode_name(state.blend);
   }
   out += "\">\n";
   return {};
+}
+
+}  // namespace
+
+Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number) {
+  return append_layer_begin(out, layer.state(), "layer" + std::to_string(number));
+}
+
+Result<void> append_svg_layer_group_begin(std::string& out, const LayerGroup& group) {
+  return append_layer_begin(out, group, "group" + std::to_string(group.id.value));
 }
 
 void append_svg_picture(std::string& out, const LayerPicture& picture) {

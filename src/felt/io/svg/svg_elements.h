@@ -54,6 +54,10 @@ Result<std::string> svg_model_text(const Drawing& drawing, const Page* page);
 /// appends nothing, if XML cannot hold the name.
 Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number);
 
+/// Begins a group of layers, as a layer that contains layers. Fails, and appends nothing, if XML
+/// cannot hold the name.
+Result<void> append_svg_layer_group_begin(std::string& out, const LayerGroup& group);
+
 /// Appends a picture as an image element that contains its file.
 void append_svg_picture(std::string& out, const LayerPicture& picture);
 

@@ -218,6 +218,52 @@ TEST(SvgForeign, LayersOfInkscape) {
   }
   EXPECT_THAT(layers, ::testing::ElementsAre("Ink 1", "Back locked 1", "Sub hidden locked 1",
                                              "Back locked 1", "Ink 1"));
+  const auto read = drawing.drawing.document.layers();
+  EXPECT_FALSE(read[0].group);
+  ASSERT_TRUE(read[1].group);
+  EXPECT_EQ(read[1].group->name, "Back");
+  EXPECT_TRUE(read[1].group->locked);
+  EXPECT_FALSE(read[1].own_locked);
+  EXPECT_EQ(read[1].group, read[2].group);
+  EXPECT_EQ(read[1].group, read[3].group);
+  EXPECT_FALSE(read[4].group);
+}
+
+TEST(SvgForeign, AGroupWithABlendModeBecomesALayer) {
+  const std::string path = "<path" + std::string(kLine) + " d='M1 1h9'/>";
+  const Imported drawing =
+      imported(svg(path + "<g id='shade' style='mix-blend-mode: multiply;opacity:0.5'>" + path +
+                   "<g>" + path + "</g></g><g style='mix-blend-mode:multiply'/>" + path));
+  EXPECT_EQ(notice_lines(drawing), "");
+  const auto layers = drawing.drawing.document.layers();
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[0].blend, BlendMode::kNormal);
+  EXPECT_EQ(layers[1].blend, BlendMode::kMultiply);
+  EXPECT_EQ(layers[1].name, "shade");
+  EXPECT_EQ(layers[1].opacity, 0.5);
+  EXPECT_EQ(layers[1].strokes.size(), 2U);
+  EXPECT_EQ(drawing.drawing.document.find(layers[1].strokes[0])->color().a, 255);
+  EXPECT_EQ(layers[2].blend, BlendMode::kNormal);
+}
+
+TEST(SvgForeign, LayersInGroupsOfLayers) {
+  const std::string path = "<path" + std::string(kLine) + " d='M1 1h9'/>";
+  const std::string layer = "<g inkscape:groupmode='layer' inkscape:label=";
+  const Imported drawing = imported(
+      svg(layer + "'Outer' style='mix-blend-mode:multiply;opacity:0.5'>" + layer +
+          "'A' style='opacity:0.25'>" + path + "</g>" + layer + "'B'>" + path + layer +
+          "'Deep' style='opacity:0.5'>" + path + "</g></g></g>" + layer + "'C'>" + path + "</g>"));
+  const auto layers = drawing.drawing.document.layers();
+  ASSERT_EQ(layers.size(), 4U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_TRUE(layers[i].group) << i;
+    EXPECT_EQ(*layers[i].group, (LayerGroup{{1}, "Outer", true, false, 0.5, BlendMode::kMultiply}));
+    EXPECT_EQ(layers[i].blend, BlendMode::kNormal);
+  }
+  EXPECT_EQ(layers[0].opacity, 0.25);
+  EXPECT_EQ(layers[2].name, "Deep");
+  EXPECT_EQ(layers[2].opacity, 0.5);
+  EXPECT_FALSE(layers[3].group);
 }
 
 TEST(SvgForeign, PageAndPaper) {

@@ -124,7 +124,16 @@ void SvgInk::begin_layer(const SvgLayer& layer) {
     return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
   }
   std::string name = layer.number == 0 ? kSvgLayerName : svg_clean_name(layer.label);
-  layer_state_ = {std::move(name), layer.visible, layer.locked, layer.opacity};
+  layer_state_ = {std::move(name), layer.visible, layer.locked, layer.opacity, {}, layer.blend};
+  if (layer.group) {
+    const SvgLayer::Group& group = *layer.group;
+    layer_state_.group = std::make_shared<const LayerGroup>(LayerGroup{{group.number},
+                                                                       svg_clean_name(group.label),
+                                                                       group.visible,
+                                                                       group.locked,
+                                                                       group.opacity,
+                                                                       group.blend});
+  }
   add_layer(layer_state_);
 }
 

@@ -275,7 +275,9 @@ TEST(SvgLosses, WhatIsLeftOutIsTold) {
               HasSubstr("rules of style sheets are not supported"));
   EXPECT_THAT(ReadBack("<path d='M0 0h9' fill='none' marker-end='url(#m)'/>" + red).notices,
               HasSubstr("has markers, which were skipped"));
-  EXPECT_THAT(ReadBack("<g style='mix-blend-mode:multiply'>" + red + "</g>").notices,
+  EXPECT_THAT(ReadBack("<g style='mix-blend-mode:screen'>" + red + "</g>").notices,
+              HasSubstr("blend mode, which was ignored"));
+  EXPECT_THAT(ReadBack(line("stroke='red' style='mix-blend-mode:multiply'")).notices,
               HasSubstr("blend mode, which was ignored"));
   EXPECT_THAT(ReadBack("<g style='zoom:2'>" + red + "</g>").notices, HasSubstr("has a zoom"));
   EXPECT_THAT(ReadBack("<solidColor id='s' solid-color='red'/>" + line("stroke='url(#s)'"))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/blend_mode.h"
 #include "felt/geometry/affine.h"
 #include "felt/io/svg/svg_frame.h"
 #include "felt/io/svg/svg_path_builder.h"
@@ -80,13 +81,25 @@ struct SvgImage {
   std::optional<SvgFrame> frame;
 };
 
-/// A layer of Inkscape, or the content outside all layers.
+/// A layer of Inkscape, a group with a blend mode, or the content outside all layers.
 struct SvgLayer {
+  /// A layer of Inkscape that contains layers.
+  struct Group {
+    std::string_view label;
+    std::size_t number = 0;
+    bool visible = true;
+    bool locked = false;
+    double opacity = 1.0;
+    BlendMode blend = BlendMode::kNormal;
+  };
+
   std::string_view label;
   std::size_t number = 0;  ///< 0: content outside all layers
   bool visible = true;
   bool locked = false;
   double opacity = 1.0;
+  BlendMode blend = BlendMode::kNormal;
+  std::optional<Group> group;
 };
 
 /// Properties of the root element.

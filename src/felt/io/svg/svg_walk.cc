@@ -154,12 +154,11 @@ bool SvgWalker::resolve(Element& e) {
     else if (paint->kind == SvgPaint::Kind::kContextStroke)
       *paint = s.context_stroke;
   }
-  const bool is_layer = document_.inkscape(e.node, "groupmode") == "layer";
-  if (!s.style.displayed && !is_layer) {
+  if (!s.style.displayed && !is_layer(e)) {
     notice(e.node, "is hidden in the file and was skipped");
     return false;
   }
-  if (!is_layer) apply_opacity(e);
+  if (!is_layer(e) && blend_of(e) == BlendMode::kNormal) apply_opacity(e);
   apply_transform(e);
   notice_effects(e);
   return true;
@@ -245,7 +244,7 @@ void SvgWalker::notice_effects(Element& e) {
   check(SvgProperty::kFilter, "has a filter, which was ignored");
   check(SvgProperty::kZoom, "has a zoom, which was ignored");
   const std::string_view blend = e.declared[SvgProperty::kMixBlendMode];
-  if (is_given(blend) && !svg_same_word(blend, "normal")) {
+  if (is_given(blend) && !svg_same_word(blend, "normal") && blend_of(e) == BlendMode::kNormal) {
     notice(e.node, "has a blend mode, which was ignored");
   }
   if (is_given(e.declared[SvgProperty::kClipPath]) || is_given(e.declared[SvgProperty::kMask])) {
@@ -255,8 +254,11 @@ void SvgWalker::notice_effects(Element& e) {
 
 void SvgWalker::dispatch(Element& e, const Frame& from) {
   if (e.name == "g" || e.name == "a") {
-    const bool is_layer = document_.inkscape(e.node, "groupmode") == "layer";
-    if (is_layer) enter_layer(e);
+    if (is_layer(e)) {
+      has_layers(e) && !e.state.layer.group ? enter_layer_group(e) : enter_layer(e);
+    } else if (blend_of(e) != BlendMode::kNormal) {
+      enter_blended(e);
+    }
     return push(e, from);
   }
   if (is_svg_shape(e.name)) return visit_shape(e);
@@ -278,18 +280,6 @@ void SvgWalker::push(const Element& e, const Frame& from) {
   frame.repeats = from.repeats;
   frame.state = e.state;
   stack_.push_back(std::move(frame));
-}
-
-void SvgWalker::enter_layer(Element& e) {
-  State& s = e.state;
-  s.layer.label = document_.inkscape(e.node, "label");
-  s.layer.visible = s.layer.visible && s.style.displayed;
-  s.layer.locked = s.layer.locked || document_.sodipodi(e.node, "insensitive") == "true";
-  s.layer.opacity *= s.style.opacity;
-  s.layer.number = ++layers_;
-  current_layer_ = s.layer.number;
-  has_layer_ = true;
-  sink_.layer(s.layer);
 }
 
 void SvgWalker::visit_switch(Element& e, const Frame& from) {

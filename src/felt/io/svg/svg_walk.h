@@ -67,7 +67,12 @@ class SvgWalker {
   void enter_viewport(Element& e, const Rect& place, bool clips);
   void visit_switch(Element& e, const Frame& from);
   void visit_use(Element& e, const Frame& from);
+  [[nodiscard]] static BlendMode blend_of(const Element& e);
+  [[nodiscard]] bool is_layer(const Element& e) const;
+  [[nodiscard]] bool has_layers(const Element& e) const;
   void enter_layer(Element& e);
+  void enter_layer_group(Element& e);
+  void enter_blended(Element& e);
   void visit_shape(Element& e);
   void visit_image(const Element& e);
   void begin_content(const Element& e);

@@ -13,7 +13,7 @@ constexpr Rgba kNoPaper{255, 255, 255, 0};
 enum class SvgLayers { kWritten, kLeftOut };
 
 /// Part 0 is the head. The other parts contain the strokes. The first part of a layer also contains
-/// the start tag of the layer, and the last part its end tag.
+/// the start tag of the layer, and the last part its end tag. The same applies to groups of layers.
 class SvgParts final : public DrawingParts {
  public:
   SvgParts(const Document& document, const SvgOptions& options, const Rect& area, std::string head,
@@ -61,7 +61,11 @@ class SvgParts final : public DrawingParts {
         return tl::unexpected(with_context(ok.error(), "stroke " + std::to_string(number)));
       }
     }
-    if (range.last == layer.strokes.size()) append_svg_group_end(text);
+    if (range.last < layer.strokes.size()) return {};
+    append_svg_group_end(text);
+    const bool is_last = range.layer + 1 == document_.layers().size() ||
+                         !same_group(layer.group, document_.layers()[range.layer + 1].group);
+    if (layer.group && is_last && layers_ == SvgLayers::kWritten) append_svg_group_end(text);
     return {};
   }
 
@@ -69,6 +73,11 @@ class SvgParts final : public DrawingParts {
     if (layers_ == SvgLayers::kLeftOut) {
       append_svg_group_begin(text);
       return {};
+    }
+    const bool is_first =
+        number == 1 || !same_group(layer.group, document_.layers()[number - 2].group);
+    if (layer.group && is_first) {
+      if (auto ok = append_svg_layer_group_begin(text, *layer.group); !ok) return ok;
     }
     if (auto ok = append_svg_layer_begin(text, layer, number); !ok) return ok;
     const LayerPicture* picture = exported_picture(layer, pictures_);

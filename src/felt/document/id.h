@@ -1,0 +1,25 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace felt {
+
+/// A typed number that names a stroke, layer, fill or group of layers of a document. The id zero
+/// names nothing. Ids of strokes, fills and layers are never reused within a document, so such an
+/// id in an undo step always means the same object.
+template <class Tag>
+struct Id {
+  std::uint64_t value = 0;
+
+  /// Returns true if the id is not zero.
+  [[nodiscard]] constexpr explicit operator bool() const noexcept { return value != 0; }
+  friend constexpr auto operator<=>(Id, Id) noexcept = default;
+};
+
+using StrokeId = Id<struct StrokeTag>;
+using LayerId = Id<struct LayerTag>;
+using FillId = Id<struct FillTag>;
+using GroupId = Id<struct GroupTag>;
+
+}  // namespace felt

@@ -1,0 +1,310 @@
+#include "felt/session/group_edit.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/document/edit_builder.h"
+#include "felt/session/layer_edit.h"
+
+namespace felt {
+namespace {
+
+using Do = LayerEvent::Do;
+
+tl::unexpected<Error> refused_group(std::string why) {
+  return fail(ErrorCode::kInvalidArgument, std::move(why));
+}
+
+/// The layers of a document while an event changes their order and their states.
+class LayerStack {
+ public:
+  struct Entry {
+    LayerId id;
+    LayerState state;
+    std::size_t before = 0;  // index in the document
+    bool is_moved = false;
+  };
+  /// Indices of neighbours; `last` is not included.
+  struct Range {
+    std::size_t first = 0, last = 0;
+    [[nodiscard]] std::size_t size() const noexcept { return last - first; }
+  };
+
+  explicit LayerStack(const Document& document) : document_(document) {
+    for (const Layer& l : document.layers()) {
+      entries_.push_back({l.id, l.state(), entries_.size(), false});
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
+  [[nodiscard]] LayerState& state(std::size_t i) { return entries_[i].state; }
+  [[nodiscard]] const LayerGroupPtr& group(std::size_t i) const { return entries_[i].state.group; }
+
+  [[nodiscard]] Range range_of(LayerId id) const {
+    std::size_t i = 0;
+    while (i < entries_.size() && entries_[i].id != id) ++i;
+    return {i, std::min(i + 1, entries_.size())};
+  }
+  /// Returns the layers of a group; an empty range if there is no such group.
+  [[nodiscard]] Range range_of(GroupId id) const {
+    const auto is_in = [id](const Entry& e) { return e.state.group && e.state.group->id == id; };
+    const auto first = std::find_if(entries_.begin(), entries_.end(), is_in);
+    const auto last = std::find_if_not(first, entries_.end(), is_in);
+    return {static_cast<std::size_t>(first - entries_.begin()),
+            static_cast<std::size_t>(last - entries_.begin())};
+  }
+  /// Returns the layer with this index, and the others of its group.
+  [[nodiscard]] Range unit_of(std::size_t i) const {
+    return group(i) ? range_of(group(i)->id) : Range{i, i + 1};
+  }
+
+  /// Returns true if a layer that is inserted at this index would be between two layers of the same
+  /// group.
+  [[nodiscard]] bool splits(std::size_t i) const {
+    return i > 0 && i < size() && same_group(group(i - 1), group(i));
+  }
+  /// Returns the nearest index that splits no group.
+  [[nodiscard]] std::size_t outside(std::size_t i) const {
+    if (!splits(i)) return std::min(i, size());
+    const Range group = unit_of(i);
+    return i - group.first < group.last - i ? group.first : group.last;
+  }
+
+  /// Takes layers out of the order. Their order does not change.
+  std::vector<Entry> take(Range range) {
+    const auto first = entries_.begin() + static_cast<std::ptrdiff_t>(range.first);
+    const auto last = entries_.begin() + static_cast<std::ptrdiff_t>(range.last);
+    std::vector<Entry> taken(first, last);
+    entries_.erase(first, last);
+    return taken;
+  }
+  void insert(std::size_t index, std::vector<Entry> taken) {
+    for (Entry& e : taken) e.is_moved = true;
+    entries_.insert(entries_.begin() + static_cast<std::ptrdiff_t>(std::min(index, size())),
+                    taken.begin(), taken.end());
+  }
+
+  /// Returns the changes since the document as an edit; an empty edit if nothing has changed.
+  [[nodiscard]] Edit edit(std::string label) const {
+    Edit edit{std::move(label), {}, {}};
+    bool is_same = true;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const Entry& e = entries_[i];
+      const LayerState before = document_.layers()[e.before].state();
+      const bool is_equal = before == e.state;
+      is_same = is_same && is_equal && e.before == i;
+      if (e.is_moved || !is_equal) edit.layers.push_back({e.id, before, e.state, e.before, i});
+    }
+    return is_same ? Edit{} : edit;
+  }
+
+ private:
+  const Document& document_;
+  std::vector<Entry> entries_;
+};
+
+using LayerRange = LayerStack::Range;
+
+/// Returns the index to which kRaise or kLower moves these layers, in the order without them. In a
+/// group, they pass one layer; outside of groups (`group` is not set), a layer or a whole group.
+std::size_t passed(const LayerStack& stack, LayerRange range, Do what,
+                   std::optional<LayerRange> group) {
+  const LayerRange all = group.value_or(LayerRange{0, stack.size()});
+  if (what == Do::kRaise) {
+    if (range.last >= all.last) return range.first;
+    return range.first + (group ? 1 : stack.unit_of(range.last).size());
+  }
+  if (range.first <= all.first) return range.first;
+  return group ? range.first - 1 : stack.unit_of(range.first - 1).first;
+}
+
+Result<Edit> moved_group(LayerStack& stack, LayerRange range, const LayerEvent& event) {
+  std::size_t index = event.index;
+  if (event.what != Do::kMove) index = passed(stack, range, event.what, std::nullopt);
+  auto layers = stack.take(range);
+  stack.insert(stack.outside(std::min(index, stack.size())), std::move(layers));
+  return stack.edit(label_of(event.what));
+}
+
+/// Gives all layers of the group the same changed group.
+Result<Edit> changed_group(LayerStack& stack, LayerRange range, const LayerEvent& event) {
+  LayerGroup group = *stack.group(range.first);
+  switch (event.what) {
+    case Do::kRename:
+      if (event.name.empty()) return refused_group("name: is empty");
+      group.name = event.name;
+      break;
+    case Do::kShow:
+    case Do::kHide:
+      group.visible = event.what == Do::kShow;
+      break;
+    case Do::kLock:
+    case Do::kUnlock:
+      group.locked = event.what == Do::kLock;
+      break;
+    case Do::kOpacity:
+      if (!(event.opacity >= 0.0 && event.opacity <= 1.0)) {
+        return refused_group("opacity: is not a number from 0 to 1");
+      }
+      group.opacity = event.opacity;
+      break;
+    case Do::kBlend:
+      group.blend = event.mode;
+      break;
+    default:
+      return refused_group("a group of layers cannot do this");
+  }
+  const auto shared = std::make_shared<const LayerGroup>(std::move(group));
+  for (std::size_t i = range.first; i < range.last; ++i) stack.state(i).group = shared;
+  return stack.edit(label_of(event.what));
+}
+
+/// Takes the layers out of their group. Its visibility, lock and opacity go to the layers, and so
+/// does its blend mode, unless a layer has one of its own.
+Result<Edit> dissolved_group(LayerStack& stack, LayerRange range) {
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    LayerState& state = stack.state(i);
+    const LayerGroup& group = *state.group;
+    state.visible = is_visible(state);
+    state.locked = is_locked(state);
+    state.opacity *= group.opacity;
+    if (state.blend == BlendMode::kNormal) state.blend = group.blend;
+    state.group = nullptr;
+  }
+  return stack.edit(label_of(Do::kUngroup));
+}
+
+Edit removed_group(const Document& document, LayerRange range) {
+  EditBuilder builder(document);
+  const std::span<const Layer> layers = document.layers();
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    for (const StrokeId id : layers[i].strokes) builder.remove(id);
+    for (const FillId id : layers[i].fills) builder.remove_fill(id);
+  }
+  Edit edit = std::move(builder).build(label_of(Do::kRemove));
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    edit.layers.push_back({layers[i].id, layers[i].state(), std::nullopt, i, 0});
+  }
+  return edit;
+}
+
+Edit copied_group(const Document& document, LayerRange range) {
+  LayerGroup group = *document.layers()[range.first].group;
+  group.id = document.new_group_id();
+  group.name += " copy";
+  const auto shared = std::make_shared<const LayerGroup>(std::move(group));
+  Edit edit{label_of(Do::kDuplicate), {}, {}};
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const Layer& layer = document.layers()[i];
+    LayerState state = layer.state();
+    state.group = shared;
+    add_copy(document, layer, std::move(state), i + range.size(), edit);
+  }
+  return edit;
+}
+
+Result<Edit> new_group(const Document& document, const LayerEvent& event) {
+  if (event.layers.empty()) return refused_group("ids: has no layer");
+  for (const LayerId id : event.layers) {
+    if (!document.layer(id)) {
+      return fail(ErrorCode::kNotFound, "no layer " + std::to_string(id.value));
+    }
+  }
+  LayerStack stack(document);
+  std::vector<LayerStack::Entry> chosen;
+  std::size_t index = 0;
+  for (const Layer& layer : document.layers()) {
+    if (std::find(event.layers.begin(), event.layers.end(), layer.id) == event.layers.end()) {
+      continue;
+    }
+    const LayerRange range = stack.range_of(layer.id);
+    index = range.first;  // after the loop: the number of other layers below the highest one
+    chosen.push_back(stack.take(range).front());
+  }
+  LayerGroup group{document.new_group_id(), event.name};
+  if (group.name.empty()) group.name = "Group " + std::to_string(group.id.value);
+  const auto shared = std::make_shared<const LayerGroup>(std::move(group));
+  for (LayerStack::Entry& e : chosen) e.state.group = shared;
+  stack.insert(stack.outside(index), std::move(chosen));
+  return stack.edit(label_of(Do::kGroup));
+}
+
+Result<Edit> edit_of_group(const Document& document, const LayerEvent& event) {
+  if (event.what == Do::kGroup) return new_group(document, event);
+  LayerStack stack(document);
+  const LayerRange range = stack.range_of(event.group.value_or(GroupId{}));
+  if (range.size() == 0) {
+    return fail(ErrorCode::kNotFound,
+                "no group " + std::to_string(event.group.value_or(GroupId{}).value));
+  }
+  switch (event.what) {
+    case Do::kUngroup:
+      return dissolved_group(stack, range);
+    case Do::kRemove:
+      return removed_group(document, range);
+    case Do::kDuplicate:
+      return copied_group(document, range);
+    case Do::kMove:
+    case Do::kRaise:
+    case Do::kLower:
+      return moved_group(stack, range, event);
+    default:
+      return changed_group(stack, range, event);
+  }
+}
+
+/// Returns the group of a layer after it was moved to `index` of the other layers. If the layer
+/// stays next to the others of its group, it stays in the group.
+LayerGroupPtr group_at(const LayerStack& others, std::size_t index, const LayerGroupPtr& own) {
+  if (others.splits(index)) return others.group(index);
+  if (!own) return nullptr;
+  const LayerRange range = others.range_of(own->id);
+  const bool is_next = index == range.first || index == range.last;
+  return range.size() == 0 || is_next ? own : nullptr;
+}
+
+}  // namespace
+
+Result<Edit> group_edit(const Document& document, const LayerEvent& event) {
+  Result<Edit> edit = edit_of_group(document, event);
+  if (edit) keep_one_open(document, *edit);
+  return edit;
+}
+
+Result<Edit> layer_move(const Document& document, const LayerEvent& event) {
+  LayerStack stack(document);
+  const LayerRange range = stack.range_of(event.layer);
+  const LayerGroupPtr own = stack.group(range.first);
+  std::size_t index = event.index;
+  const bool passes = event.what != Do::kMove;
+  if (passes) {
+    const auto group = own ? std::optional(stack.range_of(own->id)) : std::nullopt;
+    index = passed(stack, range, event.what, group);
+  }
+  std::vector<LayerStack::Entry> taken = stack.take(range);
+  index = std::min(index, stack.size());
+  LayerGroupPtr& group = taken.front().state.group;
+  if (!passes && event.group && *event.group) {
+    const LayerRange to = stack.range_of(*event.group);
+    const bool stays_alone = to.size() == 0 && own && own->id == *event.group;
+    if (to.size() == 0 && !stays_alone) {
+      return fail(ErrorCode::kNotFound, "no group " + std::to_string(event.group->value));
+    }
+    index = stays_alone ? stack.outside(index) : std::clamp(index, to.first, to.last);
+    if (!stays_alone) group = stack.group(to.first);
+  } else if (!passes && event.group) {
+    index = stack.outside(index);
+    group = nullptr;
+  } else if (!passes) {
+    group = group_at(stack, index, own);
+  }
+  stack.insert(index, std::move(taken));
+  Edit edit = stack.edit(label_of(event.what));
+  keep_one_open(document, edit);
+  return edit;
+}
+
+}  // namespace felt
