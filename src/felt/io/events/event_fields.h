@@ -53,6 +53,7 @@ enum class EventName {
   kUndo,
   kRedo,
   kCancel,
+  kAsDrawn,
   kImport,
   kSelect,
   kDelete,
