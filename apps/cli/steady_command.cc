@@ -53,8 +53,9 @@ void run_calibrate(const CalibrateArguments& args, Console& console) {
   if (!samples) return console.error(samples.error().message);
   const Result<Shake> shake = find_shake(*samples);
   if (!shake) return console.error(input_name(args.input) + ": " + shake.error().message);
-  const Result<void> done = Output::create(args.output).and_then(
-      [&](Output output) { return output.write_all(write_shake(*shake)); });
+  const Result<void> done = Output::create(args.output).and_then([&](Output output) {
+    return output.write_all(write_shake(*shake));
+  });
   if (!done) return console.error(done.error().message);
   console.notice(
       fmt::format("This hand shakes {:.1f} times a second, by {:.1f} mm to each side, along {:.0f} "

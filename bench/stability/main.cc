@@ -1,6 +1,6 @@
-// bench_stability [FILE [TRIAL]]: writes the whole stability matrix to FILE (docs/stability.md), which
-// takes about two minutes on two cores. It uses virtual time, so the figures are the same on a busy
-// machine. With a TRIAL ("shake"), runs and reports only these trials.
+// bench_stability [FILE [TRIAL]]: writes the whole stability matrix to FILE (docs/stability.md),
+// which takes about two minutes on two cores. It uses virtual time, so the figures are the same on
+// a busy machine. With a TRIAL ("shake"), runs and reports only these trials.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

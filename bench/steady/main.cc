@@ -146,9 +146,9 @@ std::vector<Line> lines_of(const std::string& path) {
     return read_intended({path}, kSharedMmPerUnit);
   }
   fmt::print("Strokes: share/samples, because there is no {}; the bars are for that file\n", path);
-  return read_intended({"share/samples/cat.ndjson", "share/samples/handwriting.ndjson",
-                        "share/samples/page.ndjson"},
-                       1.0);
+  return read_intended(
+      {"share/samples/cat.ndjson", "share/samples/handwriting.ndjson", "share/samples/page.ndjson"},
+      1.0);
 }
 
 int run(const std::string& path, std::size_t first) {
@@ -157,8 +157,9 @@ int run(const std::string& path, std::size_t first) {
   for (std::size_t i = first; i < all.size(); i += 2) lines.push_back(all[i]);
   fmt::print("{} strokes that {} the parameters\n\n", lines.size(),
              first == 0 ? "chose" : "did not choose");
-  fmt::print("| filter | removed live | after 60 ms | at pen-up | lag | steady line changes by |\n"
-             "|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| filter | removed live | after 60 ms | at pen-up | lag | steady line changes by |\n"
+      "|---|---|---|---|---|---|\n");
   const auto same = [](Line out) { return Filtered{out, out, out}; };
   print_row("moving average of 20",
             measure(lines, {}, [&](const Line& l, const Shake&) { return same(averaged(l)); }));
@@ -166,7 +167,8 @@ int run(const std::string& path, std::size_t first) {
             measure(lines, {}, [&](const Line& l, const Shake&) { return same(one_euro(l)); }));
   const Row row = measure(lines, {}, through_steady_hand);
   print_row("**steady hand**, 1 mm", row);
-  print_row("steady hand, calibrated 0.7 Hz too high", measure(lines, {1.0, 0.7}, through_steady_hand));
+  print_row("steady hand, calibrated 0.7 Hz too high",
+            measure(lines, {1.0, 0.7}, through_steady_hand));
   print_row("steady hand, 0.5 mm", measure(lines, {0.5, 0.0}, through_steady_hand));
   print_row("steady hand, 3 mm", measure(lines, {3.0, 0.0}, through_steady_hand));
   return row.whole.median() >= kMinAtPenUp && row.live.median() >= kMinLive &&

@@ -47,7 +47,8 @@ std::vector<double> filtered(const std::vector<double>& values) {
   constexpr std::size_t kPad = 40;
   const std::size_t last = values.size() - 1;
   std::vector<double> padded;
-  for (std::size_t i = kPad; i > 0; --i) padded.push_back(2 * values[0] - values[std::min(i, last)]);
+  for (std::size_t i = kPad; i > 0; --i)
+    padded.push_back(2 * values[0] - values[std::min(i, last)]);
   padded.insert(padded.end(), values.begin(), values.end());
   for (std::size_t i = 1; i <= kPad; ++i) {
     padded.push_back(2 * values[last] - values[last - std::min(i, last)]);
@@ -138,8 +139,8 @@ Line shaken(const Line& line, const ShakyHand& hand, Random& random) {
   Line result = line;
   for (InkSample& sample : result) {
     const double amplitude = hand.amplitude_mm * std::max(0.0, 1.0 + size);
-    sample.position += amplitude * std::cos(phase) * axis +
-                       hand.across * amplitude * std::sin(phase) * across;
+    sample.position +=
+        amplitude * std::cos(phase) * axis + hand.across * amplitude * std::sin(phase) * across;
     phase += kTau * (hand.hz + hz) * dt;
     hz = left * hz + fresh * kDriftHz * random.normal();
     size = left * size + fresh * kDriftShare * random.normal();

@@ -40,7 +40,7 @@ class SpiralArea : public QWidget {
   [[nodiscard]] double mm_per_px() const;
 
   std::vector<InkSample> samples_;
-  std::vector<QPointF> ink_;     // the samples in pixels; a NaN separates lines
+  std::vector<QPointF> ink_;  // the samples in pixels; a NaN separates lines
   double drawn_s_ = 0.0;
   bool touches_ = false;
 };

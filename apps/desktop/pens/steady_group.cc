@@ -21,8 +21,9 @@ SteadyGroup::SteadyGroup(Studio& studio, QWidget* parent)
   on_->setToolTip(
       tr("Lines become calm while you draw, and calmer when you lift the pen. The command Line as "
          "drawn brings the shaken line back."));
-  connect(on_, &QCheckBox::clicked, this,
-          [this](bool on) { studio_.apply(SetOption{kSteadyOption, on}); });
+  connect(on_, &QCheckBox::clicked, this, [this](bool on) {
+    studio_.apply(SetOption{kSteadyOption, on});
+  });
   words_->setWordWrap(true);
   auto* measure = new QPushButton(tr("&Measure\u2026"));
   measure->setToolTip(tr("Measures how the hand shakes, by a spiral of ten seconds."));
@@ -39,7 +40,8 @@ void SteadyGroup::load() {
   const Result<OptionValue> on = studio_.session().option(kSteadyOption);
   const auto* is_on = on ? std::get_if<bool>(&*on) : nullptr;
   on_->setChecked(is_on && *is_on);
-  words_->setText(tr("Set to a hand that shakes %1.").arg(shake_words(shake_of(studio_.session()))));
+  words_->setText(
+      tr("Set to a hand that shakes %1.").arg(shake_words(shake_of(studio_.session()))));
 }
 
 }  // namespace felt::desktop

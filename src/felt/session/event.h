@@ -219,8 +219,8 @@ struct UseGuide {
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent, OrderEvent,
-               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
+               AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
+               OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

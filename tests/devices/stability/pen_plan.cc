@@ -77,9 +77,9 @@ Side side_of(Trial trial, double t_s) noexcept {
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
     case Trial::kShake:
-      side.way_mm = 20.0 * (smooth(kMoveS, 2.2, t_s) - smooth(2.7, 3.3, t_s)) +
-                    (smooth(kMoveS, 1.8, t_s) - smooth(3.3, 3.5, t_s)) *
-                        std::sin(kTau * kShakeHz * t_s);
+      side.way_mm =
+          20.0 * (smooth(kMoveS, 2.2, t_s) - smooth(2.7, 3.3, t_s)) +
+          (smooth(kMoveS, 1.8, t_s) - smooth(3.3, 3.5, t_s)) * std::sin(kTau * kShakeHz * t_s);
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
     case Trial::kGuide:

@@ -22,8 +22,8 @@ double force_at(double hz, double period_s) {
   for (int i = 0; i * period_s < 3.0; ++i) {
     const double t = i * period_s, w = kTau * hz;
     memory.begin_tick(period_s);
-    const Force f = damping(
-        rig::pen_at({std::sin(w * t), 0, -1}, {w * std::cos(w * t), 0, 0}), memory);
+    const Force f =
+        damping(rig::pen_at({std::sin(w * t), 0, -1}, {w * std::cos(w * t), 0, 0}), memory);
     if (t > 2.0) largest = std::max(largest, norm(f));
   }
   return largest;

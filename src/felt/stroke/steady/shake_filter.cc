@@ -84,8 +84,8 @@ ShakeFilter::Record ShakeFilter::push(double y_mm, const ShakeStep& step) noexce
 }
 
 double ShakeFilter::log_likelihood(const Record& record) noexcept {
-  return -0.5 * (std::log(record.variance) +
-                 record.innovation * record.innovation / record.variance);
+  return -0.5 *
+         (std::log(record.variance) + record.innovation * record.innovation / record.variance);
 }
 
 double ShakeFilter::smooth(const Record& record, Adjoint& adjoint) noexcept {

@@ -7,8 +7,8 @@ namespace felt {
 
 /// Parameters of one model of a shaking pen along one axis.
 struct ShakeModel {
-  double hz = 5.0;             ///< frequency of the oscillation
-  double swing_mm = 0.7;       ///< standard deviation of the oscillation; > 0
+  double hz = 5.0;              ///< frequency of the oscillation
+  double swing_mm = 0.7;        ///< standard deviation of the oscillation; > 0
   double jerk_mm_per_s3 = 1e4;  ///< see ShakeFilter; > 0
 };
 
@@ -50,8 +50,8 @@ class ShakeFilter {
 
   /// What smoothing needs from one sample.
   struct Record {
-    State row{};         ///< row p of the covariance after the sample
-    State gain{};        ///< of the measurement
+    State row{};              ///< row p of the covariance after the sample
+    State gain{};             ///< of the measurement
     double variance = 1.0;    ///< of the innovation
     double innovation = 0.0;  ///< measured minus predicted position, mm
     double position = 0.0;    ///< estimate of p after the sample, mm

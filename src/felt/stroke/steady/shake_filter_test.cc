@@ -121,8 +121,8 @@ std::vector<double> by_joint_covariance(const FilterRun& run) {
     innovation[i - 1] = run.y[i] - run.y[0];
     for (std::size_t j = 1; j < n; ++j) {
       const M5& c = cov[i][j];
-      s[i - 1][j - 1] = c[0][0] + c[0][3] + c[3][0] + c[3][3] +
-                        (i == j ? ShakeFilter::kNoiseMm2 : 0.0);
+      s[i - 1][j - 1] =
+          c[0][0] + c[0][3] + c[3][0] + c[3][3] + (i == j ? ShakeFilter::kNoiseMm2 : 0.0);
     }
   }
   const std::vector<double> weights = solved(s, innovation);

@@ -92,9 +92,7 @@ TEST(Shake, TextAndFileHaveTheSameValues) {
 }
 
 TEST(Shake, BadTextsAreRefusedWithAReason) {
-  const auto error = [](const Result<Shake>& shake) {
-    return shake ? "" : shake.error().message;
-  };
+  const auto error = [](const Result<Shake>& shake) { return shake ? "" : shake.error().message; };
   EXPECT_EQ(error(shake_from_text("5,1")),
             "expected HZ,MM,DEG: frequency, amplitude and axis, for example 5.2,1,30");
   EXPECT_EQ(error(shake_from_text("20,1,0")), "hz: \"20\" is not a number from 3.00 to 12.00");

@@ -90,8 +90,7 @@ double SteadyLine::step_s(const InkSample& sample) const noexcept {
 }
 
 double SteadyLine::share_of(double squared_mm2) const noexcept {
-  const double expected =
-      amplitude_mm_ * std::sqrt(0.5 * (1.0 + kAcross * kAcross));
+  const double expected = amplitude_mm_ * std::sqrt(0.5 * (1.0 + kAcross * kAcross));
   const double x = std::clamp(
       (std::sqrt(squared_mm2) / expected - kNoShare) / (kFullShare - kNoShare), 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);

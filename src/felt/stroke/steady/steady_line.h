@@ -23,12 +23,13 @@ namespace felt {
 /// settled; held() for display; at pen-up smoothed(), which revises the whole line by all samples.
 /// raw() has the samples unchanged.
 ///
-/// A bank of kModels pairs of ShakeFilter runs along and across the axis: three frequencies, because
-/// a hand drifts from its mean, times three intensities of jerk, because people draw slow curves
-/// and sharp corners. Each sample is the mean of their estimates, weighted by the likelihood of the
-/// last kMemoryS (multiple-model estimation: Magill, IEEE Trans. Automatic Control 10(4):434, 1965,
-/// DOI 10.1109/TAC.1965.1098191). If much less shaking is found than the hand usually has, less is
-/// removed, and nothing below kNoShare of it: the line of a steady hand stays as it is.
+/// A bank of kModels pairs of ShakeFilter runs along and across the axis: three frequencies,
+/// because a hand drifts from its mean, times three intensities of jerk, because people draw slow
+/// curves and sharp corners. Each sample is the mean of their estimates, weighted by the likelihood
+/// of the last kMemoryS (multiple-model estimation: Magill, IEEE Trans. Automatic Control
+/// 10(4):434, 1965, DOI 10.1109/TAC.1965.1098191). If much less shaking is found than the hand
+/// usually has, less is removed, and nothing below kNoShare of it: the line of a steady hand stays
+/// as it is.
 ///
 /// Times are those of the samples; a step counts as at least 0.1 ms and at most kMaxStepS, and
 /// samples without times as 7.5 ms apart. The work per sample is bounded: at most kMaxHeld samples
@@ -93,12 +94,12 @@ class SteadyLine {
   Vec axis_;  // unit vector along the axis
   std::array<Pair, kModels> filters_;
   ChunkedVector<InkSample> raw_;
-  ChunkedVector<double> steps_s_;         // before each sample
+  ChunkedVector<double> steps_s_;          // before each sample
   ChunkedVector<Weights> log_likelihood_;  // of each sample
-  std::vector<Held> ring_;                // of the samples from settled_ on
+  std::vector<Held> ring_;                 // of the samples from settled_ on
   std::size_t settled_ = 0;
-  double held_s_ = 0.0;  // time from the oldest held sample to the newest
-  Weights recent_{};     // log-likelihood of the last kMemoryS
+  double held_s_ = 0.0;       // time from the oldest held sample to the newest
+  Weights recent_{};          // log-likelihood of the last kMemoryS
   double removed_mm2_ = 0.0;  // mean square of the shaking removed lately
   double share_ = 1.0;        // of the estimated shaking that is removed
   Point tip_;

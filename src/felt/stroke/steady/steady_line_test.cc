@@ -67,8 +67,9 @@ Shake random_shake(Random& random) {
 RC_GTEST_PROP(SteadyLine, ASteadyDriftStaysAsItIs, (std::uint64_t seed)) {
   Random random(seed);
   const Vec speed{random.between(-150, 150), random.between(-150, 150)};
-  const Ink ink = sampled(2.0, random.between(0.002, 0.015), random,
-                          [&](double s) { return Point{10, 20} + s * speed; });
+  const Ink ink = sampled(2.0, random.between(0.002, 0.015), random, [&](double s) {
+    return Point{10, 20} + s * speed;
+  });
   SteadyLine line(random_shake(random));
   const Drawn out = drawn(line, ink);
   for (std::size_t i = 0; i < ink.size(); ++i) RC_ASSERT(out.whole[i] == ink[i]);
@@ -83,7 +84,8 @@ RC_GTEST_PROP(SteadyLine, AnOscillationIsRemovedAtAnyRate, (std::uint64_t seed))
   const double step_s = random.between(0.002, 0.012);
   Random same = random;
   const Ink wanted = sampled(4.0, step_s, random, intended);
-  const Ink ink = sampled(4.0, step_s, same, [&](double s) { return intended(s) + swing(shake, s); });
+  const Ink ink =
+      sampled(4.0, step_s, same, [&](double s) { return intended(s) + swing(shake, s); });
   SteadyLine line(shake);
   const Drawn out = drawn(line, ink);
   const double before = rms(ink, wanted, 1.0);
@@ -95,8 +97,9 @@ RC_GTEST_PROP(SteadyLine, AnOscillationIsRemovedAtAnyRate, (std::uint64_t seed))
 TEST(SteadyLine, OnlyPositionsChangeAndEachSampleSettlesOnce) {
   Random random(3);
   const Shake shake{5.0, 1.0, 30.0};
-  const Ink ink = sampled(2.0, 0.003, random,
-                          [&](double s) { return Point{20 * s, 0} + swing(shake, s); });
+  const Ink ink = sampled(2.0, 0.003, random, [&](double s) {
+    return Point{20 * s, 0} + swing(shake, s);
+  });
   SteadyLine line(shake);
   const Drawn out = drawn(line, ink);
   ASSERT_EQ(out.settled.size(), ink.size());
@@ -122,8 +125,7 @@ TEST(SteadyLine, OnlyTheTailIsHeld) {
     ASSERT_FALSE(held.empty());
     ASSERT_LE(held.size(), SteadyLine::kMaxHeld);
     EXPECT_EQ(held.back().time_ns, sample.time_ns);
-    const double tail_s =
-        1e-9 * static_cast<double>(*held.back().time_ns - *held.front().time_ns);
+    const double tail_s = 1e-9 * static_cast<double>(*held.back().time_ns - *held.front().time_ns);
     ASSERT_LE(tail_s, SteadyLine::kTailS + SteadyLine::kGroupS + 1e-9);
   }
   EXPECT_EQ(settled + line.held().size(), ink.size());
@@ -177,8 +179,9 @@ TEST(SteadyLine, ADotStaysADot) {
 TEST(SteadyLine, TheNextLineDoesNotDependOnTheLast) {
   Random random(5);
   const Shake shake{6.0, 1.0, 100.0};
-  const Ink ink = sampled(1.0, 0.007, random,
-                          [&](double s) { return Point{30 * s, 0} + swing(shake, s); });
+  const Ink ink = sampled(1.0, 0.007, random, [&](double s) {
+    return Point{30 * s, 0} + swing(shake, s);
+  });
   SteadyLine fresh(shake), used(shake);
   drawn(used, sampled(1.0, 0.002, random, [](double s) { return Point{-80 * s, 5}; }));
   const Drawn a = drawn(fresh, ink), b = drawn(used, ink);

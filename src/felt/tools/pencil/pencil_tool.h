@@ -80,7 +80,7 @@ class PencilTool final : public GestureTool {
   Stabiliser stabiliser_;
   std::unique_ptr<SteadyLine> steady_;  // null if the steady hand is off
   std::optional<Shake> shake_;          // that steady_ was made for
-  InkSample pen_;  // last sample of the line
+  InkSample pen_;                       // last sample of the line
   Rgba color_;
 
   InkSnap snap_;

@@ -223,8 +223,8 @@ void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   if (last_line) append_pieces(*last_line, overlay.ink);
 }
 
-/// Joins the samples by curves whose tangent at a sample is that of its neighbours (Catmull and Rom,
-/// "A class of local interpolating splines", 1974), with handles of a third of the distance.
+/// Joins the samples by curves whose tangent at a sample is that of its neighbours (Catmull and
+/// Rom, "A class of local interpolating splines", 1974), with handles of a third of the distance.
 void WetInk::draw_ahead(std::span<const InkSample> ahead, Overlay& overlay) const {
   if (ahead.empty()) return;
   WidthMap widths = pen_widths_;
