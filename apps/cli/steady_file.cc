@@ -6,7 +6,11 @@
 namespace felt::cli {
 
 Result<Shake> shake_of(const std::string& argument) {
-  if (argument.find(',') != std::string::npos) return shake_from_text(argument);
+  if (argument.find(',') != std::string::npos) {
+    Result<Shake> shake = shake_from_text(argument);
+    if (!shake) return fail(ErrorCode::kInvalidArgument, shake.error().message);
+    return shake;
+  }
   const Result<std::string> text = read_file(argument, kMaxShakeBytes);
   if (!text) return tl::unexpected(text.error());
   Result<Shake> shake = read_shake(*text);
