@@ -84,8 +84,10 @@ TEST(SteadyPencil, WetInkReachesThePenAndOnlyItsTailChanges) {
   SteadyPencil steady(true);
   steady.pen.step_ns = 5'000'000;
   std::vector<Overlay::InkSegment> before;
-  for (double s = 0.0; s < 2.0; s += 0.005) {
-    steady.pen.down(SteadyPencil::at(s));
+  for (double s = 0.0; s < 4.0; s += 0.005) {
+    // With bends, because a straight line is one segment, which is not stable before its end.
+    const Point at = SteadyPencil::at(s) + Vec{0.0, 20.0 * std::sin(4.0 * s)};
+    steady.pen.down(at);
     Overlay overlay;
     steady.tool.draw(overlay);
     const auto end = overlay.ink.begin() + static_cast<std::ptrdiff_t>(overlay.ink_stable);
@@ -94,7 +96,7 @@ TEST(SteadyPencil, WetInkReachesThePenAndOnlyItsTailChanges) {
     for (std::size_t i = 0; i < before.size(); ++i) ASSERT_EQ(stable[i].curve.p, before[i].curve.p);
     before = std::move(stable);
     ASSERT_FALSE(overlay.ink.empty());
-    EXPECT_LT(distance(overlay.ink.back().curve.p[3], SteadyPencil::at(s)), 2.0 * kMm + 1e-9);
+    EXPECT_LT(distance(overlay.ink.back().curve.p[3], at), 2.0 * kMm + 1e-9);
   }
   EXPECT_FALSE(before.empty());
 }
