@@ -15,6 +15,7 @@
 #include "ordered_pipeline.h"
 #include "overwrite_check.h"
 #include "print.h"
+#include "steady_file.h"
 
 namespace felt::cli {
 namespace {
@@ -27,6 +28,7 @@ struct FitArguments {
   double tolerance_mm = CurveFitOptions{}.tolerance_mm;
   double mm_per_unit = 1.0;
   bool no_refine = false;
+  std::string steady;
   bool filter = false;
   std::string scheme = "feltline";
   int shared_samples = InkFitOptions{}.shared_samples;
@@ -42,6 +44,7 @@ constexpr const char* kFitExamples =
     "feltline fit scan.ndjson --mm-per-unit 0.01 --tolerance 0.1 -o sketch.ndjson\n"
     "feltline fit strokes.ndjson --medium charcoal -o sketch.png\n"
     "feltline fit strokes.ndjson --stats json\n"
+    "feltline fit strokes.ndjson --steady my-hand.steady -o sketch.svg\n"
     "cat strokes.ndjson | feltline fit - -o - | feltline render - -o page.png";
 
 std::string media_names() {
@@ -117,6 +120,9 @@ void add_options(CLI::App& command, FitArguments& args) {
   command.add_flag("--no-refine", args.no_refine, "Keep the curve that was shown while drawing");
   command.add_flag("--filter", args.filter,
                    "Drop what the pen adds at touch-down and lift (late pressure, hooks)");
+  command.add_option("--steady", args.steady,
+                     "Remove the shaking of a hand: a file of 'feltline steady calibrate', or "
+                     "HZ,MM,DEG (frequency, amplitude, axis)");
   command.add_option("--scheme", args.scheme, "Fitting scheme: feltline, or paper2002 for study")
       ->check(CLI::IsMember({"feltline", "paper2002"}))
       ->capture_default_str();
@@ -159,6 +165,11 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   plan.settings.ink.filter_artefacts = args.filter;
   plan.settings.mm_per_unit = args.mm_per_unit;
   plan.settings.refine = !args.no_refine;
+  if (!args.steady.empty()) {
+    const Result<Shake> shake = shake_of(args.steady);
+    if (!shake) throw UsageError(with_context(shake.error(), "--steady"));
+    plan.settings.steady = *shake;
+  }
   plan.settings.measure = !args.stats.empty();
   if (!args.output.empty()) {
     const Result<Format> format = output_format(args.output, args.to);

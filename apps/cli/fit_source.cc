@@ -83,6 +83,8 @@ void FitSource::read_whole(FitItem& item) {
     item.failure = opened.error();
   } else if (opened->is_exact) {
     fails(ErrorCode::kUnsupported, "contains curves, which are already fitted; use convert");
+  } else if (settings_.steady) {
+    fails(ErrorCode::kUnsupported, "is not raw .ndjson, the only format that --steady supports");
   } else if (settings_.measure) {
     fails(ErrorCode::kUnsupported, "is not raw .ndjson, the only format that --stats supports");
   } else {

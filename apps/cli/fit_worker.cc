@@ -24,6 +24,7 @@ int count_corners(const Stroke& stroke) {
 
 FitWorker::FitWorker(const FitSettings& settings)
     : settings_(settings),
+      steady_(settings.steady ? std::optional<SteadyLine>(*settings.steady) : std::nullopt),
       fitter_(settings.ink),
       meter_(settings.measure ? std::make_unique<StrokeMeter>(settings.ink) : nullptr) {}
 
@@ -101,6 +102,11 @@ Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t rec
 // Fits and encodes the stroke in raw_.
 Result<void> FitWorker::process_raw(std::int64_t number, FitOutput& output) {
   if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
+  if (steady_) {
+    steady_->begin();
+    for (const InkSample& sample : raw_.samples) steady_->push(sample);
+    raw_.samples = steady_->smoothed();
+  }
   Result<Stroke> stroke = fit(raw_.samples, output.stats);
   if (!stroke) return tl::unexpected(stroke.error());
   if (!settings_.format) return {};

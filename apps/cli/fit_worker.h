@@ -10,6 +10,7 @@
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/io/quickdraw/quickdraw_line.h"
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/steady/steady_line.h"
 #include "fit_stats.h"
 
 namespace felt::cli {
@@ -19,6 +20,7 @@ struct FitSettings {
   InkFitOptions ink;
   double mm_per_unit = 1.0;
   bool refine = true;
+  std::optional<Shake> steady = {};  ///< the shaking to remove before the fit
   bool measure = false;          ///< fill all members of FitStats; fitting then takes about five
                                  ///< times as long
   std::optional<Format> format;  ///< format of the output; if nullopt, results are not encoded
@@ -75,6 +77,7 @@ class FitWorker {
   FitSettings settings_;
   NdjsonParser parser_;
   QuickdrawParser drawings_;
+  std::optional<SteadyLine> steady_;  // if the settings have a shaking
   InkFitter fitter_;
   std::unique_ptr<StrokeMeter> meter_;
   RawStroke raw_;

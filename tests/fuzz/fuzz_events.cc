@@ -51,6 +51,7 @@ struct CheckWhat {
   void operator()(const SelectStrokes& e) const {
     FELT_CHECK(e.what <= SelectStrokes::What::kInvert);
   }
+  void operator()(const AsDrawnEvent&) const {}
   void operator()(const DeleteEvent&) const {}
   void operator()(const DuplicateEvent&) const {}
   void operator()(const MoveEvent& e) const {

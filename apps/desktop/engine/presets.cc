@@ -39,7 +39,8 @@ void store_presets(const std::vector<Preset>& presets) {
                       QString::fromUtf8(QJsonDocument(all).toJson(QJsonDocument::Compact)));
 }
 
-/// Returns the options of the tool that draws, except those for a few gestures, and the colour.
+/// Returns the options of the tool that draws, except those for a few gestures and those of the
+/// steady hand, which belong to the user and not to a pen, and the colour.
 std::vector<SetOption> present_options(const Session& session) {
   std::vector<SetOption> options;
   const auto add = [&](const std::string& id) {
@@ -47,6 +48,7 @@ std::vector<SetOption> present_options(const Session& session) {
   };
   if (const Tool* draws = session.first_tool(ToolKind::kDraws)) {
     for (const OptionSpec& row : draws->info().options) {
+      if (row.id.starts_with("steady")) continue;
       if (!row.is_momentary) add(std::string(draws->info().id) + "." + std::string(row.id));
     }
   }

@@ -74,6 +74,14 @@ void add_history(Actions& actions, Studio& studio) {
       [&studio] { studio.apply(RedoEvent{}); });
   redo->setIcon(icon_of("redo"));
   new UndoTexts(undo, redo, studio, &actions);
+  QAction* drawn = actions.add(
+      QStringLiteral("edit.as_drawn"),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Line as dra&wn")),
+      {QKeySequence(Qt::CTRL | Qt::Key_R)},
+      menu_text(QT_TRANSLATE_NOOP(
+          "EditActions", "Replaces the line of the steady hand by the line as it was drawn.")),
+      [&studio] { studio.apply(AsDrawnEvent{}); });
+  drawn->setAutoRepeat(false);
   QAction* cancel =
       actions.add(QStringLiteral("edit.cancel"),
                   menu_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or clear selection")),

@@ -38,6 +38,11 @@ PensPage::PensPage(QWidget* parent) : QWidget(parent) {
   load();
 }
 
+void PensPage::add_group(QWidget* group) {
+  auto* lines = static_cast<QVBoxLayout*>(layout());
+  lines->insertWidget(lines->count() - 1, group);
+}
+
 QWidget* PensPage::make_pressure() {
   auto* group = new QGroupBox(tr("Pressure"));
   auto* layout = new QGridLayout(group);

@@ -22,6 +22,9 @@ class PensPage : public QWidget {
  public:
   explicit PensPage(QWidget* parent = nullptr);
 
+  /// Adds a group of settings below the others.
+  void add_group(QWidget* group);
+
  private:
   QWidget* make_pressure();
   QWidget* make_sliders();

@@ -337,6 +337,14 @@
         <source>Puts the selected lines below all others of their layer.</source>
         <translation>Legt die ausgewählten Linien unter alle anderen ihrer Ebene.</translation>
     </message>
+    <message>
+        <source>Line as dra&amp;wn</source>
+        <translation>Linie wie ge&amp;zeichnet</translation>
+    </message>
+    <message>
+        <source>Replaces the line of the steady hand by the line as it was drawn.</source>
+        <translation>Ersetzt die Linie der ruhigen Hand durch die Linie, wie sie gezeichnet wurde.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -1841,6 +1849,10 @@
     <message>
         <source>Ungroup layers</source>
         <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>As drawn</source>
+        <translation>Wie gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -6524,6 +6536,119 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>remove</source>
         <translation>entfernen</translation>
+    </message>
+    <message>
+        <source>Steady hand</source>
+        <translation>Ruhige Hand</translation>
+    </message>
+    <message>
+        <source>Removes the shaking of the hand from lines; Preferences &gt; Pen measures how it shakes.</source>
+        <translation>Entfernt das Zittern der Hand aus Linien; Einstellungen &gt; Stift misst, wie sie zittert.</translation>
+    </message>
+    <message>
+        <source>Shakes a second</source>
+        <translation>Zittern pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How often the hand shakes; for the steady hand.</source>
+        <translation>Wie oft die Hand zittert; für die ruhige Hand.</translation>
+    </message>
+    <message>
+        <source>Size of the shaking</source>
+        <translation>Größe des Zitterns</translation>
+    </message>
+    <message>
+        <source>How far the hand shakes, from the middle to one side; for the steady hand.</source>
+        <translation>Wie weit die Hand zittert, von der Mitte zu einer Seite; für die ruhige Hand.</translation>
+    </message>
+    <message>
+        <source>Direction of the shaking</source>
+        <translation>Richtung des Zitterns</translation>
+    </message>
+    <message>
+        <source>Direction of the largest shaking, clockwise from the right; for the steady hand.</source>
+        <translation>Richtung des stärksten Zitterns, im Uhrzeigersinn von rechts; für die ruhige Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SpiralArea</name>
+    <message>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>Draw along the spiral, from its middle outwards.</source>
+        <translation>Zeichnen Sie die Spirale nach, von der Mitte nach außen.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SteadyDialog</name>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds.</source>
+        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang.</translation>
+    </message>
+    <message>
+        <source>This pen reports its position too rarely to measure a shaking.</source>
+        <translation>Dieser Stift meldet seine Position zu selten, um ein Zittern zu messen.</translation>
+    </message>
+    <message>
+        <source>No shaking was found, so there is nothing to remove.</source>
+        <translation>Es wurde kein Zittern gefunden, also gibt es nichts zu entfernen.</translation>
+    </message>
+    <message>
+        <source>%L1 times a second, by %L2 mm to each side</source>
+        <translation>%L1-mal pro Sekunde, um %L2 mm zu jeder Seite</translation>
+    </message>
+    <message>
+        <source>Measure the hand</source>
+        <translation>Hand messen</translation>
+    </message>
+    <message>
+        <source>Trace the spiral slowly, from the middle outwards, without resting the hand. It takes about ten seconds. What is measured stays on this computer.</source>
+        <translation>Zeichnen Sie die Spirale langsam nach, von der Mitte nach außen, ohne die Hand abzulegen. Es dauert etwa zehn Sekunden. Was gemessen wird, bleibt auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>How much of the ten seconds is drawn</source>
+        <translation>Wie viel von den zehn Sekunden gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>The hand shakes %1.</source>
+        <translation>Die Hand zittert %1.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SteadyGroup</name>
+    <message>
+        <source>Steady hand</source>
+        <translation>Ruhige Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the shaking of the hand</source>
+        <translation>Das Zitte&amp;rn der Hand entfernen</translation>
+    </message>
+    <message>
+        <source>Lines become calm while you draw, and calmer when you lift the pen. The command Line as drawn brings the shaken line back.</source>
+        <translation>Linien werden ruhig, während Sie zeichnen, und ruhiger, wenn Sie den Stift heben. Der Befehl Linie wie gezeichnet holt die gezitterte Linie zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure…</source>
+        <translation>&amp;Messen…</translation>
+    </message>
+    <message>
+        <source>Measures how the hand shakes, by a spiral of ten seconds.</source>
+        <translation>Misst mit einer Spirale von zehn Sekunden, wie die Hand zittert.</translation>
+    </message>
+    <message>
+        <source>Set to a hand that shakes %1.</source>
+        <translation>Eingestellt auf eine Hand, die %1 zittert.</translation>
     </message>
 </context>
 </TS>

@@ -337,6 +337,14 @@
         <source>Puts the selected lines below all others of their layer.</source>
         <translation>Legt de geselecteerde lijnen onder alle andere van hun laag.</translation>
     </message>
+    <message>
+        <source>Line as dra&amp;wn</source>
+        <translation>Lijn als ge&amp;tekend</translation>
+    </message>
+    <message>
+        <source>Replaces the line of the steady hand by the line as it was drawn.</source>
+        <translation>Vervangt de lijn van de vaste hand door de lijn zoals die getekend is.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -1841,6 +1849,10 @@
     <message>
         <source>Ungroup layers</source>
         <translation>Groep opheffen</translation>
+    </message>
+    <message>
+        <source>As drawn</source>
+        <translation>Als getekend</translation>
     </message>
 </context>
 <context>
@@ -6524,6 +6536,119 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>remove</source>
         <translation>verwijderen</translation>
+    </message>
+    <message>
+        <source>Steady hand</source>
+        <translation>Vaste hand</translation>
+    </message>
+    <message>
+        <source>Removes the shaking of the hand from lines; Preferences &gt; Pen measures how it shakes.</source>
+        <translation>Haalt het beven van de hand uit lijnen; Voorkeuren &gt; Pen meet hoe de hand beeft.</translation>
+    </message>
+    <message>
+        <source>Shakes a second</source>
+        <translation>Trillingen per seconde</translation>
+    </message>
+    <message>
+        <source>How often the hand shakes; for the steady hand.</source>
+        <translation>Hoe vaak de hand beeft; voor de vaste hand.</translation>
+    </message>
+    <message>
+        <source>Size of the shaking</source>
+        <translation>Grootte van het beven</translation>
+    </message>
+    <message>
+        <source>How far the hand shakes, from the middle to one side; for the steady hand.</source>
+        <translation>Hoe ver de hand beeft, van het midden naar één kant; voor de vaste hand.</translation>
+    </message>
+    <message>
+        <source>Direction of the shaking</source>
+        <translation>Richting van het beven</translation>
+    </message>
+    <message>
+        <source>Direction of the largest shaking, clockwise from the right; for the steady hand.</source>
+        <translation>Richting van het sterkste beven, met de klok mee vanaf rechts; voor de vaste hand.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SpiralArea</name>
+    <message>
+        <source>Spiral</source>
+        <translation>Spiraal</translation>
+    </message>
+    <message>
+        <source>Draw along the spiral, from its middle outwards.</source>
+        <translation>Teken de spiraal na, van het midden naar buiten.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SteadyDialog</name>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds.</source>
+        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang.</translation>
+    </message>
+    <message>
+        <source>This pen reports its position too rarely to measure a shaking.</source>
+        <translation>Deze pen meldt zijn positie te weinig om beven te meten.</translation>
+    </message>
+    <message>
+        <source>No shaking was found, so there is nothing to remove.</source>
+        <translation>Er is geen beven gevonden, dus er valt niets te verwijderen.</translation>
+    </message>
+    <message>
+        <source>%L1 times a second, by %L2 mm to each side</source>
+        <translation>%L1 keer per seconde, %L2 mm naar elke kant</translation>
+    </message>
+    <message>
+        <source>Measure the hand</source>
+        <translation>Hand meten</translation>
+    </message>
+    <message>
+        <source>Trace the spiral slowly, from the middle outwards, without resting the hand. It takes about ten seconds. What is measured stays on this computer.</source>
+        <translation>Teken de spiraal langzaam na, van het midden naar buiten, zonder de hand te laten rusten. Het duurt ongeveer tien seconden. Wat gemeten wordt, blijft op deze computer.</translation>
+    </message>
+    <message>
+        <source>How much of the ten seconds is drawn</source>
+        <translation>Hoeveel van de tien seconden getekend is</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Gebruiken</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Opnieuw beginnen</translation>
+    </message>
+    <message>
+        <source>The hand shakes %1.</source>
+        <translation>De hand beeft %1.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SteadyGroup</name>
+    <message>
+        <source>Steady hand</source>
+        <translation>Vaste hand</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the shaking of the hand</source>
+        <translation>Het &amp;beven van de hand verwijderen</translation>
+    </message>
+    <message>
+        <source>Lines become calm while you draw, and calmer when you lift the pen. The command Line as drawn brings the shaken line back.</source>
+        <translation>Lijnen worden rustig terwijl u tekent, en rustiger als u de pen optilt. De opdracht Lijn als getekend haalt de bevende lijn terug.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure…</source>
+        <translation>&amp;Meten…</translation>
+    </message>
+    <message>
+        <source>Measures how the hand shakes, by a spiral of ten seconds.</source>
+        <translation>Meet met een spiraal van tien seconden hoe de hand beeft.</translation>
+    </message>
+    <message>
+        <source>Set to a hand that shakes %1.</source>
+        <translation>Ingesteld op een hand die %1 beeft.</translation>
     </message>
 </context>
 </TS>

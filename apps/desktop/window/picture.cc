@@ -14,6 +14,7 @@
 #include "desktop/help/examples.h"
 #include "desktop/help/script_player.h"
 #include "desktop/help/tour_window.h"
+#include "desktop/pens/steady_dialog.h"
 #include "desktop/window/main_window.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/theme.h"
@@ -101,6 +102,7 @@ QWidget* open_dialog(MainWindow& window, const QString& name) {
     if (!part.isEmpty() && !dialog->show_page(part)) return nullptr;
     return dialog;
   }
+  if (what == QStringLiteral("steady-hand")) return new SteadyDialog(window.studio(), &window);
   if (what == QStringLiteral("materials")) return open_materials(window, part);
   if (what == QStringLiteral("tour")) {
     auto* tour = new TourWindow(&window);

@@ -9,6 +9,7 @@
 #include "desktop/devices/device_page.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/pens/pens_page.h"
+#include "desktop/pens/steady_group.h"
 #include "desktop/window/canvas_page.h"
 #include "desktop/window/general_page.h"
 #include "desktop/window/shortcuts_page.h"
@@ -32,7 +33,11 @@ Preferences::Preferences(MainWindow& window)
   list_->setSpacing(1);
   Actions& actions = window.actions();
   add(QStringLiteral("general"), "preferences", tr("General"), [] { return new GeneralPage; });
-  add(QStringLiteral("pen"), "pen-pressure", tr("Pen"), [] { return new PensPage; });
+  add(QStringLiteral("pen"), "pen-pressure", tr("Pen"), [&window] {
+    auto* page = new PensPage;
+    page->add_group(new SteadyGroup(window.studio()));
+    return page;
+  });
   add(QStringLiteral("device"), "device", tr("Device"),
       [&window] { return new DevicePage(window.studio(), &window.care()); });
   add(QStringLiteral("canvas"), "page", tr("Canvas"), [] { return new CanvasPage; });

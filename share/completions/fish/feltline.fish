@@ -1,10 +1,11 @@
 # fish completion for feltline
-set -l commands fit render convert gather check info formats replay recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit steady render convert gather check info formats replay recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -l version -d 'Show the version'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a fit -d 'Convert raw pen strokes to a sketch'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a steady -d 'Measure how a hand shakes, for lines without the shaking'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a gather -d 'Press each bundle of rough strokes into one line'
@@ -48,6 +49,9 @@ complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l tolerance -x 
 complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l mm-per-unit -x -d 'Size of one unit of the input'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l no-refine -d 'Keep the curve that was fitted during drawing'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l filter -d 'Remove pen artefacts at touch-down and lift'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l steady -r -d 'Remove the shaking of a hand: a file, or HZ,MM,DEG'
+complete -c feltline -n '__fish_seen_subcommand_from steady' -f -a calibrate -d 'Find the shaking from a spiral of 10 s'
+complete -c feltline -n '__fish_seen_subcommand_from steady' -s o -l output -r -d 'Output file'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l medium -x -a 'pencil pencil-hard pencil-soft charcoal chalk crayon felt-tip ink-pen brush-pen' -d 'Medium of the lines'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l min-width -x -d 'Width in mm without pressure'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l max-width -x -d 'Width in mm at full pressure'

@@ -76,6 +76,12 @@ struct Follower {
   bool is_set = false;
 };
 
+/// The state of a band-pass filter of the pen's velocity, mm/s (BandDamping).
+struct ShakeBand {
+  Vec band{};
+  Vec low{};
+};
+
 /// Whether a guide holds the pen (Guide).
 struct GuideHold {
   std::uint32_t number = 0;  ///< GuidePiece::hold
@@ -120,6 +126,7 @@ struct ForceMemory {
   Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
   GuideHold guide;
   ClickState click;
+  ShakeBand shake_band;
 
   ForceTerms terms;  ///< parts of the force on this tick
 

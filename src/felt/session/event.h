@@ -67,6 +67,13 @@ struct CancelEvent {
   friend bool operator==(const CancelEvent&, const CancelEvent&) = default;
 };
 
+/// Replaces the line that the steady hand has just drawn by the line of the unchanged pen samples,
+/// as one undo step. Does nothing if the last change of the document was another one.
+/// {"event":"as-drawn"}
+struct AsDrawnEvent {
+  friend bool operator==(const AsDrawnEvent&, const AsDrawnEvent&) = default;
+};
+
 /// Adds the strokes of a file. {"event":"import","path":".."} The code that reads the script also
 /// reads this file, and passes its strokes to Session::import().
 struct ImportEvent {
@@ -222,8 +229,8 @@ struct UseGuide {
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent, OrderEvent,
-               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
+               AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
+               OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

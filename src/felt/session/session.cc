@@ -88,6 +88,7 @@ struct Session::Apply {
     session.cancel();
     return {};
   }
+  Result<void> operator()(const AsDrawnEvent&) const { return session.show_as_drawn(); }
   Result<void> operator()(const ImportEvent&) const {
     return fail(ErrorCode::kUnsupported,
                 "import events can only be handled by the reader of the file");
@@ -332,6 +333,10 @@ Result<void> Session::take(ToolResult result) {
   if (result.commit) {
     gesture_is_open_ = false;
     done = commit(std::move(*result.commit));
+    as_drawn_.reset();
+    if (done && result.as_drawn) {
+      as_drawn_ = AsDrawn{std::move(*result.as_drawn), history_.position()};
+    }
   }
   if (done && result.selection) {
     set_selection(std::move(*result.selection));

@@ -55,7 +55,7 @@ struct SessionOptions {
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
-///   redo, select, delete, duplicate, move, order, restyle, layer,
+///   redo, as-drawn, select, delete, duplicate, move, order, restyle, layer,
 ///   picture                                            have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
@@ -164,6 +164,7 @@ class Session {
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
   Result<void> undo();
   Result<void> redo();
+  Result<void> show_as_drawn();
   /// Prepares for a change of the document by a command, while no gesture is in progress. If the
   /// pen is up, a tool may still hold ink back until the lift is certain; commits this ink first.
   /// If the pen is down, the gesture has already returned its result; cancels the remaining part of
@@ -214,6 +215,12 @@ class Session {
     std::uint64_t position;
   };
   std::optional<Moved> moved_;
+  // The edit that shows the last line as drawn, and the position in the history before it.
+  struct AsDrawn {
+    Edit edit;
+    std::uint64_t position;
+  };
+  std::optional<AsDrawn> as_drawn_;
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;

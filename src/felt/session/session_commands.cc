@@ -30,6 +30,15 @@ Result<void> Session::redo() {
   return {};
 }
 
+Result<void> Session::show_as_drawn() {
+  if (gesture_in_progress()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (!as_drawn_ || as_drawn_->position != history_.position()) return {};
+  Edit edit = std::move(as_drawn_->edit);
+  as_drawn_.reset();
+  return commit(std::move(edit));
+}
+
 Result<void> Session::settle() {
   if (!pen_is_down_) return finish();
   cancel();

@@ -92,6 +92,9 @@ struct ToolResult {
   std::optional<Edit> preview = {};
   /// The edit to commit, one undo step. Set if the gesture is over and has changed the document.
   std::optional<Edit> commit = {};
+  /// An edit for the document after `commit`: it replaces the committed line by the line of the
+  /// unchanged pen samples (AsDrawnEvent).
+  std::optional<Edit> as_drawn = {};
   /// The new selection, applied after `commit`.
   std::optional<Selection> selection = {};
   /// If true, a missing `preview` keeps the previous one instead of removing it, for example

@@ -1,7 +1,9 @@
 #include "tests/devices/stability/pen_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
@@ -74,6 +76,12 @@ Side side_of(Trial trial, double t_s) noexcept {
       side.way_mm = 20.0 * (smooth(kMoveS, 2.2, t_s) - smooth(2.7, 3.3, t_s));
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
+    case Trial::kShake:
+      side.way_mm =
+          20.0 * (smooth(kMoveS, 2.2, t_s) - smooth(2.7, 3.3, t_s)) +
+          (smooth(kMoveS, 1.8, t_s) - smooth(3.3, 3.5, t_s)) * std::sin(kTau * kShakeHz * t_s);
+      side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
+      break;
     case Trial::kGuide:
     case Trial::kRidge:
       side.way_mm = 1.0 + 2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
@@ -120,6 +128,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
       break;
     case Trial::kEdit:
     case Trial::kBundle:
+    case Trial::kShake:
       times = {.measure_from_s = 1.4, .measure_until_s = 3.6};
       break;
   }

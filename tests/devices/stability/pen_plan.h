@@ -8,6 +8,8 @@ namespace felt {
 
 /// Position of the trials, mm. The workspace of each device is centred near it.
 inline constexpr Point kTrialPlace{30.0, 30.0};
+/// Frequency of the hand that shakes (Trial::kShake).
+inline constexpr double kShakeHz = 5.0;
 
 /// Times of the phases of a trial, in s since its start.
 struct TrialTimes {

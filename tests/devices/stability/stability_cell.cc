@@ -7,6 +7,7 @@
 #include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/haptics/bricks/band_damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
@@ -84,6 +85,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, Guide(GuideLaw::error_amplifying(1.0), straight_path())));
     case Trial::kBundle:
       return bundle_model(cell, tool, device);
+    case Trial::kShake:
+      return ForceModel(Compose(surface, BandDamping(band_damping_for(kShakeHz, device))));
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -199,6 +202,8 @@ std::string_view name_of(Trial trial) noexcept {
       return "ridge";
     case Trial::kBundle:
       return "bundle";
+    case Trial::kShake:
+      return "shake";
   }
   return "";
 }

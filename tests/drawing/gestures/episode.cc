@@ -334,6 +334,7 @@ void Episode::select_or_delete() {
     return command(OrderEvent{dice_.chance(0.5) ? OrderEvent::To::kFront : OrderEvent::To::kBack});
   }
   if (k < 0.9) return command(DeleteEvent{});
+  if (k < 0.93) return command(AsDrawnEvent{});
   // Duplicating without a limit would only cost time.
   if (session_.document().stroke_count() < 60) command(DuplicateEvent{});
 }

@@ -462,6 +462,7 @@ constexpr NamedEvent kEvents[] = {
     {"undo", EventName::kUndo, kPlainFields},
     {"redo", EventName::kRedo, kPlainFields},
     {"cancel", EventName::kCancel, kPlainFields},
+    {"as-drawn", EventName::kAsDrawn, kPlainFields},
     {"import", EventName::kImport, kImportFields},
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},

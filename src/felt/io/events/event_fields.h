@@ -57,6 +57,7 @@ enum class EventName {
   kUndo,
   kRedo,
   kCancel,
+  kAsDrawn,
   kImport,
   kSelect,
   kDelete,

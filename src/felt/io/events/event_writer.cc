@@ -63,6 +63,7 @@ struct AddWhat {
     kind("select");
     out.add_text("what", json::word_of(e.what));
   }
+  void operator()(const AsDrawnEvent&) const { kind("as-drawn"); }
   void operator()(const DeleteEvent&) const { kind("delete"); }
   void operator()(const DuplicateEvent&) const { kind("duplicate"); }
   void operator()(const MoveEvent& e) const {

@@ -46,6 +46,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, SelectStrokes{SelectStrokes::What::kNone}}),
             "{\"t_ms\":0,\"event\":\"select\",\"what\":\"none\"}\n");
   EXPECT_EQ(line_of({0, DeleteEvent{}}), "{\"t_ms\":0,\"event\":\"delete\"}\n");
+  EXPECT_EQ(line_of({0, AsDrawnEvent{}}), "{\"t_ms\":0,\"event\":\"as-drawn\"}\n");
   EXPECT_EQ(line_of({0, DuplicateEvent{}}), "{\"t_ms\":0,\"event\":\"duplicate\"}\n");
   EXPECT_EQ(line_of({0, MoveEvent{{1, -0.5}}}),
             "{\"t_ms\":0,\"event\":\"move\",\"dx\":1,\"dy\":-0.5}\n");

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "felt/haptics/bricks/band_damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/push_clicks.h"
 #include "felt/haptics/bricks/snap_well.h"
@@ -55,7 +56,8 @@ inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scen
 }
 
 /// Returns the force model of a pencil: the surface (plane, grain, friction between medium and
-/// surface), the attracting target, if any, the guide, if any, and the stabiliser. The model is the
+/// surface), the attracting target, if any, the guide, if any, the stabiliser, and the damping of
+/// the steady hand. The model is the
 /// same above and on the surface, so that it does not change at the touch; each part detects by
 /// itself whether the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
@@ -77,9 +79,18 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   }
   if (clicks.size() > 0) id.with("clicks").with(std::uint64_t{clicks.size()});
   if (scene.guide) id.with("guide").with(std::uint64_t{scene.guide->number()});
+  const auto model_of = [&](const auto&... others) {
+    if (!scene.guide) return ForceModel(Compose(surface, clicks, well, others...));
+    return ForceModel(Compose(surface, clicks, well, scene.guide->guide(), others...));
+  };
+  BandDampingOptions band;
+  if (settings.steady) {
+    band = band_damping_for(settings.steady->hz, scene.device);
+    band.damping_n_s_per_m *= settings.strength;
+    id.with("steady").with(band.hz);
+  }
   const auto model_with = [&](const auto&... stabiliser) {
-    if (!scene.guide) return ForceModel(Compose(surface, clicks, well, stabiliser...));
-    return ForceModel(Compose(surface, clicks, well, scene.guide->guide(), stabiliser...));
+    return settings.steady ? model_of(stabiliser..., BandDamping(band)) : model_of(stabiliser...);
   };
   ForceModel model;
   switch (settings.stabiliser.kind) {

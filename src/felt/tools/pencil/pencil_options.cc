@@ -32,6 +32,11 @@ PencilSettings pencil_settings(const OptionValues& values) {
   s.stabiliser.kind = static_cast<StabiliserKind>(values.choice(Row::kStabiliser));
   s.stabiliser.mass_g = values.number(Row::kStabiliserMass);
   s.stabiliser.length_mm = values.number(Row::kStabiliserLength);
+
+  if (values.is_on(Row::kSteady)) {
+    s.steady = Shake{values.number(Row::kSteadyHz), values.number(Row::kSteadyAmplitude),
+                     values.number(Row::kSteadyAxis)};
+  }
   return s;
 }
 

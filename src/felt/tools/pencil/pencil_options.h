@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/steady/shake.h"
 #include "felt/tools/line_stabiliser.h"
 #include "felt/tools/snapping.h"
 #include "felt/tools/tool_options.h"
@@ -39,6 +41,10 @@ struct PencilOption {
     kStabiliser,
     kStabiliserMass,
     kStabiliserLength,
+    kSteady,
+    kSteadyHz,
+    kSteadyAmplitude,
+    kSteadyAxis,
     kStrength,
     kCount
   };
@@ -190,6 +196,37 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .help = "A longer rope draws smoother lines with more lag; for the stabiliser 'towed'.",
      .when = "stabiliser=towed",
      .is_seldom = true},
+    {.id = "steady",
+     .label = "Steady hand",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Removes the shaking of the hand from lines; Preferences > Pen measures how it "
+             "shakes."},
+    {.id = "steady_hz",
+     .label = "Shakes a second",
+     .unit = "Hz",
+     .min = Shake::kMinHz,
+     .max = Shake::kMaxHz,
+     .fallback = 5.0,
+     .help = "How often the hand shakes; for the steady hand.",
+     .is_seldom = true},
+    {.id = "steady_mm",
+     .label = "Size of the shaking",
+     .unit = "mm",
+     .min = Shake::kMinAmplitudeMm,
+     .max = Shake::kMaxAmplitudeMm,
+     .fallback = 1.0,
+     .help = "How far the hand shakes, from the middle to one side; for the steady hand.",
+     .is_seldom = true},
+    {.id = "steady_axis_deg",
+     .label = "Direction of the shaking",
+     .unit = "°",
+     .min = 0.0,
+     .max = Shake::kMaxAxisDeg,
+     .fallback = 0.0,
+     .help = "Direction of the largest shaking, clockwise from the right; for the steady hand.",
+     .is_seldom = true},
     strength_option("Force level of friction, grain, attraction and stabiliser. Does not affect "
                     "the hardness of the surface.",
                     0.5),
@@ -204,6 +241,7 @@ struct PencilSettings {
   bool keep_separate = false;
   bool width_steps = false;
   StabiliserOptions stabiliser;
+  std::optional<Shake> steady;  ///< the shaking to remove, if any
   double strength = 1.0;
 };
 

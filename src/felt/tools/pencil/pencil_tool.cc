@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/tools/medium_line.h"
+#include "felt/tools/pencil/as_drawn.h"
 #include "felt/tools/pencil/pencil_force.h"
 #include "felt/tools/pressing.h"
 
@@ -18,7 +19,7 @@ constexpr std::array<ToolUse, 1> kPencilUses = {
       .second_modifier = "straight, in steps of 15°",
       .size = "max_width_mm",
       .path = ToolPath::kFree}}};
-constexpr std::array<std::string_view, 1> kPencilEdits = {"Draw"};
+constexpr std::array<std::string_view, 2> kPencilEdits = {"Draw", "As drawn"};
 constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",
@@ -65,6 +66,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   width_steps_ = settings_.width_steps ? WidthSteps(fitted_.width_map) : WidthSteps();
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
+  begin_steady();
   color_ = scene.color;
   snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
   return move(sample, scene);
@@ -78,18 +80,35 @@ void PencilTool::make_fitter(const Scene& scene) {
   fitted_ = ink;
 }
 
+void PencilTool::begin_steady() {
+  if (shake_ != settings_.steady) {
+    shake_ = settings_.steady;
+    steady_ = shake_ ? std::make_unique<SteadyLine>(*shake_) : nullptr;
+  }
+  if (steady_) steady_->begin();
+}
+
+void PencilTool::add_ink(const InkSample& ink) {
+  const auto add = [this](const InkSample& sample) {
+    fitter_->push(sample);
+    wet_.update(*fitter_, sample);
+  };
+  if (!steady_) return add(ink);
+  for (const InkSample& settled : steady_->push(ink)) add(settled);
+}
+
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
   const Pressing pressing(scene.surface, scene.device);
   pen_ = {pen_point_, width_steps_.held(pressing.of(sample)), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
-  fitter_->push(ink);
-  wet_.update(*fitter_, ink);
+  add_ink(ink);
   straight_.push(pen_);
   hold_.update(sample);
   // A sample during a bounce draws ink but does not snap.
-  if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
+  const Point tip = steady_ ? steady_->tip() : pen_point_;
+  if (in_contact(sample)) snap_.update(tip, sample.time_ns, settings_.snap, scene);
   return {};
 }
 
@@ -112,8 +131,17 @@ std::optional<Stroke> PencilTool::free_line() {
   std::vector<Stabiliser::Step> rest;
   stabiliser_.finish(rest);
   for (const Stabiliser::Step& step : rest) {
-    fitter_->push({step.nib, pen_.pressure, step.time_ns, pen_.tilt_deg});
+    const InkSample ink{step.nib, pen_.pressure, step.time_ns, pen_.tilt_deg};
+    if (steady_) {
+      steady_->push(ink);
+    } else {
+      fitter_->push(ink);
+    }
   }
+  return steady_ ? line_of(steady_->smoothed()) : fitted_line();
+}
+
+std::optional<Stroke> PencilTool::fitted_line() {
   fitter_->end();
   if (settings_.refine && fitter_->samples().size() <= kMaxRefinedSamples) fitter_->refine();
 
@@ -122,20 +150,36 @@ std::optional<Stroke> PencilTool::free_line() {
   return *std::move(drawn);
 }
 
+template <class Samples>
+std::optional<Stroke> PencilTool::line_of(const Samples& samples) {
+  fitter_->begin();
+  for (const InkSample& sample : samples) fitter_->push(sample);
+  return fitted_line();
+}
+
+std::optional<Edit> PencilTool::edit_of(const std::optional<Stroke>& drawn,
+                                        const InkConnections& to, const Scene& scene) const {
+  if (!drawn) return std::nullopt;
+  StrokeData data = drawn->data();
+  data.medium = settings_.medium;
+  data.color = color_;
+  // The stroke is still valid, because no invariant involves medium or colour.
+  const auto ink = Stroke::create(std::move(data));
+  if (!ink) return std::nullopt;
+  return connect_ink(*ink, to, scene);
+}
+
 ToolResult PencilTool::end(const Scene& scene) {
   ToolResult result;
   InkConnections to = connections(scene);
   std::optional<Stroke> drawn;
   if (hold_.is_meant()) drawn = straight_line(to);
-  if (!drawn) drawn = free_line();
-  if (drawn) {
-    StrokeData data = drawn->data();
-    data.medium = settings_.medium;
-    data.color = color_;
-    // The stroke is still valid, because no invariant involves medium or colour.
-    if (const auto ink = Stroke::create(std::move(data))) {
-      result.commit = connect_ink(*ink, to, scene);
-    }
+  const bool is_free = !drawn;
+  if (is_free) drawn = free_line();
+  result.commit = edit_of(drawn, to, scene);
+  if (result.commit && steady_ && is_free) {
+    const std::optional<Edit> raw = edit_of(line_of(steady_->raw()), to, scene);
+    if (raw) result.as_drawn = replaced_line(*result.commit, *raw);
   }
   std::optional<StrokeId> drawn_id;
   if (result.commit) {
@@ -202,6 +246,7 @@ void PencilTool::draw(Overlay& overlay) const {
                      hold_.has_second() ? straight_.pen_in_steps() : straight_.pen(), overlay);
     } else {
       wet_.draw(*fitter_, overlay);
+      if (steady_) wet_.draw_ahead(steady_->held(), overlay);
       if (settings_.stabiliser.kind != StabiliserKind::kOff) {
         overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
       }

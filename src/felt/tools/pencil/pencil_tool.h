@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "felt/stroke/steady/steady_line.h"
 #include "felt/tools/gesture_tool.h"
 #include "felt/tools/line_stabiliser.h"
 #include "felt/tools/pencil/connect_ink.h"
@@ -18,7 +19,9 @@ namespace felt {
 
 /// Draws lines of variable width (paper, "sketch creation", "controlling the width", "connect
 /// curves"; pencil.md). Each gesture makes one line and one edit, "Draw". If a modifier is held
-/// during the gesture and meant (ModifierHold), the line is straight (StraightInk).
+/// during the gesture and meant (ModifierHold), the line is straight (StraightInk). If the steady
+/// hand is on, SteadyLine removes the shaking of the hand, and ToolResult::as_drawn has the line of
+/// the unchanged samples.
 ///
 /// The work per sample does not depend on the length of the stroke, except for the last sample,
 /// which completes it.
@@ -56,7 +59,17 @@ class PencilTool final : public GestureTool {
  private:
   void make_fitter(const Scene& scene);
   [[nodiscard]] std::optional<Stroke> straight_line(InkConnections& to) const;
+  void begin_steady();
+  void add_ink(const InkSample& ink);
   [[nodiscard]] std::optional<Stroke> free_line();
+  /// Completes the line in the fitter.
+  [[nodiscard]] std::optional<Stroke> fitted_line();
+  /// Fits these samples.
+  template <class Samples>
+  [[nodiscard]] std::optional<Stroke> line_of(const Samples& samples);
+  /// Returns the edit that adds the line, or nullopt without a line.
+  [[nodiscard]] std::optional<Edit> edit_of(const std::optional<Stroke>& drawn,
+                                            const InkConnections& to, const Scene& scene) const;
   [[nodiscard]] InkConnections connections(const Scene& scene) const;
   [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
 
@@ -66,8 +79,10 @@ class PencilTool final : public GestureTool {
   StraightInk straight_;
   ModifierHold hold_;
   Stabiliser stabiliser_;
-  WidthSteps width_steps_;  // none if the option is off
-  InkSample pen_;  // last sample of the line
+  WidthSteps width_steps_;              // none if the option is off
+  std::unique_ptr<SteadyLine> steady_;  // null if the steady hand is off
+  std::optional<Shake> shake_;          // that steady_ was made for
+  InkSample pen_;                       // last sample of the line
   Rgba color_;
 
   InkSnap snap_;

@@ -87,6 +87,7 @@ void WetInk::begin(const InkFitOptions& options) {
 
 void WetInk::update(const InkFitter& fitter, const InkSample& sample) {
   pen_ = pen_widths_.push(sample);
+  last_ = sample.position;
   add_node(sample.position);
   if (segments_ == fitter.segment_count()) return;
   while (segments_ < fitter.segment_count()) add_segment(fitter, segments_++);
@@ -220,6 +221,29 @@ void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
     }
   }
   if (last_line) append_pieces(*last_line, overlay.ink);
+}
+
+/// Joins the samples by curves whose tangent at a sample is that of its neighbours (Catmull and
+/// Rom, "A class of local interpolating splines", 1974), with handles of a third of the distance.
+void WetInk::draw_ahead(std::span<const InkSample> ahead, Overlay& overlay) const {
+  if (ahead.empty()) return;
+  WidthMap widths = pen_widths_;
+  const bool is_start = taken_ == 0;
+  Point at = is_start ? ahead.front().position : last_;
+  InkWidth from = is_start ? widths.push(ahead.front()) : pen_;
+  Vec tangent = ahead.front().position - at;
+  for (std::size_t i = is_start && ahead.size() > 1 ? 1 : 0; i < ahead.size(); ++i) {
+    const Point to = ahead[i].position;
+    const Vec next = (i + 1 < ahead.size() ? ahead[i + 1].position : to) - at;
+    const double handle = distance(at, to) / 3.0;
+    const auto toward = [&](Vec v) { return norm(v) > 0.0 ? (handle / norm(v)) * v : Vec{}; };
+    const InkWidth ink = widths.push(ahead[i]);
+    overlay.ink.push_back({Cubic{{at, at + toward(tangent), to - toward(next), to}}, from.width_mm,
+                           ink.width_mm, from.tone, ink.tone});
+    tangent = next;
+    at = to;
+    from = ink;
+  }
 }
 
 }  // namespace felt

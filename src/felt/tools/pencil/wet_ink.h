@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "felt/stroke/drawn_profile.h"
@@ -37,6 +38,9 @@ class WetInk {
   [[nodiscard]] double width_mm() const noexcept { return pen_.width_mm; }
   /// Adds the current picture of the stroke.
   void draw(InkFitter& fitter, Overlay& overlay) const;
+  /// Adds samples that follow the picture and have not been passed to update() yet, because they
+  /// may still move (SteadyLine::held).
+  void draw_ahead(std::span<const InkSample> ahead, Overlay& overlay) const;
 
  private:
   /// Width and tone at a distance along the pen's path.
@@ -86,6 +90,7 @@ class WetInk {
   std::size_t first_node_ = 0;  // nodes before it are stable
   std::size_t taken_ = 0;       // samples passed to update()
   Point path_end_;
+  Point last_;  // position of the last sample passed to update()
   double path_mm_ = 0.0;
   InkWidth pen_;
 };
