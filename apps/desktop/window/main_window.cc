@@ -28,6 +28,7 @@
 #include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
 #include "desktop/window/canvas_popup.h"
+#include "desktop/window/offer_popup.h"
 #include "desktop/window/color_notice.h"
 #include "desktop/window/drawing_looks.h"
 #include "desktop/window/eyedropper.h"
@@ -98,6 +99,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   new ToolKeys(*actions_, *studio_, this);
   add_preset_actions(*actions_, *studio_, this);
   add_popup_action(*actions_, *canvas_);
+  add_offer_actions(*actions_, *canvas_);
   files_->clipboard().set_pointer([this]() -> std::optional<Point> {
     if (!canvas_->underMouse()) return std::nullopt;
     return canvas_->view().to_mm(canvas_->mapFromGlobal(QCursor::pos()));
@@ -117,6 +119,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   auto* popup = new CanvasPopup(*actions_, *canvas_, *media_pictures_, this);
   connect(popup, &CanvasPopup::wants_paste, this,
           [this](Point at) { files_->clipboard().paste_at(at); });
+  new OfferPopup(*actions_, *canvas_);
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::drawing_changed, this, &MainWindow::show_title);

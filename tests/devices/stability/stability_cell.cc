@@ -15,6 +15,7 @@
 #include "felt/rt/virtual_clock.h"
 #include "felt/tools/fill/fill_force.h"
 #include "felt/tools/gather/gather_force.h"
+#include "felt/tools/pencil/shape_hold.h"
 #include "tests/devices/stability/pen_plan.h"
 
 namespace felt {
@@ -84,6 +85,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, Guide(GuideLaw::error_amplifying(1.0), straight_path())));
     case Trial::kBundle:
       return bundle_model(cell, tool, device);
+    case Trial::kHold:
+      return ForceModel(Compose(surface, SnapWells(kTrialPlace, hold_shape(1.0))));
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -199,6 +202,8 @@ std::string_view name_of(Trial trial) noexcept {
       return "ridge";
     case Trial::kBundle:
       return "bundle";
+    case Trial::kHold:
+      return "hold";
   }
   return "";
 }

@@ -42,6 +42,7 @@ struct EventFields {
   std::shared_ptr<const PictureData> picture;
   std::optional<Affine> matrix;
   GuideLine guide;
+  OfferKind offer{};
 };
 
 /// The kinds of events, by their name in the file.
@@ -64,7 +65,8 @@ enum class EventName {
   kPicture,
   kDevice,
   kMaterial,
-  kGuide
+  kGuide,
+  kChoose
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

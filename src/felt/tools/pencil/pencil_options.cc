@@ -31,6 +31,10 @@ PencilSettings pencil_settings(const OptionValues& values) {
   s.stabiliser.kind = static_cast<StabiliserKind>(values.choice(Row::kStabiliser));
   s.stabiliser.mass_g = values.number(Row::kStabiliserMass);
   s.stabiliser.length_mm = values.number(Row::kStabiliserLength);
+
+  s.gestures.scratch_out = values.is_on(Row::kScratchOut);
+  s.gestures.double_loop = values.is_on(Row::kDoubleLoop);
+  s.gestures.shapes = values.is_on(Row::kShapes);
   return s;
 }
 

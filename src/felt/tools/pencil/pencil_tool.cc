@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/document/edit_builder.h"
+#include "felt/recognise/shape_curve.h"
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/pencil_force.h"
 #include "felt/tools/pressing.h"
@@ -18,7 +20,7 @@ constexpr std::array<ToolUse, 1> kPencilUses = {
       .second_modifier = "straight, in steps of 15°",
       .size = "max_width_mm",
       .path = ToolPath::kFree}}};
-constexpr std::array<std::string_view, 1> kPencilEdits = {"Draw"};
+constexpr std::array<std::string_view, 3> kPencilEdits = {"Draw", "Scratch out", "Shape"};
 constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",
@@ -66,6 +68,8 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
   snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
+  path_.begin();
+  shapes_.begin(pen_point_, sample.time_ns);
   return move(sample, scene);
 }
 
@@ -79,6 +83,7 @@ void PencilTool::make_fitter(const Scene& scene) {
 
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
+  if (shapes_.taken()) return {};  // the line has become a shape
   const Pressing pressing(scene.surface, scene.device);
   pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
@@ -89,6 +94,11 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   hold_.update(sample);
   // A sample during a bounce draws ink but does not snap.
   if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
+  if (!settings_.gestures.any()) return {};
+  path_.push(ink.position, wet_.ink());
+  if (settings_.gestures.shapes && !hold_.is_meant()) {
+    shapes_.update(pen_point_, pen_.pressure, sample.time_ns, path_.points());
+  }
   return {};
 }
 
@@ -121,20 +131,61 @@ std::optional<Stroke> PencilTool::free_line() {
   return *std::move(drawn);
 }
 
-ToolResult PencilTool::end(const Scene& scene) {
-  ToolResult result;
+std::optional<Edit> PencilTool::drawn_edit(const Scene& scene) {
   InkConnections to = connections(scene);
   std::optional<Stroke> drawn;
   if (hold_.is_meant()) drawn = straight_line(to);
   if (!drawn) drawn = free_line();
-  if (drawn) {
-    StrokeData data = drawn->data();
-    data.medium = settings_.medium;
-    data.color = color_;
-    // The stroke is still valid, because no invariant involves medium or colour.
-    if (const auto ink = Stroke::create(std::move(data))) {
-      result.commit = connect_ink(*ink, to, scene);
-    }
+  if (!drawn) return std::nullopt;
+  StrokeData data = drawn->data();
+  data.medium = settings_.medium;
+  data.color = color_;
+  // The stroke is still valid, because no invariant involves medium or colour.
+  const auto ink = Stroke::create(std::move(data));
+  if (!ink) return std::nullopt;
+  return connect_ink(*ink, to, scene);
+}
+
+std::optional<Stroke> PencilTool::shape_ink(const ShapeGuess& shape) const {
+  StrokeData data = shape_curve(shape);
+  const InkWidth ink = path_.usual_ink();
+  const double width_mm = std::max(ink.width_mm, kMinWidthMm);
+  const double tone = fitted_.width_map.tone ? ink.tone : tone_of_width(width_mm);
+  const double end = static_cast<double>(data.points.size() / 3);
+  data.widths = {{0.0, width_mm, tone}, {end, width_mm, tone}};
+  data.medium = settings_.medium;
+  data.color = color_;
+  Result<Stroke> stroke = Stroke::create(std::move(data));
+  if (!stroke) return std::nullopt;
+  return *std::move(stroke);
+}
+
+std::optional<Offer> PencilTool::shape_offer(const Edit& ink, const Scene& scene) const {
+  Offer offer{.at = pen_point_};
+  std::optional<std::size_t> taken;
+  for (std::size_t i = 0; i < shapes_.shapes().size(); ++i) {
+    const std::optional<Stroke> stroke = shape_ink(shapes_.shapes()[i]);
+    if (!stroke) continue;
+    EditBuilder builder(scene.document);
+    builder.add(scene.layer, std::make_shared<const Stroke>(*stroke));
+    if (shapes_.taken() == i) taken = offer.choices.size();
+    offer.choices.push_back({offer_of(shapes_.shapes()[i].form), 0,
+                             std::move(builder).build("Shape"), std::nullopt});
+  }
+  if (offer.choices.empty()) return std::nullopt;
+  offer.chosen = taken.value_or(offer.choices.size());
+  offer.choices.push_back({OfferKind::kInk, 0, ink, std::nullopt});
+  return offer;
+}
+
+ToolResult PencilTool::end(const Scene& scene) {
+  ToolResult result;
+  result.commit = drawn_edit(scene);
+  if (result.commit && settings_.gestures.any() && !hold_.is_meant()) {
+    result.offer = shapes_.shapes().empty()
+                       ? line_meanings(path_.points(), *result.commit, settings_.gestures, scene)
+                       : shape_offer(*result.commit, scene);
+    if (result.offer) result.commit = result.offer->choices[result.offer->chosen].edit;
   }
   std::optional<StrokeId> drawn_id;
   if (result.commit) {
@@ -169,6 +220,18 @@ InkConnections PencilTool::connections(const Scene& scene) const {
   return to;
 }
 
+std::optional<OfferView> PencilTool::offered() const {
+  if (!in_gesture() || shapes_.shapes().empty()) return std::nullopt;
+  OfferView view{pen_point_, {}, shapes_.taken().value_or(shapes_.shapes().size())};
+  for (const ShapeGuess& shape : shapes_.shapes()) view.rows.push_back({offer_of(shape.form), 0});
+  view.rows.push_back({OfferKind::kInk, 0});
+  return view;
+}
+
+void PencilTool::choose(OfferKind kind) {
+  if (in_gesture()) shapes_.take(kind);
+}
+
 void PencilTool::drop() {
   hold_.reset();
   snap_.end(std::nullopt);
@@ -190,7 +253,28 @@ std::optional<SnapTarget> PencilTool::attraction() const noexcept {
 }
 
 ForceModel PencilTool::force(const Scene& scene) const {
-  return make_pencil_force(settings_, scene, attraction());
+  const auto held_at = in_gesture() ? shapes_.holds_at() : std::nullopt;
+  return make_pencil_force(settings_, scene, attraction(), held_at);
+}
+
+void PencilTool::draw_shapes(Overlay& overlay) const {
+  const auto& shapes = shapes_.shapes();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes_.taken() && shapes_.taken() != i) continue;
+    const std::optional<Stroke> stroke = shape_ink(shapes[i]);
+    if (!stroke) continue;
+    const int end = stroke->segment_count();
+    if (!shapes_.taken()) {
+      // The best shape stands out, because it is the one that pressing takes.
+      add_span(overlay, *stroke, 0.0, end, i == 0 ? Overlay::Role::kSnap : Overlay::Role::kGuide);
+      continue;
+    }
+    const WidthKnot knot = stroke->widths().front();
+    for (int s = 0; s < end; ++s) {
+      overlay.ink.push_back(
+          {stroke->segment(s), knot.width_mm, knot.width_mm, knot.tone, knot.tone});
+    }
+  }
 }
 
 void PencilTool::draw(Overlay& overlay) const {
@@ -199,14 +283,15 @@ void PencilTool::draw(Overlay& overlay) const {
     if (hold_.is_meant()) {
       straight_.draw(straight_.start(),
                      hold_.has_second() ? straight_.pen_in_steps() : straight_.pen(), overlay);
-    } else {
+    } else if (!shapes_.taken()) {
       wet_.draw(*fitter_, overlay);
       if (settings_.stabiliser.kind != StabiliserKind::kOff) {
         overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
       }
     }
   }
-  if (is_waiting() || !(in_gesture() || near_)) return;
+  if (in_gesture()) draw_shapes(overlay);
+  if (is_waiting() || !(in_gesture() || near_) || (in_gesture() && !shapes_.shapes().empty())) return;
   const SnapOptions& snap = settings_.snap;
   if (const auto felt = attraction()) {
     overlay.rings.push_back({felt->point, snap.reach_mm, Overlay::Role::kReach});

@@ -1,0 +1,107 @@
+#include "felt/tools/pencil/shape_hold.h"
+
+#include <algorithm>
+
+#include "felt/tools/gesture_tool.h"
+#include "felt/tools/snapping.h"
+
+namespace felt {
+namespace {
+
+/// The pressure grows at the touch; this part of a line does not count.
+constexpr double kTouchS = 0.15;
+/// Share of the newest sample in the pressure of the resting pen.
+constexpr double kSmoothing = 0.05;
+
+}  // namespace
+
+void ShapeHold::begin(Point pen, std::int64_t time_ns) noexcept {
+  rest_.begin(pen, time_ns);
+  was_asked_ = false;
+  shapes_.clear();
+  taken_.reset();
+  start_ns_ = time_ns;
+  low_ = 1.0;
+  high_ = 0.0;
+  has_pressure_ = false;
+}
+
+void ShapeHold::watch_pressure(std::optional<double> pressure, std::int64_t time_ns) noexcept {
+  if (!pressure) return;
+  if (!has_pressure_) resting_ = *pressure;
+  has_pressure_ = true;
+  if (!shapes_.empty()) return;
+  resting_ += kSmoothing * (*pressure - resting_);
+  if (seconds_between(start_ns_, time_ns, 1.0) < kTouchS) return;
+  low_ = std::min(low_, *pressure);
+  high_ = std::max(high_, *pressure);
+}
+
+bool ShapeHold::is_taken_by(std::optional<double> pressure) const noexcept {
+  const bool is_constant = !has_pressure_ || high_ - low_ < kConstantPressure;
+  if (is_constant && rest_.still_s() >= offered_s_ + kStayS) return true;
+  const double rise = std::min(kPress, 0.5 * (1.0 - resting_));
+  return pressure && rise > 0.01 && *pressure >= resting_ + rise;
+}
+
+void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t time_ns,
+                       std::span<const Point> path) {
+  if (taken_) return;
+  rest_.update(pen, time_ns);
+  watch_pressure(pressure, time_ns);
+  if (!shapes_.empty()) {
+    if (distance(pen, held_) > kLeaveMm) {
+      shapes_.clear();
+    } else if (is_taken_by(pressure)) {
+      taken_ = 0;
+    }
+  }
+  if (!rest_.rests()) was_asked_ = false;
+  if (!rest_.rests() || was_asked_ || !shapes_.empty()) return;
+  was_asked_ = true;
+  shapes_ = guess_shapes(path);
+  held_ = rest_.at();
+  offered_s_ = rest_.still_s();
+}
+
+void ShapeHold::take(OfferKind kind) noexcept {
+  if (kind == OfferKind::kInk) shapes_.clear();
+  for (std::size_t i = 0; i < shapes_.size() && !taken_; ++i) {
+    if (offer_of(shapes_[i].form) == kind) taken_ = i;
+  }
+}
+
+std::optional<Point> ShapeHold::holds_at() const noexcept {
+  if (shapes_.empty() || taken_) return std::nullopt;
+  return held_;
+}
+
+WellShape hold_shape(double strength) noexcept {
+  return well_of({.mode = SnapMode::kForce,
+                  .reach_mm = 2.0 * ShapeHold::kLeaveMm,
+                  .radius_mm = ShapeHold::kLeaveMm,
+                  .force_n = ShapeHold::kHoldN},
+                 strength);
+}
+
+OfferKind offer_of(ShapeForm form) noexcept {
+  switch (form) {
+    case ShapeForm::kLine:
+      return OfferKind::kLine;
+    case ShapeForm::kArc:
+      return OfferKind::kArc;
+    case ShapeForm::kCircle:
+      return OfferKind::kCircle;
+    case ShapeForm::kEllipse:
+      return OfferKind::kEllipse;
+    case ShapeForm::kTriangle:
+      return OfferKind::kTriangle;
+    case ShapeForm::kRectangle:
+      return OfferKind::kRectangle;
+    case ShapeForm::kPolygon:
+      break;
+  }
+  return OfferKind::kPolygon;
+}
+
+}  // namespace felt
