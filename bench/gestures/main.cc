@@ -90,15 +90,16 @@ bool check_real(const Options& options) {
 }
 
 bool check_meant(const Options& options) {
-  fmt::print("{:<12} {:>6} {:>9} {:>9}   ({} people, seed {}, three sizes)\n", "meant", "n", "found",
-             "first", options.people, options.seed);
+  fmt::print("{:<12} {:>6} {:>9} {:>9}   ({} people, seed {}, three sizes)\n", "meant", "n",
+             "found", "first", options.people, options.seed);
   std::size_t drawn = 0, found = 0;
   bool is_met = true;
   for (const MeantStrokes& m : draw_meant(options.people, options.seed)) {
     const double n = static_cast<double>(m.drawn);
     const double share = n > 0.0 ? static_cast<double>(m.offered) / n : 0.0;
-    fmt::print("{:<12} {:>6} {:>7.1f} % {:>7.1f} %\n", kOfferKinds[static_cast<std::size_t>(m.kind)],
-               m.drawn, 100.0 * share, 100.0 * static_cast<double>(m.first) / n);
+    fmt::print("{:<12} {:>6} {:>7.1f} % {:>7.1f} %\n",
+               kOfferKinds[static_cast<std::size_t>(m.kind)], m.drawn, 100.0 * share,
+               100.0 * static_cast<double>(m.first) / n);
     drawn += m.drawn;
     found += m.offered;
     is_met = is_met && share >= kMinFound;
@@ -114,9 +115,10 @@ bool check_meant(const Options& options) {
 int main(int argc, char** argv) {
   const auto options = felt::bench::options_of(argc, argv);
   if (!options || options->people == 0) {
-    fmt::print(stderr,
-               "usage: bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER]\n"
-               "                      [--people N] [--seed N] [--each yes]\n");
+    fmt::print(
+        stderr,
+        "usage: bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER]\n"
+        "                      [--people N] [--seed N] [--each yes]\n");
     return 2;
   }
   const bool is_real_met = felt::bench::check_real(*options);

@@ -91,8 +91,8 @@ Path meant_path(Random& random, OfferKind kind, double size) {
     case OfferKind::kDelete:
       return scratch(random, size);
     case OfferKind::kSelect:
-      return ellipse(r, random.between(0.7, 1.0) * r, from,
-                     sign * kTau * random.between(1.92, 2.1), angle);
+      return ellipse(r, random.between(0.7, 1.0) * r, from, sign * kTau * random.between(1.92, 2.1),
+                     angle);
     case OfferKind::kLine:
       return {kMiddle - r * Vec{std::cos(angle), std::sin(angle)},
               kMiddle + r * Vec{std::cos(angle), std::sin(angle)}};
@@ -173,8 +173,8 @@ class Sitting {
       at = on_page(sample.position);
       const bool is_down = in_contact(sample);
       const double pressure = 0.45 + 0.05 * std::sin(0.07 * static_cast<double>(i));
-      apply(PenEvent{{at.x, at.y, is_down ? -0.1 : 6.0},
-                     is_down ? std::optional(pressure) : std::nullopt, 0});
+      apply(PenEvent{
+          {at.x, at.y, is_down ? -0.1 : 6.0}, is_down ? std::optional(pressure) : std::nullopt, 0});
     }
     lift(at);
   }
@@ -220,9 +220,8 @@ std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed) {
         const std::optional<OfferView> offer = sitting.offered();
         if (!offer) continue;
         meant.first += offer->rows.front().kind == meant.kind;
-        meant.offered += std::any_of(offer->rows.begin(), offer->rows.end(), [&](const OfferRow& r) {
-          return r.kind == meant.kind;
-        });
+        meant.offered += std::any_of(offer->rows.begin(), offer->rows.end(),
+                                     [&](const OfferRow& r) { return r.kind == meant.kind; });
       }
     }
     all.push_back(meant);

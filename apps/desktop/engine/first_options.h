@@ -14,9 +14,9 @@ inline constexpr std::string_view kFirstMedium = "ink-pen";
 
 /// Returns the option's specification with this program's default value. This value differs from
 /// the library's default only for the medium, the widths, the pressure curve (gamma) and the
-/// gestures of a tool that draws. Gestures are on, because they only offer what a stroke could mean,
-/// and hardly ever without cause (docs/figures.md); in the library they are off, so that scripts and
-/// recordings without these options stay as they are.
+/// gestures of a tool that draws. Gestures are on, because they only offer what a stroke could
+/// mean, and hardly ever without cause (docs/figures.md); in the library they are off, so that
+/// scripts and recordings without these options stay as they are.
 [[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
   const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;

@@ -507,9 +507,9 @@ TEST_F(PenInputTest, ATapOfTwoFingersUndoesAndOfThreeRedoes) {
     StrokeData data;
     data.points = {{10, 10}, {20, 10}, {30, 10}, {40, 10}};
     data.widths = {{0.0, 1.0}, {1.0, 1.0}};
-    canvas_.studio().import(QStringLiteral("test"),
-                            std::vector{std::make_shared<const Stroke>(
-                                Stroke::create(std::move(data)).value())});
+    canvas_.studio().import(
+        QStringLiteral("test"),
+        std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   };
   const CanvasView before = canvas_.view();
   for (const char* mode : {"pan", "draw"}) {

@@ -14,8 +14,9 @@ namespace felt::desktop {
 
 /// Handles fingers on the canvas: two fingers pan, zoom and turn the view together; one finger pans
 /// the view or draws, depending on the settings. A tap with two fingers undoes, one with three
-/// redoes, if the settings say so; the view then stays as it was before the tap. A touch while a pen is near is treated as a palm
-/// until all fingers are lifted. The arguments of the constructor must outlive this object.
+/// redoes, if the settings say so; the view then stays as it was before the tap. A touch while a
+/// pen is near is treated as a palm until all fingers are lifted. The arguments of the constructor
+/// must outlive this object.
 class TouchInput : public QObject {
   Q_OBJECT
 

@@ -203,19 +203,20 @@ void add_offer_actions(Actions& actions, Canvas& canvas) {
     const std::vector<OfferKind> kinds = others(*offer);
     if (i < kinds.size()) studio.apply(ChooseOffer{kinds[i]});
   };
-  actions.add(QStringLiteral("edit.take_offer"),
-              tr_offer(QT_TRANSLATE_NOOP("OfferPopup", "Take the &offer at the pen")),
-              {QKeySequence(Qt::CTRL | Qt::Key_Return)},
-              tr_offer(QT_TRANSLATE_NOOP(
-                  "OfferPopup", "Chooses what the last stroke is offered to mean: a gesture or a "
-                                "shape.")),
-              [take] { take(0); });
-  actions.add(QStringLiteral("edit.take_second_offer"),
-              tr_offer(QT_TRANSLATE_NOOP("OfferPopup", "Take the &second offer at the pen")),
-              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return)},
-              tr_offer(QT_TRANSLATE_NOOP("OfferPopup",
-                                         "Chooses the second meaning, if two are offered.")),
-              [take] { take(1); });
+  actions.add(
+      QStringLiteral("edit.take_offer"),
+      tr_offer(QT_TRANSLATE_NOOP("OfferPopup", "Take the &offer at the pen")),
+      {QKeySequence(Qt::CTRL | Qt::Key_Return)},
+      tr_offer(QT_TRANSLATE_NOOP("OfferPopup",
+                                 "Chooses what the last stroke is offered to mean: a gesture or a "
+                                 "shape.")),
+      [take] { take(0); });
+  actions.add(
+      QStringLiteral("edit.take_second_offer"),
+      tr_offer(QT_TRANSLATE_NOOP("OfferPopup", "Take the &second offer at the pen")),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return)},
+      tr_offer(QT_TRANSLATE_NOOP("OfferPopup", "Chooses the second meaning, if two are offered.")),
+      [take] { take(1); });
 }
 
 }  // namespace felt::desktop

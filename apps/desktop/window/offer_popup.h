@@ -14,8 +14,8 @@ namespace felt::desktop {
 
 /// The choice at the pen: what the last stroke could mean, or the stroke in progress while the pen
 /// rests (Session::offered). One button for each meaning; the one that applies is checked. It does
-/// not get the focus by itself, but Tab reaches its buttons, and the commands of add_offer_actions()
-/// have keys. Screen readers announce it. It disappears when the offer ends.
+/// not get the focus by itself, but Tab reaches its buttons, and the commands of
+/// add_offer_actions() have keys. Screen readers announce it. It disappears when the offer ends.
 class OfferPopup : public QFrame {
   Q_OBJECT
 
@@ -46,8 +46,8 @@ class OfferPopup : public QFrame {
 /// Returns the text of one meaning: "Delete 3 lines", "Circle".
 QString offer_text(const OfferRow& row);
 
-/// Adds edit.take_offer (Ctrl+Enter) and edit.take_second_offer (Ctrl+Shift+Enter), which choose the
-/// first and the second meaning that does not apply yet. The canvas must outlive the actions.
+/// Adds edit.take_offer (Ctrl+Enter) and edit.take_second_offer (Ctrl+Shift+Enter), which choose
+/// the first and the second meaning that does not apply yet. The canvas must outlive the actions.
 /// Escape (edit.cancel) keeps the ink.
 void add_offer_actions(Actions& actions, Canvas& canvas);
 

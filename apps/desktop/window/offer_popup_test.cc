@@ -25,7 +25,8 @@ class OfferPopupTest : public ::testing::Test {
   const Session& session() { return studio().session(); }
   void pen(Point at, double z, double pressure) {
     now_ += 4'000'000;
-    studio().point({studio().now_ns(), at, z < 0.0, z < 0.0 ? std::optional(pressure) : std::nullopt});
+    studio().point(
+        {studio().now_ns(), at, z < 0.0, z < 0.0 ? std::optional(pressure) : std::nullopt});
     studio().advance(4'000'000);
   }
   void stroke(const std::vector<Point>& points, double pressure = 0.4) {

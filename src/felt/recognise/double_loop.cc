@@ -77,8 +77,7 @@ LoopFeatures loop_features(const PolarPath& polar) {
   f.turns = std::abs(polar.winding) / kFullTurn;
   f.steadiness = std::abs(polar.winding) / polar.turning;
   f.gap = distance(polar.points.front(), polar.points.back()) / polar.mean_radius;
-  f.flatness =
-      *std::min_element(polar.radius.begin(), polar.radius.end()) / polar.mean_radius;
+  f.flatness = *std::min_element(polar.radius.begin(), polar.radius.end()) / polar.mean_radius;
   f.radius_mm = polar.mean_radius;
   f.apart = mean_apart(polar) / polar.mean_radius;
   return f;

@@ -16,9 +16,9 @@ struct LoopFeatures {
   double steadiness = 0.0;  ///< winding divided by the sum of all turning, 0..1
   /// Mean distance between the first and the second time around, divided by the mean radius.
   double apart = 1.0;
-  double gap = 1.0;         ///< distance between both ends, divided by the mean radius
-  double flatness = 0.0;    ///< the smallest radius divided by the mean one
-  double radius_mm = 0.0;   ///< mean radius
+  double gap = 1.0;        ///< distance between both ends, divided by the mean radius
+  double flatness = 0.0;   ///< the smallest radius divided by the mean one
+  double radius_mm = 0.0;  ///< mean radius
 };
 
 /// A closed loop that is drawn twice in one stroke: it selects what it encloses.

@@ -22,9 +22,9 @@ double any(double low, double high) {
 RC_GTEST_PROP(DoubleLoop, FindsTwoTurnsOfAnySizeAndDirection, ()) {
   const double a = any(8.0, 60.0), turns = any(1.9, 2.1) * (*rc::gen::arbitrary<bool>() ? 1 : -1);
   const Point center{any(-100, 100), any(-100, 100)};
-  const auto path = unsteady(
-      ellipse_part(center, a, any(0.6, 1.0) * a, any(0, 6.3), turns * kTau, any(0, 6.3)), 0.02 * a,
-      *rc::gen::inRange(1, 1'000'000));
+  const auto path =
+      unsteady(ellipse_part(center, a, any(0.6, 1.0) * a, any(0, 6.3), turns * kTau, any(0, 6.3)),
+               0.02 * a, *rc::gen::inRange(1, 1'000'000));
   const auto loop = DoubleLoop::find(path);
   RC_ASSERT(loop.has_value());
   RC_ASSERT(loop->encloses(joined({center, center + Vec{0.3 * a, 0.0}})));
@@ -57,9 +57,11 @@ TEST(DoubleLoop, ItIsAboutWhatItCirclesClosely) {
 
 TEST(DoubleLoop, DegeneratePathsAreInk) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const std::vector<Point>& path :
-       {std::vector<Point>{}, {{1, 1}}, {{1, 1}, {1, 1}}, {{nan, 1}, {2, nan}},
-        {{0, 0}, {5, 0}, {0, 0}}}) {
+  for (const std::vector<Point>& path : {std::vector<Point>{},
+                                         {{1, 1}},
+                                         {{1, 1}, {1, 1}},
+                                         {{nan, 1}, {2, nan}},
+                                         {{0, 0}, {5, 0}, {0, 0}}}) {
     EXPECT_FALSE(DoubleLoop::find(path));
   }
 }

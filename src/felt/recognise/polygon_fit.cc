@@ -141,7 +141,8 @@ std::optional<std::vector<Point>> squared(std::span<const Point> corners, double
   double c = 0.0, s = 0.0;
   Vec sum;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec side = corners[(i + 1) % 4] - corners[i], next = corners[(i + 2) % 4] - corners[(i + 1) % 4];
+    const Vec side = corners[(i + 1) % 4] - corners[i],
+              next = corners[(i + 2) % 4] - corners[(i + 1) % 4];
     if (!(std::abs(dot(side, next)) <= max_cos * norm(side) * norm(next))) return std::nullopt;
     // Four times the angle is the same for all sides of a rectangle.
     const double angle = 4.0 * std::atan2(side.y, side.x);

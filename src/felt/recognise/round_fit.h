@@ -15,8 +15,8 @@ struct LineFit {
 LineFit fit_line(std::span<const Point> points) noexcept;
 
 /// A circle with the least sum of squared distances: the algebraic fit of Kasa (DOI
-/// 10.1109/TIM.1976.6312298), then at most kFitSteps steps of Levenberg and Marquardt. The radius is
-/// 0 if the points are on a line.
+/// 10.1109/TIM.1976.6312298), then at most kFitSteps steps of Levenberg and Marquardt. The radius
+/// is 0 if the points are on a line.
 struct CircleFit {
   Point center;
   double radius_mm = 0.0;

@@ -31,8 +31,7 @@ MainAxis main_axis(std::span<const Point> path) noexcept {
   const double sum = xx + yy;
   if (!(sum > 0.0)) return {};
   const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  return {{std::cos(angle), std::sin(angle)},
-          0.5 + 0.5 * std::hypot(xx - yy, 2.0 * xy) / sum};
+  return {{std::cos(angle), std::sin(angle)}, 0.5 + 0.5 * std::hypot(xx - yy, 2.0 * xy) / sum};
 }
 
 /// Returns the indices at which the path turns back along the axis, with both ends. A turn counts

@@ -16,8 +16,8 @@ struct ScratchFeatures {
   double along = 0.0;
   /// The shortest pass between the first and the last one, divided by the longest pass.
   double evenness = 0.0;
-  double straightness = 0.0;  ///< chord divided by length, for the most curved inner pass
-  double overlap = 0.0;       ///< the smallest share of a pass that is beside the next one
+  double straightness = 0.0;       ///< chord divided by length, for the most curved inner pass
+  double overlap = 0.0;            ///< the smallest share of a pass that is beside the next one
   double path_per_diagonal = 0.0;  ///< length of the path divided by the diagonal of its box
 };
 

@@ -22,8 +22,8 @@ double any(double low, double high) {
 RC_GTEST_PROP(ScratchOut, FindsAZigzagOfAnySizeAndDirection, ()) {
   const int passes = *rc::gen::inRange(ScratchOut::kMinPasses, 16);
   const double length = any(8.0, 60.0);
-  const auto path = placed(unsteady(zigzag(passes, length, any(0.5, 0.25 * length)),
-                                    0.01 * length, *rc::gen::inRange(1, 1'000'000)),
+  const auto path = placed(unsteady(zigzag(passes, length, any(0.5, 0.25 * length)), 0.01 * length,
+                                    *rc::gen::inRange(1, 1'000'000)),
                            any(0.0, 6.3), 1.0, {any(-200, 200), any(-200, 200)});
   const auto found = ScratchOut::find(path);
   RC_ASSERT(found.has_value());
@@ -67,9 +67,11 @@ TEST(ScratchOut, CoversOnlyWhatIsMostlyInside) {
 
 TEST(ScratchOut, DegeneratePathsAreInk) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const std::vector<Point>& path :
-       {std::vector<Point>{}, {{1, 1}}, {{1, 1}, {1, 1}}, {{nan, 1}, {2, nan}},
-        {{1e300, 0}, {-1e300, 0}}}) {
+  for (const std::vector<Point>& path : {std::vector<Point>{},
+                                         {{1, 1}},
+                                         {{1, 1}, {1, 1}},
+                                         {{nan, 1}, {2, nan}},
+                                         {{1e300, 0}, {-1e300, 0}}}) {
     EXPECT_FALSE(ScratchOut::find(path));
     EXPECT_EQ(ScratchOut::features(path).passes, 0);
   }

@@ -13,7 +13,8 @@ constexpr double kQuarter = 0.5 * std::numbers::pi;
 /// middle of each segment is on the ellipse, and the radius is exact to 0.03 % for quarters
 /// (Goldapp, DOI 10.1016/0167-8396(91)90007-X). Each joint uses the same tangent on both sides.
 void add_ellipse(const ShapeGuess& shape, StrokeData& data) {
-  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(shape.sweep) / kQuarter - 1e-9)));
+  const int count =
+      std::max(1, static_cast<int>(std::ceil(std::abs(shape.sweep) / kQuarter - 1e-9)));
   const double step = shape.sweep / count, handle = 4.0 / 3.0 * std::tan(0.25 * step);
   const Vec u{std::cos(shape.angle), std::sin(shape.angle)}, v = perp(u);
   const auto arm = [&](double angle) {
@@ -23,8 +24,8 @@ void add_ellipse(const ShapeGuess& shape, StrokeData& data) {
     return handle * (shape.short_mm * std::cos(angle) * v - shape.long_mm * std::sin(angle) * u);
   };
   // `from` is the direction of the start; the parameter of an ellipse differs from it.
-  const double start = std::atan2(std::sin(shape.from) * shape.long_mm,
-                                  std::cos(shape.from) * shape.short_mm);
+  const double start =
+      std::atan2(std::sin(shape.from) * shape.long_mm, std::cos(shape.from) * shape.short_mm);
   for (int i = 0; i < count; ++i) {
     const double a = start + i * step, b = start + (i + 1) * step;
     const Point from = shape.center + arm(a), to = shape.center + arm(b);

@@ -5,8 +5,8 @@
 
 namespace felt {
 
-/// Returns points, joints and `closed` of a shape. It starts where the drawn path started, or at its
-/// first corner, and has the direction of that path. Widths, medium and colour are left to the
+/// Returns points, joints and `closed` of a shape. It starts where the drawn path started, or at
+/// its first corner, and has the direction of that path. Widths, medium and colour are left to the
 /// caller.
 StrokeData shape_curve(const ShapeGuess& shape);
 

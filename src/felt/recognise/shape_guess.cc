@@ -94,8 +94,7 @@ void add_round(const PreparedPath& path, std::vector<ShapeGuess>& out) {
                    .from = std::atan2(start.y, start.x) - angle,
                    .sweep = whole});
   };
-  const double misfit =
-      ellipse.rms_mm / (Limits::kRoundRms * (ellipse.long_mm + ellipse.short_mm));
+  const double misfit = ellipse.rms_mm / (Limits::kRoundRms * (ellipse.long_mm + ellipse.short_mm));
   // A hand draws a circle with radii that differ by a tenth or two, so the ellipse always fits
   // better. The ratio of the radii decides which one comes first.
   const double rounder = kSimpler * (ratio - kMiddleRatio) / 0.1;
@@ -143,9 +142,8 @@ void add_polygons(const PreparedPath& path, std::vector<ShapeGuess>& out) {
 /// Keeps the shapes within their limits that are nearly as good as the best one.
 void keep_best(std::vector<ShapeGuess>& guesses) {
   std::erase_if(guesses, [](const ShapeGuess& g) { return !(g.misfit <= 1.0); });
-  std::stable_sort(guesses.begin(), guesses.end(), [](const ShapeGuess& a, const ShapeGuess& b) {
-    return a.misfit < b.misfit;
-  });
+  std::stable_sort(guesses.begin(), guesses.end(),
+                   [](const ShapeGuess& a, const ShapeGuess& b) { return a.misfit < b.misfit; });
   std::vector<ShapeGuess> kept;
   for (ShapeGuess& guess : guesses) {
     const bool is_near = kept.empty() || guess.misfit <= kept.front().misfit + kNearlyEqual;

@@ -26,8 +26,8 @@ struct ShapeGuess {
   /// How far the path is from the shape: the root mean square of the distances, relative to the
   /// limit for this form. At most 1.
   double misfit = 0.0;
-  std::vector<Point> corners = {};  ///< of a polygon; both ends of a line
-  Point center = {};                ///< of an arc, circle or ellipse
+  std::vector<Point> corners = {};       ///< of a polygon; both ends of a line
+  Point center = {};                     ///< of an arc, circle or ellipse
   double long_mm = 0.0, short_mm = 0.0;  ///< radii; equal for arc and circle
   double angle = 0.0;                    ///< of the long axis, radians
   double from = 0.0;   ///< angle of the start about the centre, relative to the long axis
@@ -37,10 +37,10 @@ struct ShapeGuess {
 /// Limits of guess_shapes(), all relative to the size of the shape, so that they do not depend on
 /// the zoom. Measured by `./dev bench gestures` on simulated people.
 struct ShapeLimits {
-  static constexpr double kMinSizeMm = 6.0;  ///< diagonal of the smallest path
-  static constexpr double kLineRms = 0.025;  ///< of the length
-  static constexpr double kArcRms = 0.025;   ///< of the length of the path
-  static constexpr double kRoundRms = 0.05;  ///< of the sum of both radii
+  static constexpr double kMinSizeMm = 6.0;     ///< diagonal of the smallest path
+  static constexpr double kLineRms = 0.025;     ///< of the length
+  static constexpr double kArcRms = 0.025;      ///< of the length of the path
+  static constexpr double kRoundRms = 0.05;     ///< of the sum of both radii
   static constexpr double kPolygonRms = 0.035;  ///< of the diagonal
   static constexpr double kMinCornerShare = 0.62;
   static constexpr double kMaxSquareDeg = 17.0;

@@ -97,9 +97,11 @@ TEST(ShapeGuess, ScribblesAndDotsResembleNothing) {
   EXPECT_TRUE(guess_shapes(joined({{0, 0}, {20, 20}, {0, 40}, {20, 60}})).empty());
   EXPECT_TRUE(guess_shapes(ellipse_part({0, 0}, 1, 1, 0.0, kTau)).empty()) << "too small";
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const std::vector<Point>& path :
-       {std::vector<Point>{}, {{1, 1}}, {{1, 1}, {1, 1}}, {{nan, 1}, {2, nan}},
-        {{1e300, 0}, {-1e300, 0}}}) {
+  for (const std::vector<Point>& path : {std::vector<Point>{},
+                                         {{1, 1}},
+                                         {{1, 1}, {1, 1}},
+                                         {{nan, 1}, {2, nan}},
+                                         {{1e300, 0}, {-1e300, 0}}}) {
     EXPECT_TRUE(guess_shapes(path).empty());
   }
 }

@@ -221,8 +221,7 @@ struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent, OrderEvent,
-               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer>
+               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide, ChooseOffer>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

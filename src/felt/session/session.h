@@ -226,8 +226,8 @@ class Session {
     std::uint64_t position;
   };
   std::optional<Moved> moved_;
-  std::optional<Offer> offer_;      // of the last stroke
-  std::uint64_t offer_edits_ = 0;   // edits_ when it was made; it is over if this differs
+  std::optional<Offer> offer_;         // of the last stroke
+  std::uint64_t offer_edits_ = 0;      // edits_ when it was made; it is over if this differs
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;

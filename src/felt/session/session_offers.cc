@@ -10,7 +10,8 @@ std::optional<OfferView> Session::offered() const {
   if (gesture_in_progress()) return tool().offered();
   if (!has_offer()) return std::nullopt;
   OfferView view{offer_->at, {}, offer_->chosen};
-  for (const OfferChoice& choice : offer_->choices) view.rows.push_back({choice.kind, choice.count});
+  for (const OfferChoice& choice : offer_->choices)
+    view.rows.push_back({choice.kind, choice.count});
   return view;
 }
 

@@ -100,9 +100,9 @@ TEST(SessionOffers, AScratchOutDeletesOnlyWhenChosenAndIsOneStep) {
 }
 
 TEST(SessionOffers, GoingOnUndoToolsAndOtherChangesKeepTheInk) {
-  const auto changes = std::vector<decltype(Event::what)>{
-      SelectTool{"eraser"}, CancelEvent{}, ChooseOffer{What::kInk},
-      LayerEvent{LayerEvent::Do::kAdd, {}}};
+  const auto changes = std::vector<decltype(Event::what)>{SelectTool{"eraser"}, CancelEvent{},
+                                                          ChooseOffer{What::kInk},
+                                                          LayerEvent{LayerEvent::Do::kAdd, {}}};
   for (const auto& change : changes) {
     Fixture f;
     f.line(60.0);

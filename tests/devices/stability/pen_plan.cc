@@ -76,8 +76,8 @@ Side side_of(Trial trial, double t_s) noexcept {
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
     case Trial::kHold:
-      side.way_mm = RestWatch::kRestMm + ShapeHold::kLeaveMm *
-                                             (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+      side.way_mm = RestWatch::kRestMm +
+                    ShapeHold::kLeaveMm * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
       if (t_s >= kLandedS) side.pull_n = hold_shape(1.0).force_at_n(side.way_mm);
       side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
       break;

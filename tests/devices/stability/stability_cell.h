@@ -22,9 +22,9 @@ enum class Trial : std::uint8_t {
   kBundle,  ///< moves 20 mm out and back through a bundle of the tool Gather
   kHold,    ///< rests where the pencil holds the pen, moves out of the hold and back
 };
-inline constexpr Trial kTrials[] = {Trial::kRest, Trial::kSlow,  Trial::kTap,   Trial::kWell,
-                                    Trial::kEdit, Trial::kGuide, Trial::kRidge, Trial::kBundle,
-                                    Trial::kHold};
+inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,   Trial::kTap,
+                                    Trial::kWell,  Trial::kEdit,   Trial::kGuide,
+                                    Trial::kRidge, Trial::kBundle, Trial::kHold};
 std::string_view name_of(Trial trial) noexcept;
 
 /// One trial: a hand uses a medium on a surface with a device and a loop.

@@ -57,7 +57,8 @@ void print(const Options& options, const Totals& totals) {
                 static_cast<unsigned long long>(t.selections), t.largest_n);
   }
   std::printf(
-      "gesture_fuzz: seed %llu, %llu gestures, %llu samples, %llu edits, %llu undone or redone, %llu "
+      "gesture_fuzz: seed %llu, %llu gestures, %llu samples, %llu edits, %llu undone or redone, "
+      "%llu "
       "offers chosen: no "
       "rule broken; digest %016llx\n",
       static_cast<unsigned long long>(options.seed), static_cast<unsigned long long>(gestures),

@@ -38,9 +38,9 @@ class ScaledInertia {
 };
 
 /// Returns the force model of a pencil: the surface (plane, grain, friction between medium and
-/// surface), the attracting target, if any, or the hold of a resting pen (ShapeHold), the guide, if any, and the stabiliser. The model is the
-/// same above and on the surface, so that it does not change at the touch; each part detects by
-/// itself whether the pen is down.
+/// surface), the attracting target, if any, or the hold of a resting pen (ShapeHold), the guide, if
+/// any, and the stabiliser. The model is the same above and on the surface, so that it does not
+/// change at the touch; each part detects by itself whether the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target,
                                     const std::optional<Point>& held_at = {}) {

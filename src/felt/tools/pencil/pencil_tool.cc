@@ -169,8 +169,8 @@ std::optional<Offer> PencilTool::shape_offer(const Edit& ink, const Scene& scene
     EditBuilder builder(scene.document);
     builder.add(scene.layer, std::make_shared<const Stroke>(*stroke));
     if (shapes_.taken() == i) taken = offer.choices.size();
-    offer.choices.push_back({offer_of(shapes_.shapes()[i].form), 0,
-                             std::move(builder).build("Shape"), std::nullopt});
+    offer.choices.push_back(
+        {offer_of(shapes_.shapes()[i].form), 0, std::move(builder).build("Shape"), std::nullopt});
   }
   if (offer.choices.empty()) return std::nullopt;
   offer.chosen = taken.value_or(offer.choices.size());
@@ -291,7 +291,8 @@ void PencilTool::draw(Overlay& overlay) const {
     }
   }
   if (in_gesture()) draw_shapes(overlay);
-  if (is_waiting() || !(in_gesture() || near_) || (in_gesture() && !shapes_.shapes().empty())) return;
+  if (is_waiting() || !(in_gesture() || near_) || (in_gesture() && !shapes_.shapes().empty()))
+    return;
   const SnapOptions& snap = settings_.snap;
   if (const auto felt = attraction()) {
     overlay.rings.push_back({felt->point, snap.reach_mm, Overlay::Role::kReach});

@@ -21,9 +21,9 @@ namespace felt {
 /// curves"; pencil.md). Each gesture makes one line and one edit, "Draw". If a modifier is held
 /// during the gesture and meant (ModifierHold), the line is straight (StraightInk).
 ///
-/// If the options say so, a line may also be a gesture (meanings.h), or become a shape while the pen
-/// rests at its end (ShapeHold). Then the result has an Offer. A line that became a shape is one
-/// edit, "Shape".
+/// If the options say so, a line may also be a gesture (meanings.h), or become a shape while the
+/// pen rests at its end (ShapeHold). Then the result has an Offer. A line that became a shape is
+/// one edit, "Shape".
 ///
 /// The work per sample does not depend on the length of the stroke, except for the last sample,
 /// which completes it.

@@ -10,8 +10,9 @@ namespace felt {
 class RestWatch {
  public:
   /// The pen rests if it has stayed within kRestMm of one point for kRestS. A hand that holds a pen
-  /// still moves it by some tenths of a millimetre (tremor and drift, docs/design/simulation.md#people),
-  /// and drawing programs that offer shapes wait about half a second.
+  /// still moves it by some tenths of a millimetre (tremor and drift,
+  /// docs/design/simulation.md#people), and drawing programs that offer shapes wait about half a
+  /// second.
   static constexpr double kRestMm = 0.6, kRestS = 0.5;
 
   void begin(Point pen, std::int64_t time_ns) noexcept;

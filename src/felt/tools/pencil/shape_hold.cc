@@ -13,6 +13,14 @@ constexpr double kTouchS = 0.15;
 /// Share of the newest sample in the pressure of the resting pen.
 constexpr double kSmoothing = 0.05;
 
+/// Returns the path up to where the rest began: a resting pen trembles, which is not a part of the
+/// shape.
+std::span<const Point> before_rest(std::span<const Point> path, Point rest) noexcept {
+  std::size_t count = path.size();
+  while (count > 0 && distance(path[count - 1], rest) <= RestWatch::kRestMm) --count;
+  return path.first(std::min(count + 1, path.size()));
+}
+
 }  // namespace
 
 void ShapeHold::begin(Point pen, std::int64_t time_ns) noexcept {
@@ -59,7 +67,7 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
   if (!rest_.rests()) was_asked_ = false;
   if (!rest_.rests() || was_asked_ || !shapes_.empty()) return;
   was_asked_ = true;
-  shapes_ = guess_shapes(path);
+  shapes_ = guess_shapes(before_rest(path, rest_.at()));
   held_ = rest_.at();
   offered_s_ = rest_.still_s();
 }

@@ -13,8 +13,8 @@
 
 namespace felt {
 
-/// Offers the shapes that a line resembles while the pen rests at the end of the line, and holds the
-/// pen there. The best shape is taken if the user presses harder. If the pressure has hardly
+/// Offers the shapes that a line resembles while the pen rests at the end of the line, and holds
+/// the pen there. The best shape is taken if the user presses harder. If the pressure has hardly
 /// changed during the line, as with a mouse, it is taken if the pen stays for kStayS. A user who
 /// goes on drawing refuses the offer; it is made again if the pen rests again.
 ///
