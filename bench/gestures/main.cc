@@ -1,4 +1,4 @@
-// Measures the gestures of the pencil: how often real strokes are taken for gestures, and how often
+// Measures the gestures of the pencil: how often real strokes count as gestures, and how often
 // the gestures that simulated people mean are found (README.md).
 //   bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER] [--people N]
 //                  [--seed N] [--each yes]
@@ -52,7 +52,7 @@ std::optional<Options> options_of(int argc, char** argv) {
 
 void print(const char* name, const FalseOffers& f) {
   fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", name, f.strokes, f.scratch_outs,
-             f.double_loops, f.taken_shapes, f.rests);
+             f.double_loops, f.accepted_shapes, f.rests);
 }
 
 /// Returns true if the bar is met. Without strokes, nothing is said.
@@ -69,12 +69,12 @@ bool check_real(const Options& options) {
     all.strokes += f.strokes;
     all.scratch_outs += f.scratch_outs;
     all.double_loops += f.double_loops;
-    all.taken_shapes += f.taken_shapes;
+    all.accepted_shapes += f.accepted_shapes;
     all.rests += f.rests;
   };
   if (options.strokes.empty() && options.drawings.empty()) return true;
   fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", "real strokes", "n", "scratch-out",
-             "double loop", "shape taken", "rests");
+             "double loop", "shape accepted", "rests");
   if (!options.drawings.empty()) {
     add("drawings, 180 mm", read_drawings(options.drawings, 180.0), true);
     add("the same, 90 mm", read_drawings(options.drawings, 90.0), false);

@@ -114,9 +114,9 @@ Path meant_path(Random& random, OfferKind kind, double size) {
 }
 
 /// A person with a Phantom Premium on paper, whose pen draws into a session.
-class Sitting {
+class PersonFixture {
  public:
-  explicit Sitting(const Person& person)
+  explicit PersonFixture(const Person& person)
       : device_(*find_stylus_preset("premium")),
         person_(person),
         hand_(std::make_unique<FeedbackHand>(device_, person)) {
@@ -212,12 +212,12 @@ std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed) {
     for (std::size_t p = 0; p < persons.size(); ++p) {
       for (const double size : kSizes) {
         Random random(seed + 1000 * p + 10 * k + static_cast<std::uint64_t>(4.0 * size));
-        Sitting sitting(persons[p]);
-        if (!is_shape) sitting.add_lines(size);
-        sitting.draw(meant_path(random, meant.kind, size), is_shape ? kCareful : kQuick, k,
+        PersonFixture fixture(persons[p]);
+        if (!is_shape) fixture.add_lines(size);
+        fixture.draw(meant_path(random, meant.kind, size), is_shape ? kCareful : kQuick, k,
                      is_shape ? kRestS : 0.0);
         ++meant.drawn;
-        const std::optional<OfferView> offer = sitting.offered();
+        const std::optional<OfferView> offer = fixture.offered();
         if (!offer) continue;
         meant.first += offer->rows.front().kind == meant.kind;
         meant.offered += std::any_of(offer->rows.begin(), offer->rows.end(),

@@ -26,7 +26,7 @@ Rect box_of(const std::vector<InkSample>& stroke) {
 /// Places strokes one after the other, in lines.
 class Setter {
  public:
-  void place(std::vector<InkSample>& stroke) {
+  void put(std::vector<InkSample>& stroke) {
     const Rect box = box_of(stroke);
     if (at_.x > 10.0 && at_.x + box.width() > kLineMm) {
       at_ = {10.0, at_.y + height_ + kGapMm};
@@ -107,7 +107,7 @@ Result<std::vector<RealPage>> read_pen_strokes(const std::string& path, double m
         s.position = {mm_per_unit * s.position.x, mm_per_unit * s.position.y};
         if (!s.time_ns) s.time_ns = unknown_ns += kUnknownStepNs;
       }
-      if (placing == Placing::kInLines) setter.place(stroke);
+      if (placing == Placing::kInLines) setter.put(stroke);
       pages.back().strokes.push_back(std::move(stroke));
     }
   }
@@ -147,15 +147,15 @@ FalseOffers draw_pages(const std::vector<RealPage>& pages, bool each) {
       if (!offer) continue;
       const bool scratches = offers(*offer, OfferKind::kDelete);
       const bool circles = offers(*offer, OfferKind::kSelect);
-      const bool is_taken = offer->rows[offer->chosen].kind != OfferKind::kInk;
+      const bool is_accepted = offer->rows[offer->chosen].kind != OfferKind::kInk;
       all.scratch_outs += scratches;
       all.double_loops += circles;
-      all.taken_shapes += is_taken;
+      all.accepted_shapes += is_accepted;
       all.rests += !scratches && !circles;
       if (each) {
         fmt::print("  {}#{}: {}{}\n", page.name, i,
                    kOfferKinds[static_cast<std::size_t>(offer->rows.front().kind)],
-                   is_taken ? ", taken" : "");
+                   is_accepted ? ", accepted" : "");
       }
     }
   }

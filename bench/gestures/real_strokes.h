@@ -25,8 +25,8 @@ Result<std::vector<RealPage>> read_drawings(const std::string& folder, double di
 
 /// Offers that real strokes got.
 struct FalseOffers {
-  std::size_t strokes = 0, scratch_outs = 0, double_loops = 0, taken_shapes = 0, rests = 0;
-  [[nodiscard]] std::size_t wrong() const { return scratch_outs + double_loops + taken_shapes; }
+  std::size_t strokes = 0, scratch_outs = 0, double_loops = 0, accepted_shapes = 0, rests = 0;
+  [[nodiscard]] std::size_t wrong() const { return scratch_outs + double_loops + accepted_shapes; }
 };
 /// Draws all pages in sessions and counts. If `each`, prints the name of each false one.
 FalseOffers draw_pages(const std::vector<RealPage>& pages, bool each);

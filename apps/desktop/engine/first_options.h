@@ -13,10 +13,8 @@ namespace felt::desktop {
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
 /// Returns the option's specification with this program's default value. This value differs from
-/// the library's default only for the medium, the widths, the pressure curve (gamma) and the
-/// gestures of a tool that draws. Gestures are on, because they only offer what a stroke could
-/// mean, and hardly ever without cause (docs/figures.md); in the library they are off, so that
-/// scripts and recordings without these options stay as they are.
+/// the library's default only for the medium, the widths and the pressure curve (gamma) of a tool
+/// that draws.
 [[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
   const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;
@@ -26,9 +24,6 @@ inline constexpr std::string_view kFirstMedium = "ink-pen";
   }
   if (spec.id == "min_width_mm") spec.fallback = medium->line.min_mm;
   if (spec.id == "max_width_mm") spec.fallback = medium->line.max_mm;
-  if (spec.id == "scratch_out" || spec.id == "double_loop" || spec.id == "shapes") {
-    spec.fallback = 1.0;
-  }
   if (spec.id == "gamma") spec.fallback = medium->line.gamma;
   return spec;
 }

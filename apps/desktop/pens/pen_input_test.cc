@@ -512,6 +512,7 @@ TEST_F(PenInputTest, ATapOfTwoFingersUndoesAndOfThreeRedoes) {
         std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   };
   const CanvasView before = canvas_.view();
+  set(pen_keys::kTouchTaps, true);
   for (const char* mode : {"pan", "draw"}) {
     set(pen_keys::kTouch, QString::fromLatin1(mode));
     add_line();

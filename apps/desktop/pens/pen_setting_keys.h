@@ -33,6 +33,6 @@ inline constexpr auto kTouch = "pens/touch";
 inline constexpr auto kTouchDefault = "pan";
 /// A tap with two fingers undoes, one with three fingers redoes.
 inline constexpr auto kTouchTaps = "pens/touch_taps";
-inline constexpr bool kTouchTapsDefault = true;
+inline constexpr bool kTouchTapsDefault = false;
 
 }  // namespace felt::desktop::pen_keys

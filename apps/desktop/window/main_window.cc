@@ -99,7 +99,6 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   new ToolKeys(*actions_, *studio_, this);
   add_preset_actions(*actions_, *studio_, this);
   add_popup_action(*actions_, *canvas_);
-  add_offer_actions(*actions_, *canvas_);
   files_->clipboard().set_pointer([this]() -> std::optional<Point> {
     if (!canvas_->underMouse()) return std::nullopt;
     return canvas_->view().to_mm(canvas_->mapFromGlobal(QCursor::pos()));
@@ -119,7 +118,6 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   auto* popup = new CanvasPopup(*actions_, *canvas_, *media_pictures_, this);
   connect(popup, &CanvasPopup::wants_paste, this,
           [this](Point at) { files_->clipboard().paste_at(at); });
-  new OfferPopup(*actions_, *canvas_);
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::drawing_changed, this, &MainWindow::show_title);
@@ -256,6 +254,7 @@ bool MainWindow::show_panel(const QString& name) {
 }
 
 void MainWindow::add_window_actions() {
+  add_offer_popup(*actions_, *canvas_);
   actions_->add_switch(QStringLiteral("view.hide_panels"), tr("&Hide all panels"),
                        {QKeySequence(Qt::Key_Tab)}, tr("Shows only the drawing area"), false,
                        [this](bool on) { hide_panels(on); });

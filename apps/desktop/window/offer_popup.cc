@@ -89,7 +89,7 @@ OfferPopup::OfferPopup(const Actions& actions, Canvas& canvas)
   connect(&studio_, &Studio::edited, this, &OfferPopup::follow);
   connect(&studio_, &Studio::opened, this, &OfferPopup::follow);
   connect(&canvas, &Canvas::view_changed, this, [this] {
-    if (shown_) place(shown_->at);
+    if (shown_) move_to(shown_->at);
   });
 }
 
@@ -111,7 +111,7 @@ void OfferPopup::follow() {
     return;
   }
   rebuild(*shown_);
-  place(shown_->at);
+  move_to(shown_->at);
   show();
   raise();
   QAccessibleEvent alert(this, QAccessible::Alert);
@@ -153,7 +153,7 @@ void OfferPopup::rebuild(const OfferView& offer) {
 }
 
 /// Shows the popup below and to the right of the pen, but inside the canvas.
-void OfferPopup::place(Point at) {
+void OfferPopup::move_to(Point at) {
   adjustSize();
   const QPointF wanted = canvas_.view().to_px(at) + kBesidePenPx;
   const int x = std::clamp(int(wanted.x()), 0, std::max(0, canvas_.width() - width()));
@@ -195,7 +195,7 @@ bool OfferPopup::event(QEvent* event) {
   }
 }
 
-void add_offer_actions(Actions& actions, Canvas& canvas) {
+void add_offer_popup(Actions& actions, Canvas& canvas) {
   Studio& studio = canvas.studio();
   const auto take = [&studio](std::size_t i) {
     const std::optional<OfferView> offer = studio.session().offered();
@@ -217,6 +217,7 @@ void add_offer_actions(Actions& actions, Canvas& canvas) {
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return)},
       tr_offer(QT_TRANSLATE_NOOP("OfferPopup", "Chooses the second meaning, if two are offered.")),
       [take] { take(1); });
+  new OfferPopup(actions, canvas);
 }
 
 }  // namespace felt::desktop

@@ -14,14 +14,14 @@ namespace felt::desktop {
 
 /// The choice at the pen: what the last stroke could mean, or the stroke in progress while the pen
 /// rests (Session::offered). One button for each meaning; the one that applies is checked. It does
-/// not get the focus by itself, but Tab reaches its buttons, and the commands of
-/// add_offer_actions() have keys. Screen readers announce it. It disappears when the offer ends.
+/// not get the focus; the commands of add_offer_popup() have keys, which its tool tips name. Screen
+/// readers announce it. It disappears when the offer ends.
 class OfferPopup : public QFrame {
   Q_OBJECT
 
  public:
   /// The arguments must outlive this object. `actions` must have the commands of
-  /// add_offer_actions().
+  /// add_offer_popup().
   OfferPopup(const Actions& actions, Canvas& canvas);
 
  protected:
@@ -31,7 +31,7 @@ class OfferPopup : public QFrame {
  private:
   void follow();
   void rebuild(const OfferView& offer);
-  void place(Point at);
+  void move_to(Point at);
   void press_at(QPointF global);
 
   const Actions& actions_;
@@ -46,9 +46,9 @@ class OfferPopup : public QFrame {
 /// Returns the text of one meaning: "Delete 3 lines", "Circle".
 QString offer_text(const OfferRow& row);
 
-/// Adds edit.take_offer (Ctrl+Enter) and edit.take_second_offer (Ctrl+Shift+Enter), which choose
-/// the first and the second meaning that does not apply yet. The canvas must outlive the actions.
-/// Escape (edit.cancel) keeps the ink.
-void add_offer_actions(Actions& actions, Canvas& canvas);
+/// Adds the popup to the canvas, and edit.take_offer (Ctrl+Enter) and edit.take_second_offer
+/// (Ctrl+Shift+Enter), which choose the first and the second meaning that does not apply yet. The
+/// canvas must outlive the actions. Escape (edit.cancel) keeps the ink.
+void add_offer_popup(Actions& actions, Canvas& canvas);
 
 }  // namespace felt::desktop

@@ -19,6 +19,10 @@ class OfferPopupTest : public ::testing::Test {
   OfferPopupTest() {
     window_.show();
     popup_ = window_.findChild<OfferPopup*>();
+    for (const char* id : {"pencil.scratch_out", "pencil.double_loop", "pencil.shapes"}) {
+      studio().apply(SetOption{id, true});
+    }
+    studio().apply(SetOption{"pencil.snap", std::string("off")});
   }
 
   Studio& studio() { return window_.studio(); }

@@ -83,7 +83,7 @@ void PencilTool::make_fitter(const Scene& scene) {
 
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
-  if (shapes_.taken()) return {};  // the line has become a shape
+  if (shapes_.accepted()) return {};  // the line has become a shape
   const Pressing pressing(scene.surface, scene.device);
   pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
@@ -161,19 +161,20 @@ std::optional<Stroke> PencilTool::shape_ink(const ShapeGuess& shape) const {
 }
 
 std::optional<Offer> PencilTool::shape_offer(const Edit& ink, const Scene& scene) const {
-  Offer offer{.at = pen_point_};
-  std::optional<std::size_t> taken;
+  Offer offer;
+  offer.at = pen_point_;
+  std::optional<std::size_t> accepted;
   for (std::size_t i = 0; i < shapes_.shapes().size(); ++i) {
     const std::optional<Stroke> stroke = shape_ink(shapes_.shapes()[i]);
     if (!stroke) continue;
     EditBuilder builder(scene.document);
     builder.add(scene.layer, std::make_shared<const Stroke>(*stroke));
-    if (shapes_.taken() == i) taken = offer.choices.size();
+    if (shapes_.accepted() == i) accepted = offer.choices.size();
     offer.choices.push_back(
         {offer_of(shapes_.shapes()[i].form), 0, std::move(builder).build("Shape"), std::nullopt});
   }
   if (offer.choices.empty()) return std::nullopt;
-  offer.chosen = taken.value_or(offer.choices.size());
+  offer.chosen = accepted.value_or(offer.choices.size());
   offer.choices.push_back({OfferKind::kInk, 0, ink, std::nullopt});
   return offer;
 }
@@ -222,14 +223,14 @@ InkConnections PencilTool::connections(const Scene& scene) const {
 
 std::optional<OfferView> PencilTool::offered() const {
   if (!in_gesture() || shapes_.shapes().empty()) return std::nullopt;
-  OfferView view{pen_point_, {}, shapes_.taken().value_or(shapes_.shapes().size())};
+  OfferView view{pen_point_, {}, shapes_.accepted().value_or(shapes_.shapes().size())};
   for (const ShapeGuess& shape : shapes_.shapes()) view.rows.push_back({offer_of(shape.form), 0});
   view.rows.push_back({OfferKind::kInk, 0});
   return view;
 }
 
 void PencilTool::choose(OfferKind kind) {
-  if (in_gesture()) shapes_.take(kind);
+  if (in_gesture()) shapes_.accept(kind);
 }
 
 void PencilTool::drop() {
@@ -260,11 +261,11 @@ ForceModel PencilTool::force(const Scene& scene) const {
 void PencilTool::draw_shapes(Overlay& overlay) const {
   const auto& shapes = shapes_.shapes();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes_.taken() && shapes_.taken() != i) continue;
+    if (shapes_.accepted() && shapes_.accepted() != i) continue;
     const std::optional<Stroke> stroke = shape_ink(shapes[i]);
     if (!stroke) continue;
     const int end = stroke->segment_count();
-    if (!shapes_.taken()) {
+    if (!shapes_.accepted()) {
       // The best shape stands out, because it is the one that pressing takes.
       add_span(overlay, *stroke, 0.0, end, i == 0 ? Overlay::Role::kSnap : Overlay::Role::kGuide);
       continue;
@@ -283,7 +284,7 @@ void PencilTool::draw(Overlay& overlay) const {
     if (hold_.is_meant()) {
       straight_.draw(straight_.start(),
                      hold_.has_second() ? straight_.pen_in_steps() : straight_.pen(), overlay);
-    } else if (!shapes_.taken()) {
+    } else if (!shapes_.accepted()) {
       wet_.draw(*fitter_, overlay);
       if (settings_.stabiliser.kind != StabiliserKind::kOff) {
         overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});

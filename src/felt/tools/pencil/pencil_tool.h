@@ -67,7 +67,8 @@ class PencilTool final : public GestureTool {
   [[nodiscard]] std::optional<Stroke> free_line();
   /// Returns a shape in the look of the line, or nullopt if its data are invalid.
   [[nodiscard]] std::optional<Stroke> shape_ink(const ShapeGuess& shape) const;
-  /// Returns the shapes that are offered, and the ink. The one that was taken applies, or the ink.
+  /// Returns the shapes that are offered, and the ink. The one that was accepted applies, or the
+  /// ink.
   [[nodiscard]] std::optional<Offer> shape_offer(const Edit& ink, const Scene& scene) const;
   void draw_shapes(Overlay& overlay) const;
   [[nodiscard]] std::optional<Edit> drawn_edit(const Scene& scene);

@@ -27,7 +27,7 @@ void ShapeHold::begin(Point pen, std::int64_t time_ns) noexcept {
   rest_.begin(pen, time_ns);
   was_asked_ = false;
   shapes_.clear();
-  taken_.reset();
+  accepted_.reset();
   start_ns_ = time_ns;
   low_ = 1.0;
   high_ = 0.0;
@@ -45,7 +45,7 @@ void ShapeHold::watch_pressure(std::optional<double> pressure, std::int64_t time
   high_ = std::max(high_, *pressure);
 }
 
-bool ShapeHold::is_taken_by(std::optional<double> pressure) const noexcept {
+bool ShapeHold::is_accepted_by(std::optional<double> pressure) const noexcept {
   const bool is_constant = !has_pressure_ || high_ - low_ < kConstantPressure;
   if (is_constant && rest_.still_s() >= offered_s_ + kStayS) return true;
   const double rise = std::min(kPress, 0.5 * (1.0 - resting_));
@@ -54,14 +54,14 @@ bool ShapeHold::is_taken_by(std::optional<double> pressure) const noexcept {
 
 void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t time_ns,
                        std::span<const Point> path) {
-  if (taken_) return;
+  if (accepted_) return;
   rest_.update(pen, time_ns);
   watch_pressure(pressure, time_ns);
   if (!shapes_.empty()) {
     if (distance(pen, held_) > kLeaveMm) {
       shapes_.clear();
-    } else if (is_taken_by(pressure)) {
-      taken_ = 0;
+    } else if (is_accepted_by(pressure)) {
+      accepted_ = 0;
     }
   }
   if (!rest_.rests()) was_asked_ = false;
@@ -72,15 +72,15 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
   offered_s_ = rest_.still_s();
 }
 
-void ShapeHold::take(OfferKind kind) noexcept {
+void ShapeHold::accept(OfferKind kind) noexcept {
   if (kind == OfferKind::kInk) shapes_.clear();
-  for (std::size_t i = 0; i < shapes_.size() && !taken_; ++i) {
-    if (offer_of(shapes_[i].form) == kind) taken_ = i;
+  for (std::size_t i = 0; i < shapes_.size() && !accepted_; ++i) {
+    if (offer_of(shapes_[i].form) == kind) accepted_ = i;
   }
 }
 
 std::optional<Point> ShapeHold::holds_at() const noexcept {
-  if (shapes_.empty() || taken_) return std::nullopt;
+  if (shapes_.empty() || accepted_) return std::nullopt;
   return held_;
 }
 

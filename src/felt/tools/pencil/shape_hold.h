@@ -14,8 +14,8 @@
 namespace felt {
 
 /// Offers the shapes that a line resembles while the pen rests at the end of the line, and holds
-/// the pen there. The best shape is taken if the user presses harder. If the pressure has hardly
-/// changed during the line, as with a mouse, it is taken if the pen stays for kStayS. A user who
+/// the pen there. The best shape is accepted if the user presses harder. If the pressure has hardly
+/// changed during the line, as with a mouse, it is accepted if the pen stays for kStayS. A user who
 /// goes on drawing refuses the offer; it is made again if the pen rests again.
 ///
 /// Use: begin() at the touch; update() for each sample in contact.
@@ -37,23 +37,23 @@ class ShapeHold {
   void update(Point pen, std::optional<double> pressure, std::int64_t time_ns,
               std::span<const Point> path);
   /// Takes an offered shape. Has no effect if it is not offered.
-  void take(OfferKind kind) noexcept;
+  void accept(OfferKind kind) noexcept;
 
   /// Returns the offered shapes, the best one first; empty if nothing is offered.
   [[nodiscard]] const std::vector<ShapeGuess>& shapes() const noexcept { return shapes_; }
-  /// Returns the index of the shape that was taken.
-  [[nodiscard]] std::optional<std::size_t> taken() const noexcept { return taken_; }
-  /// Returns the point at which the pen is held: while shapes are offered and none is taken.
+  /// Returns the index of the shape that was accepted.
+  [[nodiscard]] std::optional<std::size_t> accepted() const noexcept { return accepted_; }
+  /// Returns the point at which the pen is held: while shapes are offered and none is accepted.
   [[nodiscard]] std::optional<Point> holds_at() const noexcept;
 
  private:
   void watch_pressure(std::optional<double> pressure, std::int64_t time_ns) noexcept;
-  [[nodiscard]] bool is_taken_by(std::optional<double> pressure) const noexcept;
+  [[nodiscard]] bool is_accepted_by(std::optional<double> pressure) const noexcept;
 
   RestWatch rest_;
   bool was_asked_ = false;  // the path was examined during this rest
   std::vector<ShapeGuess> shapes_;
-  std::optional<std::size_t> taken_;
+  std::optional<std::size_t> accepted_;
   Point held_;
   double offered_s_ = 0.0;  // still_s() when the shapes were offered
   std::int64_t start_ns_ = 0;

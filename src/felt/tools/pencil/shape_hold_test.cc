@@ -45,9 +45,9 @@ TEST(ShapeHold, OffersAfterHalfASecondAndHoldsThePenUntilTaken) {
   ASSERT_TRUE(f.hold.holds_at());
   EXPECT_LT(distance(*f.hold.holds_at(), {60, 0}), RestWatch::kRestMm + 0.01);
   f.rest(5.0, 0.45);
-  EXPECT_FALSE(f.hold.taken()) << "a pen whose pressure varies must press harder";
+  EXPECT_FALSE(f.hold.accepted()) << "a pen whose pressure varies must press harder";
   f.rest(0.02, 0.65);
-  EXPECT_EQ(f.hold.taken(), 0U);
+  EXPECT_EQ(f.hold.accepted(), 0U);
   EXPECT_FALSE(f.hold.holds_at()) << "the hand is free again";
 }
 
@@ -56,9 +56,9 @@ TEST(ShapeHold, WithoutPressureStayingTakes) {
     Fixture f;
     f.line(pressure);
     f.rest(1.4, pressure);
-    EXPECT_FALSE(f.hold.taken());
+    EXPECT_FALSE(f.hold.accepted());
     f.rest(0.3, pressure);
-    EXPECT_TRUE(f.hold.taken());
+    EXPECT_TRUE(f.hold.accepted());
   }
 }
 
@@ -68,7 +68,7 @@ TEST(ShapeHold, APenThatPressesFullyCanStillPressHarder) {
   f.rest(0.7, 0.86);
   ASSERT_FALSE(f.hold.shapes().empty());
   f.rest(0.02, 0.95);
-  EXPECT_TRUE(f.hold.taken());
+  EXPECT_TRUE(f.hold.accepted());
 }
 
 TEST(ShapeHold, AnOfferEndsFarFromTheRestAndIsMadeAgain) {
