@@ -30,7 +30,7 @@ class ScratchOut {
   /// written "m" has five passes, so it takes six. The other limits were chosen with `./dev bench
   /// gestures`: written letters are less straight and less parallel than crossing out.
   static constexpr int kMinPasses = 6;
-  static constexpr double kMinAlong = 0.88, kMinEvenness = 0.4, kMinStraightness = 0.88;
+  static constexpr double kMinAlong = 0.85, kMinEvenness = 0.35, kMinStraightness = 0.85;
   static constexpr double kMinOverlap = 0.5, kMinPathPerDiagonal = 2.5;
   /// Smallest and largest length of the longest pass, in mm. A shorter scribble is a dot.
   static constexpr double kMinPassMm = 3.0, kMaxPassMm = 150.0;

@@ -13,7 +13,7 @@ class RestWatch {
   /// still moves it by some tenths of a millimetre (tremor and drift,
   /// docs/design/simulation.md#people), and drawing programs that offer shapes wait about half a
   /// second.
-  static constexpr double kRestMm = 0.6, kRestS = 0.5;
+  static constexpr double kRestMm = 1.0, kRestS = 0.5;
 
   void begin(Point pen, std::int64_t time_ns) noexcept;
   void update(Point pen, std::int64_t time_ns) noexcept;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "felt/tools/gesture_tool.h"
-#include "felt/tools/snapping.h"
 
 namespace felt {
 namespace {
@@ -85,11 +84,11 @@ std::optional<Point> ShapeHold::holds_at() const noexcept {
 }
 
 WellShape hold_shape(double strength) noexcept {
-  return well_of({.mode = SnapMode::kForce,
-                  .reach_mm = 2.0 * ShapeHold::kLeaveMm,
-                  .radius_mm = ShapeHold::kLeaveMm,
-                  .force_n = ShapeHold::kHoldN},
-                 strength);
+  return {.radius_mm = 2.0 * ShapeHold::kLeaveMm,
+          .core_mm = 3.0,
+          .rim_mm = 2.0,
+          .force_n = strength * ShapeHold::kHoldN,
+          .damping_n_s_per_m = strength};
 }
 
 OfferKind offer_of(ShapeForm form) noexcept {

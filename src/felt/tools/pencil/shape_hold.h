@@ -30,7 +30,9 @@ class ShapeHold {
   /// A pressure that varies less than this in a line is not that of a hand on a pen (chosen: the
   /// pen strokes of `./dev bench gestures` with pressure vary more in all but a few lines).
   static constexpr double kConstantPressure = 0.05;
-  static constexpr double kHoldN = 0.5;
+  /// Largest force of the hold. Its stiffness is 150 N/m, because a stiffer hold is not calm on the
+  /// device with the most delay and no friction (docs/stability.md).
+  static constexpr double kHoldN = 0.45;
 
   void begin(Point pen, std::int64_t time_ns) noexcept;
   /// Handles one sample. `path` is the line so far; it is examined once for each rest.
