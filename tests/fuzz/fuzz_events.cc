@@ -102,6 +102,7 @@ struct CheckWhat {
     FELT_CHECK(!e.text.empty() && e.text.size() <= kMaxMaterialBytes);
   }
   void operator()(const UseGuide& e) const { FELT_CHECK(check_guide(e.line).has_value()); }
+  void operator()(const ChooseOffer& e) const { FELT_CHECK(e.what <= OfferKind::kPolygon); }
 };
 
 void check_round_trip(const std::vector<Event>& events) {

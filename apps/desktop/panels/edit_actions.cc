@@ -90,7 +90,9 @@ void add_history(Actions& actions, Studio& studio) {
                       "EditActions", "Cancels the current gesture, or clears the selection.")),
                   [&studio] {
                     const Session& session = studio.session();
-                    if (session.gesture_in_progress() || session.selection().empty()) {
+                    if (!session.gesture_in_progress() && session.offered()) {
+                      studio.apply(ChooseOffer{OfferKind::kInk});
+                    } else if (session.gesture_in_progress() || session.selection().empty()) {
                       studio.apply(CancelEvent{});
                     } else {
                       studio.apply(SelectStrokes{SelectStrokes::What::kNone});

@@ -54,6 +54,7 @@ class PenInputTest : public ::testing::Test {
     set(kLowerButton, QString::fromLatin1(kLowerButtonDefault));
     set(kRightButton, QString::fromLatin1(kRightButtonDefault));
     set(kTouch, QString::fromLatin1(kTouchDefault));
+    set(kTouchTaps, kTouchTapsDefault);
   }
   StudioOptions options() {
     StudioOptions options;
@@ -483,6 +484,56 @@ TEST_F(PenInputTest, TwoFingersMoveAndZoomTheView) {
   const QPointF left = canvas_.view().to_px(before.to_mm({300, 300}));
   EXPECT_NEAR(left.x(), 280, 1.0);
   EXPECT_EQ(strokes(), 0u);
+}
+
+TEST_F(PenInputTest, ATapOfTwoFingersUndoesAndOfThreeRedoes) {
+  static QPointingDevice* screen = QTest::createTouchDevice();
+  const auto tap = [this](int fingers, int move_px) {
+    for (int last = 1; last <= fingers; ++last) {
+      auto touch = QTest::touchEvent(&canvas_, screen);
+      for (int i = 1; i < last; ++i) touch.stationary(i);
+      touch.press(last, {300 + 60 * last, 300});
+    }
+    auto touch = QTest::touchEvent(&canvas_, screen);
+    for (int i = 1; i <= fingers; ++i) touch.move(i, {300 + 60 * i, 300 + move_px});
+    touch.commit();
+    for (int first = 1; first <= fingers; ++first) {
+      auto lifts = QTest::touchEvent(&canvas_, screen);
+      lifts.release(first, {300 + 60 * first, 300 + move_px});
+      for (int i = first + 1; i <= fingers; ++i) lifts.stationary(i);
+    }
+  };
+  const auto add_line = [this] {
+    StrokeData data;
+    data.points = {{10, 10}, {20, 10}, {30, 10}, {40, 10}};
+    data.widths = {{0.0, 1.0}, {1.0, 1.0}};
+    canvas_.studio().import(
+        QStringLiteral("test"),
+        std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
+  };
+  const CanvasView before = canvas_.view();
+  set(pen_keys::kTouchTaps, true);
+  for (const char* mode : {"pan", "draw"}) {
+    set(pen_keys::kTouch, QString::fromLatin1(mode));
+    add_line();
+    tap(2, 5);
+    EXPECT_EQ(strokes(), 0u) << mode;
+    EXPECT_EQ(canvas_.view(), before) << "a tap does not move the view";
+    tap(3, 5);
+    EXPECT_EQ(strokes(), 1u) << mode;
+    canvas_.studio().apply(UndoEvent{});
+  }
+  set(pen_keys::kTouch, QStringLiteral("pan"));
+  add_line();
+  tap(1, 0);
+  tap(4, 0);
+  tap(2, 60);
+  EXPECT_EQ(strokes(), 1u) << "one finger, four fingers, and two that move the view";
+  EXPECT_NE(canvas_.view(), before);
+  set(pen_keys::kTouchTaps, false);
+  tap(2, 0);
+  EXPECT_EQ(strokes(), 1u) << "it is off";
+  canvas_.set_view(before);
 }
 
 TEST_F(PenInputTest, APalmIsNoFinger) {

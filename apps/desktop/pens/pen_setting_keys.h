@@ -31,5 +31,8 @@ inline constexpr auto kRightButtonDefault = "eraser";
 /// Action of one finger: "pan", "draw" or "off" (touch is ignored).
 inline constexpr auto kTouch = "pens/touch";
 inline constexpr auto kTouchDefault = "pan";
+/// A tap with two fingers undoes, one with three fingers redoes.
+inline constexpr auto kTouchTaps = "pens/touch_taps";
+inline constexpr bool kTouchTapsDefault = false;
 
 }  // namespace felt::desktop::pen_keys

@@ -43,6 +43,7 @@ PenSettings PenSettings::load() {
   settings.upper = button_role(text(kUpperButton, kUpperButtonDefault));
   settings.right = button_role(text(kRightButton, kRightButtonDefault));
   settings.touch = touch_mode(text(kTouch, kTouchDefault));
+  settings.touch_taps = Settings::the().flag(QString::fromLatin1(kTouchTaps), kTouchTapsDefault);
   return settings;
 }
 

@@ -23,6 +23,7 @@ struct PenSettings {
   ButtonRole upper = ButtonRole::kPan;
   ButtonRole right = ButtonRole::kEraser;
   TouchMode touch = TouchMode::kPan;
+  bool touch_taps = false;  ///< two fingers undo, three redo
 
   static PenSettings load();
 };

@@ -154,6 +154,14 @@ QComboBox* PensPage::make_roles(const char* key, const char* fallback, const QSt
   return box;
 }
 
+QCheckBox* PensPage::make_touch_taps() {
+  touch_taps_ = new QCheckBox(tr("Tap with two fingers to &undo, with three to redo"));
+  touch_taps_->setToolTip(tr("A tap is short, and the fingers do not move."));
+  connect(touch_taps_, &QCheckBox::toggled, this,
+          [this](bool on) { loads_ ? void() : set(pen_keys::kTouchTaps, on); });
+  return touch_taps_;
+}
+
 QWidget* PensPage::make_buttons() {
   using namespace pen_keys;
   auto* group = new QGroupBox(tr("Buttons, mouse and touch"));
@@ -181,6 +189,7 @@ QWidget* PensPage::make_buttons() {
   touch->setToolTip(
       tr("Two fingers move, zoom and turn the view. While the pen is near, touch is ignored."));
   form->addRow(tr("One f&inger:"), touch);
+  form->addRow(make_touch_taps());
   return group;
 }
 
@@ -198,6 +207,7 @@ void PensPage::load() {
   const PenSettings settings = PenSettings::load();
   area_->set_settings(settings);
   pressure_on_->setChecked(settings.pressure_on);
+  touch_taps_->setChecked(settings.touch_taps);
   editor_->set_curve(settings.curve);
   editor_->setEnabled(settings.pressure_on);
   firmness_->setValue(int(std::lround(kSliderSteps * settings.curve.firmness())));

@@ -30,6 +30,7 @@ class PensPage : public QWidget {
   QWidget* make_sliders();
   QWidget* make_test();
   QWidget* make_buttons();
+  QCheckBox* make_touch_taps();
   QComboBox* make_roles(const char* key, const char* fallback, const QString& name);
   QComboBox* make_choice(const char* key, const QString& name);
   void set_curve(PressureCurve curve);
@@ -38,6 +39,7 @@ class PensPage : public QWidget {
   void load();
 
   QCheckBox* pressure_on_;
+  QCheckBox* touch_taps_;
   PressureCurveEditor* editor_;
   QSlider* firmness_;
   QSlider* threshold_;

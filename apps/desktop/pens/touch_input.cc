@@ -25,6 +25,18 @@ void TouchInput::cancel() {
   if (use_ == Use::kDraw && hand_.is_down(PenHand::Source::kFinger)) hand_.cancel();
   use_ = Use::kNothing;
   is_palm_ = true;
+  tap_.cancel();
+}
+
+/// Two or three fingers that land together move the view a little, or begin a line.
+void TouchInput::tap(int fingers) {
+  if (!settings_.touch_taps || (fingers != 2 && fingers != 3)) return;
+  canvas_.set_view(view_before_);
+  if (fingers == 2) {
+    canvas_.studio().apply(UndoEvent{});
+  } else {
+    canvas_.studio().apply(RedoEvent{});
+  }
 }
 
 void TouchInput::take(const QTouchEvent& event, bool pen_is_near) {
@@ -32,9 +44,15 @@ void TouchInput::take(const QTouchEvent& event, bool pen_is_near) {
     is_palm_ = pen_is_near || settings_.touch == TouchMode::kOff;
     use_ = Use::kNothing;
     ids_.clear();
+    view_before_ = canvas_.view();
   }
   if (event.type() == QEvent::TouchCancel) return cancel();
   if (is_palm_) return;
+  if (const std::optional<int> fingers = tap_.take(event); fingers && *fingers > 1) {
+    if (use_ == Use::kDraw) hand_.cancel();
+    use_ = Use::kNothing;
+    return tap(*fingers);
+  }
   const QList<QEventPoint> down = fingers_down(event);
   if (down.size() > 1 && use_ == Use::kDraw) {
     hand_.cancel();  // the first of two fingers was not meant to draw

@@ -8,12 +8,15 @@
 #include "desktop/pens/device_clock.h"
 #include "desktop/pens/pen_hand.h"
 #include "desktop/pens/pen_settings.h"
+#include "desktop/pens/touch_tap.h"
 
 namespace felt::desktop {
 
 /// Handles fingers on the canvas: two fingers pan, zoom and turn the view together; one finger pans
-/// the view or draws, depending on the settings. A touch while a pen is near is treated as a palm
-/// until all fingers are lifted. The arguments of the constructor must outlive this object.
+/// the view or draws, depending on the settings. A tap with two fingers undoes, one with three
+/// redoes, if the settings say so; the view then stays as it was before the tap. A touch while a
+/// pen is near is treated as a palm until all fingers are lifted. The arguments of the constructor
+/// must outlive this object.
 class TouchInput : public QObject {
   Q_OBJECT
 
@@ -29,7 +32,7 @@ class TouchInput : public QObject {
  private:
   enum class Use : std::uint8_t { kNothing, kView, kDraw };
 
-  void begin();
+  void tap(int fingers);
   void draw(const QTouchEvent& event, const QEventPoint& finger);
   void move_view(const QTouchEvent& event);
 
@@ -37,6 +40,8 @@ class TouchInput : public QObject {
   PenHand& hand_;
   const PenSettings& settings_;
   DeviceClock clock_;
+  TouchTap tap_;
+  CanvasView view_before_;  // when the touch began
   Use use_ = Use::kNothing;
   bool is_palm_ = false;
   QList<int> ids_;  // ids of the fingers that were down at the last event

@@ -1854,6 +1854,10 @@
         <source>As drawn</source>
         <translation>Wie gezeichnet</translation>
     </message>
+    <message>
+        <source>Scratch out</source>
+        <translation>Durchstreichen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -4478,6 +4482,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>The tilt of the pen is not known</source>
         <translation>Die Neigung des Stifts ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>Tap with two fingers to &amp;undo, with three to redo</source>
+        <translation>Tippen mit zwei Fingern macht &amp;rückgängig, mit dreien wiederholt es</translation>
+    </message>
+    <message>
+        <source>A tap is short, and the fingers do not move.</source>
+        <translation>Ein Tippen ist kurz, und die Finger bewegen sich nicht.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::PictureActions</name>
@@ -6569,6 +6581,34 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Direction of the largest shaking, clockwise from the right; for the steady hand.</source>
         <translation>Richtung des stärksten Zitterns, im Uhrzeigersinn von rechts; für die ruhige Hand.</translation>
     </message>
+    <message>
+        <source>Scratch out</source>
+        <translation>Durchstreichen</translation>
+    </message>
+    <message>
+        <source>Scribble over lines, at least six times to and fro: deleting them is offered.</source>
+        <translation>Über Linien kritzeln, mindestens sechsmal hin und her: Feltline bietet an, sie zu löschen.</translation>
+    </message>
+    <message>
+        <source>Circle twice to select</source>
+        <translation>Zweimal umkreisen zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Circle lines twice in one stroke: selecting them is offered.</source>
+        <translation>Linien in einem Strich zweimal umkreisen: Feltline bietet an, sie auszuwählen.</translation>
+    </message>
+    <message>
+        <source>Hold for a shape</source>
+        <translation>Halten für eine Form</translation>
+    </message>
+    <message>
+        <source>Hold the pen still at the end of a line: the shape that it resembles is offered. Press harder to get it, or go on drawing.</source>
+        <translation>Den Stift am Ende einer Linie stillhalten: Feltline bietet die Form an, der sie ähnelt. Fester drücken nimmt sie an, Weiterzeichnen lehnt sie ab.</translation>
+    </message>
+    <message>
+        <source>Force level of friction, grain, attraction, hold and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Körnung, Anziehung, Halt und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::SpiralArea</name>
@@ -6649,6 +6689,88 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Set to a hand that shakes %1.</source>
         <translation>Eingestellt auf eine Hand, die %1 zittert.</translation>
+    </message>
+</context>
+<context>
+    <name>OfferPopup</name>
+    <message>
+        <source>Delete 1 line</source>
+        <translation>1 Linie löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 lines</source>
+        <translation>%1 Linien löschen</translation>
+    </message>
+    <message>
+        <source>Select 1 line</source>
+        <translation>1 Linie auswählen</translation>
+    </message>
+    <message>
+        <source>Select %1 lines</source>
+        <translation>%1 Linien auswählen</translation>
+    </message>
+    <message>
+        <source>Straight line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Keep the ink</source>
+        <translation>Tinte behalten</translation>
+    </message>
+    <message>
+        <source>Take the &amp;offer at the pen</source>
+        <translation>&amp;Angebot am Stift annehmen</translation>
+    </message>
+    <message>
+        <source>Chooses what the last stroke is offered to mean: a gesture or a shape.</source>
+        <translation>Wählt, was der letzte Strich bedeuten kann: eine Geste oder eine Form.</translation>
+    </message>
+    <message>
+        <source>Take the &amp;second offer at the pen</source>
+        <translation>&amp;Zweites Angebot am Stift annehmen</translation>
+    </message>
+    <message>
+        <source>Chooses the second meaning, if two are offered.</source>
+        <translation>Wählt die zweite Bedeutung, wenn zwei angeboten werden.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::OfferPopup</name>
+    <message>
+        <source>Press harder; with a mouse, stay:</source>
+        <translation>Fester drücken; mit der Maus stehen bleiben:</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Taste: %1</translation>
+    </message>
+    <message>
+        <source>This stroke can be: %1</source>
+        <translation>Dieser Strich kann sein: %1</translation>
     </message>
 </context>
 </TS>

@@ -1854,6 +1854,10 @@
         <source>As drawn</source>
         <translation>Als getekend</translation>
     </message>
+    <message>
+        <source>Scratch out</source>
+        <translation>Doorhalen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -4478,6 +4482,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>The tilt of the pen is not known</source>
         <translation>De kanteling van de pen is niet bekend</translation>
     </message>
+    <message>
+        <source>Tap with two fingers to &amp;undo, with three to redo</source>
+        <translation>Tikken met twee vingers maakt &amp;ongedaan, met drie herhaalt het</translation>
+    </message>
+    <message>
+        <source>A tap is short, and the fingers do not move.</source>
+        <translation>Een tik is kort, en de vingers bewegen niet.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::PictureActions</name>
@@ -6569,6 +6581,34 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Direction of the largest shaking, clockwise from the right; for the steady hand.</source>
         <translation>Richting van het sterkste beven, met de klok mee vanaf rechts; voor de vaste hand.</translation>
     </message>
+    <message>
+        <source>Scratch out</source>
+        <translation>Doorhalen</translation>
+    </message>
+    <message>
+        <source>Scribble over lines, at least six times to and fro: deleting them is offered.</source>
+        <translation>Over lijnen krabbelen, minstens zes keer heen en weer: Feltline biedt aan ze te verwijderen.</translation>
+    </message>
+    <message>
+        <source>Circle twice to select</source>
+        <translation>Twee keer omcirkelen om te selecteren</translation>
+    </message>
+    <message>
+        <source>Circle lines twice in one stroke: selecting them is offered.</source>
+        <translation>Lijnen in één haal twee keer omcirkelen: Feltline biedt aan ze te selecteren.</translation>
+    </message>
+    <message>
+        <source>Hold for a shape</source>
+        <translation>Vasthouden voor een vorm</translation>
+    </message>
+    <message>
+        <source>Hold the pen still at the end of a line: the shape that it resembles is offered. Press harder to get it, or go on drawing.</source>
+        <translation>De pen aan het einde van een lijn stilhouden: Feltline biedt de vorm aan waarop ze lijkt. Harder drukken neemt die aan, verder tekenen wijst die af.</translation>
+    </message>
+    <message>
+        <source>Force level of friction, grain, attraction, hold and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving, korrel, aantrekking, houvast en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::SpiralArea</name>
@@ -6649,6 +6689,88 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Set to a hand that shakes %1.</source>
         <translation>Ingesteld op een hand die %1 beeft.</translation>
+    </message>
+</context>
+<context>
+    <name>OfferPopup</name>
+    <message>
+        <source>Delete 1 line</source>
+        <translation>1 lijn verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete %1 lines</source>
+        <translation>%1 lijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Select 1 line</source>
+        <translation>1 lijn selecteren</translation>
+    </message>
+    <message>
+        <source>Select %1 lines</source>
+        <translation>%1 lijnen selecteren</translation>
+    </message>
+    <message>
+        <source>Straight line</source>
+        <translation>Rechte lijn</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Boog</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cirkel</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellips</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Driehoek</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechthoek</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Veelhoek</translation>
+    </message>
+    <message>
+        <source>Keep the ink</source>
+        <translation>Inkt behouden</translation>
+    </message>
+    <message>
+        <source>Take the &amp;offer at the pen</source>
+        <translation>&amp;Aanbod bij de pen aannemen</translation>
+    </message>
+    <message>
+        <source>Chooses what the last stroke is offered to mean: a gesture or a shape.</source>
+        <translation>Kiest wat de laatste haal kan betekenen: een gebaar of een vorm.</translation>
+    </message>
+    <message>
+        <source>Take the &amp;second offer at the pen</source>
+        <translation>&amp;Tweede aanbod bij de pen aannemen</translation>
+    </message>
+    <message>
+        <source>Chooses the second meaning, if two are offered.</source>
+        <translation>Kiest de tweede betekenis, als er twee worden aangeboden.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::OfferPopup</name>
+    <message>
+        <source>Press harder; with a mouse, stay:</source>
+        <translation>Druk harder; met de muis stilhouden:</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Toets: %1</translation>
+    </message>
+    <message>
+        <source>This stroke can be: %1</source>
+        <translation>Deze haal kan zijn: %1</translation>
     </message>
 </context>
 </TS>

@@ -32,6 +32,7 @@
 #include "desktop/window/drawing_looks.h"
 #include "desktop/window/eyedropper.h"
 #include "desktop/window/menus.h"
+#include "desktop/window/offer_popup.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/preset_menu.h"
 #include "desktop/window/status_line.h"
@@ -253,6 +254,7 @@ bool MainWindow::show_panel(const QString& name) {
 }
 
 void MainWindow::add_window_actions() {
+  add_offer_popup(*actions_, *canvas_);
   actions_->add_switch(QStringLiteral("view.hide_panels"), tr("&Hide all panels"),
                        {QKeySequence(Qt::Key_Tab)}, tr("Shows only the drawing area"), false,
                        [this](bool on) { hide_panels(on); });

@@ -12,6 +12,7 @@
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/guide_line.h"
+#include "felt/tools/offer.h"
 #include "felt/tools/tool_options.h"
 
 namespace felt {
@@ -224,13 +225,21 @@ struct UseGuide {
   friend bool operator==(const UseGuide&, const UseGuide&) = default;
 };
 
+/// Chooses what the last stroke means, or the stroke in progress (Offer). Has no effect if this is
+/// not offered. {"event":"choose","what":"delete"}
+struct ChooseOffer {
+  OfferKind what = OfferKind::kInk;
+  friend bool operator==(const ChooseOffer&, const ChooseOffer&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
-               OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
+               OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
+               ChooseOffer>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -109,6 +109,7 @@ struct Session::Apply {
   }
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
   Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
+  Result<void> operator()(const ChooseOffer& e) const { return session.choose(e.what); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -197,7 +198,10 @@ Result<void> Session::sample(const PenSample& reported) {
   const Contact::Change contact = parts_->contact.update(sample);
   if (must_lift_ && parts_->contact.is_down()) return {};
   must_lift_ = false;
-  if (pen_is_down_ && !was_down) gesture_is_open_ = true;
+  if (pen_is_down_ && !was_down) {
+    gesture_is_open_ = true;
+    offer_.reset();
+  }
   Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
   return taken;
@@ -216,6 +220,7 @@ Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
 
 Result<void> Session::finish() {
   Result<void> taken = take(tools_[active_]->finish(scene()));
+  offer_.reset();
   show({});
   gesture_is_open_ = false;
   // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
@@ -322,6 +327,7 @@ void Session::report_material(std::int64_t time_ns, OpenChoice kind, const Optio
 
 void Session::cancel() {
   tools_[active_]->cancel();
+  offer_.reset();
   show({});
   gesture_is_open_ = false;
 }
@@ -330,6 +336,7 @@ Result<void> Session::take(ToolResult result) {
   // A commit also replaces the preview, because a preview of the previous document is invalid.
   if (result.preview || result.commit || !result.same_preview) show(std::move(result.preview));
   Result<void> done;
+  if (!result.commit) result.offer.reset();  // an offer belongs to a step
   if (result.commit) {
     gesture_is_open_ = false;
     done = commit(std::move(*result.commit));
@@ -340,6 +347,10 @@ Result<void> Session::take(ToolResult result) {
   }
   if (done && result.selection) {
     set_selection(std::move(*result.selection));
+  }
+  if (done && result.offer) {
+    offer_ = std::move(result.offer);
+    offer_edits_ = edits_;
   }
   if (!done) {
     return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
@@ -404,6 +415,7 @@ void Session::draw(Overlay& overlay) const {
   if (kind != ToolKind::kSelects && kind != ToolKind::kTransforms)
     parts_->selection_view.draw(overlay);
   tool().draw(overlay);
+  draw_offer(overlay);
 }
 
 std::vector<std::string> Session::option_ids() const {

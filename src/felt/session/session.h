@@ -52,6 +52,7 @@ struct SessionOptions {
 /// A *gesture* begins with the sample that touches the surface. It ends when the tool has returned
 /// its result (usually when the pen is lifted) and the gesture's preview is no longer shown. The
 /// preview of a hovering pen is not a gesture. During a gesture:
+///   choose                         chooses one of the meanings that it offers
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
@@ -59,6 +60,10 @@ struct SessionOptions {
 ///   picture                                            have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
+///
+/// A finished stroke may *offer* other meanings (Offer). The choice that applies is one undo step,
+/// or none if it changes nothing. The offer ends with a choice, with the next touch, with any other
+/// change of the document, and with tool, device, finish and cancel.
 ///
 /// New ink goes to the *current layer*, which is always *open*: visible and unlocked. If this layer
 /// is hidden, locked or removed, the highest open layer becomes current. If a layer event would
@@ -108,6 +113,9 @@ class Session {
   /// Returns preview() with the fills that follow it. This may take longer than a sample does, so
   /// it is meant for displays, once per frame.
   [[nodiscard]] const std::optional<Edit>& preview_with_fills() const;
+
+  /// Returns what the gesture in progress or the last stroke offers, or nullopt.
+  [[nodiscard]] std::optional<OfferView> offered() const;
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
@@ -179,6 +187,10 @@ class Session {
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
   Result<void> add_picture(const AddPicture& event);
+  Result<void> choose(OfferKind what);
+  [[nodiscard]] bool has_offer() const noexcept { return offer_ && offer_edits_ == edits_; }
+  /// Marks what the first other choice of the offer would change.
+  void draw_offer(Overlay& overlay) const;
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
@@ -221,6 +233,8 @@ class Session {
     std::uint64_t position;
   };
   std::optional<AsDrawn> as_drawn_;
+  std::optional<Offer> offer_;         // of the last stroke
+  std::uint64_t offer_edits_ = 0;      // edits_ when it was made; it is over if this differs
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;

@@ -12,6 +12,7 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/offer.h"
 #include "felt/tools/overlay.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/tool_options.h"
@@ -97,6 +98,9 @@ struct ToolResult {
   std::optional<Edit> as_drawn = {};
   /// The new selection, applied after `commit`.
   std::optional<Selection> selection = {};
+  /// What else the finished gesture could mean. `commit` and `selection` are those of the choice
+  /// that applies.
+  std::optional<Offer> offer = {};
   /// If true, a missing `preview` keeps the previous one instead of removing it, for example
   /// because nothing visible has changed.
   bool same_preview = false;
@@ -119,6 +123,10 @@ class Tool {
   /// the script ended, or the program ends. Commits the gesture as if the pen had been lifted, so
   /// that no ink is lost.
   virtual ToolResult finish(const Scene& scene) = 0;
+  /// Returns what the gesture in progress offers at the moment, for display; nullopt for nothing.
+  [[nodiscard]] virtual std::optional<OfferView> offered() const { return std::nullopt; }
+  /// Chooses what the gesture in progress becomes. Has no effect if it is not offered.
+  virtual void choose(OfferKind /*kind*/) {}
   /// Discards the gesture. The pen must be lifted before another gesture begins.
   virtual void cancel() = 0;
   /// Returns the force model to render until the next call.

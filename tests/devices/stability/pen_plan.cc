@@ -7,6 +7,7 @@
 #include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
+#include "felt/tools/pencil/shape_hold.h"
 
 namespace felt {
 namespace {
@@ -82,6 +83,12 @@ Side side_of(Trial trial, double t_s) noexcept {
           (smooth(kMoveS, 1.8, t_s) - smooth(3.3, 3.5, t_s)) * std::sin(kTau * kShakeHz * t_s);
       side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
       break;
+    case Trial::kHold:
+      side.way_mm = RestWatch::kRestMm +
+                    ShapeHold::kLeaveMm * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+      if (t_s >= kLandedS) side.pull_n = hold_shape(1.0).force_at_n(side.way_mm);
+      side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
+      break;
     case Trial::kGuide:
     case Trial::kRidge:
       side.way_mm = 1.0 + 2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
@@ -95,7 +102,8 @@ Side side_of(Trial trial, double t_s) noexcept {
 // Returns true if the force at the start of the trial is that of a position, so that its energy
 // counts only from then on.
 bool is_in_a_well(Trial trial) noexcept {
-  return trial == Trial::kWell || trial == Trial::kGuide || trial == Trial::kRidge;
+  return trial == Trial::kWell || trial == Trial::kGuide || trial == Trial::kRidge ||
+         trial == Trial::kHold;
 }
 
 }  // namespace
@@ -123,6 +131,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
     case Trial::kWell:
     case Trial::kGuide:
     case Trial::kRidge:
+    case Trial::kHold:
       times = {
           .measure_from_s = 1.9, .measure_until_s = 2.9, .energy_from_s = kMoveS, .end_s = 4.6};
       break;

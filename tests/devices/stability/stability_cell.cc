@@ -16,6 +16,7 @@
 #include "felt/rt/virtual_clock.h"
 #include "felt/tools/fill/fill_force.h"
 #include "felt/tools/gather/gather_force.h"
+#include "felt/tools/pencil/shape_hold.h"
 #include "tests/devices/stability/pen_plan.h"
 
 namespace felt {
@@ -87,6 +88,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return bundle_model(cell, tool, device);
     case Trial::kShake:
       return ForceModel(Compose(surface, BandDamping(band_damping_for(kShakeHz, device))));
+    case Trial::kHold:
+      return ForceModel(Compose(surface, SnapWells(kTrialPlace, hold_shape(1.0))));
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -204,6 +207,8 @@ std::string_view name_of(Trial trial) noexcept {
       return "bundle";
     case Trial::kShake:
       return "shake";
+    case Trial::kHold:
+      return "hold";
   }
   return "";
 }

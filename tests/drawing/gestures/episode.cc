@@ -250,11 +250,29 @@ void Episode::between_gestures() {
   if (k < 0.23) return import();
   if (k < 0.33) return select_or_delete();
   if (k < 0.38) return change_layers();
+  if (k < 0.7) return choose_offer();
+}
+
+/// Chooses one of the meanings of the last stroke, or one that is not offered. Choices replace the
+/// step of the stroke, so they are no steps of their own.
+void Episode::choose_offer() {
+  const std::optional<OfferView> offer = session_.offered();
+  OfferKind kind = static_cast<OfferKind>(dice_.pick(kOfferKinds.size()));
+  if (offer && dice_.chance(0.9)) kind = dice_.any(offer->rows).kind;
+  const bool is_offered = offer && std::any_of(offer->rows.begin(), offer->rows.end(),
+                                               [&](const OfferRow& r) { return r.kind == kind; });
+  where_ += ", chooses " + std::string(kOfferKinds[static_cast<std::size_t>(kind)]);
+  const std::uint64_t edits = edits_;
+  const std::size_t steps = session_.history().undo_count();
+  command(ChooseOffer{kind});
+  if (!is_offered && edits_ != edits) break_rule("what is not offered changed something");
+  if (session_.history().undo_count() > steps) break_rule("a choice is a step of its own");
+  if (is_offered) ++totals_.chosen;
 }
 
 /// Interrupts a gesture: undoes, changes the tool or an option, imports, cancels ...
 void Episode::interfere() {
-  switch (dice_.pick(8)) {
+  switch (dice_.pick(9)) {
     case 0:
       return undo_and_redo();
     case 1:
@@ -268,6 +286,8 @@ void Episode::interfere() {
       return select_or_delete();
     case 5:
       return change_layers();
+    case 7:
+      return choose_offer();
     case 6: {
       where_ += ", it is finished";
       const Result<void> done = session_.finish();

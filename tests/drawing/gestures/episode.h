@@ -23,7 +23,7 @@ struct ToolTotals {
 
 struct Totals {
   std::map<std::string, ToolTotals, std::less<>> tools;
-  std::uint64_t samples = 0, undone = 0;
+  std::uint64_t samples = 0, undone = 0, chosen = 0;
   std::uint64_t digest = 0xcbf29ce484222325ULL;  ///< FNV-1a hash of the final documents
 };
 
@@ -73,6 +73,7 @@ class Episode {
   void import();
   void select_or_delete();
   void change_layers();
+  void choose_offer();
   void back_and_forth();
 
   EpisodeOptions options_;

@@ -57,11 +57,14 @@ void print(const Options& options, const Totals& totals) {
                 static_cast<unsigned long long>(t.selections), t.largest_n);
   }
   std::printf(
-      "gesture_fuzz: seed %llu, %llu gestures, %llu samples, %llu edits, %llu undone or redone: no "
+      "gesture_fuzz: seed %llu, %llu gestures, %llu samples, %llu edits, %llu undone or redone, "
+      "%llu "
+      "offers chosen: no "
       "rule broken; digest %016llx\n",
       static_cast<unsigned long long>(options.seed), static_cast<unsigned long long>(gestures),
       static_cast<unsigned long long>(totals.samples), static_cast<unsigned long long>(edits),
       static_cast<unsigned long long>(totals.undone),
+      static_cast<unsigned long long>(totals.chosen),
       static_cast<unsigned long long>(totals.digest));
 }
 

@@ -173,6 +173,60 @@ Way round_one_or_all(Dice& dice, Target& target) {
                  dice.between(0.0, 1.0), dice.chance(0.5) ? 1.0 : -0.9, any_count(dice));
 }
 
+/// Returns a path to and fro over a stroke: a scratch-out, more or less.
+Way to_and_fro(Dice& dice, Target& target) {
+  Rect box = target.bounds();
+  if (const StrokePtr stroke = target.any_stroke()) box = stroke->bounds();
+  const double margin = dice.between(-0.5, 2.0);
+  const int passes = dice.pick(4, 12);
+  Way way;
+  for (int i = 0; i <= passes; ++i) {
+    const double y = box.y0 + (box.height() + 1.0) * i / passes;
+    const double x = i % 2 == 0 ? box.x0 - margin : box.x1 + margin;
+    if (!way.empty()) {
+      const Point from = way.back();
+      for (int k = 1; k < 12; ++k) way.push_back(lerp(from, {x, y}, k / 12.0));
+    }
+    way.push_back({x, y});
+  }
+  return way;
+}
+
+Way twice_around(Dice& dice, Target& target) {
+  Rect box = target.bounds();
+  if (const StrokePtr stroke = target.any_stroke()) box = stroke->bounds();
+  const Point center{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  return ellipse(center, box.width() + 3.0, box.height() + 3.0, dice.between(0.0, 1.0),
+                 dice.between(1.7, 2.3), kMaxSamples);
+}
+
+/// Returns a line, a circle or a triangle after which the pen rests, and then sometimes goes on.
+Way held_shape(Dice& dice, Target& target) {
+  const Point at = target.somewhere();
+  const double size = dice.over_decades(2.0, 60.0);
+  Way way;
+  switch (dice.pick(3)) {
+    case 0:
+      way = line(at, at + size * dice.direction(), 40);
+      break;
+    case 1:
+      way = ellipse(at, size, dice.between(0.3, 1.0) * size, 0.0, dice.between(0.5, 1.1), 60);
+      break;
+    default:
+      for (const Vec corner : {Vec{1.0, 0.0}, Vec{0.2, 1.0}, Vec{0.0, 0.0}}) {
+        const Way side = line(way.empty() ? at : way.back(), at + size * corner, 20);
+        way.insert(way.end(), side.begin(), side.end());
+      }
+  }
+  const Point end = way.back();
+  for (int k = dice.pick(20, 400); k > 0; --k) way.push_back(end + 0.05 * dice.direction());
+  if (dice.chance(0.3)) {
+    const Way on = line(end, end + dice.between(1.0, 30.0) * dice.direction(), 20);
+    way.insert(way.end(), on.begin(), on.end());
+  }
+  return way;
+}
+
 Way too_fast(Dice& dice, Target& target) {
   const Point a = target.somewhere();
   return line(a, a + (20.0 + target.size_mm()) * dice.direction(), dice.pick(1, 4));
@@ -205,6 +259,9 @@ constexpr std::array kKinds{
     Kind{"ends", end_to_end},
     Kind{"round", round_one_or_all},
     Kind{"round", round_one_or_all},
+    Kind{"to and fro", to_and_fro},
+    Kind{"twice around", twice_around},
+    Kind{"held shape", held_shape},
     Kind{"fast", too_fast},
     Kind{"far", far_off},
 };

@@ -319,6 +319,10 @@ constexpr std::array kSelectFields = {
     kEvent, kTime, EventField{"what", true, [](Value& v, EventFields& e) {
                                 return parse_word(v, "what", kSelectionWords, e.selection);
                               }}};
+constexpr std::array kChooseFields = {
+    kEvent, kTime, EventField{"what", true, [](Value& v, EventFields& e) {
+                                return parse_word(v, "what", kOfferKinds, e.offer);
+                              }}};
 constexpr std::array kLayerFields = {
     kEvent,
     kTime,
@@ -475,6 +479,7 @@ constexpr NamedEvent kEvents[] = {
     {"device", EventName::kDevice, kDeviceFields},
     {"material", EventName::kMaterial, kMaterialFields},
     {"guide", EventName::kGuide, kGuideFields},
+    {"choose", EventName::kChoose, kChooseFields},
 };
 
 }  // namespace

@@ -46,6 +46,7 @@ struct EventFields {
   std::optional<GroupId> group;
   std::vector<LayerId> layers;
   GuideLine guide;
+  OfferKind offer{};
 };
 
 /// The kinds of events, by their name in the file.
@@ -69,7 +70,8 @@ enum class EventName {
   kPicture,
   kDevice,
   kMaterial,
-  kGuide
+  kGuide,
+  kChoose
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

@@ -82,9 +82,11 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
     case EventName::kMaterial:
       return UseMaterial{std::move(fields.text)};
     case EventName::kGuide:
+      return UseGuide{std::move(fields.guide)};
+    case EventName::kChoose:
       break;
   }
-  return UseGuide{std::move(fields.guide)};
+  return ChooseOffer{fields.offer};
 }
 
 /// A pose without z is valid only if it has a pressure, which says whether the pen touches.

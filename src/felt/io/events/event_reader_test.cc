@@ -165,6 +165,8 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
 
 TEST(EventReader, ReadsGuides) {
   EXPECT_EQ(event_of(R"({"event":"guide","kind":"none","t_ms":0})"), (Event{0, UseGuide{}}));
+  EXPECT_EQ(event_of(R"({"event":"choose","what":"delete","t_ms":0})"),
+            (Event{0, ChooseOffer{OfferKind::kDelete}}));
   EXPECT_EQ(
       event_of(
           R"({"event":"guide","kind":"groove","points":[[1,2],[3,4.5]],"closed":true,"t_ms":0})"),

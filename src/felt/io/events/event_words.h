@@ -31,6 +31,9 @@ constexpr std::string_view word_of(OrderEvent::To to) {
 constexpr std::string_view word_of(LayerEvent::Do what) {
   return kLayerWords[static_cast<std::size_t>(what)];
 }
+constexpr std::string_view word_of(OfferKind kind) {
+  return kOfferKinds[static_cast<std::size_t>(kind)];
+}
 constexpr std::string_view word_of(GuideKind kind) {
   return kGuideWords[static_cast<std::size_t>(kind)];
 }
@@ -39,5 +42,6 @@ static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
 static_assert(word_of(OrderEvent::To::kBack) == "back");
 static_assert(word_of(LayerEvent::Do::kUngroup) == "ungroup");
 static_assert(word_of(GuideKind::kTeacher) == "teacher");
+static_assert(word_of(OfferKind::kPolygon) == "polygon");
 
 }  // namespace felt::json

@@ -144,6 +144,10 @@ struct AddWhat {
       out.add_raw("times_ms", json_array(times));
     }
   }
+  void operator()(const ChooseOffer& e) const {
+    kind("choose");
+    out.add_text("what", json::word_of(e.what));
+  }
 
  private:
   void option_value(double number) const { out.add_number("value", number); }

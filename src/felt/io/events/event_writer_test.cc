@@ -64,6 +64,8 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
       "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
       "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
       "\"senses_pressure\":false,\"defaults\":3}\n");
+  EXPECT_EQ(line_of({0, ChooseOffer{OfferKind::kCircle}}),
+            "{\"t_ms\":0,\"event\":\"choose\",\"what\":\"circle\"}\n");
   EXPECT_EQ(line_of({0, UseGuide{}}), "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"none\"}\n");
   EXPECT_EQ(line_of({0, UseGuide{{GuideKind::kTeacher, {{1, 2}, {3.5, 4}}, false, 0.5, {0, 7}}}}),
             "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"teacher\",\"points\":[[1,2],[3.5,4]],"
@@ -180,7 +182,7 @@ GuideLine any_guide() {
 
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 17)) {
+  switch (*rc::gen::inRange(0, 18)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -227,6 +229,9 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 14:
       event.what = UseGuide{any_guide()};
+      break;
+    case 16:
+      event.what = ChooseOffer{static_cast<OfferKind>(*rc::gen::inRange(0, 10))};
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};

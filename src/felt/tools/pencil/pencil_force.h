@@ -12,6 +12,7 @@
 #include "felt/tools/guide_track.h"
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/pencil_options.h"
+#include "felt/tools/pencil/shape_hold.h"
 #include "felt/tools/pencil/width_steps.h"
 #include "felt/tools/pressing.h"
 #include "felt/tools/scene.h"
@@ -56,12 +57,13 @@ inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scen
 }
 
 /// Returns the force model of a pencil: the surface (plane, grain, friction between medium and
-/// surface), the attracting target, if any, the guide, if any, the stabiliser, and the damping of
-/// the steady hand. The model is the
-/// same above and on the surface, so that it does not change at the touch; each part detects by
-/// itself whether the pen is down.
+/// surface), the attracting target, if any, or the hold of a resting pen (ShapeHold), the guide, if
+/// any, the stabiliser, and the damping of the steady hand. The model is the same above and on the
+/// surface, so that it does not change at the touch; each part detects by itself whether the pen is
+/// down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
-                                    const std::optional<SnapTarget>& target) {
+                                    const std::optional<SnapTarget>& target,
+                                    const std::optional<Point>& held_at = {}) {
   const Medium material =
       scaled_medium(medium_of(scene, settings.medium), settings.strength, settings.strength);
   const SurfaceForce surface =
@@ -69,11 +71,14 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
 
   const WellShape shape = well_of(settings.snap, settings.strength);
   const PushClicks clicks = width_clicks(settings, scene);
-  const SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
+  SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
+  if (held_at) well = SnapWells(*held_at, hold_shape(settings.strength));
 
   FeelId id("pencil");
   id.with_surface(scene.surface, medium_of(scene, settings.medium)).with(settings.strength);
-  if (target) {
+  if (held_at) {
+    id.with("hold").with(held_at->x).with(held_at->y);
+  } else if (target) {
     id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
   }

@@ -37,6 +37,9 @@ PencilSettings pencil_settings(const OptionValues& values) {
     s.steady = Shake{values.number(Row::kSteadyHz), values.number(Row::kSteadyAmplitude),
                      values.number(Row::kSteadyAxis)};
   }
+  s.gestures.scratch_out = values.is_on(Row::kScratchOut);
+  s.gestures.double_loop = values.is_on(Row::kDoubleLoop);
+  s.gestures.shapes = values.is_on(Row::kShapes);
   return s;
 }
 

@@ -9,6 +9,7 @@
 #include "felt/stroke/fit/ink_fitter.h"
 #include "felt/stroke/steady/shake.h"
 #include "felt/tools/line_stabiliser.h"
+#include "felt/tools/pencil/meanings.h"
 #include "felt/tools/snapping.h"
 #include "felt/tools/tool_options.h"
 
@@ -45,6 +46,9 @@ struct PencilOption {
     kSteadyHz,
     kSteadyAmplitude,
     kSteadyAxis,
+    kScratchOut,
+    kDoubleLoop,
+    kShapes,
     kStrength,
     kCount
   };
@@ -227,8 +231,27 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .fallback = 0.0,
      .help = "Direction of the largest shaking, clockwise from the right; for the steady hand.",
      .is_seldom = true},
-    strength_option("Force level of friction, grain, attraction and stabiliser. Does not affect "
-                    "the hardness of the surface.",
+    {.id = "scratch_out",
+     .label = "Scratch out",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Scribble over lines, at least six times to and fro: deleting them is offered."},
+    {.id = "double_loop",
+     .label = "Circle twice to select",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Circle lines twice in one stroke: selecting them is offered."},
+    {.id = "shapes",
+     .label = "Hold for a shape",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Hold the pen still at the end of a line: the shape that it resembles is offered. "
+             "Press harder to get it, or go on drawing."},
+    strength_option("Force level of friction, grain, attraction, hold and stabiliser. Does not "
+                    "affect the hardness of the surface.",
                     0.5),
 }};
 
@@ -242,6 +265,7 @@ struct PencilSettings {
   bool width_steps = false;
   StabiliserOptions stabiliser;
   std::optional<Shake> steady;  ///< the shaking to remove, if any
+  GestureOptions gestures;
   double strength = 1.0;
 };
 

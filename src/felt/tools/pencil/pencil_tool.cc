@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/document/edit_builder.h"
+#include "felt/recognise/shape_curve.h"
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/as_drawn.h"
 #include "felt/tools/pencil/pencil_force.h"
@@ -19,7 +21,8 @@ constexpr std::array<ToolUse, 1> kPencilUses = {
       .second_modifier = "straight, in steps of 15°",
       .size = "max_width_mm",
       .path = ToolPath::kFree}}};
-constexpr std::array<std::string_view, 2> kPencilEdits = {"Draw", "As drawn"};
+constexpr std::array<std::string_view, 4> kPencilEdits = {"Draw", "As drawn", "Scratch out",
+                                                          "Shape"};
 constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",
@@ -69,6 +72,8 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   begin_steady();
   color_ = scene.color;
   snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
+  path_.begin();
+  shapes_.begin(pen_point_, sample.time_ns);
   return move(sample, scene);
 }
 
@@ -99,6 +104,7 @@ void PencilTool::add_ink(const InkSample& ink) {
 
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
+  if (shapes_.accepted()) return {};  // the line has become a shape
   const Pressing pressing(scene.surface, scene.device);
   pen_ = {pen_point_, width_steps_.held(pressing.of(sample)), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
@@ -109,6 +115,11 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   // A sample during a bounce draws ink but does not snap.
   const Point tip = steady_ ? steady_->tip() : pen_point_;
   if (in_contact(sample)) snap_.update(tip, sample.time_ns, settings_.snap, scene);
+  if (!settings_.gestures.any()) return {};
+  path_.push(ink.position, wet_.ink());
+  if (settings_.gestures.shapes && !hold_.is_meant()) {
+    shapes_.update(pen_point_, pen_.pressure, sample.time_ns, path_.points());
+  }
   return {};
 }
 
@@ -169,6 +180,50 @@ std::optional<Edit> PencilTool::edit_of(const std::optional<Stroke>& drawn,
   return connect_ink(*ink, to, scene);
 }
 
+std::optional<Stroke> PencilTool::shape_ink(const ShapeGuess& shape) const {
+  StrokeData data = shape_curve(shape);
+  const InkWidth ink = path_.usual_ink();
+  const double width_mm = std::max(ink.width_mm, kMinWidthMm);
+  const double tone = fitted_.width_map.tone ? ink.tone : tone_of_width(width_mm);
+  const double end = static_cast<double>(data.points.size() / 3);
+  data.widths = {{0.0, width_mm, tone}, {end, width_mm, tone}};
+  data.medium = settings_.medium;
+  data.color = color_;
+  Result<Stroke> stroke = Stroke::create(std::move(data));
+  if (!stroke) return std::nullopt;
+  return *std::move(stroke);
+}
+
+std::optional<Offer> PencilTool::shape_offer(const Edit& ink, const Scene& scene) const {
+  Offer offer;
+  offer.at = pen_point_;
+  std::optional<std::size_t> accepted;
+  for (std::size_t i = 0; i < shapes_.shapes().size(); ++i) {
+    const std::optional<Stroke> stroke = shape_ink(shapes_.shapes()[i]);
+    if (!stroke) continue;
+    EditBuilder builder(scene.document);
+    builder.add(scene.layer, std::make_shared<const Stroke>(*stroke));
+    if (shapes_.accepted() == i) accepted = offer.choices.size();
+    offer.choices.push_back(
+        {offer_of(shapes_.shapes()[i].form), 0, std::move(builder).build("Shape"), std::nullopt});
+  }
+  if (offer.choices.empty()) return std::nullopt;
+  offer.chosen = accepted.value_or(offer.choices.size());
+  offer.choices.push_back({OfferKind::kInk, 0, ink, std::nullopt});
+  return offer;
+}
+
+/// Adds what the line may also mean, and applies what was chosen while the pen was down.
+void PencilTool::add_offer(ToolResult& result, const Scene& scene) const {
+  if (!result.commit || !settings_.gestures.any() || hold_.is_meant()) return;
+  result.offer = shapes_.shapes().empty()
+                     ? line_meanings(path_.points(), *result.commit, settings_.gestures, scene)
+                     : shape_offer(*result.commit, scene);
+  if (!result.offer) return;
+  result.commit = result.offer->choices[result.offer->chosen].edit;
+  result.as_drawn.reset();  // it fits only the line itself
+}
+
 ToolResult PencilTool::end(const Scene& scene) {
   ToolResult result;
   InkConnections to = connections(scene);
@@ -181,6 +236,7 @@ ToolResult PencilTool::end(const Scene& scene) {
     const std::optional<Edit> raw = edit_of(line_of(steady_->raw()), to, scene);
     if (raw) result.as_drawn = replaced_line(*result.commit, *raw);
   }
+  add_offer(result, scene);
   std::optional<StrokeId> drawn_id;
   if (result.commit) {
     for (const StrokeChange& change : result.commit->changes) {
@@ -214,6 +270,18 @@ InkConnections PencilTool::connections(const Scene& scene) const {
   return to;
 }
 
+std::optional<OfferView> PencilTool::offered() const {
+  if (!in_gesture() || shapes_.shapes().empty()) return std::nullopt;
+  OfferView view{pen_point_, {}, shapes_.accepted().value_or(shapes_.shapes().size())};
+  for (const ShapeGuess& shape : shapes_.shapes()) view.rows.push_back({offer_of(shape.form), 0});
+  view.rows.push_back({OfferKind::kInk, 0});
+  return view;
+}
+
+void PencilTool::choose(OfferKind kind) {
+  if (in_gesture()) shapes_.accept(kind);
+}
+
 void PencilTool::drop() {
   hold_.reset();
   snap_.end(std::nullopt);
@@ -235,7 +303,28 @@ std::optional<SnapTarget> PencilTool::attraction() const noexcept {
 }
 
 ForceModel PencilTool::force(const Scene& scene) const {
-  return make_pencil_force(settings_, scene, attraction());
+  const auto held_at = in_gesture() ? shapes_.holds_at() : std::nullopt;
+  return make_pencil_force(settings_, scene, attraction(), held_at);
+}
+
+void PencilTool::draw_shapes(Overlay& overlay) const {
+  const auto& shapes = shapes_.shapes();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes_.accepted() && shapes_.accepted() != i) continue;
+    const std::optional<Stroke> stroke = shape_ink(shapes[i]);
+    if (!stroke) continue;
+    const int end = stroke->segment_count();
+    if (!shapes_.accepted()) {
+      // The best shape stands out, because it is the one that pressing takes.
+      add_span(overlay, *stroke, 0.0, end, i == 0 ? Overlay::Role::kSnap : Overlay::Role::kGuide);
+      continue;
+    }
+    const WidthKnot knot = stroke->widths().front();
+    for (int s = 0; s < end; ++s) {
+      overlay.ink.push_back(
+          {stroke->segment(s), knot.width_mm, knot.width_mm, knot.tone, knot.tone});
+    }
+  }
 }
 
 void PencilTool::draw(Overlay& overlay) const {
@@ -244,7 +333,7 @@ void PencilTool::draw(Overlay& overlay) const {
     if (hold_.is_meant()) {
       straight_.draw(straight_.start(),
                      hold_.has_second() ? straight_.pen_in_steps() : straight_.pen(), overlay);
-    } else {
+    } else if (!shapes_.accepted()) {
       wet_.draw(*fitter_, overlay);
       if (steady_) wet_.draw_ahead(steady_->held(), overlay);
       if (settings_.stabiliser.kind != StabiliserKind::kOff) {
@@ -252,7 +341,9 @@ void PencilTool::draw(Overlay& overlay) const {
       }
     }
   }
-  if (is_waiting() || !(in_gesture() || near_)) return;
+  if (in_gesture()) draw_shapes(overlay);
+  if (is_waiting() || !(in_gesture() || near_) || (in_gesture() && !shapes_.shapes().empty()))
+    return;
   const SnapOptions& snap = settings_.snap;
   if (const auto felt = attraction()) {
     overlay.rings.push_back({felt->point, snap.reach_mm, Overlay::Role::kReach});

@@ -8,9 +8,11 @@
 #include "felt/tools/gesture_tool.h"
 #include "felt/tools/line_stabiliser.h"
 #include "felt/tools/pencil/connect_ink.h"
+#include "felt/tools/pencil/drawn_path.h"
 #include "felt/tools/pencil/ink_snap.h"
 #include "felt/tools/pencil/modifier_hold.h"
 #include "felt/tools/pencil/pencil_options.h"
+#include "felt/tools/pencil/shape_hold.h"
 #include "felt/tools/pencil/straight_ink.h"
 #include "felt/tools/pencil/wet_ink.h"
 #include "felt/tools/pencil/width_steps.h"
@@ -22,6 +24,10 @@ namespace felt {
 /// during the gesture and meant (ModifierHold), the line is straight (StraightInk). If the steady
 /// hand is on, SteadyLine removes the shaking of the hand, and ToolResult::as_drawn has the line of
 /// the unchanged samples.
+///
+/// If the options say so, a line may also be a gesture (meanings.h), or become a shape while the
+/// pen rests at its end (ShapeHold). Then the result has an Offer. A line that became a shape is
+/// one edit, "Shape".
 ///
 /// The work per sample does not depend on the length of the stroke, except for the last sample,
 /// which completes it.
@@ -39,6 +45,9 @@ class PencilTool final : public GestureTool {
 
   [[nodiscard]] ForceModel force(const Scene& scene) const override;
   void draw(Overlay& overlay) const override;
+
+  [[nodiscard]] std::optional<OfferView> offered() const override;
+  void choose(OfferKind kind) override;
 
   /// Returns the width of the line that a mouse draws. With a pen that senses pressure, lines
   /// become thinner or broader than this.
@@ -70,6 +79,13 @@ class PencilTool final : public GestureTool {
   /// Returns the edit that adds the line, or nullopt without a line.
   [[nodiscard]] std::optional<Edit> edit_of(const std::optional<Stroke>& drawn,
                                             const InkConnections& to, const Scene& scene) const;
+  /// Returns a shape in the look of the line, or nullopt if its data are invalid.
+  [[nodiscard]] std::optional<Stroke> shape_ink(const ShapeGuess& shape) const;
+  /// Returns the shapes that are offered, and the ink. The one that was accepted applies, or the
+  /// ink.
+  [[nodiscard]] std::optional<Offer> shape_offer(const Edit& ink, const Scene& scene) const;
+  void draw_shapes(Overlay& overlay) const;
+  void add_offer(ToolResult& result, const Scene& scene) const;
   [[nodiscard]] InkConnections connections(const Scene& scene) const;
   [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
 
@@ -90,6 +106,8 @@ class PencilTool final : public GestureTool {
   bool near_ = false;
 
   WetInk wet_;
+  DrawnPath path_;    // only if a gesture is on
+  ShapeHold shapes_;  // only if shapes are on
 };
 
 std::unique_ptr<Tool> make_pencil();

@@ -36,6 +36,8 @@ class WetInk {
   void update(const InkFitter& fitter, const InkSample& sample);
   /// Returns the width at the pen, mm.
   [[nodiscard]] double width_mm() const noexcept { return pen_.width_mm; }
+  /// Returns the width and the tone at the pen.
+  [[nodiscard]] const InkWidth& ink() const noexcept { return pen_; }
   /// Adds the current picture of the stroke.
   void draw(InkFitter& fitter, Overlay& overlay) const;
   /// Adds samples that follow the picture and have not been passed to update() yet, because they

@@ -1,0 +1,127 @@
+// Measures the gestures of the pencil: how often real strokes count as gestures, and how often
+// the gestures that simulated people mean are found (README.md).
+//   bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER] [--people N]
+//                  [--seed N] [--each yes]
+// Exits with 1 if a bar is missed: at most 1 false gesture in 10,000 strokes, at least 95 % found.
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "meant_strokes.h"
+#include "real_strokes.h"
+
+namespace felt::bench {
+namespace {
+
+constexpr double kMaxFalse = 1e-4, kMinFound = 0.95;
+
+struct Options {
+  std::string strokes, drawings;
+  double mm_per_unit = 25.4 / 96.0;
+  std::size_t people = 40;
+  std::uint64_t seed = 1;
+  bool each = false;
+};
+
+std::optional<Options> options_of(int argc, char** argv) {
+  Options options;
+  if (argc % 2 == 0) return std::nullopt;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i], value = argv[i + 1];
+    if (name == "--strokes") {
+      options.strokes = value;
+    } else if (name == "--drawings") {
+      options.drawings = value;
+    } else if (name == "--mm-per-unit") {
+      options.mm_per_unit = std::strtod(value.c_str(), nullptr);
+    } else if (name == "--people") {
+      options.people = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (name == "--seed") {
+      options.seed = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (name == "--each") {
+      options.each = value == "yes";
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (!(options.mm_per_unit > 0.0)) return std::nullopt;
+  return options;
+}
+
+void print(const char* name, const FalseOffers& f) {
+  fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", name, f.strokes, f.scratch_outs,
+             f.double_loops, f.accepted_shapes, f.rests);
+}
+
+/// Returns true if the bar is met. Without strokes, nothing is said.
+bool check_real(const Options& options) {
+  FalseOffers all;
+  const auto add = [&](const char* name, const Result<std::vector<RealPage>>& pages, bool counts) {
+    if (!pages) {
+      fmt::print(stderr, "bench_gestures: {}\n", pages.error().message);
+      std::exit(1);
+    }
+    const FalseOffers f = draw_pages(*pages, options.each);
+    print(name, f);
+    if (!counts) return;
+    all.strokes += f.strokes;
+    all.scratch_outs += f.scratch_outs;
+    all.double_loops += f.double_loops;
+    all.accepted_shapes += f.accepted_shapes;
+    all.rests += f.rests;
+  };
+  if (options.strokes.empty() && options.drawings.empty()) return true;
+  fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", "real strokes", "n", "scratch-out",
+             "double loop", "shape accepted", "rests");
+  if (!options.drawings.empty()) {
+    add("drawings, 180 mm", read_drawings(options.drawings, 180.0), true);
+    add("the same, 90 mm", read_drawings(options.drawings, 90.0), false);
+  }
+  if (!options.strokes.empty()) {
+    const auto in_lines = read_pen_strokes(options.strokes, options.mm_per_unit, Placing::kInLines);
+    add("pen strokes, in lines", in_lines, true);
+    add("pen strokes, piled up (not counted)",
+        read_pen_strokes(options.strokes, options.mm_per_unit, Placing::kPiled), false);
+  }
+  fmt::print("false gestures: {} of {} strokes\n\n", all.wrong(), all.strokes);
+  return static_cast<double>(all.wrong()) <= kMaxFalse * static_cast<double>(all.strokes);
+}
+
+bool check_meant(const Options& options) {
+  fmt::print("{:<12} {:>6} {:>9} {:>9}   ({} people, seed {}, three sizes)\n", "meant", "n",
+             "found", "first", options.people, options.seed);
+  std::size_t drawn = 0, found = 0;
+  bool is_met = true;
+  for (const MeantStrokes& m : draw_meant(options.people, options.seed)) {
+    const double n = static_cast<double>(m.drawn);
+    const double share = n > 0.0 ? static_cast<double>(m.offered) / n : 0.0;
+    fmt::print("{:<12} {:>6} {:>7.1f} % {:>7.1f} %\n",
+               kOfferKinds[static_cast<std::size_t>(m.kind)], m.drawn, 100.0 * share,
+               100.0 * static_cast<double>(m.first) / n);
+    drawn += m.drawn;
+    found += m.offered;
+    is_met = is_met && share >= kMinFound;
+  }
+  fmt::print("found: {} of {}, {:.1f} %\n", found, drawn,
+             100.0 * static_cast<double>(found) / static_cast<double>(drawn));
+  return is_met;
+}
+
+}  // namespace
+}  // namespace felt::bench
+
+int main(int argc, char** argv) {
+  const auto options = felt::bench::options_of(argc, argv);
+  if (!options || options->people == 0) {
+    fmt::print(
+        stderr,
+        "usage: bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER]\n"
+        "                      [--people N] [--seed N] [--each yes]\n");
+    return 2;
+  }
+  const bool is_real_met = felt::bench::check_real(*options);
+  const bool is_meant_met = felt::bench::check_meant(*options);
+  return is_real_met && is_meant_met ? 0 : 1;
+}

@@ -1,0 +1,165 @@
+#include "real_strokes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "felt/gather/testing/labelled_drawing.h"
+#include "felt/geometry/rect.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/session/session.h"
+
+namespace felt::bench {
+namespace {
+
+constexpr std::int64_t kUnknownStepNs = 8'000'000;
+constexpr double kLineMm = 180.0, kGapMm = 2.0;
+
+Rect box_of(const std::vector<InkSample>& stroke) {
+  Rect box;
+  for (const InkSample& s : stroke) box.extend(s.position);
+  return box;
+}
+
+/// Places strokes one after the other, in lines.
+class Setter {
+ public:
+  void put(std::vector<InkSample>& stroke) {
+    const Rect box = box_of(stroke);
+    if (at_.x > 10.0 && at_.x + box.width() > kLineMm) {
+      at_ = {10.0, at_.y + height_ + kGapMm};
+      height_ = 0.0;
+    }
+    const Vec by = at_ - Point{box.x0, box.y0};
+    for (InkSample& s : stroke) s.position += by;
+    at_.x += box.width() + kGapMm;
+    height_ = std::max(height_, box.height());
+  }
+
+ private:
+  Point at_{10.0, 10.0};
+  double height_ = 0.0;
+};
+
+/// Turns the strokes of a page into the events of a session.
+class Drawer {
+ public:
+  Drawer() {
+    for (const char* id : {"pencil.scratch_out", "pencil.double_loop", "pencil.shapes"}) {
+      apply(SetOption{id, true});
+    }
+  }
+  void draw(const std::vector<InkSample>& stroke) {
+    hover(stroke.front().position);
+    const std::int64_t start_ns = now_ns_ + 1'000'000;
+    for (const InkSample& s : stroke) {
+      now_ns_ = std::max(now_ns_, start_ns + s.time_ns.value_or(0));
+      apply(PenEvent{{s.position.x, s.position.y, -0.1}, s.pressure.value_or(0.5), 0});
+    }
+    for (int i = 0; i < 8; ++i) hover(stroke.back().position);
+  }
+  [[nodiscard]] const Session& session() const { return session_; }
+
+ private:
+  void hover(Point p) {
+    now_ns_ += kUnknownStepNs;
+    apply(PenEvent{{p.x, p.y, 6.0}, {}, 0});
+  }
+  void apply(decltype(Event::what) what) {
+    if (!session_.apply({now_ns_, std::move(what)})) std::abort();
+  }
+
+  Session session_{make_tools(), {}};
+  std::int64_t now_ns_ = 0;
+};
+
+bool offers(const OfferView& offer, OfferKind kind) {
+  return std::any_of(offer.rows.begin(), offer.rows.end(),
+                     [kind](const OfferRow& row) { return row.kind == kind; });
+}
+
+}  // namespace
+
+Result<std::vector<RealPage>> read_pen_strokes(const std::string& path, double mm_per_unit,
+                                               Placing placing) {
+  std::ifstream file(path);
+  if (!file) return fail(ErrorCode::kNotFound, path + ": cannot open");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  LineReader reader(read_text(text));
+  LineBatch batch;
+  NdjsonParser parser;
+  RawStroke raw;
+  std::vector<RealPage> pages;
+  Setter setter;
+  while (reader.fill(batch, 1'000'000).value()) {
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (!parser.raw_stroke(batch.line(i), raw) || raw.samples.empty()) continue;
+      const std::string name = raw.id.substr(0, raw.id.rfind('#'));
+      if (pages.empty() || pages.back().name != name) {
+        pages.push_back({name, {}});
+        setter = {};
+      }
+      std::vector<InkSample> stroke = raw.samples;
+      std::int64_t unknown_ns = 0;
+      for (InkSample& s : stroke) {
+        s.position = {mm_per_unit * s.position.x, mm_per_unit * s.position.y};
+        if (!s.time_ns) s.time_ns = unknown_ns += kUnknownStepNs;
+      }
+      if (placing == Placing::kInLines) setter.put(stroke);
+      pages.back().strokes.push_back(std::move(stroke));
+    }
+  }
+  return pages;
+}
+
+Result<std::vector<RealPage>> read_drawings(const std::string& folder, double diagonal_mm) {
+  const Result<std::vector<LabelledDrawing>> drawings = read_scap_folder(folder);
+  if (!drawings) return tl::unexpected(drawings.error());
+  std::vector<RealPage> pages;
+  for (const LabelledDrawing& drawing : *drawings) {
+    const double scale = diagonal_mm / drawing.diagonal();
+    RealPage page{drawing.name, {}};
+    for (const RoughLine& line : drawing.lines) {
+      std::vector<InkSample> stroke;
+      for (const Point p : line) {
+        InkSample s;
+        s.position = {scale * p.x, scale * p.y};
+        s.time_ns = static_cast<std::int64_t>(stroke.size()) * kUnknownStepNs;
+        stroke.push_back(s);
+      }
+      if (!stroke.empty()) page.strokes.push_back(std::move(stroke));
+    }
+    pages.push_back(std::move(page));
+  }
+  return pages;
+}
+
+FalseOffers draw_pages(const std::vector<RealPage>& pages, bool each) {
+  FalseOffers all;
+  for (const RealPage& page : pages) {
+    Drawer drawer;
+    for (std::size_t i = 0; i < page.strokes.size(); ++i) {
+      drawer.draw(page.strokes[i]);
+      ++all.strokes;
+      const std::optional<OfferView> offer = drawer.session().offered();
+      if (!offer) continue;
+      const bool scratches = offers(*offer, OfferKind::kDelete);
+      const bool circles = offers(*offer, OfferKind::kSelect);
+      const bool is_accepted = offer->rows[offer->chosen].kind != OfferKind::kInk;
+      all.scratch_outs += scratches;
+      all.double_loops += circles;
+      all.accepted_shapes += is_accepted;
+      all.rests += !scratches && !circles;
+      if (each) {
+        fmt::print("  {}#{}: {}{}\n", page.name, i,
+                   kOfferKinds[static_cast<std::size_t>(offer->rows.front().kind)],
+                   is_accepted ? ", accepted" : "");
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace felt::bench

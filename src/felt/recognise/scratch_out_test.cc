@@ -1,0 +1,82 @@
+#include "felt/recognise/scratch_out.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+
+#include "felt/recognise/testing/drawn_shapes.h"
+
+namespace felt::scratch_out_test {
+namespace {
+
+using testing::joined;
+using testing::placed;
+using testing::unsteady;
+using testing::zigzag;
+
+double any(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+}
+
+RC_GTEST_PROP(ScratchOut, FindsAZigzagOfAnySizeAndDirection, ()) {
+  const int passes = *rc::gen::inRange(ScratchOut::kMinPasses, 16);
+  const double length = any(8.0, 60.0);
+  const auto path = placed(unsteady(zigzag(passes, length, any(0.5, 0.25 * length)), 0.01 * length,
+                                    *rc::gen::inRange(1, 1'000'000)),
+                           any(0.0, 6.3), 1.0, {any(-200, 200), any(-200, 200)});
+  const auto found = ScratchOut::find(path);
+  RC_ASSERT(found.has_value());
+  RC_ASSERT(ScratchOut::features(path).passes == passes);
+  // A line in the middle of it is covered, one far away is not.
+  const Rect box = found->bounds();
+  const Point middle{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  RC_ASSERT(found->covers(joined({middle, middle + Vec{1.0, 0.0}})));
+  RC_ASSERT(!found->covers(joined({middle + Vec{300.0, 0.0}, middle + Vec{310.0, 0.0}})));
+}
+
+RC_GTEST_PROP(ScratchOut, TheSameTurnedOrBackwards, ()) {
+  const auto path = unsteady(zigzag(*rc::gen::inRange(3, 12), any(4, 40), any(0.5, 20)),
+                             any(0.0, 0.5), *rc::gen::inRange(1, 1'000'000));
+  const std::vector<Point> back(path.rbegin(), path.rend());
+  RC_ASSERT(ScratchOut::features(back).passes == ScratchOut::features(path).passes);
+  const auto turned = ScratchOut::features(placed(path, any(0.0, 6.3), 1.0, {10, 20}));
+  RC_ASSERT(turned.passes == ScratchOut::features(path).passes);
+  RC_ASSERT(std::abs(turned.along - ScratchOut::features(path).along) < 0.02);
+}
+
+TEST(ScratchOut, LettersLinesAndCirclesAreInk) {
+  const Point m[] = {{0, 10}, {0, 0}, {4, 8}, {8, 0}, {8, 10}};
+  EXPECT_FALSE(ScratchOut::find(joined({std::begin(m), std::end(m)})));
+  EXPECT_FALSE(ScratchOut::find(joined({{0, 0}, {80, 3}})));
+  EXPECT_FALSE(ScratchOut::find(joined({{0, 0}, {80, 0}, {0, 0}, {80, 0}}))) << "three passes";
+  EXPECT_FALSE(ScratchOut::find(testing::ellipse_part({50, 50}, 20, 20, 0.0, 25.0)));
+  EXPECT_FALSE(ScratchOut::find(zigzag(8, 20, 30))) << "a wide zigzag is a pattern";
+  EXPECT_FALSE(ScratchOut::find(zigzag(8, 2, 0.5))) << "a dot";
+}
+
+TEST(ScratchOut, CoversOnlyWhatIsMostlyInside) {
+  const auto found = ScratchOut::find(zigzag(8, 30, 4));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->covers(joined({{3, 5}, {27, 9}})));
+  EXPECT_FALSE(found->covers(joined({{15, -60}, {15, 60}}))) << "a long line that it crosses";
+  EXPECT_GT(found->covered_share(joined({{15, -60}, {15, 60}})), 0.05);
+  EXPECT_TRUE(found->is_about({3, 5, 27, 9}));
+  EXPECT_FALSE(found->is_about({14, 7, 15, 8})) << "an eye in a shaded face";
+}
+
+TEST(ScratchOut, DegeneratePathsAreInk) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::vector<Point>& path : {std::vector<Point>{},
+                                         {{1, 1}},
+                                         {{1, 1}, {1, 1}},
+                                         {{nan, 1}, {2, nan}},
+                                         {{1e300, 0}, {-1e300, 0}}}) {
+    EXPECT_FALSE(ScratchOut::find(path));
+    EXPECT_EQ(ScratchOut::features(path).passes, 0);
+  }
+  EXPECT_FALSE(ScratchOut::find(placed(zigzag(8, 30, 4), 0.0, 1e4, {}))) << "larger than any page";
+}
+
+}  // namespace
+}  // namespace felt::scratch_out_test

@@ -1,0 +1,137 @@
+#include "felt/recognise/shape_guess.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "felt/base/constants.h"
+#include "felt/geometry/polyline.h"
+#include "felt/recognise/shape_curve.h"
+#include "felt/recognise/testing/drawn_shapes.h"
+
+namespace felt::shape_guess_test {
+namespace {
+
+using testing::ellipse_part;
+using testing::joined;
+using testing::placed;
+using testing::unsteady;
+
+double any(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+}
+
+std::optional<Stroke> stroke_of(const ShapeGuess& guess) {
+  StrokeData data = shape_curve(guess);
+  data.widths = {{0.0, 1.0}, {static_cast<double>(data.points.size() / 3), 1.0}};
+  Result<Stroke> stroke = Stroke::create(std::move(data));
+  if (!stroke) return std::nullopt;
+  return *std::move(stroke);
+}
+
+/// Checks that the best guess has the form `wanted`, is a valid stroke, and is near the path.
+void check(const std::vector<Point>& exact, ShapeForm wanted) {
+  const double scale = any(0.4, 3.0);
+  const auto path = placed(unsteady(exact, 0.25, *rc::gen::inRange(1, 1'000'000)), any(0.0, kTau),
+                           scale, {any(-200, 200), any(-200, 200)});
+  const std::vector<ShapeGuess> guesses = guess_shapes(path);
+  RC_ASSERT(!guesses.empty());
+  RC_ASSERT(guesses.size() <= kMaxGuesses);
+  RC_ASSERT(static_cast<int>(guesses[0].form) == static_cast<int>(wanted));
+  for (const ShapeGuess& guess : guesses) RC_ASSERT(guess.misfit <= 1.0);
+  const auto stroke = stroke_of(guesses[0]);
+  RC_ASSERT(stroke.has_value());
+  for (double u = 0.0; u <= stroke->segment_count(); u += 0.05) {
+    const auto near = nearest_on_polyline(path, stroke->position(u));
+    RC_ASSERT(std::sqrt(near.distance_squared) < 4.5 * scale);  // the gap of a round path
+  }
+}
+
+RC_GTEST_PROP(ShapeGuess, KnowsALine, ()) {
+  check(joined({{0, 0}, {any(20, 60), 0}}), ShapeForm::kLine);
+}
+RC_GTEST_PROP(ShapeGuess, KnowsAnArc, ()) {
+  check(ellipse_part({0, 0}, 25, 25, 0.0, any(0.8, 4.5)), ShapeForm::kArc);
+}
+RC_GTEST_PROP(ShapeGuess, KnowsACircle, ()) {
+  check(ellipse_part({0, 0}, 20, 20, 0.0, any(0.95, 1.05) * kTau), ShapeForm::kCircle);
+}
+RC_GTEST_PROP(ShapeGuess, KnowsAnEllipse, ()) {
+  check(ellipse_part({0, 0}, 30, any(10, 20), 0.0, -any(0.95, 1.05) * kTau), ShapeForm::kEllipse);
+}
+RC_GTEST_PROP(ShapeGuess, KnowsATriangle, ()) {
+  check(joined({{0, 0}, {40, any(-10, 10)}, {any(5, 35), 35}, {0.5, 0.5}}), ShapeForm::kTriangle);
+}
+RC_GTEST_PROP(ShapeGuess, KnowsARectangle, ()) {
+  const double w = any(25, 50), h = any(20, 40);
+  check(joined({{0, 0}, {w, 0}, {w, h}, {0, h}, {0.5, 0.5}}), ShapeForm::kRectangle);
+}
+RC_GTEST_PROP(ShapeGuess, KnowsAPolygon, ()) {
+  const int count = *rc::gen::inRange(5, 7);
+  std::vector<Point> corners;
+  for (int i = 0; i <= count; ++i) {
+    const double a = kTau * i / count;
+    corners.push_back({30.0 * std::cos(a), 30.0 * std::sin(a)});
+  }
+  check(joined(corners), ShapeForm::kPolygon);
+}
+
+TEST(ShapeGuess, OffersBothOfTwoShapesThatAreNearlyEqual) {
+  const auto guesses = guess_shapes(ellipse_part({0, 0}, 20, 16.5, 0.0, kTau));
+  ASSERT_EQ(guesses.size(), 2U);
+  EXPECT_NE(guesses[0].form, guesses[1].form);
+  for (const ShapeGuess& g : guesses) {
+    EXPECT_TRUE(g.form == ShapeForm::kCircle || g.form == ShapeForm::kEllipse);
+  }
+  const auto round = guess_shapes(ellipse_part({0, 0}, 20, 19.8, 0.0, kTau));
+  ASSERT_EQ(round.size(), 1U);
+  EXPECT_EQ(round[0].form, ShapeForm::kCircle);
+}
+
+TEST(ShapeGuess, ScribblesAndDotsResembleNothing) {
+  EXPECT_TRUE(guess_shapes(testing::zigzag(7, 20, 6)).empty());
+  EXPECT_TRUE(guess_shapes(ellipse_part({0, 0}, 20, 20, 0.0, 2.0 * kTau)).empty());
+  EXPECT_TRUE(guess_shapes(joined({{0, 0}, {20, 20}, {0, 40}, {20, 60}})).empty());
+  EXPECT_TRUE(guess_shapes(ellipse_part({0, 0}, 1, 1, 0.0, kTau)).empty()) << "too small";
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::vector<Point>& path : {std::vector<Point>{},
+                                         {{1, 1}},
+                                         {{1, 1}, {1, 1}},
+                                         {{nan, 1}, {2, nan}},
+                                         {{1e300, 0}, {-1e300, 0}}}) {
+    EXPECT_TRUE(guess_shapes(path).empty());
+  }
+}
+
+// Whatever is guessed can be drawn, or is refused by Stroke::create; nothing crashes.
+RC_GTEST_PROP(ShapeGuess, AnyPathGivesUsableShapesOrNone, ()) {
+  std::vector<Point> path;
+  const double size = std::pow(10.0, any(-3, 8));
+  for (int i = *rc::gen::inRange(0, 60); i > 0; --i) path.push_back({any(0, size), any(0, size)});
+  double last = 0.0;
+  for (const ShapeGuess& guess : guess_shapes(path)) {
+    RC_ASSERT(guess.misfit >= last && guess.misfit <= 1.0);
+    last = guess.misfit;
+    if (const auto stroke = stroke_of(guess)) RC_ASSERT(!stroke->bounds().empty());
+  }
+}
+
+TEST(ShapeCurve, ACircleIsRoundAndStartsWhereThePenDid) {
+  const auto path = ellipse_part({50, 40}, 20, 20, 1.0, -kTau);
+  const auto guesses = guess_shapes(path);
+  ASSERT_FALSE(guesses.empty());
+  const auto stroke = stroke_of(guesses[0]);
+  ASSERT_TRUE(stroke);
+  EXPECT_TRUE(stroke->closed());
+  EXPECT_LT(distance(stroke->position(0.0), path.front()), 0.1);
+  EXPECT_LT(distance(stroke->position(0.1), path[2]), 3.0) << "the direction of the pen";
+  for (double u = 0.0; u < 4.0; u += 0.01) {
+    EXPECT_NEAR(distance(stroke->position(u), {50, 40}), 20.0, 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace felt::shape_guess_test

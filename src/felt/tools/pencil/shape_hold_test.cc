@@ -1,0 +1,103 @@
+#include "felt/tools/pencil/shape_hold.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "felt/haptics/bricks/snap_well.h"
+#include "felt/haptics/force_memory.h"
+
+namespace felt::shape_hold_test {
+namespace {
+
+struct Fixture {
+  Fixture() { hold.begin({0, 0}, now_ns); }
+
+  void at(Point pen, std::optional<double> pressure) {
+    now_ns += 4'000'000;
+    path.push_back(pen);
+    hold.update(pen, pressure, now_ns, path);
+  }
+  /// Draws a line to (60, 0) with a pressure that varies by `swing`.
+  void line(std::optional<double> pressure, double swing = 0.0) {
+    for (int i = 0; i <= 120; ++i) {
+      at({0.5 * i, 0.0}, pressure ? std::optional(*pressure + swing * (i % 2)) : std::nullopt);
+    }
+  }
+  void rest(double s, std::optional<double> pressure) {
+    const Point pen = path.back();
+    for (int i = 0; i < static_cast<int>(s / 0.004); ++i) at(pen, pressure);
+  }
+
+  std::int64_t now_ns = 0;
+  std::vector<Point> path;
+  ShapeHold hold;
+};
+
+TEST(ShapeHold, OffersAfterHalfASecondAndHoldsThePenUntilTaken) {
+  Fixture f;
+  f.line(0.4, 0.1);
+  f.rest(0.45, 0.4);
+  EXPECT_TRUE(f.hold.shapes().empty());
+  EXPECT_FALSE(f.hold.holds_at());
+  f.rest(0.15, 0.4);
+  ASSERT_EQ(f.hold.shapes().size(), 1U);
+  ASSERT_TRUE(f.hold.holds_at());
+  EXPECT_LT(distance(*f.hold.holds_at(), {60, 0}), RestWatch::kRestMm + 0.01);
+  f.rest(5.0, 0.45);
+  EXPECT_FALSE(f.hold.accepted()) << "a pen whose pressure varies must press harder";
+  f.rest(0.02, 0.65);
+  EXPECT_EQ(f.hold.accepted(), 0U);
+  EXPECT_FALSE(f.hold.holds_at()) << "the hand is free again";
+}
+
+TEST(ShapeHold, WithoutPressureStayingTakes) {
+  for (const std::optional<double> pressure : {std::optional<double>(), std::optional(0.5)}) {
+    Fixture f;
+    f.line(pressure);
+    f.rest(1.4, pressure);
+    EXPECT_FALSE(f.hold.accepted());
+    f.rest(0.3, pressure);
+    EXPECT_TRUE(f.hold.accepted());
+  }
+}
+
+TEST(ShapeHold, APenThatPressesFullyCanStillPressHarder) {
+  Fixture f;
+  f.line(0.8, 0.08);
+  f.rest(0.7, 0.86);
+  ASSERT_FALSE(f.hold.shapes().empty());
+  f.rest(0.02, 0.95);
+  EXPECT_TRUE(f.hold.accepted());
+}
+
+TEST(ShapeHold, AnOfferEndsFarFromTheRestAndIsMadeAgain) {
+  Fixture f;
+  f.line(0.4, 0.1);
+  f.rest(0.6, 0.4);
+  ASSERT_TRUE(f.hold.holds_at());
+  for (int i = 0; i < 7; ++i) f.at({60.0 + 0.5 * i, 0.0}, 0.4);
+  EXPECT_TRUE(f.hold.holds_at()) << "nearer than kLeaveMm";
+  for (int i = 0; i < 20; ++i) f.at({63.0 + 0.5 * i, 0.0}, 0.4);
+  EXPECT_FALSE(f.hold.holds_at());
+  EXPECT_TRUE(f.hold.shapes().empty());
+  f.rest(0.6, 0.4);
+  EXPECT_TRUE(f.hold.holds_at());
+}
+
+TEST(ShapeHold, TheHoldIsBoundedPassiveAndWithinTheBudget) {
+  const WellShape shape = hold_shape(1.0);
+  EXPECT_LE(shape.force_n, ShapeHold::kHoldN);
+  EXPECT_LE(shape.core_slope_n_per_m(), 300.0);
+  double last = 0.0;
+  for (double d = 0.0; d < 3.0 * ShapeHold::kLeaveMm; d += 0.01) {
+    EXPECT_LE(shape.force_at_n(d), ShapeHold::kHoldN);
+    EXPECT_GE(shape.potential_mj(d), last - 1e-12) << "it only pulls back";
+    last = shape.potential_mj(d);
+  }
+  EXPECT_GT(shape.force_at_n(ShapeHold::kLeaveMm), 0.2) << "it is felt up to the end of the offer";
+  EXPECT_EQ(hold_shape(0.0).force_at_n(1.0), 0.0);
+}
+
+}  // namespace
+}  // namespace felt::shape_hold_test
