@@ -13,6 +13,7 @@
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/contact.h"
 #include "felt/tools/overlay.h"
+#include "felt/tools/reading.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/tool_options.h"
 
@@ -35,6 +36,7 @@ enum class ToolKind : std::uint8_t {
              ///< whose boundary is opened: "close" or "remove"
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
+  kReads,       ///< changes nothing; reports what is under the pen (Tool::reading)
 };
 
 /// The path of a typical gesture. Tests of devices and of the haptic loop perform it.
@@ -127,6 +129,9 @@ class Tool {
   /// otherwise.
   virtual Result<void> set_option(std::string_view id, const OptionValue& value) = 0;
   [[nodiscard]] virtual Result<OptionValue> option(std::string_view id) const = 0;
+
+  /// Returns what is under the pen, or null if the tool does not read (ToolKind::kReads).
+  [[nodiscard]] virtual const Reading* reading() const { return nullptr; }
 
   /// Returns the value of the option that the current ToolUse names as the tool's size, or nullopt
   /// if it does not name any.
