@@ -179,7 +179,7 @@ void Canvas::set_notes(const Overlay& notes) {
   refresh_soon();
 }
 
-void Canvas::show_place(Point at) {
+void Canvas::center_on(Point at) {
   CanvasView view = view_;
   view.center_on(at);
   set_view(view);

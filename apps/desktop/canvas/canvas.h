@@ -60,7 +60,7 @@ class Canvas : public QWidget {
   /// drawing.
   void set_notes(const Overlay& notes);
   /// Moves the view so that this point is in the middle of the widget.
-  void show_place(Point at);
+  void center_on(Point at);
   /// Hides the hints for a new user, which otherwise appear while the drawing is empty.
   void hide_first_hints();
   /// Sets the name of the right mouse button's action, which the hint shows; "" if the button has

@@ -96,7 +96,7 @@ TactilePanel::TactilePanel(Studio& studio, QWidget* parent)
   });
   const auto go = [this](const QListWidgetItem* item) {
     const auto row = static_cast<std::size_t>(list_->row(item));
-    if (row < faults_.size()) Q_EMIT wants_place(faults_[row].at);
+    if (row < faults_.size()) Q_EMIT wants_position(faults_[row].at);
   };
   connect(list_, &QListWidget::itemClicked, this, go);
   connect(list_, &QListWidget::itemActivated, this, go);

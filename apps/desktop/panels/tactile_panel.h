@@ -35,7 +35,7 @@ class TactilePanel : public QWidget {
   /// The marks for the canvas changed: a ring and a label for each fault.
   void marks_changed(const felt::Overlay& marks);
   /// The user chose a fault at this position.
-  void wants_place(felt::Point at);
+  void wants_position(felt::Point at);
 
  private:
   void wait();

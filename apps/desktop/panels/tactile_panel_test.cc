@@ -63,7 +63,7 @@ TEST_F(TactilePanelTest, AClickGoesToTheFault) {
   panel_.set_on(true);
   ASSERT_TRUE(waits());
   std::vector<Point> wanted;
-  QObject::connect(&panel_, &TactilePanel::wants_place, &panel_,
+  QObject::connect(&panel_, &TactilePanel::wants_position, &panel_,
                    [&wanted](Point at) { wanted.push_back(at); });
   Q_EMIT list().itemActivated(list().item(0));
   ASSERT_EQ(wanted.size(), 1U);

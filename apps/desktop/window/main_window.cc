@@ -205,7 +205,7 @@ void MainWindow::make_panels() {
   connect(actions_->find(QStringLiteral("view.panel_tactile")), &QAction::toggled, tactile,
           &TactilePanel::set_on);
   connect(tactile, &TactilePanel::marks_changed, canvas_, &Canvas::set_notes);
-  connect(tactile, &TactilePanel::wants_place, canvas_, &Canvas::show_place);
+  connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);
   // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));

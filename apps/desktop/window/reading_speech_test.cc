@@ -14,7 +14,7 @@ namespace {
 int alerts = 0;
 QStringList spoken_names;
 
-/// Receives what a screen reader would be told.
+/// Receives what a screen reader would receive.
 void hear(QAccessibleEvent* event) {
   if (event->type() == QAccessible::Alert) ++alerts;
   if (event->type() == QAccessible::NameChanged && event->accessibleInterface()) {
@@ -60,7 +60,7 @@ class ReadingSpeechTest : public ::testing::Test {
   QAccessible::UpdateHandler before_ = nullptr;
 };
 
-TEST_F(ReadingSpeechTest, ScreenReadersAreToldWhatIsUnderThePen) {
+TEST_F(ReadingSpeechTest, ScreenReadersHearWhatIsUnderThePen) {
   ASSERT_TRUE(speech_);
   touch({70, 50.5});
   EXPECT_EQ(said("line, black, 120 mm").toStdString(), "line, black, 120 mm");

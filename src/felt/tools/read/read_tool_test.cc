@@ -156,7 +156,7 @@ TEST(Read, ReadsLockedLayersButNoHiddenOnes) {
   EXPECT_EQ(f.reading().kind, Kind::kNothing);
 }
 
-TEST(Read, ReadsOnlyTheCurrentLayerIfToldSo) {
+TEST(Read, ReadsOnlyTheCurrentLayerIfChosen) {
   Fixture f;
   f.line({0, 0}, {60, 0});
   ASSERT_TRUE(f.tool.set_option("layers", std::string("current")));
