@@ -9,6 +9,7 @@
 #include "input.h"
 #include "overwrite_check.h"
 #include "sketch_input.h"
+#include "swell_output.h"
 
 namespace felt::cli {
 namespace {
@@ -23,6 +24,7 @@ struct ConvertArguments {
   bool salvage = false;
   bool compact = false;
   bool pictures = false;
+  bool swell = false;
   PictureArguments picture;
 };
 
@@ -53,6 +55,13 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
           "--pictures", args.pictures,
           "Show the pictures below visible layers in a .png, .svg or .pdf. Default: only those\n"
           "that are marked for export")
+      ->group("Pictures (.svg, .pdf, .png)");
+  command
+      .add_flag(
+          "--swell", args.swell,
+          "Make an .svg or .pdf for swell paper: black at true size, lines at least 1 mm wide\n"
+          "in at most five widths, areas as textures, no grain and no pictures. Prints what\n"
+          "was changed")
       ->group("Pictures (.svg, .pdf, .png)");
   args.picture.add_to(command);
   args.picture.add_grain_to(command);
@@ -120,7 +129,7 @@ void note_lost_objects(const Document& document, Format format, const ConvertArg
 }
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
-                   const PictureOptions& picture, Console& console) {
+                   PictureOptions picture, Console& console) {
   Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
   if (!opened) return console.error(input.name() + ": " + opened.error().message);
   if (!report_notices(input.name(), opened->report, console)) return;
@@ -132,6 +141,10 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   }
   const Result<void> done =
       choose_layers(args.layers, opened->drawing)
+          .and_then([&]() -> Result<void> {
+            if (!args.swell) return {};
+            return make_swell_drawing(opened->drawing, picture, args.output, console);
+          })
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
           .and_then([&](DrawingOutput output) {
             note_hidden_layers(opened->drawing.document, format, args.output, console);
@@ -139,6 +152,16 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
             return output.write(std::move(opened->drawing));
           });
   if (!done) console.error(done.error().message);
+}
+
+void check_swell_arguments(const ConvertArguments& args, Format format) {
+  if (format != Format::kSvg && format != Format::kPdf) {
+    throw UsageError("--swell is only for .svg and .pdf");
+  }
+  const bool has_look = args.picture.grain || args.pictures || !args.picture.surface.empty();
+  if (has_look || !args.picture.paper.empty()) {
+    throw UsageError("--swell excludes --grain, --pictures, --surface and --paper");
+  }
 }
 
 void convert(const ConvertArguments& args, Format format, Console& console) {
@@ -150,14 +173,15 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (args.pictures && (args.compact || !traits_of(format).picture)) {
     throw UsageError("--pictures is only for .png, .pdf, and .svg without --compact");
   }
-  picture->compact = args.compact;
+  if (args.swell) check_swell_arguments(args, format);
+  picture->compact = args.compact || (args.swell && format == Format::kSvg);
   if (args.pictures) picture->pictures = PictureChoice::kAll;
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
   // Compressed output, compact output, and output that shows the drawing's surface, cannot be
   // written stroke by stroke.
   const bool is_stream = input->is_lines() && !is_compressed_name(args.output) &&
-                         !picture->wants_grain && !args.compact;
+                         !picture->wants_grain && !args.compact && !args.swell;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);
   convert_whole(*input, args, format, *picture, console);
 }
@@ -197,6 +221,7 @@ void add_convert_command(CLI::App& app, Console& console) {
       examples("feltline convert sketch.ndjson -o sketch.svg\n"
                "feltline convert drawing.felt -o drawing.svg --layers visible\n"
                "feltline convert drawing.felt -o web.svg --compact\n"
+               "feltline convert map.felt -o map.pdf --swell\n"
                "feltline convert sketch.ndjson -o - | wc -l"));
   command->callback([args, &console] { convert(*args, wanted_format(*args), console); });
 }

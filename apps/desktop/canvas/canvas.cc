@@ -174,6 +174,17 @@ QPointF Canvas::anchor() const {
   return {0.5 * width(), 0.5 * height()};
 }
 
+void Canvas::set_notes(const Overlay& notes) {
+  shown_->notes = notes;
+  refresh_soon();
+}
+
+void Canvas::center_on(Point at) {
+  CanvasView view = view_;
+  view.center_on(at);
+  set_view(view);
+}
+
 void Canvas::set_outline_mode(bool on) {
   ink_.set_outline_mode(on);
   shown_->wet.set_outline_mode(on);
@@ -270,6 +281,7 @@ void Canvas::refresh() {
 void Canvas::list_marks() {
   Shown& s = *shown_;
   s.next.clear();
+  list_overlay(s.notes, view_, font(), s.next);
   list_overlay(s.overlay, view_, font(), s.next);
   const PenState& pen = studio_.pen();
   if (pen_visible_ && pen.is_known) list_pen(pen_mark(pen), s.next);

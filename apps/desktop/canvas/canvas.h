@@ -56,6 +56,11 @@ class Canvas : public QWidget {
   /// Sets the translated message about the pen's pressure. The canvas shows it while the drawing is
   /// empty. If `status` is empty, the canvas derives the message from the samples.
   void set_pen_status(const QString& status);
+  /// Sets marks that are shown besides those of the tool, for example the faults of a raised
+  /// drawing.
+  void set_notes(const Overlay& notes);
+  /// Moves the view so that this point is in the middle of the widget.
+  void center_on(Point at);
   /// Hides the hints for a new user, which otherwise appear while the drawing is empty.
   void hide_first_hints();
   /// Sets the name of the right mouse button's action, which the hint shows; "" if the button has

@@ -16,6 +16,7 @@ namespace felt::desktop {
 /// state.
 struct Canvas::Shown {
   Overlay overlay;
+  Overlay notes;  // marks that do not come from the tool
   Desk desk;
   MarkLook look{Qt::white};
   BandView bands;

@@ -146,6 +146,9 @@ FrictionSound::FrictionSound(Studio& studio, QObject* parent) : QObject(parent),
   static_cast<void>(SoundState::the());  // makes the SoundState now, so that it belongs to the main
                                          // thread
   connect(&Settings::the(), &Settings::changed, this, &FrictionSound::follow);
+  connect(&studio_, &Studio::tool_changed, this, &FrictionSound::follow_use);
+  connect(&studio_, &Studio::option_changed, this, &FrictionSound::follow_use);
+  connect(&studio_, &Studio::opened, this, &FrictionSound::follow_use);
   follow(QString::fromLatin1(feel_keys::kSoundVolume));
   follow(QString::fromLatin1(feel_keys::kSound));
 }
@@ -160,8 +163,16 @@ void FrictionSound::follow(const QString& key) {
     // 12 dB.
     feed_.volume.store(float(share * share), std::memory_order_relaxed);
   }
-  if (key != QLatin1String(feel_keys::kSound)) return;
-  if (settings.flag(key, feel_keys::kSoundDefault)) {
+  if (key == QLatin1String(feel_keys::kSound)) follow_use();
+}
+
+/// Starts or stops the sound: it is needed for rubbing, or for a tool that reads.
+void FrictionSound::follow_use() {
+  const bool rubs =
+      Settings::the().flag(QString::fromLatin1(feel_keys::kSound), feel_keys::kSoundDefault);
+  const Reading* reading = studio_.session().tool().reading();
+  feed_.has_rubbing.store(rubs, std::memory_order_relaxed);
+  if (rubs || (reading && reading->has_sound)) {
     start();
   } else {
     stop();

@@ -38,7 +38,8 @@ class SoundState : public QObject {
 
 /// The sound of the pen on the surface (src/felt/sound). It is off by default and follows the
 /// settings kSound and kSoundVolume. It is silent without a sound device and starts when a device
-/// appears.
+/// appears. While a tool reads with sound (Reading::has_sound), the tone of the distance is heard,
+/// also if the sound of the pen is off.
 class FrictionSound : public QObject {
   Q_OBJECT
 
@@ -53,6 +54,7 @@ class FrictionSound : public QObject {
   class Player;
 
   void follow(const QString& key);
+  void follow_use();
   void start();
   void stop();
 

@@ -144,6 +144,27 @@ TEST(FrictionSound, FollowsTheSurfaceAndAnotherDrawing) {
   }());
 }
 
+// The tone of the tool Read is heard although the sound of drawing is off.
+TEST(FrictionSound, TheToolThatReadsHasATone) {
+  Studio studio(still());
+  RubbedFeed feed;
+  feed.has_rubbing = false;
+  feed.volume = 1.0F;
+  PenFeed pen(studio, feed);
+  RubbedSamples samples(feed, true);
+  draw(studio, 200);
+  EXPECT_EQ(peak(read(samples, 9600)), 0.0F) << "the pencil is silent";
+  draw(studio, 60, 0.0);  // lifted
+  studio.apply(SelectTool{"read"});
+  draw(studio, 100);
+  EXPECT_GT(peak(read(samples, 9600)), 0.05F) << "the line that was drawn is near";
+  draw(studio, 60, 0.0);
+  studio.apply(SetOption{"read.sound", OptionValue(false)});
+  draw(studio, 100);
+  read(samples, 9600);
+  EXPECT_LT(peak(read(samples, 9600)), 1e-4F);
+}
+
 // Sound is off by default. On a machine without a sound device, a message says so, and drawing
 // works as before.
 TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {

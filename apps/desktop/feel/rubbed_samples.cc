@@ -14,7 +14,20 @@ PenFeed::PenFeed(Studio& studio, RubbedFeed& feed)
   connect(&studio_, &Studio::opened, this, [this] { pen_.follow(studio_.session()); });
 }
 
+ToneInput tone_of(const Studio& studio) {
+  const Reading* reading = studio.session().tool().reading();
+  if (!reading || !reading->is_down || !reading->has_sound) {
+    return {1e9F, false, reading ? reading->clicks : 0};
+  }
+  const double mm = std::min(reading->distance_mm, 1e9);
+  return {static_cast<float>(mm), true, reading->clicks};
+}
+
 void PenFeed::take(const PenSample& sample) {
+  if (const ToneInput tone = tone_of(studio_); tone != reported_tone_) {
+    reported_tone_ = tone;
+    feed_.tone.publish(tone);
+  }
   // If the queue is full, no sound device reads it, and lost samples do not matter.
   static_cast<void>(feed_.samples.push(pen_.sample(sample)));
   if (pen_.pair() == reported_) return;
@@ -35,6 +48,7 @@ void RubbedSamples::take_news() {
   // it, but a new device needs it, too.
   static_cast<void>(feed_.pair.update());
   sound_.set_pair(feed_.pair.get());
+  if (feed_.tone.update()) tone_.set(feed_.tone.get());
   std::array<RubbingSample, 64> batch;
   for (std::size_t n = 0; (n = feed_.samples.pop(batch)) > 0;) {
     for (const RubbingSample& sample : std::span(batch).first(n)) sound_.push(sample);
@@ -51,10 +65,12 @@ qint64 RubbedSamples::readData(char* data, qint64 max_bytes) {
   while (max_bytes - done >= size) {
     const auto n = std::min(static_cast<std::size_t>((max_bytes - done) / size), block.size());
     sound_.render(std::span(block).first(n));
+    if (!feed_.has_rubbing.load(std::memory_order_relaxed)) block.fill(0.0F);
     const float volume = feed_.volume.load(std::memory_order_relaxed);
     for (std::size_t i = 0; i < n; ++i, done += size) {
       volume_ += kFollow * (volume - volume_);
-      const float value = volume_ * block[i];
+      const float sum = block[i] + static_cast<float>(tone_.next());
+      const float value = volume_ * std::clamp(sum, -1.0F, 1.0F);
       const auto whole = static_cast<std::int16_t>(std::lround(32767.0F * value));
       if (is_float_) {
         std::memcpy(data + done, &value, sizeof value);

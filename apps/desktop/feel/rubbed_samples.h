@@ -8,6 +8,7 @@
 #include "felt/rt/latest_value.h"
 #include "felt/rt/spsc_ring.h"
 #include "felt/session/sound_input.h"
+#include "felt/sound/distance_tone.h"
 #include "felt/sound/rubbing_player.h"
 
 namespace felt::desktop {
@@ -17,7 +18,9 @@ namespace felt::desktop {
 struct RubbedFeed {
   SpscRing<RubbingSample, 8192> samples;
   LatestValue<RubbingPair> pair;
-  std::atomic<float> volume{0.5F};  ///< factor of the sound, 0..1
+  LatestValue<ToneInput> tone;          ///< of a tool that reads
+  std::atomic<bool> has_rubbing{true};  ///< false: only the tone is heard
+  std::atomic<float> volume{0.5F};      ///< factor of the sound, 0..1
 };
 
 /// Sends every sample of a studio's pen to a feed. Use it in Qt's main thread.
@@ -35,7 +38,11 @@ class PenFeed : public QObject {
   RubbedFeed& feed_;
   SoundInput pen_;
   RubbingPair reported_;
+  ToneInput reported_tone_;
 };
+
+/// Returns what the tone says: the reading of the studio's tool, if it has sound.
+ToneInput tone_of(const Studio& studio);
 
 /// The source from which a sound device reads: endless samples on request, 48 kHz, one channel.
 /// Use it in the sound thread.
@@ -63,6 +70,7 @@ class RubbedSamples final : public QIODevice {
   RubbedFeed& feed_;
   bool is_float_;
   RubbingPlayer sound_;
+  DistanceTone tone_;
   float volume_ = 0.0F;  // approaches the feed's volume smoothly
 };
 

@@ -46,6 +46,20 @@ std::vector<const FormatTraits*> export_formats() {
   return rows;
 }
 
+bool can_swell(FileFormat format) {
+  return format == FileFormat::kSvg || format == FileFormat::kPdf;
+}
+
+/// Returns the drawing as it is exported for swell paper, for the preview; unchanged if it cannot
+/// be.
+Document black_document(const Document& document) {
+  Drawing drawing;
+  drawing.document = document;
+  SwellReport report;
+  Result<Drawing> black = prepare_for_swell_paper(drawing, report);
+  return black ? std::move(black->document) : document;
+}
+
 /// Paints the picture over chequered squares, which show where it is transparent.
 QPixmap on_squares(const QImage& picture, double ratio) {
   QPixmap pixmap(picture.size());
@@ -79,6 +93,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
       grain_(new QCheckBox(tr("&Grain of the surface in dry media"), this)),
       compact_(new QCheckBox(tr("Small file for &web pages"), this)),
       pictures_(new QCheckBox(tr("P&ictures to draw over"), this)),
+      swell_(new QCheckBox(tr("For s&well paper"), this)),
       picture_(new QLabel(this)),
       size_(new QLabel(this)),
       kept_(new QLabel(this)),
@@ -105,6 +120,10 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   compact_->setChecked(settings.flag(files_keys::kExportCompact, false));
   compact_->setToolTip(
       tr("Only the visible ink, which other programs show but cannot edit as lines"));
+  swell_->setChecked(settings.flag(files_keys::kExportSwell, false));
+  swell_->setToolTip(
+      tr("Black at true size, with lines at least 1 mm wide and textures instead of "
+         "colours, for drawings that are read with the fingers"));
   const auto layers = drawing.document.layers();
   has_pictures_ = std::any_of(layers.begin(), layers.end(),
                               [](const Layer& l) { return l.visible && l.picture; });
@@ -126,6 +145,7 @@ void ExportDialog::build() {
   form_->addRow(QString(), grain_);
   form_->addRow(QString(), compact_);
   form_->addRow(QString(), pictures_);
+  form_->addRow(QString(), swell_);
   form_->addRow(tr("Size:"), size_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(18);
@@ -173,6 +193,7 @@ void ExportDialog::follow_choices() {
   connect(grain_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   connect(compact_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   connect(pictures_, &QCheckBox::toggled, this, &ExportDialog::show_result);
+  connect(swell_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   show_result();
 }
 
@@ -185,7 +206,8 @@ ExportOptions ExportDialog::options() const {
           static_cast<ExportPart>(area_->currentIndex()),
           grain_->isChecked(),
           format == FileFormat::kSvg && compact_->isChecked(),
-          pictures_->isEnabled() && pictures_->isChecked()};
+          pictures_->isEnabled() && pictures_->isChecked(),
+          can_swell(format) && swell_->isChecked()};
 }
 
 void ExportDialog::accept() {
@@ -195,9 +217,21 @@ void ExportDialog::accept() {
   if (options().format == FileFormat::kSvg) {
     settings.set(files_keys::kExportCompact, compact_->isChecked());
   }
+  if (can_swell(options().format)) {
+    settings.set(files_keys::kExportSwell, swell_->isChecked());
+  }
   settings.set(files_keys::kExportDpi, dpi_->value());
   settings.set(files_keys::kExportBackground, background_->isChecked());
   QDialog::accept();
+}
+
+const Document& ExportDialog::shown_document(const ExportOptions& chosen) {
+  const bool is_part = chosen.part == ExportPart::kSelection;
+  const Document& whole = is_part ? selected_ : document_;
+  if (!chosen.swell) return whole;
+  std::optional<Document>& black = is_part ? swell_selected_ : swell_document_;
+  if (!black) black = black_document(whole);
+  return *black;
 }
 
 void ExportDialog::show_result() {
@@ -207,22 +241,25 @@ void ExportDialog::show_result() {
                      ? tr("The picture, for browsers. Feltline does not read the lines back.")
                      : format_kept(chosen.format));
   format_->setAccessibleDescription(kept_->text());
+  if (chosen.swell) kept_->setText(tr("Black lines and textures that rise on swell paper."));
   const bool is_png = chosen.format == FileFormat::kPng;
   scale_->setEnabled(is_png);
-  dpi_->setEnabled(is_png || (is_picture && chosen.grain && !chosen.compact));
-  grain_->setEnabled(is_picture && surface_grain_ && !chosen.compact);
-  compact_->setEnabled(chosen.format == FileFormat::kSvg);
+  const bool can_grain = is_picture && !chosen.compact && !chosen.swell;
+  dpi_->setEnabled(is_png || (can_grain && chosen.grain));
+  grain_->setEnabled(can_grain && surface_grain_);
+  compact_->setEnabled(chosen.format == FileFormat::kSvg && !chosen.swell);
+  swell_->setEnabled(can_swell(chosen.format));
   pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection && is_picture &&
-                        !chosen.compact);
+                        !chosen.compact && !chosen.swell);
   area_->setEnabled(is_picture || selected_.stroke_count() > 0);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
-  if (page_.paper.a == 0) background_->setEnabled(false);
+  if (page_.paper.a == 0 || chosen.swell) background_->setEnabled(false);
   const bool is_part = chosen.part == ExportPart::kSelection;
-  const Document& document = is_part ? selected_ : document_;
+  const Document& document = shown_document(chosen);
   const Rect area = export_area(ink_bounds(document), page_, chosen);
-  const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
+  const Rgba paper = chosen.background && !chosen.swell ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
-  const bool is_grained = is_picture && chosen.grain && surface_grain_ && !chosen.compact;
+  const bool is_grained = can_grain && chosen.grain && surface_grain_;
   const QImage picture = page_thumbnail(
       document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : Grain(),
       chosen.pictures ? PictureChoice::kAll : PictureChoice::kMarked);

@@ -32,9 +32,11 @@ class ExportDialog : public QDialog {
   QWidget* resolution_row();
   void follow_choices();
   void show_result();
+  const Document& shown_document(const ExportOptions& chosen);
 
   Document document_;  // with the newest strokes, for the preview
   Document selected_;
+  std::optional<Document> swell_document_, swell_selected_;  // the same for swell paper
   Page page_;
   bool has_pictures_ = false;
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
@@ -47,6 +49,7 @@ class ExportDialog : public QDialog {
   QCheckBox* grain_;
   QCheckBox* compact_;
   QCheckBox* pictures_;
+  QCheckBox* swell_;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

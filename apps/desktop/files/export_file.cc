@@ -44,7 +44,17 @@ Rect export_area(const Rect& ink, const Page& page, const ExportOptions& options
 }
 
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
-                            const ExportOptions& options) {
+                            const ExportOptions& options, SwellReport* swell) {
+  if (options.swell) {
+    SwellReport report;
+    const Result<Drawing> black = prepare_for_swell_paper(drawing, report);
+    if (!black) return tl::unexpected(black.error());
+    if (swell) *swell = report;
+    ExportOptions rest = options;
+    rest.swell = rest.grain = rest.pictures = rest.background = false;
+    rest.compact = options.format == FileFormat::kSvg;
+    return export_drawing(path, *black, rest);
+  }
   WriteOptions how;
   how.dpi = options.dpi;
   how.compact = options.compact;

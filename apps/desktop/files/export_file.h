@@ -4,6 +4,7 @@
 
 #include "desktop/files/drawing_file.h"
 #include "felt/document/selection.h"
+#include "felt/tactile/swell_paper.h"
 
 namespace felt::desktop {
 
@@ -23,6 +24,7 @@ struct ExportOptions {
   bool grain = false;     ///< show the surface's grain in dry ink, if the format supports it
   bool compact = false;   ///< make an .svg small, for web pages; it then shows no grain
   bool pictures = false;  ///< show the pictures of all visible layers, if the format supports it
+  bool swell = false;     ///< make an .svg or .pdf for swell paper, without grain and pictures
 };
 
 /// Returns the drawing with only those strokes that are selected wholly or in part, and the fills
@@ -34,8 +36,9 @@ Rect export_area(const Rect& ink, const Page& page, const ExportOptions& options
 
 /// Writes the visible layers of the drawing, which the caller has reduced by selected_only() if
 /// only the selection is exported, and also the hidden ones if the format has layers. The error
-/// names the file and the reason. Safe to call from any thread.
+/// names the file and the reason. If the drawing is exported for swell paper, sets `swell`, if it
+/// is not null, to what was changed. Safe to call from any thread.
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
-                            const ExportOptions& options);
+                            const ExportOptions& options, SwellReport* swell = nullptr);
 
 }  // namespace felt::desktop

@@ -79,8 +79,8 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   connect(clipboard_, &ClipboardActions::taken, this, &FileActions::taken);
   auto* output = new OutputActions(*this, studio, actions, window);
   connect(output, &OutputActions::exported, this,
-          [this](const QString& path, bool done, const LostObjects& lost) {
-            if (done) Q_EMIT exported(path, lost);
+          [this](const QString& path, bool done, const LostObjects& lost, const QString& changed) {
+            if (done) Q_EMIT exported(path, lost, changed);
           });
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   show_large_icons(*recent_menu_);

@@ -109,7 +109,8 @@ class FileActions : public QObject {
   /// The save to `path()` has ended; `done` is true if it succeeded.
   void saved(bool done);
   /// The drawing was exported to this file, without the objects that the format cannot hold.
-  void exported(const QString& path, const felt::LostObjects& lost);
+  /// `changed` says what was changed for swell paper.
+  void exported(const QString& path, const felt::LostObjects& lost, const QString& changed);
   /// Emitted after Studio::opened when another drawing is shown: opened, new or recovered.
   void drawing_changed();
   /// A file was opened or imported, or strokes were pasted. `report` lists the unsupported content

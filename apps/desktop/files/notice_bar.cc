@@ -100,7 +100,7 @@ void NoticeBar::show_words(const QString& words) {
   say(words, false);
 }
 
-void NoticeBar::show_written(const QString& path, const LostObjects& lost) {
+void NoticeBar::show_written(const QString& path, const LostObjects& lost, const QString& changed) {
   clear();
   path_ = path;
   folder_->setToolTip(QDir::toNativeSeparators(QFileInfo(path).absolutePath()));
@@ -108,11 +108,9 @@ void NoticeBar::show_written(const QString& path, const LostObjects& lost) {
   const QFileInfo file(path);
   QString words = tr("“%1” was exported to “%2”.")
                       .arg(file.fileName(), QDir::toNativeSeparators(file.absolutePath()));
-  if (lost == LostObjects()) {
-    until_.start(kWrittenMs);
-  } else {
-    words += QLatin1Char(' ') + lost_text(lost);
-  }
+  if (lost == LostObjects() && changed.isEmpty()) until_.start(kWrittenMs);
+  if (lost != LostObjects()) words += QLatin1Char(' ') + lost_text(lost);
+  if (!changed.isEmpty()) words += QLatin1Char(' ') + changed;
   say(words, false);
 }
 

@@ -26,9 +26,10 @@ class NoticeBar : public MessageBar {
   /// Shows another message to the user until it is closed.
   void show_words(const QString& words);
   /// Says that a file was written, with a button that opens its folder: for kWrittenMs, or until
-  /// it is closed if the file lacks objects of the drawing.
+  /// it is closed if the file lacks objects of the drawing. `changed` are sentences about what else
+  /// differs from the drawing.
   static constexpr int kWrittenMs = 15'000;
-  void show_written(const QString& path, const LostObjects& lost = {});
+  void show_written(const QString& path, const LostObjects& lost = {}, const QString& changed = {});
 
  private:
   NoticeBar(QTreeWidget* list, QWidget* parent);

@@ -19,6 +19,7 @@
 #include "desktop/files/file_actions.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/page_dialog.h"
+#include "desktop/files/swell_words.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/io/picture/grain_mask.h"
@@ -236,23 +237,27 @@ void OutputActions::export_to(const QString& path, const ExportOptions& options)
   if (options.part == ExportPart::kSelection) {
     drawing = selected_only(std::move(drawing), studio_.session().selection());
   }
-  files_.worker().start(
-      [this, path, options, drawing = std::move(drawing)]() -> FileWorker::Answer {
-        const Result<void> done = export_drawing(path, drawing, options);
-        const LostObjects lost = lost_objects(drawing.document, options.format, options.compact);
-        return [this, path, done, lost] { report_exported(path, done, lost); };
-      });
+  files_.worker().start([this, path, options,
+                         drawing = std::move(drawing)]() -> FileWorker::Answer {
+    SwellReport swell;
+    const Result<void> done = export_drawing(path, drawing, options, &swell);
+    const LostObjects lost = options.swell
+                                 ? LostObjects()
+                                 : lost_objects(drawing.document, options.format, options.compact);
+    return
+        [this, path, done, lost, swell] { report_exported(path, done, lost, swell_words(swell)); };
+  });
 }
 
 void OutputActions::report_exported(const QString& path, const Result<void>& done,
-                                    const LostObjects& lost) {
+                                    const LostObjects& lost, const QString& changed) {
   const QString name = QFileInfo(path).fileName();
   if (!done) {
     files_.dialogs().show_error(window_, tr("“%1” was not exported").arg(name),
                                 error_words(done.error()),
                                 QString::fromStdString(done.error().message));
   }
-  Q_EMIT exported(path, done.has_value(), lost);
+  Q_EMIT exported(path, done.has_value(), lost, changed);
 }
 
 void OutputActions::ask_page() {

@@ -39,11 +39,14 @@ class OutputActions : public QObject {
   void export_to(const QString& path, const ExportOptions& options);
 
  Q_SIGNALS:
-  /// The export to `path` has ended. `lost` counts what the format cannot hold.
-  void exported(const QString& path, bool done, const felt::LostObjects& lost);
+  /// The export to `path` has ended. `lost` counts what the format cannot hold; `changed` says what
+  /// was changed for swell paper.
+  void exported(const QString& path, bool done, const felt::LostObjects& lost,
+                const QString& changed);
 
  private:
-  void report_exported(const QString& path, const Result<void>& done, const LostObjects& lost);
+  void report_exported(const QString& path, const Result<void>& done, const LostObjects& lost,
+                       const QString& changed);
   void ask_export();
   void ask_page();
   void print();

@@ -17,6 +17,7 @@
 #include "desktop/files/output_actions.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/page_picture.h"
+#include "desktop/files/swell_words.h"
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/base/read_file.h"
 #include "felt/document/edit_builder.h"
@@ -46,6 +47,35 @@ TEST(Export, EveryFormatIsWritten) {
   EXPECT_LT(ink.width(), 2970);
   EXPECT_EQ(ink.pixelColor(0, 0).alpha(), 0);
   EXPECT_FALSE(export_drawing(fixture.at("no/a.pdf"), drawing, {.format = FileFormat::kPdf}));
+}
+
+TEST(Export, ForSwellPaperOnlyBlackIsWrittenAndTheChangesAreCounted) {
+  StudioFixture fixture;
+  fixture.draw(1, 4);
+  const Drawing drawing = fixture.files->drawing();
+  ExportOptions options{.format = FileFormat::kSvg, .grain = true};
+  options.swell = true;
+  SwellReport report;
+  ASSERT_TRUE(export_drawing(fixture.at("swell.svg"), drawing, options, &report));
+  EXPECT_EQ(report.lines, 4u);
+  const std::string text = read_file(fixture.at("swell.svg").toStdString(), 1 << 24).value();
+  EXPECT_NE(text.find("width=\"297mm\""), std::string::npos);
+  EXPECT_EQ(text.find("<image"), std::string::npos);
+  EXPECT_FALSE(swell_words(report).isEmpty());
+  EXPECT_TRUE(swell_words({}).isEmpty());
+  ExportDialog dialog(drawing, {}, nullptr);
+  auto* format = dialog.findChildren<QComboBox*>().front();
+  for (QCheckBox* box : dialog.findChildren<QCheckBox*>()) {
+    if (box->text().remove(QLatin1Char('&')) != QStringLiteral("For swell paper")) continue;
+    format->setCurrentIndex(format->findData(QStringLiteral("png")));
+    EXPECT_FALSE(box->isEnabled());
+    format->setCurrentIndex(format->findData(QStringLiteral("pdf")));
+    EXPECT_TRUE(box->isEnabled());
+    box->setChecked(true);
+    EXPECT_TRUE(dialog.options().swell);
+    box->setChecked(false);
+    EXPECT_FALSE(dialog.options().swell);
+  }
 }
 
 TEST(Export, TheSelectionOnlyAndASmallSvg) {

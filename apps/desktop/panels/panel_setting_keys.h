@@ -10,5 +10,7 @@ inline constexpr const char* kOwnColors = "panels/own_colors";
 inline constexpr const char* kPaletteFiles = "panels/palette_files";
 /// Title of the shown palette. If that palette no longer exists, the pencil box is shown.
 inline constexpr const char* kPalette = "panels/palette";
+/// True if the tactile check is for an embosser instead of swell paper.
+inline constexpr const char* kTactileEmbossed = "panels/tactile_embossed";
 
 }  // namespace felt::desktop::panel_keys

@@ -2665,6 +2665,18 @@
         <source>P&amp;ictures to draw over</source>
         <translation>B&amp;ilder zum Nachzeichnen</translation>
     </message>
+    <message>
+        <source>For s&amp;well paper</source>
+        <translation>Für Sch&amp;wellpapier</translation>
+    </message>
+    <message>
+        <source>Black at true size, with lines at least 1 mm wide and textures instead of colours, for drawings that are read with the fingers</source>
+        <translation>Schwarz in wahrer Größe, mit mindestens 1 mm breiten Linien und Mustern statt Farben, für Zeichnungen, die mit den Fingern gelesen werden</translation>
+    </message>
+    <message>
+        <source>Black lines and textures that rise on swell paper.</source>
+        <translation>Schwarze Linien und Muster, die auf Schwellpapier hochkommen.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -3705,6 +3717,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source> (read-only)</source>
         <translation> (schreibgeschützt)</translation>
+    </message>
+    <message>
+        <source>Tactile check</source>
+        <translation>Tastprüfung</translation>
     </message>
 </context>
 <context>
@@ -6609,6 +6625,46 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Force level of friction, grain, attraction, hold and stabiliser. Does not affect the hardness of the surface.</source>
         <translation>Stärke von Reibung, Körnung, Anziehung, Halt und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
+    <message>
+        <source>Read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Reads a drawing without eyes: lines attract the pen, and are heard and spoken.</source>
+        <translation>Liest eine Zeichnung ohne Augen: Linien ziehen den Stift an und werden hörbar und gesprochen.</translation>
+    </message>
+    <message>
+        <source>Touch a line and follow it: it holds the pen, its ends and crossings click.</source>
+        <translation>Berühren Sie eine Linie und folgen Sie ihr: Sie hält den Stift, ihre Enden und Kreuzungen klicken.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>sichtbare</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>aktuelle</translation>
+    </message>
+    <message>
+        <source>Reads all visible layers, or only the current one. Alt+Page up and Alt+Page down choose it.</source>
+        <translation>Liest alle sichtbaren Ebenen oder nur die aktuelle. Alt+Bild auf und Alt+Bild ab wählen sie.</translation>
+    </message>
+    <message>
+        <source>Sound of the distance</source>
+        <translation>Ton des Abstands</translation>
+    </message>
+    <message>
+        <source>A tone says how far the nearest line is: pulses that become faster and higher, and a steady tone on the line.</source>
+        <translation>Ein Ton sagt, wie weit die nächste Linie ist: Pulse, die schneller und höher werden, und ein Dauerton auf der Linie.</translation>
+    </message>
+    <message>
+        <source>Force level of the lines. Does not affect the hardness of the surface.</source>
+        <translation>Stärke der Kräfte der Linien. Die Härte der Oberfläche bleibt gleich.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::SpiralArea</name>
@@ -6771,6 +6827,223 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>This stroke can be: %1</source>
         <translation>Dieser Strich kann sein: %1</translation>
+    </message>
+</context>
+<context>
+    <name>SwellWords</name>
+    <message>
+        <source>Lines widened: %1.</source>
+        <translation>Verbreiterte Linien: %1.</translation>
+    </message>
+    <message>
+        <source>Lines with another width: %1.</source>
+        <translation>Linien mit anderer Breite: %1.</translation>
+    </message>
+    <message>
+        <source>Lines made black: %1.</source>
+        <translation>Geschwärzte Linien: %1.</translation>
+    </message>
+    <message>
+        <source>Areas with a texture: %1.</source>
+        <translation>Flächen mit Muster: %1.</translation>
+    </message>
+    <message>
+        <source>Areas too narrow for a texture: %1.</source>
+        <translation>Für ein Muster zu schmale Flächen: %1.</translation>
+    </message>
+    <message>
+        <source>Pictures left out: %1.</source>
+        <translation>Weggelassene Bilder: %1.</translation>
+    </message>
+    <message>
+        <source>Faults that a fingertip would notice: %1. The panel “Tactile check” shows them.</source>
+        <translation>Fehler, die eine Fingerspitze bemerken würde: %1. Das Bedienfeld „Tastprüfung“ zeigt sie.</translation>
+    </message>
+    <message>
+        <source>Some colours share a texture.</source>
+        <translation>Manche Farben teilen sich ein Muster.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ReadingSpeech</name>
+    <message>
+        <source>red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>Türkis</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>Dunkelgrau</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>Braun</translation>
+    </message>
+    <message>
+        <source>line, %1, %2 mm</source>
+        <translation>Linie, %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>crossing of %1 lines</source>
+        <translation>Kreuzung von %1 Linien</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>Füllung, %1</translation>
+    </message>
+    <message>
+        <source>layer %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TactilePanel</name>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Small shape</source>
+        <translation>Kleine Form</translation>
+    </message>
+    <message>
+        <source>Short side</source>
+        <translation>Kurze Seite</translation>
+    </message>
+    <message>
+        <source>Narrow area</source>
+        <translation>Schmale Fläche</translation>
+    </message>
+    <message>
+        <source>Line widths</source>
+        <translation>Linienbreiten</translation>
+    </message>
+    <message>
+        <source>Area colours</source>
+        <translation>Flächenfarben</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 mm between lines, for %2 mm; at least %3 mm</source>
+        <translation>%1 mm zwischen Linien, auf %2 mm; mindestens %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long; at least %2 mm</source>
+        <translation>%1 mm lang; mindestens %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm wide; at least %2 mm</source>
+        <translation>%1 mm breit; mindestens %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 different widths; at most %2</source>
+        <translation>%1 verschiedene Breiten; höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 colours, which feel the same</source>
+        <translation>%1 Farben, die sich gleich anfühlen</translation>
+    </message>
+    <message>
+        <source>%1 mm; at most %2 mm (A4)</source>
+        <translation>%1 mm; höchstens %2 mm (A4)</translation>
+    </message>
+    <message>
+        <source>Swell paper</source>
+        <translation>Schwellpapier</translation>
+    </message>
+    <message>
+        <source>An embosser</source>
+        <translation>Einen Prägedrucker</translation>
+    </message>
+    <message>
+        <source>Lines on swell paper must be 6.4 mm apart, embossed lines 3.2 mm</source>
+        <translation>Linien auf Schwellpapier brauchen 6,4 mm Abstand, geprägte Linien 3,2 mm</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Made &amp;for:</source>
+        <translation>Gedacht &amp;für:</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>The lines are longer than 100 m: too much for a raised drawing.</source>
+        <translation>Die Linien sind länger als 100 m: zu viel für eine tastbare Zeichnung.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No faults.</source>
+        <translation>Keine Fehler.</translation>
+    </message>
+    <message>
+        <source>%1 faults; the first %2 are shown.</source>
+        <translation>%1 Fehler; die ersten %2 sind zu sehen.</translation>
+    </message>
+    <message>
+        <source>Faults: %1. Click one to go to it.</source>
+        <translation>Fehler: %1. Ein Klick führt hin.</translation>
     </message>
 </context>
 </TS>

@@ -2665,6 +2665,18 @@
         <source>P&amp;ictures to draw over</source>
         <translation>Afbeeld&amp;ingen om over te trekken</translation>
     </message>
+    <message>
+        <source>For s&amp;well paper</source>
+        <translation>Voor &amp;zwelpapier</translation>
+    </message>
+    <message>
+        <source>Black at true size, with lines at least 1 mm wide and textures instead of colours, for drawings that are read with the fingers</source>
+        <translation>Zwart op ware grootte, met lijnen van ten minste 1 mm breed en patronen in plaats van kleuren, voor tekeningen die met de vingers worden gelezen</translation>
+    </message>
+    <message>
+        <source>Black lines and textures that rise on swell paper.</source>
+        <translation>Zwarte lijnen en patronen die op zwelpapier omhoog komen.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -3705,6 +3717,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source> (read-only)</source>
         <translation> (alleen-lezen)</translation>
+    </message>
+    <message>
+        <source>Tactile check</source>
+        <translation>Tastcontrole</translation>
     </message>
 </context>
 <context>
@@ -6609,6 +6625,46 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Force level of friction, grain, attraction, hold and stabiliser. Does not affect the hardness of the surface.</source>
         <translation>Sterkte van wrijving, korrel, aantrekking, houvast en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
     </message>
+    <message>
+        <source>Read</source>
+        <translation>Lezen</translation>
+    </message>
+    <message>
+        <source>Reads a drawing without eyes: lines attract the pen, and are heard and spoken.</source>
+        <translation>Leest een tekening zonder ogen: lijnen trekken de pen aan en zijn te horen en worden uitgesproken.</translation>
+    </message>
+    <message>
+        <source>Touch a line and follow it: it holds the pen, its ends and crossings click.</source>
+        <translation>Raak een lijn aan en volg haar: ze houdt de pen vast, haar uiteinden en kruisingen klikken.</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>zichtbare</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>huidige</translation>
+    </message>
+    <message>
+        <source>Reads all visible layers, or only the current one. Alt+Page up and Alt+Page down choose it.</source>
+        <translation>Leest alle zichtbare lagen of alleen de huidige. Alt+Page Up en Alt+Page Down kiezen die.</translation>
+    </message>
+    <message>
+        <source>Sound of the distance</source>
+        <translation>Geluid van de afstand</translation>
+    </message>
+    <message>
+        <source>A tone says how far the nearest line is: pulses that become faster and higher, and a steady tone on the line.</source>
+        <translation>Een toon zegt hoe ver de dichtstbijzijnde lijn is: pulsen die sneller en hoger worden, en een aanhoudende toon op de lijn.</translation>
+    </message>
+    <message>
+        <source>Force level of the lines. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van de krachten van de lijnen. De hardheid van het oppervlak blijft gelijk.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::SpiralArea</name>
@@ -6771,6 +6827,223 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>This stroke can be: %1</source>
         <translation>Deze haal kan zijn: %1</translation>
+    </message>
+</context>
+<context>
+    <name>SwellWords</name>
+    <message>
+        <source>Lines widened: %1.</source>
+        <translation>Verbrede lijnen: %1.</translation>
+    </message>
+    <message>
+        <source>Lines with another width: %1.</source>
+        <translation>Lijnen met een andere breedte: %1.</translation>
+    </message>
+    <message>
+        <source>Lines made black: %1.</source>
+        <translation>Zwart gemaakte lijnen: %1.</translation>
+    </message>
+    <message>
+        <source>Areas with a texture: %1.</source>
+        <translation>Vlakken met een patroon: %1.</translation>
+    </message>
+    <message>
+        <source>Areas too narrow for a texture: %1.</source>
+        <translation>Vlakken die te smal zijn voor een patroon: %1.</translation>
+    </message>
+    <message>
+        <source>Pictures left out: %1.</source>
+        <translation>Weggelaten afbeeldingen: %1.</translation>
+    </message>
+    <message>
+        <source>Faults that a fingertip would notice: %1. The panel “Tactile check” shows them.</source>
+        <translation>Fouten die een vingertop zou merken: %1. Het paneel ‘Tastcontrole’ toont ze.</translation>
+    </message>
+    <message>
+        <source>Some colours share a texture.</source>
+        <translation>Sommige kleuren delen een patroon.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ReadingSpeech</name>
+    <message>
+        <source>red</source>
+        <translation>rood</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>oranje</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>geel</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>groen</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>turkoois</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blauw</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>violet</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>roze</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>zwart</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>wit</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>donkergrijs</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grijs</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>bruin</translation>
+    </message>
+    <message>
+        <source>line, %1, %2 mm</source>
+        <translation>lijn, %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>einde</translation>
+    </message>
+    <message>
+        <source>crossing of %1 lines</source>
+        <translation>kruising van %1 lijnen</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>vulling, %1</translation>
+    </message>
+    <message>
+        <source>layer %1</source>
+        <translation>laag %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TactilePanel</name>
+    <message>
+        <source>Gap</source>
+        <translation>Tussenruimte</translation>
+    </message>
+    <message>
+        <source>Small shape</source>
+        <translation>Kleine vorm</translation>
+    </message>
+    <message>
+        <source>Short side</source>
+        <translation>Korte zijde</translation>
+    </message>
+    <message>
+        <source>Narrow area</source>
+        <translation>Smal vlak</translation>
+    </message>
+    <message>
+        <source>Line widths</source>
+        <translation>Lijnbreedten</translation>
+    </message>
+    <message>
+        <source>Area colours</source>
+        <translation>Vlakkleuren</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>%1 mm between lines, for %2 mm; at least %3 mm</source>
+        <translation>%1 mm tussen lijnen, over %2 mm; ten minste %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long; at least %2 mm</source>
+        <translation>%1 mm lang; ten minste %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm wide; at least %2 mm</source>
+        <translation>%1 mm breed; ten minste %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 different widths; at most %2</source>
+        <translation>%1 verschillende breedten; hoogstens %2</translation>
+    </message>
+    <message>
+        <source>%1 colours, which feel the same</source>
+        <translation>%1 kleuren die hetzelfde aanvoelen</translation>
+    </message>
+    <message>
+        <source>%1 mm; at most %2 mm (A4)</source>
+        <translation>%1 mm; hoogstens %2 mm (A4)</translation>
+    </message>
+    <message>
+        <source>Swell paper</source>
+        <translation>Zwelpapier</translation>
+    </message>
+    <message>
+        <source>An embosser</source>
+        <translation>Een brailleprinter</translation>
+    </message>
+    <message>
+        <source>Lines on swell paper must be 6.4 mm apart, embossed lines 3.2 mm</source>
+        <translation>Lijnen op zwelpapier moeten 6,4 mm uit elkaar liggen, geperste lijnen 3,2 mm</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fouten</translation>
+    </message>
+    <message>
+        <source>Made &amp;for:</source>
+        <translation>Gemaakt &amp;voor:</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Bezig met controleren …</translation>
+    </message>
+    <message>
+        <source>The lines are longer than 100 m: too much for a raised drawing.</source>
+        <translation>De lijnen zijn langer dan 100 m: te veel voor een voelbare tekening.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No faults.</source>
+        <translation>Geen fouten.</translation>
+    </message>
+    <message>
+        <source>%1 faults; the first %2 are shown.</source>
+        <translation>%1 fouten; de eerste %2 zijn te zien.</translation>
+    </message>
+    <message>
+        <source>Faults: %1. Click one to go to it.</source>
+        <translation>Fouten: %1. Klik erop om erheen te gaan.</translation>
     </message>
 </context>
 </TS>

@@ -24,6 +24,7 @@
 #include "desktop/panels/history_panel.h"
 #include "desktop/panels/layers_panel.h"
 #include "desktop/panels/options_panel.h"
+#include "desktop/panels/tactile_panel.h"
 #include "desktop/panels/tool_bar.h"
 #include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
@@ -200,6 +201,12 @@ void MainWindow::make_panels() {
   add_color_actions(*actions_, *colors);
   files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
+  auto* tactile = new TactilePanel(*studio_);
+  add_panel(QStringLiteral("tactile"), tr("Tactile check"), tactile);
+  connect(actions_->find(QStringLiteral("view.panel_tactile")), &QAction::toggled, tactile,
+          &TactilePanel::set_on);
+  connect(tactile, &TactilePanel::marks_changed, canvas_, &Canvas::set_notes);
+  connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);
   // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
@@ -220,8 +227,11 @@ void MainWindow::place_panels() {
   tabifyDockWidget(dock("options"), dock("feel"));
   tabifyDockWidget(dock("layers"), dock("colors"));
   tabifyDockWidget(dock("colors"), dock("history"));
+  tabifyDockWidget(dock("history"), dock("tactile"));
   addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
-  dock("forces")->hide();  // hidden at first, to keep the window simple
+  for (const char* hidden : {"forces", "tactile"}) {
+    dock(hidden)->hide();  // hidden at first, to keep the window simple
+  }
   check_panel_actions();
   dock("options")->raise();
   dock("layers")->raise();

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "desktop/engine/device_words.h"
+#include "desktop/window/reading_speech.h"
 
 namespace felt::desktop {
 namespace {
@@ -48,6 +49,8 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   connect(&canvas, &Canvas::view_changed, this, &StatusLine::show_view);
   connect(&studio, &Studio::refused, this,
           [this](const QString& why) { showMessage(why, kRefusedMs); });
+  connect(new ReadingSpeech(studio, canvas), &ReadingSpeech::spoken, this,
+          &StatusLine::show_reading);
   show_tool();
   show_pen();
   show_view();
@@ -68,8 +71,13 @@ QLabel* StatusLine::field(const QString& name, const QString& widest) {
   return label;
 }
 
+void StatusLine::show_reading(const QString& words) {
+  reading_ = words;
+  show_tool();
+}
+
 void StatusLine::show_tool() {
-  hint_text_ = canvas_.hint();
+  hint_text_ = reading_.isEmpty() ? canvas_.hint() : reading_;
   elide_hint();
 }
 

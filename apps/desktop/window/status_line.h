@@ -21,6 +21,8 @@ class StatusLine : public QStatusBar {
   /// Sets the file of the drawing, or "" if it has none. While the drawing is saved, the status bar
   /// shows the name of its folder as a link that opens the folder.
   void set_file(const QString& path);
+  /// Shows what is under the pen of the tool Read instead of the hint; "" shows the hint again.
+  void show_reading(const QString& words);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -37,6 +39,7 @@ class StatusLine : public QStatusBar {
   Studio& studio_;
   Canvas& canvas_;
   QString hint_text_;
+  QString reading_;
   QString file_;
   QLabel* hint_;
   QLabel* place_;

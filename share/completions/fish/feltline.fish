@@ -39,6 +39,7 @@ complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Recover the readable parts of a damaged .felt'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l compact -d 'Make a small .svg for web pages'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l pictures -d 'Show the pictures below layers'
+complete -c feltline -n '__fish_seen_subcommand_from render convert' -l swell -d 'Make an .svg or .pdf for swell paper'
 complete -c feltline -n '__fish_seen_subcommand_from render convert replay' -l grain -d 'Show the grain of the surface in dry ink'
 complete -c feltline -n '__fish_seen_subcommand_from render convert replay' -l grain-dpi -x -d 'Resolution of the grain in an .svg or .pdf'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'Page or size to show'

@@ -32,10 +32,6 @@ double half_width_mm(const Stroke& stroke) {
   return widest;
 }
 
-bool is_editable(const Layer& layer) {
-  return layer.visible && !layer.locked;
-}
-
 }  // namespace
 
 void StrokeIndex::LayerSegments::update(std::span<const SegmentForest::Change> changes) {
@@ -57,7 +53,7 @@ StrokeIndex::StrokeIndex(const Document& document, double cell_mm, std::size_t i
   const bool later = document.stroke_count() > indexed_at_once;
   std::vector<UnindexedStrokes::Entry> now;
   for (const Layer& layer : document.layers()) {
-    layers_[layer.id].editable = is_editable(layer);
+    layers_[layer.id].show(layer.visible, layer.locked);
     for (const StrokeId id : layer.strokes) {
       UnindexedStrokes::Entry entry{id, layer.id, document.find(id)};
       const bool broad = measure(*entry.stroke) > 0.5 * kBroadMm;
@@ -109,13 +105,13 @@ void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
   for (const auto& [id, strokes] : changes) {
     const auto [layer, is_new] = layers_.try_emplace(id);
     if (const Layer* known = document.layer(id); is_new && known) {
-      layer->second.editable = is_editable(*known);
+      layer->second.show(known->visible, known->locked);
     }
     layer->second.update(strokes);
   }
   for (const LayerChange& c : edit.layers) {
     if (c.after) {
-      layers_[c.id].editable = is_visible(*c.after) && !is_locked(*c.after);
+      layers_[c.id].show(is_visible(*c.after), is_locked(*c.after));
     } else {
       layers_.erase(c.id);
     }
@@ -159,15 +155,17 @@ void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
   }
 }
 
-std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm) const {
+std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm,
+                                              StrokeReach reach) const {
   // Searches in growing circles, because a large circle would visit all leaves.
-  for (double reach = kFirstReachMm; reach < std::min(radius_mm, kLastReachMm); reach *= 8.0) {
-    if (const auto found = nearest_within_reach(place, reach)) return found;
+  for (double mm = kFirstReachMm; mm < std::min(radius_mm, kLastReachMm); mm *= 8.0) {
+    if (const auto found = nearest_within(place, mm, reach)) return found;
   }
-  return nearest_within_reach(place, radius_mm);
+  return nearest_within(place, radius_mm, reach);
 }
 
-std::optional<StrokeHit> StrokeIndex::nearest_within_reach(Point place, double radius_mm) const {
+std::optional<StrokeHit> StrokeIndex::nearest_within(Point place, double radius_mm,
+                                                     StrokeReach reach) const {
   if (is_finite(place)) {
     index_strokes_in(
         Rect{place.x - radius_mm, place.y - radius_mm, place.x + radius_mm, place.y + radius_mm});
@@ -175,7 +173,7 @@ std::optional<StrokeHit> StrokeIndex::nearest_within_reach(Point place, double r
   std::optional<StrokeHit> best;
   double smallest = 0.0;
   for (const auto& [layer, entry] : layers_) {
-    if (!entry.editable) continue;
+    if (!entry.is_in(reach)) continue;
     const auto hit = entry.segments.nearest(place, radius_mm);
     if (!hit) continue;
     const double d = hit->nearest.distance_squared;

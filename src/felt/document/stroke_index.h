@@ -31,6 +31,12 @@ struct TipHit {
   double distance_mm = 0.0;
 };
 
+/// The strokes that a search finds.
+enum class StrokeReach : std::uint8_t {
+  kEditable,  ///< those on visible, unlocked layers
+  kVisible,   ///< those on visible layers
+};
+
 /// The result of a search for the nearest point on strokes.
 struct StrokeHit {
   StrokeId stroke;
@@ -41,7 +47,7 @@ struct StrokeHit {
 
 /// A spatial index of a document's strokes, for tools. It finds the ends of open strokes, for
 /// snapping, and the segments of all editable strokes. Strokes are editable if their layer is
-/// visible and unlocked.
+/// visible and unlocked. Two searches also find strokes on locked layers (StrokeReach).
 ///
 /// The segments of each layer are in a forest of trees (SegmentForest). A query takes logarithmic
 /// time in the number of segments of each editable layer. An edit takes about a microsecond per
@@ -69,17 +75,19 @@ class StrokeIndex {
   /// Call it for every edit, in order.
   void update(const Edit& edit, const Document& document);
 
-  /// Returns the point on an editable stroke nearest to `place`, or nullopt if no such point is
-  /// within radius_mm (R19, R20). If several visited points have the same distance, returns the one
-  /// with the lowest stroke id and u.
-  [[nodiscard]] std::optional<StrokeHit> nearest(Point place, double radius_mm) const;
-  /// Calls visit(StrokeId, int segment) for every segment of an editable stroke if the segment's
-  /// box (of the curve, without its width) intersects the area. The order is unspecified.
+  /// Returns the point on a stroke nearest to `place`, or nullopt if no such point is within
+  /// radius_mm (R19, R20). If several visited points have the same distance, returns the one with
+  /// the lowest stroke id and u.
+  [[nodiscard]] std::optional<StrokeHit> nearest(Point place, double radius_mm,
+                                                 StrokeReach reach = StrokeReach::kEditable) const;
+  /// Calls visit(StrokeId, int segment) for every segment of a stroke if the segment's box (of the
+  /// curve, without its width) intersects the area. The order is unspecified.
   template <class Visit>
-  void for_each_segment_in(const Rect& area, Visit visit) const {
+  void for_each_segment_in(const Rect& area, Visit visit,
+                           StrokeReach reach = StrokeReach::kEditable) const {
     index_strokes_in(area);
     for (const auto& [id, layer] : layers_) {
-      if (layer.editable) layer.segments.for_each_in(area, visit);
+      if (layer.is_in(reach)) layer.segments.for_each_in(area, visit);
     }
   }
   /// Calls visit(StrokeId, int segment) once for every segment of an editable stroke if its ink
@@ -142,7 +150,8 @@ class StrokeIndex {
   void index(std::span<const UnindexedStrokes::Entry> entries) const;
   void remove(StrokeId id, const Stroke& stroke);
 
-  [[nodiscard]] std::optional<StrokeHit> nearest_within_reach(Point place, double radius_mm) const;
+  [[nodiscard]] std::optional<StrokeHit> nearest_within(Point place, double radius_mm,
+                                                        StrokeReach reach) const;
   void update_segments(const Edit& edit, const Document& document);
 
   struct Broad {
@@ -161,9 +170,17 @@ class StrokeIndex {
   };
   struct LayerSegments {
     bool editable = true;  ///< visible and not locked
+    bool visible = true;
     SegmentForest segments;
     std::map<StrokeId, Broad> broad;  ///< the strokes broader than kBroadMm
 
+    [[nodiscard]] bool is_in(StrokeReach reach) const noexcept {
+      return reach == StrokeReach::kVisible ? visible : editable;
+    }
+    void show(bool is_visible, bool is_locked) noexcept {
+      visible = is_visible;
+      editable = is_visible && !is_locked;
+    }
     void update(std::span<const SegmentForest::Change> changes);
   };
 

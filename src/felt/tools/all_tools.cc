@@ -7,6 +7,7 @@
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/pull/pull_tool.h"
+#include "felt/tools/read/read_tool.h"
 #include "felt/tools/recolor/recolor_tool.h"
 #include "felt/tools/shape/shape_tool.h"
 #include "felt/tools/smooth/smooth_tool.h"
@@ -30,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   tools.push_back(make_shape());
   tools.push_back(make_gather());
   tools.push_back(make_fill());
+  tools.push_back(make_read());
   return tools;
 }
 

@@ -14,6 +14,7 @@
 #include "felt/tools/contact.h"
 #include "felt/tools/offer.h"
 #include "felt/tools/overlay.h"
+#include "felt/tools/reading.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/tool_options.h"
 
@@ -36,6 +37,7 @@ enum class ToolKind : std::uint8_t {
              ///< whose boundary is opened: "close" or "remove"
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
+  kReads,       ///< changes nothing; reports what is under the pen (Tool::reading)
 };
 
 /// The path of a typical gesture. Tests of devices and of the haptic loop perform it.
@@ -138,6 +140,9 @@ class Tool {
   /// otherwise.
   virtual Result<void> set_option(std::string_view id, const OptionValue& value) = 0;
   [[nodiscard]] virtual Result<OptionValue> option(std::string_view id) const = 0;
+
+  /// Returns what is under the pen, or null if the tool does not read (ToolKind::kReads).
+  [[nodiscard]] virtual const Reading* reading() const { return nullptr; }
 
   /// Returns the value of the option that the current ToolUse names as the tool's size, or nullopt
   /// if it does not name any.

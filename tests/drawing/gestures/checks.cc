@@ -134,6 +134,21 @@ Broken check_overlay(const Overlay& overlay, const Document& document, std::size
   return std::nullopt;
 }
 
+Broken check_reading(const Reading& reading, const Document& document) {
+  using Kind = Reading::Kind;
+  const bool on_line =
+      reading.kind == Kind::kLine || reading.kind == Kind::kEnd || reading.kind == Kind::kCrossing;
+  if (on_line != static_cast<bool>(reading.stroke)) return "a reading without its line";
+  if (on_line && !document.find(reading.stroke)) return "a reading of a line that is not there";
+  const bool on_fill = reading.kind == Kind::kFill;
+  if (on_fill && !document.find_fill(reading.fill)) return "a reading of a fill that is not there";
+  if (reading.kind == Kind::kCrossing && reading.lines < 2) return "a crossing of one line";
+  const bool fine =
+      reading.distance_mm >= 0.0 && reading.length_mm >= 0.0 && std::isfinite(reading.length_mm);
+  if (!fine) return "a reading with a number that is no length";
+  return std::nullopt;
+}
+
 ForceProbe::ForceProbe(const Capabilities& device) : device_(device) {
   memory_.period_s = 1e-9 * static_cast<double>(device.period_ns);
   memory_.material_cap_n_per_m = device.max_stiffness_n_per_m;

@@ -24,6 +24,10 @@ Broken check_selection(const Document& document, const Selection& selection);
 /// and a gesture of `samples` samples explain.
 Broken check_overlay(const Overlay& overlay, const Document& document, std::size_t samples);
 
+/// Checks that a reading names only strokes and fills that `document` has, and that its numbers are
+/// lengths.
+Broken check_reading(const Reading& reading, const Document& document);
+
 /// Evaluates force models as the haptic loop does, with the same ForceMemory for all calls.
 class ForceProbe {
  public:

@@ -172,6 +172,10 @@ void Episode::take(const PenSample& sample) {
   if (commits_ > touches_) return break_rule("a gesture is more than one step");
   if (!is_place) return;
   if (session_.preview()) ++tool_totals().previews;
+  if (const Reading* reading = session_.tool().reading()) {
+    if (std::exchange(last_news_, reading->news) != reading->news) ++tool_totals().readings;
+    break_rule(check_reading(*reading, session_.document()));
+  }
   if (!(session_.selection() == last_selection_)) {
     last_selection_ = session_.selection();
     ++tool_totals().selections;

@@ -18,7 +18,8 @@ namespace felt::gestures {
 /// Counts of the gestures with one tool and of their effects.
 struct ToolTotals {
   std::uint64_t gestures = 0, edits = 0, previews = 0, selections = 0;
-  double largest_n = 0.0;  ///< largest force without those of the surface, in N
+  std::uint64_t readings = 0;  ///< of different things under the pen (Tool::reading)
+  double largest_n = 0.0;      ///< largest force without those of the surface, in N
 };
 
 struct Totals {
@@ -92,6 +93,7 @@ class Episode {
   VelocityFilter velocity_;
   std::int64_t velocity_ns_ = 0;
   Selection last_selection_;
+  std::uint32_t last_news_ = 0;
   Overlay overlay_;
   Document last_;  // the document before the next edit
   Document start_;

@@ -72,7 +72,8 @@ void print(const Options& options, const Totals& totals) {
 /// rule, so the run would prove nothing about it.
 const char* idle_tool(const Totals& totals) {
   for (const auto& [tool, t] : totals.tools) {
-    if (t.gestures >= 100 && t.edits + t.selections < t.gestures / 50) return tool.c_str();
+    if (t.gestures >= 100 && t.edits + t.selections + t.readings < t.gestures / 50)
+      return tool.c_str();
   }
   return nullptr;
 }
