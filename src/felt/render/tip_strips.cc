@@ -18,9 +18,9 @@ Vec strip_direction(Vec from, Vec to) noexcept {
 /// Rounds to a fine grid, so that a point is the same in a picture that begins some pixels further
 /// on, despite earlier rounding.
 TipAt on_grid(TipAt tip) noexcept {
-  constexpr double kGrid = 1024.0;
-  tip.center_px = {std::floor(kGrid * tip.center_px.x + 0.5) / kGrid,
-                   std::floor(kGrid * tip.center_px.y + 0.5) / kGrid};
+  constexpr double kStepsPerPx = 1024.0;
+  tip.center_px = {std::floor(kStepsPerPx * tip.center_px.x + 0.5) / kStepsPerPx,
+                   std::floor(kStepsPerPx * tip.center_px.y + 0.5) / kStepsPerPx};
   return tip;
 }
 

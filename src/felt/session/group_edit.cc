@@ -109,10 +109,9 @@ class LayerStack {
 using LayerRange = LayerStack::Range;
 
 /// Returns the index to which kRaise or kLower moves these layers, in the order without them. In a
-/// group, they pass one layer; outside of groups (`group` is not set), a layer or a whole group.
-std::size_t passed(const LayerStack& stack, LayerRange range, Do what,
-                   std::optional<LayerRange> group) {
-  const LayerRange all = group.value_or(LayerRange{0, stack.size()});
+/// group, they pass one layer; outside of groups (`group` is null), a layer or a whole group.
+std::size_t passed(const LayerStack& stack, LayerRange range, Do what, const LayerGroup* group) {
+  const LayerRange all = group ? stack.range_of(group->id) : LayerRange{0, stack.size()};
   if (what == Do::kRaise) {
     if (range.last >= all.last) return range.first;
     return range.first + (group ? 1 : stack.unit_of(range.last).size());
@@ -123,7 +122,7 @@ std::size_t passed(const LayerStack& stack, LayerRange range, Do what,
 
 Result<Edit> moved_group(LayerStack& stack, LayerRange range, const LayerEvent& event) {
   std::size_t index = event.index;
-  if (event.what != Do::kMove) index = passed(stack, range, event.what, std::nullopt);
+  if (event.what != Do::kMove) index = passed(stack, range, event.what, nullptr);
   auto layers = stack.take(range);
   stack.insert(stack.outside(std::min(index, stack.size())), std::move(layers));
   return stack.edit(label_of(event.what));
@@ -280,10 +279,7 @@ Result<Edit> layer_move(const Document& document, const LayerEvent& event) {
   const LayerGroupPtr own = stack.group(range.first);
   std::size_t index = event.index;
   const bool passes = event.what != Do::kMove;
-  if (passes) {
-    const auto group = own ? std::optional(stack.range_of(own->id)) : std::nullopt;
-    index = passed(stack, range, event.what, group);
-  }
+  if (passes) index = passed(stack, range, event.what, own.get());
   std::vector<LayerStack::Entry> taken = stack.take(range);
   index = std::min(index, stack.size());
   LayerGroupPtr& group = taken.front().state.group;

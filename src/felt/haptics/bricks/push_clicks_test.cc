@@ -18,7 +18,9 @@ PushClicks two_clicks() {
 }
 
 PenSample at_depth(double depth_mm) {
-  return {.time_ns = 0, .position = {0, 0, -depth_mm}};
+  PenSample sample;
+  sample.position = {0, 0, -depth_mm};
+  return sample;
 }
 
 /// Plays depths at 1 kHz and returns the forces in z.
@@ -59,8 +61,8 @@ TEST(PushClicks, OneClickForEachThresholdAndDirection) {
   EXPECT_EQ(pulses(forces), 4);
   // Against the movement: out of the surface on the way in, into the surface on the way out.
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    if (i < 702) EXPECT_GE(forces[i], 0.0) << i;
-    if (i > 702) EXPECT_LE(forces[i], 0.0) << i;
+    const double against = i < 702 ? forces[i] : -forces[i];
+    EXPECT_GE(against, 0.0) << i;
   }
   EXPECT_NEAR(*std::max_element(forces.begin(), forces.end()), PushClicks::kForceN, 0.01);
 }
