@@ -71,9 +71,9 @@ std::optional<double> value_for(const Field& field, const TomlEntry& entry) {
 }
 
 /// Reads entries into a material and collects the problems.
-class Reading {
+class TextReader {
  public:
-  explicit Reading(const MaterialSource& source) : source_(source) {}
+  explicit TextReader(const MaterialSource& source) : source_(source) {}
 
   std::optional<AnyMaterial> material_of(const std::vector<TomlEntry>& entries) {
     const TomlEntry* kind = find(entries, "kind");
@@ -311,7 +311,7 @@ std::optional<AnyMaterial> read(std::string_view text, const MaterialSource& sou
     return std::nullopt;
   }
   rename_former_keys(*entries);
-  Reading reading(source);
+  TextReader reading(source);
   std::optional<AnyMaterial> material = reading.material_of(*entries);
   problems = std::move(reading).problems();
   return material;

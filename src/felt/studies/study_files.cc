@@ -26,9 +26,9 @@ Rect box_of(std::span<const Point> points) {
 }
 
 /// Reads the files of a study, each of them once.
-class Reading {
+class StudyReader {
  public:
-  explicit Reading(const std::string& path) : path_(path) {
+  explicit StudyReader(const std::string& path) : path_(path) {
     const std::string name = std::filesystem::path(path).filename().string();
     folder_ = path.substr(0, path.size() - name.size());
     files_.sources.emplace_back(name, "");
@@ -173,7 +173,7 @@ class Reading {
 }  // namespace
 
 Result<StudyFiles> read_study_files(const std::string& path) {
-  return Reading(path).read();
+  return StudyReader(path).read();
 }
 
 StudyPath model_of(const StudyPath& path) {
