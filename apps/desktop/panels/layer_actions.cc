@@ -98,6 +98,21 @@ void add_use(Actions& actions, LayersPanel& panel) {
               [&panel] { panel.use_next(false); });
 }
 
+QAction* add_picture(Actions& actions, Studio& studio, LayersPanel& panel) {
+  QAction* exported =
+      actions.add_switch(QStringLiteral("layer.export_picture"),
+                         layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Export the picture")), {},
+                         layer_text(QT_TRANSLATE_NOOP(
+                             "LayerActions", "Shows the picture of the layer in exported files.")),
+                         false, [&panel, &studio](bool on) {
+                           const Layer* layer = studio.session().document().layer(panel.chosen());
+                           if (!layer || !layer->picture || layer->picture->exported == on) return;
+                           panel.apply(on ? Do::kExport : Do::kLeaveOut);
+                         });
+  exported->setIcon(icon_of("picture"));
+  return exported;
+}
+
 }  // namespace
 
 void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
@@ -131,17 +146,7 @@ void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
         if (is_locked() != on) panel.toggle_locked();
       });
   lock->setIcon(icon_of("lock"));
-  QAction* exported =
-      actions.add_switch(QStringLiteral("layer.export_picture"),
-                         layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Export the picture")), {},
-                         layer_text(QT_TRANSLATE_NOOP(
-                             "LayerActions", "Shows the picture of the layer in exported files.")),
-                         false, [&panel, chosen](bool on) {
-                           const Layer* layer = chosen();
-                           if (!layer || !layer->picture || layer->picture->exported == on) return;
-                           panel.apply(on ? Do::kExport : Do::kLeaveOut);
-                         });
-  exported->setIcon(icon_of("picture"));
+  QAction* exported = add_picture(actions, studio, panel);
   add_use(actions, panel);
   const auto follow = [&actions, &panel, chosen, chosen_group, is_visible, is_locked, show, lock,
                        exported] {

@@ -296,7 +296,8 @@ Result<Image> scene_picture(const PaintedScene& scene, int width_px, int height_
     Painter in_group(group, px_per_mm);
     for (; i < end; ++i) (first.group == 0 ? painter : in_group).paint(scene.shapes[i]);
     if (first.group == 0) continue;
-    blend(group.pixels(), group.pixels().rect(), first.group_opacity, image->pixels());
+    blend(group.pixels(), group.pixels().rect(), first.group_opacity, BlendMode::kNormal,
+          scene.paper, image->pixels());
   }
   return image;
 }

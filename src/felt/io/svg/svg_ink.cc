@@ -114,44 +114,6 @@ void SvgInk::paper(Rgba color) {
   if (drawing.has_page && !has_page_attribute_) drawing.page.paper = color;
 }
 
-void SvgInk::layer(const SvgLayer& layer) {
-  end_group();
-  begin_layer(layer);
-}
-
-void SvgInk::begin_layer(const SvgLayer& layer) {
-  if (builder_.layer_count() >= limits::kMaxSvgLayers) {
-    return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
-  }
-  std::string name = layer.number == 0 ? kSvgLayerName : svg_clean_name(layer.label);
-  layer_state_ = {std::move(name), layer.visible, layer.locked, layer.opacity, {}, layer.blend};
-  if (layer.group) {
-    const SvgLayer::Group& group = *layer.group;
-    layer_state_.group = std::make_shared<const LayerGroup>(LayerGroup{{group.number},
-                                                                       svg_clean_name(group.label),
-                                                                       group.visible,
-                                                                       group.locked,
-                                                                       group.opacity,
-                                                                       group.blend});
-  }
-  add_layer(layer_state_);
-}
-
-void SvgInk::add_layer(LayerState state) {
-  top_state_ = std::move(state);
-  builder_.add_layer(top_state_);
-  layer_ink_.clear();
-  top_is_empty_ = true;
-  needs_layer_ = false;
-}
-
-/// Makes sure that the top layer is the one for the next stroke or fill.
-void SvgInk::ready_layer() {
-  if (builder_.layer_count() == 0) begin_layer({});
-  if (needs_layer_) add_layer(layer_state_);
-  top_is_empty_ = false;
-}
-
 void SvgInk::add_shape(SvgShape shape) {
   has_part_ = false;
   const bool lowest = std::exchange(may_be_paper_, false);

@@ -1,4 +1,4 @@
-// Transparent groups, pictures, and the page of files without a size.
+// Layers, transparent groups, pictures, and the page of files without a size.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -45,6 +45,44 @@ std::optional<Affine> place_of(const SvgImage& image, const PictureData& data) {
 }
 
 }  // namespace
+
+void SvgInk::layer(const SvgLayer& layer) {
+  end_group();
+  begin_layer(layer);
+}
+
+void SvgInk::begin_layer(const SvgLayer& layer) {
+  if (builder_.layer_count() >= limits::kMaxSvgLayers) {
+    return notice(0, "svg", "has more than 10000 layers; the others were merged into the last");
+  }
+  std::string name = layer.number == 0 ? kSvgLayerName : svg_clean_name(layer.label);
+  layer_state_ = {std::move(name), layer.visible, layer.locked, layer.opacity, {}, layer.blend};
+  if (layer.group) {
+    const SvgLayer::Group& group = *layer.group;
+    layer_state_.group = std::make_shared<const LayerGroup>(LayerGroup{{group.number},
+                                                                       svg_clean_name(group.label),
+                                                                       group.visible,
+                                                                       group.locked,
+                                                                       group.opacity,
+                                                                       group.blend});
+  }
+  add_layer(layer_state_);
+}
+
+void SvgInk::add_layer(LayerState state) {
+  top_state_ = std::move(state);
+  builder_.add_layer(top_state_);
+  layer_ink_.clear();
+  top_is_empty_ = true;
+  needs_layer_ = false;
+}
+
+/// Makes sure that the top layer is the one for the next stroke or fill.
+void SvgInk::ready_layer() {
+  if (builder_.layer_count() == 0) begin_layer({});
+  if (needs_layer_) add_layer(layer_state_);
+  top_is_empty_ = false;
+}
 
 void SvgInk::shape(SvgShape shape) {
   if (shape.group != group_.number) end_group();
