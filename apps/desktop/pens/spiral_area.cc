@@ -13,17 +13,17 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kTurns = 5.0;
-constexpr int kPieces = 400;
-constexpr double kMarginPx = 12.0, kGuidePx = 6.0, kInkPx = 1.6;
+constexpr int kSpiralPieces = 400;
+constexpr double kSpiralMarginPx = 12.0, kGuidePx = 6.0, kInkPx = 1.6;
 constexpr double kMmPerInch = 25.4;
 /// Samples beyond this are not kept: a minute at 1 kHz.
 constexpr std::size_t kMaxSamples = 60'000;
 
 QPainterPath guide_spiral(const QRectF& area) {
-  const double radius = 0.5 * std::min(area.width(), area.height()) - kMarginPx;
+  const double radius = 0.5 * std::min(area.width(), area.height()) - kSpiralMarginPx;
   QPainterPath path(area.center());
-  for (int i = 1; i <= kPieces; ++i) {
-    const double u = double(i) / kPieces, a = 2.0 * std::numbers::pi * kTurns * u;
+  for (int i = 1; i <= kSpiralPieces; ++i) {
+    const double u = double(i) / kSpiralPieces, a = 2.0 * std::numbers::pi * kTurns * u;
     path.lineTo(area.center() + radius * u * QPointF(std::cos(a), std::sin(a)));
   }
   return path;

@@ -147,7 +147,8 @@ class Painter {
     for (std::size_t i = 0; i < mask.bytes().size(); ++i) {
       to[i] = static_cast<std::uint8_t>(to[i] * mask.bytes()[i / 4 * 4 + 3] / 255);
     }
-    blend(shape.pixels(), shape.pixels().rect(), 1.0, target_);
+    blend(shape.pixels(), shape.pixels().rect(), 1.0, BlendMode::kNormal, {255, 255, 255, 255},
+          target_);
   }
 
   void fill(const SvgShape& shape) {
