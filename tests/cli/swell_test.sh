@@ -4,8 +4,8 @@
 # A line of 100 mm, a narrower one of another colour, and an area.
 cat >map.svg <<'END'
 <svg xmlns="http://www.w3.org/2000/svg" width="297mm" height="210mm" viewBox="0 0 297 210">
-<path d="M50 30H150" fill="none" stroke="#1030c0" stroke-width="2"/>
-<path d="M50 60H150" fill="none" stroke="#c03010" stroke-width="0.3" stroke-opacity="0.5"/>
+<path d="M50 30H150" fill="none" stroke="#1030c0" stroke-width="2" stroke-linecap="round"/>
+<path d="M50 60H150" fill="none" stroke="#c03010" stroke-width="0.3" stroke-opacity="0.5" stroke-linecap="round"/>
 <path d="M50 90H150V150H50Z" fill="#20a040"/>
 </svg>
 END

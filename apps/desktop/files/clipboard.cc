@@ -37,8 +37,13 @@ QByteArray bytes_of(const std::string& text) {
   return QByteArray(text.data(), qsizetype(text.size()));
 }
 
-QByteArray ndjson_of(const Drawing& drawing) {
+/// Returns the drawing for Feltline: as lines of JSON or, because these cannot hold fills, as SVG.
+QByteArray strokes_of(const Drawing& drawing) {
   std::string text;
+  if (drawing.document.fill_count() > 0) {
+    const Result<std::string> svg = svg_text(drawing, {.margin_mm = kMarginMm});
+    if (svg) return bytes_of(*svg);
+  }
   append_sketch_lines(text, drawing.document);
   return bytes_of(text);
 }
@@ -119,7 +124,7 @@ class PromisedStrokes final : public QMimeData {
   [[nodiscard]] QVariant retrieveData(const QString& mime, QMetaType) const override {
     QVariant& made = made_[mime];
     if (made.isValid()) return made;
-    if (mime == QLatin1String(kStrokesMime)) made = ndjson_of(drawing_);
+    if (mime == QLatin1String(kStrokesMime)) made = strokes_of(drawing_);
     if (mime == QLatin1String(kMaterialsMime)) made = json_of(drawing_.materials);
     if (mime == kSvgMime) made = svg_of(drawing_);
     if (mime == kImageMime) made = picture_of(drawing_);

@@ -105,11 +105,11 @@ TEST(Export, FillsGoWithTheSelectionIfItHasAllTheirLines) {
   fixture.draw_filled_squares();
   const Drawing drawing = fixture.files->drawing();
   ASSERT_EQ(drawing.document.fill_count(), 3u);
-  const auto fills_with = [&](std::uint64_t from, std::uint64_t to) {
+  const auto fills_with = [&](std::size_t from, std::size_t to) {
     Selection selection;
-    for (std::uint64_t id = from; id <= to; ++id) {
-      const StrokePtr stroke = drawing.document.find(StrokeId{id});
-      selection.set_whole(StrokeId{id}, stroke->data().points.size());
+    for (std::size_t i = from; i <= to; ++i) {
+      const StrokeId id = drawing.document.layers().back().strokes.at(i - 1);
+      selection.set_whole(id, drawing.document.find(id)->data().points.size());
     }
     return selected_only(drawing, selection).document;
   };

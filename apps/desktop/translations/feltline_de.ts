@@ -903,6 +903,73 @@
     </message>
 </context>
 <context>
+    <name>OfferPopup</name>
+    <message>
+        <source>Delete 1 line</source>
+        <translation>1 Linie löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 lines</source>
+        <translation>%1 Linien löschen</translation>
+    </message>
+    <message>
+        <source>Select 1 line</source>
+        <translation>1 Linie auswählen</translation>
+    </message>
+    <message>
+        <source>Select %1 lines</source>
+        <translation>%1 Linien auswählen</translation>
+    </message>
+    <message>
+        <source>Straight line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Keep the ink</source>
+        <translation>Tinte behalten</translation>
+    </message>
+    <message>
+        <source>Take the &amp;offer at the pen</source>
+        <translation>&amp;Angebot am Stift annehmen</translation>
+    </message>
+    <message>
+        <source>Chooses what the last stroke is offered to mean: a gesture or a shape.</source>
+        <translation>Wählt, was der letzte Strich bedeuten kann: eine Geste oder eine Form.</translation>
+    </message>
+    <message>
+        <source>Take the &amp;second offer at the pen</source>
+        <translation>&amp;Zweites Angebot am Stift annehmen</translation>
+    </message>
+    <message>
+        <source>Chooses the second meaning, if two are offered.</source>
+        <translation>Wählt die zweite Bedeutung, wenn zwei angeboten werden.</translation>
+    </message>
+</context>
+<context>
     <name>OptionsPanel</name>
     <message>
         <source>on</source>
@@ -1481,6 +1548,41 @@
     <message>
         <source>Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm.</source>
         <translation>Körnung: Sie ist zu steil für die Regelschleife; zu spüren sind %1 von %2 µm.</translation>
+    </message>
+</context>
+<context>
+    <name>SwellWords</name>
+    <message>
+        <source>Lines widened: %1.</source>
+        <translation>Verbreiterte Linien: %1.</translation>
+    </message>
+    <message>
+        <source>Lines with another width: %1.</source>
+        <translation>Linien mit anderer Breite: %1.</translation>
+    </message>
+    <message>
+        <source>Lines made black: %1.</source>
+        <translation>Geschwärzte Linien: %1.</translation>
+    </message>
+    <message>
+        <source>Areas with a texture: %1.</source>
+        <translation>Flächen mit Muster: %1.</translation>
+    </message>
+    <message>
+        <source>Areas too narrow for a texture: %1.</source>
+        <translation>Für ein Muster zu schmale Flächen: %1.</translation>
+    </message>
+    <message>
+        <source>Pictures left out: %1.</source>
+        <translation>Weggelassene Bilder: %1.</translation>
+    </message>
+    <message>
+        <source>Faults that a fingertip would notice: %1. The panel “Tactile check” shows them.</source>
+        <translation>Fehler, die eine Fingerspitze bemerken würde: %1. Das Bedienfeld „Tastprüfung“ zeigt sie.</translation>
+    </message>
+    <message>
+        <source>Some colours share a texture.</source>
+        <translation>Manche Farben teilen sich ein Muster.</translation>
     </message>
 </context>
 <context>
@@ -4132,6 +4234,21 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::OfferPopup</name>
+    <message>
+        <source>Press harder; with a mouse, stay:</source>
+        <translation>Fester drücken; mit der Maus stehen bleiben:</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Taste: %1</translation>
+    </message>
+    <message>
+        <source>This stroke can be: %1</source>
+        <translation>Dieser Strich kann sein: %1</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::OptionRow</name>
     <message>
         <source>Reset %1</source>
@@ -4634,6 +4751,85 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::ReadingSpeech</name>
+    <message>
+        <source>red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>Türkis</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>Dunkelgrau</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>Braun</translation>
+    </message>
+    <message>
+        <source>line, %1, %2 mm</source>
+        <translation>Linie, %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>crossing of %1 lines</source>
+        <translation>Kreuzung von %1 Linien</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>Füllung, %1</translation>
+    </message>
+    <message>
+        <source>layer %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::RecoveryDialog</name>
     <message>
         <source>Untitled</source>
@@ -4868,6 +5064,17 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::SpiralArea</name>
+    <message>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>Draw along the spiral, from its middle outwards.</source>
+        <translation>Zeichnen Sie die Spirale nach, von der Mitte nach außen.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::StabilitySign</name>
     <message>
         <source>Stability</source>
@@ -4934,6 +5141,76 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::SteadyDialog</name>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds.</source>
+        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang.</translation>
+    </message>
+    <message>
+        <source>This pen reports its position too rarely to measure a shaking.</source>
+        <translation>Dieser Stift meldet seine Position zu selten, um ein Zittern zu messen.</translation>
+    </message>
+    <message>
+        <source>No shaking was found, so there is nothing to remove.</source>
+        <translation>Es wurde kein Zittern gefunden, also gibt es nichts zu entfernen.</translation>
+    </message>
+    <message>
+        <source>%L1 times a second, by %L2 mm to each side</source>
+        <translation>%L1-mal pro Sekunde, um %L2 mm zu jeder Seite</translation>
+    </message>
+    <message>
+        <source>Measure the hand</source>
+        <translation>Hand messen</translation>
+    </message>
+    <message>
+        <source>Trace the spiral slowly, from the middle outwards, without resting the hand. It takes about ten seconds. What is measured stays on this computer.</source>
+        <translation>Zeichnen Sie die Spirale langsam nach, von der Mitte nach außen, ohne die Hand abzulegen. Es dauert etwa zehn Sekunden. Was gemessen wird, bleibt auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>How much of the ten seconds is drawn</source>
+        <translation>Wie viel von den zehn Sekunden gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>The hand shakes %1.</source>
+        <translation>Die Hand zittert %1.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SteadyGroup</name>
+    <message>
+        <source>Steady hand</source>
+        <translation>Ruhige Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the shaking of the hand</source>
+        <translation>Das Zitte&amp;rn der Hand entfernen</translation>
+    </message>
+    <message>
+        <source>Lines become calm while you draw, and calmer when you lift the pen. The command Line as drawn brings the shaken line back.</source>
+        <translation>Linien werden ruhig, während Sie zeichnen, und ruhiger, wenn Sie den Stift heben. Der Befehl Linie wie gezeichnet holt die gezitterte Linie zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure…</source>
+        <translation>&amp;Messen…</translation>
+    </message>
+    <message>
+        <source>Measures how the hand shakes, by a spiral of ten seconds.</source>
+        <translation>Misst mit einer Spirale von zehn Sekunden, wie die Hand zittert.</translation>
+    </message>
+    <message>
+        <source>Set to a hand that shakes %1.</source>
+        <translation>Eingestellt auf eine Hand, die %1 zittert.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::StrokePreview</name>
     <message>
         <source>Three strokes: light, firm, hard</source>
@@ -4953,6 +5230,109 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>The surface “%1” is not installed, so the previous surface is used.</source>
         <translation>Der Untergrund „%1“ ist nicht installiert, daher wird der vorige verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TactilePanel</name>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Small shape</source>
+        <translation>Kleine Form</translation>
+    </message>
+    <message>
+        <source>Short side</source>
+        <translation>Kurze Seite</translation>
+    </message>
+    <message>
+        <source>Narrow area</source>
+        <translation>Schmale Fläche</translation>
+    </message>
+    <message>
+        <source>Line widths</source>
+        <translation>Linienbreiten</translation>
+    </message>
+    <message>
+        <source>Area colours</source>
+        <translation>Flächenfarben</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 mm between lines, for %2 mm; at least %3 mm</source>
+        <translation>%1 mm zwischen Linien, auf %2 mm; mindestens %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long; at least %2 mm</source>
+        <translation>%1 mm lang; mindestens %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm wide; at least %2 mm</source>
+        <translation>%1 mm breit; mindestens %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 different widths; at most %2</source>
+        <translation>%1 verschiedene Breiten; höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 colours, which feel the same</source>
+        <translation>%1 Farben, die sich gleich anfühlen</translation>
+    </message>
+    <message>
+        <source>%1 mm; at most %2 mm (A4)</source>
+        <translation>%1 mm; höchstens %2 mm (A4)</translation>
+    </message>
+    <message>
+        <source>Swell paper</source>
+        <translation>Schwellpapier</translation>
+    </message>
+    <message>
+        <source>An embosser</source>
+        <translation>Einen Prägedrucker</translation>
+    </message>
+    <message>
+        <source>Lines on swell paper must be 6.4 mm apart, embossed lines 3.2 mm</source>
+        <translation>Linien auf Schwellpapier brauchen 6,4 mm Abstand, geprägte Linien 3,2 mm</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Made &amp;for:</source>
+        <translation>Gedacht &amp;für:</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>The lines are longer than 100 m: too much for a raised drawing.</source>
+        <translation>Die Linien sind länger als 100 m: zu viel für eine tastbare Zeichnung.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No faults.</source>
+        <translation>Keine Fehler.</translation>
+    </message>
+    <message>
+        <source>%1 faults; the first %2 are shown.</source>
+        <translation>%1 Fehler; die ersten %2 sind zu sehen.</translation>
+    </message>
+    <message>
+        <source>Faults: %1. Click one to go to it.</source>
+        <translation>Fehler: %1. Ein Klick führt hin.</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5976,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Force level of friction, grain, attraction and pull. Does not affect the hardness of the surface.</source>
         <translation>Stärke von Reibung, Körnung, Anziehung und Zug. Die Härte des Untergrunds bleibt gleich.</translation>
-    </message>
-    <message>
-        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
-        <translation>Stärke von Reibung, Körnung, Anziehung und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
         <source>Force level of friction, stops and pull. Does not affect the hardness of the surface.</source>
@@ -6665,385 +7041,21 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Force level of the lines. Does not affect the hardness of the surface.</source>
         <translation>Stärke der Kräfte der Linien. Die Härte der Oberfläche bleibt gleich.</translation>
     </message>
-</context>
-<context>
-    <name>felt::desktop::SpiralArea</name>
     <message>
-        <source>Spiral</source>
-        <translation>Spirale</translation>
+        <source>Holds the width at steps such as 0.3, 0.5 and 0.7 mm. A force-feedback pen clicks from step to step.</source>
+        <translation>Hält die Breite auf Stufen wie 0,3, 0,5 und 0,7 mm. Ein Stift mit Kraftrückmeldung klickt von Stufe zu Stufe.</translation>
     </message>
     <message>
-        <source>Draw along the spiral, from its middle outwards.</source>
-        <translation>Zeichnen Sie die Spirale nach, von der Mitte nach außen.</translation>
+        <source>Press hard for whole lines</source>
+        <translation>Fest drücken für ganze Linien</translation>
     </message>
-</context>
-<context>
-    <name>felt::desktop::SteadyDialog</name>
     <message>
-        <source>That was too short. Draw slowly, for about ten seconds.</source>
-        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang.</translation>
+        <source>Pressing hard erases the whole line under the ring. A force-feedback pen clicks at this pressure.</source>
+        <translation>Festes Drücken löscht die ganze Linie unter dem Ring. Ein Stift mit Kraftrückmeldung klickt bei diesem Druck.</translation>
     </message>
     <message>
-        <source>This pen reports its position too rarely to measure a shaking.</source>
-        <translation>Dieser Stift meldet seine Position zu selten, um ein Zittern zu messen.</translation>
-    </message>
-    <message>
-        <source>No shaking was found, so there is nothing to remove.</source>
-        <translation>Es wurde kein Zittern gefunden, also gibt es nichts zu entfernen.</translation>
-    </message>
-    <message>
-        <source>%L1 times a second, by %L2 mm to each side</source>
-        <translation>%L1-mal pro Sekunde, um %L2 mm zu jeder Seite</translation>
-    </message>
-    <message>
-        <source>Measure the hand</source>
-        <translation>Hand messen</translation>
-    </message>
-    <message>
-        <source>Trace the spiral slowly, from the middle outwards, without resting the hand. It takes about ten seconds. What is measured stays on this computer.</source>
-        <translation>Zeichnen Sie die Spirale langsam nach, von der Mitte nach außen, ohne die Hand abzulegen. Es dauert etwa zehn Sekunden. Was gemessen wird, bleibt auf diesem Computer.</translation>
-    </message>
-    <message>
-        <source>How much of the ten seconds is drawn</source>
-        <translation>Wie viel von den zehn Sekunden gezeichnet ist</translation>
-    </message>
-    <message>
-        <source>&amp;Use</source>
-        <translation>&amp;Verwenden</translation>
-    </message>
-    <message>
-        <source>&amp;Start again</source>
-        <translation>&amp;Neu beginnen</translation>
-    </message>
-    <message>
-        <source>The hand shakes %1.</source>
-        <translation>Die Hand zittert %1.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::SteadyGroup</name>
-    <message>
-        <source>Steady hand</source>
-        <translation>Ruhige Hand</translation>
-    </message>
-    <message>
-        <source>&amp;Remove the shaking of the hand</source>
-        <translation>Das Zitte&amp;rn der Hand entfernen</translation>
-    </message>
-    <message>
-        <source>Lines become calm while you draw, and calmer when you lift the pen. The command Line as drawn brings the shaken line back.</source>
-        <translation>Linien werden ruhig, während Sie zeichnen, und ruhiger, wenn Sie den Stift heben. Der Befehl Linie wie gezeichnet holt die gezitterte Linie zurück.</translation>
-    </message>
-    <message>
-        <source>&amp;Measure…</source>
-        <translation>&amp;Messen…</translation>
-    </message>
-    <message>
-        <source>Measures how the hand shakes, by a spiral of ten seconds.</source>
-        <translation>Misst mit einer Spirale von zehn Sekunden, wie die Hand zittert.</translation>
-    </message>
-    <message>
-        <source>Set to a hand that shakes %1.</source>
-        <translation>Eingestellt auf eine Hand, die %1 zittert.</translation>
-    </message>
-</context>
-<context>
-    <name>OfferPopup</name>
-    <message>
-        <source>Delete 1 line</source>
-        <translation>1 Linie löschen</translation>
-    </message>
-    <message>
-        <source>Delete %1 lines</source>
-        <translation>%1 Linien löschen</translation>
-    </message>
-    <message>
-        <source>Select 1 line</source>
-        <translation>1 Linie auswählen</translation>
-    </message>
-    <message>
-        <source>Select %1 lines</source>
-        <translation>%1 Linien auswählen</translation>
-    </message>
-    <message>
-        <source>Straight line</source>
-        <translation>Gerade</translation>
-    </message>
-    <message>
-        <source>Arc</source>
-        <translation>Bogen</translation>
-    </message>
-    <message>
-        <source>Circle</source>
-        <translation>Kreis</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>Ellipse</translation>
-    </message>
-    <message>
-        <source>Triangle</source>
-        <translation>Dreieck</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rechteck</translation>
-    </message>
-    <message>
-        <source>Polygon</source>
-        <translation>Vieleck</translation>
-    </message>
-    <message>
-        <source>Keep the ink</source>
-        <translation>Tinte behalten</translation>
-    </message>
-    <message>
-        <source>Take the &amp;offer at the pen</source>
-        <translation>&amp;Angebot am Stift annehmen</translation>
-    </message>
-    <message>
-        <source>Chooses what the last stroke is offered to mean: a gesture or a shape.</source>
-        <translation>Wählt, was der letzte Strich bedeuten kann: eine Geste oder eine Form.</translation>
-    </message>
-    <message>
-        <source>Take the &amp;second offer at the pen</source>
-        <translation>&amp;Zweites Angebot am Stift annehmen</translation>
-    </message>
-    <message>
-        <source>Chooses the second meaning, if two are offered.</source>
-        <translation>Wählt die zweite Bedeutung, wenn zwei angeboten werden.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::OfferPopup</name>
-    <message>
-        <source>Press harder; with a mouse, stay:</source>
-        <translation>Fester drücken; mit der Maus stehen bleiben:</translation>
-    </message>
-    <message>
-        <source>Key: %1</source>
-        <translation>Taste: %1</translation>
-    </message>
-    <message>
-        <source>This stroke can be: %1</source>
-        <translation>Dieser Strich kann sein: %1</translation>
-    </message>
-</context>
-<context>
-    <name>SwellWords</name>
-    <message>
-        <source>Lines widened: %1.</source>
-        <translation>Verbreiterte Linien: %1.</translation>
-    </message>
-    <message>
-        <source>Lines with another width: %1.</source>
-        <translation>Linien mit anderer Breite: %1.</translation>
-    </message>
-    <message>
-        <source>Lines made black: %1.</source>
-        <translation>Geschwärzte Linien: %1.</translation>
-    </message>
-    <message>
-        <source>Areas with a texture: %1.</source>
-        <translation>Flächen mit Muster: %1.</translation>
-    </message>
-    <message>
-        <source>Areas too narrow for a texture: %1.</source>
-        <translation>Für ein Muster zu schmale Flächen: %1.</translation>
-    </message>
-    <message>
-        <source>Pictures left out: %1.</source>
-        <translation>Weggelassene Bilder: %1.</translation>
-    </message>
-    <message>
-        <source>Faults that a fingertip would notice: %1. The panel “Tactile check” shows them.</source>
-        <translation>Fehler, die eine Fingerspitze bemerken würde: %1. Das Bedienfeld „Tastprüfung“ zeigt sie.</translation>
-    </message>
-    <message>
-        <source>Some colours share a texture.</source>
-        <translation>Manche Farben teilen sich ein Muster.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::ReadingSpeech</name>
-    <message>
-        <source>red</source>
-        <translation>Rot</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>Orange</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>Gelb</translation>
-    </message>
-    <message>
-        <source>green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <source>turquoise</source>
-        <translation>Türkis</translation>
-    </message>
-    <message>
-        <source>blue</source>
-        <translation>Blau</translation>
-    </message>
-    <message>
-        <source>violet</source>
-        <translation>Violett</translation>
-    </message>
-    <message>
-        <source>pink</source>
-        <translation>Rosa</translation>
-    </message>
-    <message>
-        <source>black</source>
-        <translation>Schwarz</translation>
-    </message>
-    <message>
-        <source>white</source>
-        <translation>Weiß</translation>
-    </message>
-    <message>
-        <source>dark grey</source>
-        <translation>Dunkelgrau</translation>
-    </message>
-    <message>
-        <source>grey</source>
-        <translation>Grau</translation>
-    </message>
-    <message>
-        <source>brown</source>
-        <translation>Braun</translation>
-    </message>
-    <message>
-        <source>line, %1, %2 mm</source>
-        <translation>Linie, %1, %2 mm</translation>
-    </message>
-    <message>
-        <source>end</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
-        <source>crossing of %1 lines</source>
-        <translation>Kreuzung von %1 Linien</translation>
-    </message>
-    <message>
-        <source>fill, %1</source>
-        <translation>Füllung, %1</translation>
-    </message>
-    <message>
-        <source>layer %1</source>
-        <translation>Ebene %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::TactilePanel</name>
-    <message>
-        <source>Gap</source>
-        <translation>Lücke</translation>
-    </message>
-    <message>
-        <source>Small shape</source>
-        <translation>Kleine Form</translation>
-    </message>
-    <message>
-        <source>Short side</source>
-        <translation>Kurze Seite</translation>
-    </message>
-    <message>
-        <source>Narrow area</source>
-        <translation>Schmale Fläche</translation>
-    </message>
-    <message>
-        <source>Line widths</source>
-        <translation>Linienbreiten</translation>
-    </message>
-    <message>
-        <source>Area colours</source>
-        <translation>Flächenfarben</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>%1 mm between lines, for %2 mm; at least %3 mm</source>
-        <translation>%1 mm zwischen Linien, auf %2 mm; mindestens %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm long; at least %2 mm</source>
-        <translation>%1 mm lang; mindestens %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm wide; at least %2 mm</source>
-        <translation>%1 mm breit; mindestens %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 different widths; at most %2</source>
-        <translation>%1 verschiedene Breiten; höchstens %2</translation>
-    </message>
-    <message>
-        <source>%1 colours, which feel the same</source>
-        <translation>%1 Farben, die sich gleich anfühlen</translation>
-    </message>
-    <message>
-        <source>%1 mm; at most %2 mm (A4)</source>
-        <translation>%1 mm; höchstens %2 mm (A4)</translation>
-    </message>
-    <message>
-        <source>Swell paper</source>
-        <translation>Schwellpapier</translation>
-    </message>
-    <message>
-        <source>An embosser</source>
-        <translation>Einen Prägedrucker</translation>
-    </message>
-    <message>
-        <source>Lines on swell paper must be 6.4 mm apart, embossed lines 3.2 mm</source>
-        <translation>Linien auf Schwellpapier brauchen 6,4 mm Abstand, geprägte Linien 3,2 mm</translation>
-    </message>
-    <message>
-        <source>Faults</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>Made &amp;for:</source>
-        <translation>Gedacht &amp;für:</translation>
-    </message>
-    <message>
-        <source>Checking…</source>
-        <translation>Wird geprüft …</translation>
-    </message>
-    <message>
-        <source>The lines are longer than 100 m: too much for a raised drawing.</source>
-        <translation>Die Linien sind länger als 100 m: zu viel für eine tastbare Zeichnung.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No faults.</source>
-        <translation>Keine Fehler.</translation>
-    </message>
-    <message>
-        <source>%1 faults; the first %2 are shown.</source>
-        <translation>%1 Fehler; die ersten %2 sind zu sehen.</translation>
-    </message>
-    <message>
-        <source>Faults: %1. Click one to go to it.</source>
-        <translation>Fehler: %1. Ein Klick führt hin.</translation>
+        <source>Widths in steps</source>
+        <translation>Breiten in Stufen</translation>
     </message>
 </context>
 </TS>

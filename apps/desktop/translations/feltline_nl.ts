@@ -903,6 +903,73 @@
     </message>
 </context>
 <context>
+    <name>OfferPopup</name>
+    <message>
+        <source>Delete 1 line</source>
+        <translation>1 lijn verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete %1 lines</source>
+        <translation>%1 lijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Select 1 line</source>
+        <translation>1 lijn selecteren</translation>
+    </message>
+    <message>
+        <source>Select %1 lines</source>
+        <translation>%1 lijnen selecteren</translation>
+    </message>
+    <message>
+        <source>Straight line</source>
+        <translation>Rechte lijn</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Boog</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cirkel</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellips</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Driehoek</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechthoek</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Veelhoek</translation>
+    </message>
+    <message>
+        <source>Keep the ink</source>
+        <translation>Inkt behouden</translation>
+    </message>
+    <message>
+        <source>Take the &amp;offer at the pen</source>
+        <translation>&amp;Aanbod bij de pen aannemen</translation>
+    </message>
+    <message>
+        <source>Chooses what the last stroke is offered to mean: a gesture or a shape.</source>
+        <translation>Kiest wat de laatste haal kan betekenen: een gebaar of een vorm.</translation>
+    </message>
+    <message>
+        <source>Take the &amp;second offer at the pen</source>
+        <translation>&amp;Tweede aanbod bij de pen aannemen</translation>
+    </message>
+    <message>
+        <source>Chooses the second meaning, if two are offered.</source>
+        <translation>Kiest de tweede betekenis, als er twee worden aangeboden.</translation>
+    </message>
+</context>
+<context>
     <name>OptionsPanel</name>
     <message>
         <source>on</source>
@@ -1481,6 +1548,41 @@
     <message>
         <source>Grain: it is too steep for the haptic loop; you feel %1 of your %2 µm.</source>
         <translation>Korrel: die is te steil voor de regellus; te voelen is %1 van de %2 µm.</translation>
+    </message>
+</context>
+<context>
+    <name>SwellWords</name>
+    <message>
+        <source>Lines widened: %1.</source>
+        <translation>Verbrede lijnen: %1.</translation>
+    </message>
+    <message>
+        <source>Lines with another width: %1.</source>
+        <translation>Lijnen met een andere breedte: %1.</translation>
+    </message>
+    <message>
+        <source>Lines made black: %1.</source>
+        <translation>Zwart gemaakte lijnen: %1.</translation>
+    </message>
+    <message>
+        <source>Areas with a texture: %1.</source>
+        <translation>Vlakken met een patroon: %1.</translation>
+    </message>
+    <message>
+        <source>Areas too narrow for a texture: %1.</source>
+        <translation>Vlakken die te smal zijn voor een patroon: %1.</translation>
+    </message>
+    <message>
+        <source>Pictures left out: %1.</source>
+        <translation>Weggelaten afbeeldingen: %1.</translation>
+    </message>
+    <message>
+        <source>Faults that a fingertip would notice: %1. The panel “Tactile check” shows them.</source>
+        <translation>Fouten die een vingertop zou merken: %1. Het paneel ‘Tastcontrole’ toont ze.</translation>
+    </message>
+    <message>
+        <source>Some colours share a texture.</source>
+        <translation>Sommige kleuren delen een patroon.</translation>
     </message>
 </context>
 <context>
@@ -4132,6 +4234,21 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::OfferPopup</name>
+    <message>
+        <source>Press harder; with a mouse, stay:</source>
+        <translation>Druk harder; met de muis stilhouden:</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Toets: %1</translation>
+    </message>
+    <message>
+        <source>This stroke can be: %1</source>
+        <translation>Deze haal kan zijn: %1</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::OptionRow</name>
     <message>
         <source>Reset %1</source>
@@ -4634,6 +4751,85 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::ReadingSpeech</name>
+    <message>
+        <source>red</source>
+        <translation>rood</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>oranje</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>geel</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>groen</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>turkoois</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blauw</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>violet</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>roze</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>zwart</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>wit</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>donkergrijs</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grijs</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>bruin</translation>
+    </message>
+    <message>
+        <source>line, %1, %2 mm</source>
+        <translation>lijn, %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>einde</translation>
+    </message>
+    <message>
+        <source>crossing of %1 lines</source>
+        <translation>kruising van %1 lijnen</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>vulling, %1</translation>
+    </message>
+    <message>
+        <source>layer %1</source>
+        <translation>laag %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::RecoveryDialog</name>
     <message>
         <source>Untitled</source>
@@ -4868,6 +5064,17 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::SpiralArea</name>
+    <message>
+        <source>Spiral</source>
+        <translation>Spiraal</translation>
+    </message>
+    <message>
+        <source>Draw along the spiral, from its middle outwards.</source>
+        <translation>Teken de spiraal na, van het midden naar buiten.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::StabilitySign</name>
     <message>
         <source>Stability</source>
@@ -4934,6 +5141,76 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::SteadyDialog</name>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds.</source>
+        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang.</translation>
+    </message>
+    <message>
+        <source>This pen reports its position too rarely to measure a shaking.</source>
+        <translation>Deze pen meldt zijn positie te weinig om beven te meten.</translation>
+    </message>
+    <message>
+        <source>No shaking was found, so there is nothing to remove.</source>
+        <translation>Er is geen beven gevonden, dus er valt niets te verwijderen.</translation>
+    </message>
+    <message>
+        <source>%L1 times a second, by %L2 mm to each side</source>
+        <translation>%L1 keer per seconde, %L2 mm naar elke kant</translation>
+    </message>
+    <message>
+        <source>Measure the hand</source>
+        <translation>Hand meten</translation>
+    </message>
+    <message>
+        <source>Trace the spiral slowly, from the middle outwards, without resting the hand. It takes about ten seconds. What is measured stays on this computer.</source>
+        <translation>Teken de spiraal langzaam na, van het midden naar buiten, zonder de hand te laten rusten. Het duurt ongeveer tien seconden. Wat gemeten wordt, blijft op deze computer.</translation>
+    </message>
+    <message>
+        <source>How much of the ten seconds is drawn</source>
+        <translation>Hoeveel van de tien seconden getekend is</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Gebruiken</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Opnieuw beginnen</translation>
+    </message>
+    <message>
+        <source>The hand shakes %1.</source>
+        <translation>De hand beeft %1.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SteadyGroup</name>
+    <message>
+        <source>Steady hand</source>
+        <translation>Vaste hand</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the shaking of the hand</source>
+        <translation>Het &amp;beven van de hand verwijderen</translation>
+    </message>
+    <message>
+        <source>Lines become calm while you draw, and calmer when you lift the pen. The command Line as drawn brings the shaken line back.</source>
+        <translation>Lijnen worden rustig terwijl u tekent, en rustiger als u de pen optilt. De opdracht Lijn als getekend haalt de bevende lijn terug.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure…</source>
+        <translation>&amp;Meten…</translation>
+    </message>
+    <message>
+        <source>Measures how the hand shakes, by a spiral of ten seconds.</source>
+        <translation>Meet met een spiraal van tien seconden hoe de hand beeft.</translation>
+    </message>
+    <message>
+        <source>Set to a hand that shakes %1.</source>
+        <translation>Ingesteld op een hand die %1 beeft.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::StrokePreview</name>
     <message>
         <source>Three strokes: light, firm, hard</source>
@@ -4953,6 +5230,109 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>The surface “%1” is not installed, so the previous surface is used.</source>
         <translation>De ondergrond ‘%1’ is niet geïnstalleerd, daarom wordt de vorige gebruikt.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TactilePanel</name>
+    <message>
+        <source>Gap</source>
+        <translation>Tussenruimte</translation>
+    </message>
+    <message>
+        <source>Small shape</source>
+        <translation>Kleine vorm</translation>
+    </message>
+    <message>
+        <source>Short side</source>
+        <translation>Korte zijde</translation>
+    </message>
+    <message>
+        <source>Narrow area</source>
+        <translation>Smal vlak</translation>
+    </message>
+    <message>
+        <source>Line widths</source>
+        <translation>Lijnbreedten</translation>
+    </message>
+    <message>
+        <source>Area colours</source>
+        <translation>Vlakkleuren</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>%1 mm between lines, for %2 mm; at least %3 mm</source>
+        <translation>%1 mm tussen lijnen, over %2 mm; ten minste %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm long; at least %2 mm</source>
+        <translation>%1 mm lang; ten minste %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm wide; at least %2 mm</source>
+        <translation>%1 mm breed; ten minste %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 different widths; at most %2</source>
+        <translation>%1 verschillende breedten; hoogstens %2</translation>
+    </message>
+    <message>
+        <source>%1 colours, which feel the same</source>
+        <translation>%1 kleuren die hetzelfde aanvoelen</translation>
+    </message>
+    <message>
+        <source>%1 mm; at most %2 mm (A4)</source>
+        <translation>%1 mm; hoogstens %2 mm (A4)</translation>
+    </message>
+    <message>
+        <source>Swell paper</source>
+        <translation>Zwelpapier</translation>
+    </message>
+    <message>
+        <source>An embosser</source>
+        <translation>Een brailleprinter</translation>
+    </message>
+    <message>
+        <source>Lines on swell paper must be 6.4 mm apart, embossed lines 3.2 mm</source>
+        <translation>Lijnen op zwelpapier moeten 6,4 mm uit elkaar liggen, geperste lijnen 3,2 mm</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fouten</translation>
+    </message>
+    <message>
+        <source>Made &amp;for:</source>
+        <translation>Gemaakt &amp;voor:</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Bezig met controleren …</translation>
+    </message>
+    <message>
+        <source>The lines are longer than 100 m: too much for a raised drawing.</source>
+        <translation>De lijnen zijn langer dan 100 m: te veel voor een voelbare tekening.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No faults.</source>
+        <translation>Geen fouten.</translation>
+    </message>
+    <message>
+        <source>%1 faults; the first %2 are shown.</source>
+        <translation>%1 fouten; de eerste %2 zijn te zien.</translation>
+    </message>
+    <message>
+        <source>Faults: %1. Click one to go to it.</source>
+        <translation>Fouten: %1. Klik erop om erheen te gaan.</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5976,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Force level of friction, grain, attraction and pull. Does not affect the hardness of the surface.</source>
         <translation>Sterkte van wrijving, korrel, aantrekking en trek. De hardheid van de ondergrond verandert niet.</translation>
-    </message>
-    <message>
-        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
-        <translation>Sterkte van wrijving, korrel, aantrekking en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>
         <source>Force level of friction, stops and pull. Does not affect the hardness of the surface.</source>
@@ -6665,385 +7041,21 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Force level of the lines. Does not affect the hardness of the surface.</source>
         <translation>Sterkte van de krachten van de lijnen. De hardheid van het oppervlak blijft gelijk.</translation>
     </message>
-</context>
-<context>
-    <name>felt::desktop::SpiralArea</name>
     <message>
-        <source>Spiral</source>
-        <translation>Spiraal</translation>
+        <source>Holds the width at steps such as 0.3, 0.5 and 0.7 mm. A force-feedback pen clicks from step to step.</source>
+        <translation>Houdt de breedte op stappen zoals 0,3, 0,5 en 0,7 mm. Een pen met krachtterugkoppeling klikt van stap naar stap.</translation>
     </message>
     <message>
-        <source>Draw along the spiral, from its middle outwards.</source>
-        <translation>Teken de spiraal na, van het midden naar buiten.</translation>
+        <source>Press hard for whole lines</source>
+        <translation>Hard drukken voor hele lijnen</translation>
     </message>
-</context>
-<context>
-    <name>felt::desktop::SteadyDialog</name>
     <message>
-        <source>That was too short. Draw slowly, for about ten seconds.</source>
-        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang.</translation>
+        <source>Pressing hard erases the whole line under the ring. A force-feedback pen clicks at this pressure.</source>
+        <translation>Hard drukken wist de hele lijn onder de ring. Een pen met krachtterugkoppeling klikt bij deze druk.</translation>
     </message>
     <message>
-        <source>This pen reports its position too rarely to measure a shaking.</source>
-        <translation>Deze pen meldt zijn positie te weinig om beven te meten.</translation>
-    </message>
-    <message>
-        <source>No shaking was found, so there is nothing to remove.</source>
-        <translation>Er is geen beven gevonden, dus er valt niets te verwijderen.</translation>
-    </message>
-    <message>
-        <source>%L1 times a second, by %L2 mm to each side</source>
-        <translation>%L1 keer per seconde, %L2 mm naar elke kant</translation>
-    </message>
-    <message>
-        <source>Measure the hand</source>
-        <translation>Hand meten</translation>
-    </message>
-    <message>
-        <source>Trace the spiral slowly, from the middle outwards, without resting the hand. It takes about ten seconds. What is measured stays on this computer.</source>
-        <translation>Teken de spiraal langzaam na, van het midden naar buiten, zonder de hand te laten rusten. Het duurt ongeveer tien seconden. Wat gemeten wordt, blijft op deze computer.</translation>
-    </message>
-    <message>
-        <source>How much of the ten seconds is drawn</source>
-        <translation>Hoeveel van de tien seconden getekend is</translation>
-    </message>
-    <message>
-        <source>&amp;Use</source>
-        <translation>&amp;Gebruiken</translation>
-    </message>
-    <message>
-        <source>&amp;Start again</source>
-        <translation>&amp;Opnieuw beginnen</translation>
-    </message>
-    <message>
-        <source>The hand shakes %1.</source>
-        <translation>De hand beeft %1.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::SteadyGroup</name>
-    <message>
-        <source>Steady hand</source>
-        <translation>Vaste hand</translation>
-    </message>
-    <message>
-        <source>&amp;Remove the shaking of the hand</source>
-        <translation>Het &amp;beven van de hand verwijderen</translation>
-    </message>
-    <message>
-        <source>Lines become calm while you draw, and calmer when you lift the pen. The command Line as drawn brings the shaken line back.</source>
-        <translation>Lijnen worden rustig terwijl u tekent, en rustiger als u de pen optilt. De opdracht Lijn als getekend haalt de bevende lijn terug.</translation>
-    </message>
-    <message>
-        <source>&amp;Measure…</source>
-        <translation>&amp;Meten…</translation>
-    </message>
-    <message>
-        <source>Measures how the hand shakes, by a spiral of ten seconds.</source>
-        <translation>Meet met een spiraal van tien seconden hoe de hand beeft.</translation>
-    </message>
-    <message>
-        <source>Set to a hand that shakes %1.</source>
-        <translation>Ingesteld op een hand die %1 beeft.</translation>
-    </message>
-</context>
-<context>
-    <name>OfferPopup</name>
-    <message>
-        <source>Delete 1 line</source>
-        <translation>1 lijn verwijderen</translation>
-    </message>
-    <message>
-        <source>Delete %1 lines</source>
-        <translation>%1 lijnen verwijderen</translation>
-    </message>
-    <message>
-        <source>Select 1 line</source>
-        <translation>1 lijn selecteren</translation>
-    </message>
-    <message>
-        <source>Select %1 lines</source>
-        <translation>%1 lijnen selecteren</translation>
-    </message>
-    <message>
-        <source>Straight line</source>
-        <translation>Rechte lijn</translation>
-    </message>
-    <message>
-        <source>Arc</source>
-        <translation>Boog</translation>
-    </message>
-    <message>
-        <source>Circle</source>
-        <translation>Cirkel</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>Ellips</translation>
-    </message>
-    <message>
-        <source>Triangle</source>
-        <translation>Driehoek</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rechthoek</translation>
-    </message>
-    <message>
-        <source>Polygon</source>
-        <translation>Veelhoek</translation>
-    </message>
-    <message>
-        <source>Keep the ink</source>
-        <translation>Inkt behouden</translation>
-    </message>
-    <message>
-        <source>Take the &amp;offer at the pen</source>
-        <translation>&amp;Aanbod bij de pen aannemen</translation>
-    </message>
-    <message>
-        <source>Chooses what the last stroke is offered to mean: a gesture or a shape.</source>
-        <translation>Kiest wat de laatste haal kan betekenen: een gebaar of een vorm.</translation>
-    </message>
-    <message>
-        <source>Take the &amp;second offer at the pen</source>
-        <translation>&amp;Tweede aanbod bij de pen aannemen</translation>
-    </message>
-    <message>
-        <source>Chooses the second meaning, if two are offered.</source>
-        <translation>Kiest de tweede betekenis, als er twee worden aangeboden.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::OfferPopup</name>
-    <message>
-        <source>Press harder; with a mouse, stay:</source>
-        <translation>Druk harder; met de muis stilhouden:</translation>
-    </message>
-    <message>
-        <source>Key: %1</source>
-        <translation>Toets: %1</translation>
-    </message>
-    <message>
-        <source>This stroke can be: %1</source>
-        <translation>Deze haal kan zijn: %1</translation>
-    </message>
-</context>
-<context>
-    <name>SwellWords</name>
-    <message>
-        <source>Lines widened: %1.</source>
-        <translation>Verbrede lijnen: %1.</translation>
-    </message>
-    <message>
-        <source>Lines with another width: %1.</source>
-        <translation>Lijnen met een andere breedte: %1.</translation>
-    </message>
-    <message>
-        <source>Lines made black: %1.</source>
-        <translation>Zwart gemaakte lijnen: %1.</translation>
-    </message>
-    <message>
-        <source>Areas with a texture: %1.</source>
-        <translation>Vlakken met een patroon: %1.</translation>
-    </message>
-    <message>
-        <source>Areas too narrow for a texture: %1.</source>
-        <translation>Vlakken die te smal zijn voor een patroon: %1.</translation>
-    </message>
-    <message>
-        <source>Pictures left out: %1.</source>
-        <translation>Weggelaten afbeeldingen: %1.</translation>
-    </message>
-    <message>
-        <source>Faults that a fingertip would notice: %1. The panel “Tactile check” shows them.</source>
-        <translation>Fouten die een vingertop zou merken: %1. Het paneel ‘Tastcontrole’ toont ze.</translation>
-    </message>
-    <message>
-        <source>Some colours share a texture.</source>
-        <translation>Sommige kleuren delen een patroon.</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::ReadingSpeech</name>
-    <message>
-        <source>red</source>
-        <translation>rood</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>oranje</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>geel</translation>
-    </message>
-    <message>
-        <source>green</source>
-        <translation>groen</translation>
-    </message>
-    <message>
-        <source>turquoise</source>
-        <translation>turkoois</translation>
-    </message>
-    <message>
-        <source>blue</source>
-        <translation>blauw</translation>
-    </message>
-    <message>
-        <source>violet</source>
-        <translation>violet</translation>
-    </message>
-    <message>
-        <source>pink</source>
-        <translation>roze</translation>
-    </message>
-    <message>
-        <source>black</source>
-        <translation>zwart</translation>
-    </message>
-    <message>
-        <source>white</source>
-        <translation>wit</translation>
-    </message>
-    <message>
-        <source>dark grey</source>
-        <translation>donkergrijs</translation>
-    </message>
-    <message>
-        <source>grey</source>
-        <translation>grijs</translation>
-    </message>
-    <message>
-        <source>brown</source>
-        <translation>bruin</translation>
-    </message>
-    <message>
-        <source>line, %1, %2 mm</source>
-        <translation>lijn, %1, %2 mm</translation>
-    </message>
-    <message>
-        <source>end</source>
-        <translation>einde</translation>
-    </message>
-    <message>
-        <source>crossing of %1 lines</source>
-        <translation>kruising van %1 lijnen</translation>
-    </message>
-    <message>
-        <source>fill, %1</source>
-        <translation>vulling, %1</translation>
-    </message>
-    <message>
-        <source>layer %1</source>
-        <translation>laag %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>felt::desktop::TactilePanel</name>
-    <message>
-        <source>Gap</source>
-        <translation>Tussenruimte</translation>
-    </message>
-    <message>
-        <source>Small shape</source>
-        <translation>Kleine vorm</translation>
-    </message>
-    <message>
-        <source>Short side</source>
-        <translation>Korte zijde</translation>
-    </message>
-    <message>
-        <source>Narrow area</source>
-        <translation>Smal vlak</translation>
-    </message>
-    <message>
-        <source>Line widths</source>
-        <translation>Lijnbreedten</translation>
-    </message>
-    <message>
-        <source>Area colours</source>
-        <translation>Vlakkleuren</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Grootte</translation>
-    </message>
-    <message>
-        <source>%1 mm between lines, for %2 mm; at least %3 mm</source>
-        <translation>%1 mm tussen lijnen, over %2 mm; ten minste %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm long; at least %2 mm</source>
-        <translation>%1 mm lang; ten minste %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm wide; at least %2 mm</source>
-        <translation>%1 mm breed; ten minste %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 different widths; at most %2</source>
-        <translation>%1 verschillende breedten; hoogstens %2</translation>
-    </message>
-    <message>
-        <source>%1 colours, which feel the same</source>
-        <translation>%1 kleuren die hetzelfde aanvoelen</translation>
-    </message>
-    <message>
-        <source>%1 mm; at most %2 mm (A4)</source>
-        <translation>%1 mm; hoogstens %2 mm (A4)</translation>
-    </message>
-    <message>
-        <source>Swell paper</source>
-        <translation>Zwelpapier</translation>
-    </message>
-    <message>
-        <source>An embosser</source>
-        <translation>Een brailleprinter</translation>
-    </message>
-    <message>
-        <source>Lines on swell paper must be 6.4 mm apart, embossed lines 3.2 mm</source>
-        <translation>Lijnen op zwelpapier moeten 6,4 mm uit elkaar liggen, geperste lijnen 3,2 mm</translation>
-    </message>
-    <message>
-        <source>Faults</source>
-        <translation>Fouten</translation>
-    </message>
-    <message>
-        <source>Made &amp;for:</source>
-        <translation>Gemaakt &amp;voor:</translation>
-    </message>
-    <message>
-        <source>Checking…</source>
-        <translation>Bezig met controleren …</translation>
-    </message>
-    <message>
-        <source>The lines are longer than 100 m: too much for a raised drawing.</source>
-        <translation>De lijnen zijn langer dan 100 m: te veel voor een voelbare tekening.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No faults.</source>
-        <translation>Geen fouten.</translation>
-    </message>
-    <message>
-        <source>%1 faults; the first %2 are shown.</source>
-        <translation>%1 fouten; de eerste %2 zijn te zien.</translation>
-    </message>
-    <message>
-        <source>Faults: %1. Click one to go to it.</source>
-        <translation>Fouten: %1. Klik erop om erheen te gaan.</translation>
+        <source>Widths in steps</source>
+        <translation>Breedtes in stappen</translation>
     </message>
 </context>
 </TS>

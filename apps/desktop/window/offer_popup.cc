@@ -147,6 +147,7 @@ void OfferPopup::rebuild(const OfferView& offer) {
     connect(button, &QToolButton::clicked, this,
             [this, kind] { studio_.apply(ChooseOffer{kind}); });
     row_->addWidget(button);
+    button->show();  // a layout shows new widgets of a visible popup only later
     names << button->text();
   }
   setAccessibleName(tr("This stroke can be: %1").arg(names.join(QStringLiteral(", "))));

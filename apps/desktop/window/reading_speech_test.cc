@@ -37,6 +37,7 @@ class ReadingSpeechTest : public ::testing::Test {
     alerts = 0;
     spoken_names.clear();
     QAccessible::setActive(true);
+    QAccessible::setActive(true);  // as if a screen reader were running
     before_ = QAccessible::installUpdateHandler(hear);
   }
   ~ReadingSpeechTest() override { QAccessible::installUpdateHandler(before_); }

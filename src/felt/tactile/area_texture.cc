@@ -73,11 +73,11 @@ class TextureRows {
  private:
   bool add_row(Vec along, Vec offset, double step, double first, double last, bool are_dots,
                std::vector<TextureLine>& lines) {
-    std::optional<Point> start;
-    Point end{};
+    bool is_open = false;  // a piece from `start` to `end`
+    Point start{}, end{};
     const auto close = [&] {
-      if (start && distance(*start, end) >= kShortestPieceMm) lines.push_back({*start, end});
-      start.reset();
+      if (is_open && distance(start, end) >= kShortestPieceMm) lines.push_back({start, end});
+      is_open = false;
     };
     for (double k = first; k <= last; ++k) {
       const std::size_t tests = area_.edges.points.size() + 1;
@@ -89,7 +89,8 @@ class TextureRows {
       } else if (are_dots) {
         lines.push_back({p, p});
       } else {
-        if (!start) start = p;
+        if (!is_open) start = p;
+        is_open = true;
         end = p;
       }
     }
