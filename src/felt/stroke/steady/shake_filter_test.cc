@@ -68,15 +68,15 @@ std::vector<double> by_joint_covariance(const FilterRun& run) {
   using M5 = std::array<std::array<double, 5>, 5>;
   const auto times = [](const M5& a, const M5& b) {
     M5 c{};
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j)
-        for (int k = 0; k < 5; ++k) c[i][j] += a[i][k] * b[k][j];
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t j = 0; j < 5; ++j)
+        for (std::size_t k = 0; k < 5; ++k) c[i][j] += a[i][k] * b[k][j];
     return c;
   };
   const auto turned = [](const M5& a) {
     M5 t{};
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j) t[i][j] = a[j][i];
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t j = 0; j < 5; ++j) t[i][j] = a[j][i];
     return t;
   };
   const double w2 = run.model.swing_mm * run.model.swing_mm;
@@ -108,8 +108,8 @@ std::vector<double> by_joint_covariance(const FilterRun& run) {
     const double noise[3][3] = {{std::pow(t, 5) / 20, std::pow(t, 4) / 8, std::pow(t, 3) / 6},
                                 {std::pow(t, 4) / 8, std::pow(t, 3) / 3, t * t / 2},
                                 {std::pow(t, 3) / 6, t * t / 2, t}};
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) c[i][j] += q * noise[i][j];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) c[i][j] += q * noise[i][j];
     c[3][3] += w2 * (1 - s.decay * s.decay);
     c[4][4] += w2 * (1 - s.decay * s.decay);
     cov[k][k] = c;
