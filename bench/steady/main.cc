@@ -56,7 +56,9 @@ double distance_to_line(Point p, const Line& line) {
 
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[static_cast<std::size_t>(share * (values.size() - 1.0))];
+  return values.empty()
+             ? 0.0
+             : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 /// How much of the shaking is removed, over several strokes.

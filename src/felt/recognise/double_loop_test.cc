@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstdint>
 #include <limits>
 
 #include "felt/base/constants.h"
@@ -24,7 +25,7 @@ RC_GTEST_PROP(DoubleLoop, FindsTwoTurnsOfAnySizeAndDirection, ()) {
   const Point center{any(-100, 100), any(-100, 100)};
   const auto path =
       unsteady(ellipse_part(center, a, any(0.6, 1.0) * a, any(0, 6.3), turns * kTau, any(0, 6.3)),
-               0.02 * a, *rc::gen::inRange(1, 1'000'000));
+               0.02 * a, *rc::gen::inRange<std::uint64_t>(1, 1'000'000));
   const auto loop = DoubleLoop::find(path);
   RC_ASSERT(loop.has_value());
   RC_ASSERT(loop->encloses(joined({center, center + Vec{0.3 * a, 0.0}})));

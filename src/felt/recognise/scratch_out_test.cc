@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstdint>
 #include <limits>
 
 #include "felt/recognise/testing/drawn_shapes.h"
@@ -23,7 +24,7 @@ RC_GTEST_PROP(ScratchOut, FindsAZigzagOfAnySizeAndDirection, ()) {
   const int passes = *rc::gen::inRange(ScratchOut::kMinPasses, 16);
   const double length = any(8.0, 60.0);
   const auto path = placed(unsteady(zigzag(passes, length, any(0.5, 0.25 * length)), 0.01 * length,
-                                    *rc::gen::inRange(1, 1'000'000)),
+                                    *rc::gen::inRange<std::uint64_t>(1, 1'000'000)),
                            any(0.0, 6.3), 1.0, {any(-200, 200), any(-200, 200)});
   const auto found = ScratchOut::find(path);
   RC_ASSERT(found.has_value());
@@ -37,7 +38,7 @@ RC_GTEST_PROP(ScratchOut, FindsAZigzagOfAnySizeAndDirection, ()) {
 
 RC_GTEST_PROP(ScratchOut, TheSameTurnedOrBackwards, ()) {
   const auto path = unsteady(zigzag(*rc::gen::inRange(3, 12), any(4, 40), any(0.5, 20)),
-                             any(0.0, 0.5), *rc::gen::inRange(1, 1'000'000));
+                             any(0.0, 0.5), *rc::gen::inRange<std::uint64_t>(1, 1'000'000));
   const std::vector<Point> back(path.rbegin(), path.rend());
   RC_ASSERT(ScratchOut::features(back).passes == ScratchOut::features(path).passes);
   const auto turned = ScratchOut::features(placed(path, any(0.0, 6.3), 1.0, {10, 20}));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "felt/base/constants.h"
@@ -35,8 +36,8 @@ std::optional<Stroke> stroke_of(const ShapeGuess& guess) {
 /// Checks that the best guess has the form `wanted`, is a valid stroke, and is near the path.
 void check(const std::vector<Point>& exact, ShapeForm wanted) {
   const double scale = any(0.4, 3.0);
-  const auto path = placed(unsteady(exact, 0.25, *rc::gen::inRange(1, 1'000'000)), any(0.0, kTau),
-                           scale, {any(-200, 200), any(-200, 200)});
+  const auto path = placed(unsteady(exact, 0.25, *rc::gen::inRange<std::uint64_t>(1, 1'000'000)),
+                           any(0.0, kTau), scale, {any(-200, 200), any(-200, 200)});
   const std::vector<ShapeGuess> guesses = guess_shapes(path);
   RC_ASSERT(!guesses.empty());
   RC_ASSERT(guesses.size() <= kMaxGuesses);
