@@ -88,6 +88,11 @@ std::string layers_text(const Imported& opened) {
     if (layer.picture) text += ", " + picture_text(*layer.picture);
     text += '\n';
   }
+  const Document& document = opened.drawing.document;
+  if (!document.guides().empty()) {
+    text += fmt::format("{:16}{}{}\n", "guides", document.guides().size(),
+                        document.shows_guides() ? "" : ", hidden");
+  }
   return text;
 }
 

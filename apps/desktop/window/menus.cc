@@ -48,6 +48,8 @@ constexpr std::array kMenus{
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
             "layer.add layer.duplicate layer.merge layer.rename layer.remove - layer.show "
             "layer.lock layer.export_picture - layer.raise layer.lower - layer.*"},
+    MenuRow{"guide", QT_TRANSLATE_NOOP("Menus", "&Guides"),
+            "guide.show - guide.add_* - guide.unlink guide.clear - guide.*"},
     MenuRow{
         "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
         "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "felt/autosave/edit_blob.h"
 #include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
@@ -31,6 +32,22 @@ Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
   const Result<std::string> bytes = felt_bytes(page);
   if (!bytes) return tl::unexpected(bytes.error());
   out.text(*bytes);
+  return {};
+}
+
+/// Appends the guides and symmetry groups of a base, as the bytes of an edit that adds them.
+/// Appends nothing if there are none.
+Result<void> append_guides(ByteWriter& out, const Document& document) {
+  Edit edit;
+  for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, nullptr, guide});
+  for (const auto& [id, group] : document.symmetries()) {
+    edit.symmetries.push_back({id, nullptr, group});
+  }
+  edit.toggles_guides = !document.shows_guides();
+  if (edit.empty()) return {};
+  std::string bytes;
+  if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
+  out.text(bytes);
   return {};
 }
 
@@ -106,6 +123,7 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     if (has_look) append_layer_look(out, layer.state(), nullptr);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
+  if (auto ok = append_guides(out, document); !ok) return tl::unexpected(ok.error());
   return bytes;
 }
 
@@ -118,6 +136,11 @@ Result<Drawing> read_base_head(std::string_view bytes) {
   document.reserve_ids(last_stroke, last_layer);
   Result<Drawing> drawing = parse_felt(in.text(kMaxHeadBytes));
   if (!drawing) return drawing;
+  if (in.left() > 0) {
+    const Result<Edit> guides = read_edit_blob(in.text(kMaxHeadBytes), document);
+    if (!guides) return tl::unexpected(guides.error());
+    if (auto ok = document.apply(*guides); !ok) return tl::unexpected(ok.error());
+  }
   drawing->document = std::move(document);
   drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};
   return drawing;

@@ -8,6 +8,7 @@
 #include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/fill_blob.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kVersionWithFills = 2;
+constexpr std::uint8_t kVersionWithGuides = 3;
+constexpr std::size_t kMaxGuideBlobBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxNameBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
@@ -41,6 +44,58 @@ Result<void> write_fill(ByteWriter& out, const FillChange& c) {
   out.u64(c.after_place.index);
   out.text(shape);
   return {};
+}
+
+/// Writes the changes of guides or of symmetry groups.
+template <class Change, class Append>
+Result<void> write_unplaced(ByteWriter& out, const std::vector<Change>& changes, Append append) {
+  out.u32(static_cast<std::uint32_t>(changes.size()));
+  for (const Change& c : changes) {
+    out.u64(c.id.value);
+    std::string bytes;
+    if (c.after) {
+      if (auto ok = append(bytes, *c.after); !ok) return ok;
+    }
+    out.text(bytes);  // empty: removed
+  }
+  return {};
+}
+
+template <class Change, class Read>
+Result<void> read_unplaced(ByteReader& in, std::vector<Change>& changes, Read read) {
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kMinChangeBytes)) return invalid_data("the edit is incomplete");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Change c;
+    c.id = {in.u64()};
+    const std::string_view bytes = in.text(kMaxGuideBlobBytes);
+    if (!in.ok()) return invalid_data("the edit ends in the middle of a guide");
+    if (!bytes.empty()) {
+      auto after = read(bytes);
+      if (!after) return tl::unexpected(with_context(after.error(), "guide"));
+      c.after = *std::move(after);
+    }
+    changes.push_back(std::move(c));
+  }
+  return {};
+}
+
+Result<void> write_guides_part(ByteWriter& out, const Edit& edit) {
+  out.u8(edit.toggles_guides ? 1 : 0);
+  return write_unplaced(out, edit.guides, append_guide_blob).and_then([&] {
+    return write_unplaced(out, edit.symmetries, append_symmetry_blob);
+  });
+}
+
+Result<void> read_guides_part(ByteReader& in, Edit& edit) {
+  edit.toggles_guides = in.u8() != 0;
+  return read_unplaced(in, edit.guides, read_guide_blob).and_then([&] {
+    return read_unplaced(in, edit.symmetries, read_symmetry_blob);
+  });
+}
+
+bool has_guides_part(const Edit& edit) noexcept {
+  return edit.toggles_guides || !edit.guides.empty() || !edit.symmetries.empty();
 }
 
 void write_layer(ByteWriter& out, const LayerChange& c) {
@@ -149,7 +204,8 @@ Result<void> find_layers(const Document& document, std::vector<LayerChange>& cha
 
 Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   ByteWriter writer(out);
-  writer.u8(edit.fills.empty() ? kVersion : kVersionWithFills);
+  const bool has_guides = has_guides_part(edit);
+  writer.u8(has_guides ? kVersionWithGuides : edit.fills.empty() ? kVersion : kVersionWithFills);
   writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
   for (const LayerChange& c : edit.layers) write_layer(writer, c);
@@ -157,12 +213,12 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   for (const StrokeChange& c : edit.changes) {
     if (auto ok = write_stroke(writer, c); !ok) return ok;
   }
-  if (edit.fills.empty()) return {};
+  if (edit.fills.empty() && !has_guides) return {};
   writer.u32(static_cast<std::uint32_t>(edit.fills.size()));
   for (const FillChange& c : edit.fills) {
     if (auto ok = write_fill(writer, c); !ok) return ok;
   }
-  return {};
+  return has_guides ? write_guides_part(writer, edit) : Result<void>();
 }
 
 namespace {
@@ -172,7 +228,7 @@ namespace {
 Result<Edit> parse(std::string_view bytes, const Document& document) {
   ByteReader in(bytes);
   const std::uint8_t version = in.u8();
-  if (version != kVersion && version != kVersionWithFills)
+  if (version < kVersion || version > kVersionWithGuides)
     return invalid_data("the edit has an unknown version");
   Edit edit;
   edit.label = std::string(in.text(kMaxNameBytes));
@@ -187,12 +243,15 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
     if (!change) return tl::unexpected(change.error());
     edit.changes.push_back(*std::move(change));
   }
-  const std::uint32_t fills = version == kVersionWithFills ? in.u32() : 0;
+  const std::uint32_t fills = version >= kVersionWithFills ? in.u32() : 0;
   if (!in.has(fills, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   for (std::uint32_t i = 0; i < fills; ++i) {
     Result<FillChange> change = read_fill(in);
     if (!change) return tl::unexpected(change.error());
     edit.fills.push_back(*std::move(change));
+  }
+  if (version == kVersionWithGuides) {
+    if (auto ok = read_guides_part(in, edit); !ok) return tl::unexpected(ok.error());
   }
   if (!in.ok() || in.left() > 0)
     return invalid_data("the edit does not have the length that it states");
@@ -232,6 +291,33 @@ void force(FillChange change, Document& document) {
   static_cast<void>(document.apply(edit));
 }
 
+/// Applies the changes of guides and symmetry groups as far as they fit.
+void force_guides(const Edit& blob, Document& document) {
+  Edit edit;
+  edit.toggles_guides = blob.toggles_guides;
+  for (GuideChange c : blob.guides) {
+    c.before = document.find_guide(c.id);
+    if (c.before || c.after) edit.guides.push_back(std::move(c));
+  }
+  for (SymmetryChange c : blob.symmetries) {
+    c.before = document.find_symmetry(c.id);
+    if (c.before || c.after) edit.symmetries.push_back(std::move(c));
+  }
+  static_cast<void>(document.apply(edit));
+}
+
+/// Fills in the guides and symmetry groups before the edit.
+Result<void> find_guides(const Document& document, Edit& edit) {
+  for (GuideChange& c : edit.guides) c.before = document.find_guide(c.id);
+  for (SymmetryChange& c : edit.symmetries) c.before = document.find_symmetry(c.id);
+  const auto is_unknown = [](const auto& c) { return !c.before && !c.after; };
+  if (std::any_of(edit.guides.begin(), edit.guides.end(), is_unknown) ||
+      std::any_of(edit.symmetries.begin(), edit.symmetries.end(), is_unknown)) {
+    return invalid_data("the edit removes a guide that does not exist");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
@@ -240,6 +326,7 @@ Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
   if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_fills(document, edit->fills); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_guides(document, *edit); !ok) return tl::unexpected(ok.error());
   return edit;
 }
 
@@ -254,6 +341,7 @@ Result<void> apply_what_fits(std::string_view bytes, Document& document) {
   }
   for (StrokeChange& change : edit->changes) force(std::move(change), document);
   for (FillChange& change : edit->fills) force(std::move(change), document);
+  force_guides(*edit, document);
   return {};
 }
 

@@ -375,7 +375,8 @@ bool operator==(const Document& a, const Document& b) {
     return x.first == y.first && (x.second == y.second || *x.second == *y.second);
   };
   return a.layers_ == b.layers_ && equal_tables(a.strokes_, b.strokes_) &&
-         equal_tables(a.fills_, b.fills_) && a.shows_guides_ == b.shows_guides_ &&
+         equal_tables(a.fills_, b.fills_) &&
+         (a.shows_guides_ == b.shows_guides_ || a.guides_.empty()) &&
          std::equal(a.guides_.begin(), a.guides_.end(), b.guides_.begin(), b.guides_.end(),
                     equal) &&
          std::equal(a.symmetries_.begin(), a.symmetries_.end(), b.symmetries_.begin(),

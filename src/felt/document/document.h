@@ -32,9 +32,9 @@ struct Layer {
   }
 };
 
-/// A table of immutable strokes and fills by id, in layers, and of guides. Only edits change a document, so that
-/// undo, autosave and display see the same changes. A copy shares them and takes linear time in
-/// their number. Not thread-safe; give other threads a copy.
+/// A table of immutable strokes and fills by id, in layers, and of guides. Only edits change a
+/// document, so that undo, autosave and display see the same changes. A copy shares them and takes
+/// linear time in their number. Not thread-safe; give other threads a copy.
 ///
 /// Every stroke and every fill is in exactly one layer, once. A document always has at least one
 /// layer. The id of a removed object is not reused; all objects but layers share one counter.
@@ -82,8 +82,8 @@ class Document {
   [[nodiscard]] std::size_t stroke_count() const noexcept { return strokes_.size(); }
   [[nodiscard]] std::size_t fill_count() const noexcept { return fills_.size(); }
   /// Returns an id that no object of this document (layers apart) ever had: the next unused id, or
-  /// the n-th after it. An id counts as used once an edit that adds an object with this id is applied,
-  /// even if that edit is undone.
+  /// the n-th after it. An id counts as used once an edit that adds an object with this id is
+  /// applied, even if that edit is undone.
   [[nodiscard]] StrokeId new_id(std::uint64_t n = 0) const noexcept { return {last_id_ + 1 + n}; }
   [[nodiscard]] FillId new_fill_id(std::uint64_t n = 0) const noexcept {
     return {last_id_ + 1 + n};
@@ -97,12 +97,13 @@ class Document {
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
-  /// Marks all ids up to these as used; that of a stroke also counts for fills and guides. Readers of files
-  /// call this so that ids used before the drawing was saved are not reused.
+  /// Marks all ids up to these as used; that of a stroke also counts for fills and guides. Readers
+  /// of files call this so that ids used before the drawing was saved are not reused.
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
   /// Returns true if the same strokes and fills, by value, are at the same positions in the same
-  /// layers, and if the guides and symmetry groups are equal.
+  /// layers, and if the guides and symmetry groups are equal. Whether guides are shown counts only
+  /// if there are guides.
   friend bool operator==(const Document& a, const Document& b);
 
  private:

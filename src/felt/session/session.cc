@@ -19,6 +19,7 @@
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/guide_picture.h"
 #include "felt/tools/guide_track.h"
 #include "felt/tools/selection_view.h"
 
@@ -108,6 +109,7 @@ struct Session::Apply {
   }
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
   Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
+  Result<void> operator()(const GuidesEvent& e) const { return session.change_guides(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -309,6 +311,14 @@ const GuideLine* Session::guide() const noexcept {
   return parts_->guide ? &parts_->guide->line() : nullptr;
 }
 
+const DrawingGuide* Session::symmetry() const noexcept {
+  const auto& guides = parts_->visible_guides;
+  const auto found = std::find_if(guides.rbegin(), guides.rend(), [](const auto& guide) {
+    return guide->kind == DrawingGuideKind::kSymmetry;
+  });
+  return found == guides.rend() ? nullptr : found->get();
+}
+
 void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
   const auto* id = std::get_if<std::string>(&value);
   if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
@@ -333,7 +343,8 @@ Result<void> Session::take(ToolResult result) {
   Result<void> done;
   if (result.commit) {
     gesture_is_open_ = false;
-    done = commit(std::move(*result.commit));
+    let_others_follow(*result.commit, Origin::kTool);
+    done = apply_and_record(*std::move(result.commit));
   }
   if (done && result.selection) {
     set_selection(std::move(*result.selection));
@@ -353,8 +364,12 @@ void Session::show(std::optional<Edit> preview) {
 }
 
 Result<void> Session::commit(Edit edit) {
+  let_others_follow(edit, Origin::kCommand);
+  return apply_and_record(std::move(edit));
+}
+
+Result<void> Session::apply_and_record(Edit edit) {
   if (edit.empty()) return {};
-  let_fills_follow(edit);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   history_.record(std::move(edit));
@@ -362,7 +377,7 @@ Result<void> Session::commit(Edit edit) {
 }
 
 Result<void> Session::commit_with_previous(Edit edit) {
-  let_fills_follow(edit);
+  let_others_follow(edit, Origin::kCommand);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   if (!history_.extend(edit)) history_.record(std::move(edit));
@@ -404,6 +419,9 @@ void Session::draw(Overlay& overlay) const {
   if (kind != ToolKind::kSelects && kind != ToolKind::kTransforms)
     parts_->selection_view.draw(overlay);
   tool().draw(overlay);
+  if (draws_ink()) {
+    if (const DrawingGuide* guide = symmetry()) add_ink_images(overlay, *guide);
+  }
 }
 
 std::vector<std::string> Session::option_ids() const {

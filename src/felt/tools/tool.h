@@ -35,6 +35,7 @@ enum class ToolKind : std::uint8_t {
              ///< whose boundary is opened: "close" or "remove"
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
+  kGuides,      ///< adds, changes and removes guides of the drawing
 };
 
 /// The path of a typical gesture. Tests of devices and of the haptic loop perform it.

@@ -42,6 +42,8 @@ struct EventFields {
   std::shared_ptr<const PictureData> picture;
   std::optional<Affine> matrix;
   GuideLine guide;
+  GuidesEvent guides;
+  bool has_kind = false;  ///< of guides
 };
 
 /// The kinds of events, by their name in the file.
@@ -64,7 +66,8 @@ enum class EventName {
   kPicture,
   kDevice,
   kMaterial,
-  kGuide
+  kGuide,
+  kGuides
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

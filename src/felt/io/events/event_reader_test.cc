@@ -162,6 +162,12 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
 }
 
 TEST(EventReader, ReadsGuides) {
+  const DrawingGuide ruler{DrawingGuideKind::kRuler, {20, 30.5}, 0.25};
+  EXPECT_EQ(event_of(R"({"event":"guides","do":"add","kind":"ruler","x":20,"y":30.5,)"
+                     R"("angle_rad":0.25,"t_ms":0})"),
+            (Event{0, GuidesEvent{GuidesEvent::Do::kAdd, {}, ruler}}));
+  EXPECT_EQ(event_of(R"({"event":"guides","do":"remove","id":7,"kind":"ruler","t_ms":0})"),
+            (Event{0, GuidesEvent{GuidesEvent::Do::kRemove, {7}}}));
   EXPECT_EQ(event_of(R"({"event":"guide","kind":"none","t_ms":0})"), (Event{0, UseGuide{}}));
   EXPECT_EQ(
       event_of(
