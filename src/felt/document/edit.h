@@ -13,8 +13,9 @@
 
 namespace felt {
 
-/// A typed number that names a stroke, layer or fill of a document. The id zero names nothing. Ids
-/// are never reused within a document, so an id in an undo step always means the same object.
+/// A typed number that names a stroke, layer, fill, guide or symmetry group of a document. The id
+/// zero names nothing. Ids are never reused within a document, so an id in an undo step always means
+/// the same object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
@@ -27,10 +28,16 @@ struct Id {
 using StrokeId = Id<struct StrokeTag>;
 using LayerId = Id<struct LayerTag>;
 using FillId = Id<struct FillTag>;
+using GuideId = Id<struct GuideTag>;
+using SymmetryId = Id<struct SymmetryTag>;
 
 using StrokePtr = std::shared_ptr<const Stroke>;
 struct Fill;  // fill.h
 using FillPtr = std::shared_ptr<const Fill>;
+struct DrawingGuide;  // drawing_guide.h
+using DrawingGuidePtr = std::shared_ptr<const DrawingGuide>;
+struct SymmetryGroup;  // symmetry_group.h
+using SymmetryPtr = std::shared_ptr<const SymmetryGroup>;
 
 /// The position of a stroke or fill: its layer, and its index in that layer's list of strokes or of
 /// fills (0 is the lowest).
@@ -67,6 +74,25 @@ struct FillChange {
   friend bool operator==(const FillChange&, const FillChange&) = default;
 };
 
+/// The change of one guide: added, removed, or replaced. Guides are above all layers, and their
+/// order is that of their ids.
+struct GuideChange {
+  GuideId id;
+  DrawingGuidePtr before;
+  DrawingGuidePtr after;
+
+  friend bool operator==(const GuideChange&, const GuideChange&) = default;
+};
+
+/// The change of one symmetry group: added, removed, or replaced.
+struct SymmetryChange {
+  SymmetryId id;
+  SymmetryPtr before;
+  SymmetryPtr after;
+
+  friend bool operator==(const SymmetryChange&, const SymmetryChange&) = default;
+};
+
 /// Everything about a layer except its strokes, its fills and its position.
 struct LayerState {
   std::string name;
@@ -98,15 +124,19 @@ struct LayerChange {
 };
 
 /// The only way to change a document: a label for the undo menu, and the changes of strokes,
-/// layers and fills. One gesture is one edit.
+/// layers, fills, guides and symmetry groups. One gesture is one edit.
 struct Edit {
   std::string label;  ///< shown to the user: "Draw", "Pull"
   std::vector<StrokeChange> changes;
   std::vector<LayerChange> layers = {};
   std::vector<FillChange> fills = {};
+  std::vector<GuideChange> guides = {};
+  std::vector<SymmetryChange> symmetries = {};
+  bool toggles_guides = false;  ///< hides the guides if they were shown, shows them if hidden
 
   [[nodiscard]] bool empty() const noexcept {
-    return changes.empty() && layers.empty() && fills.empty();
+    return changes.empty() && layers.empty() && fills.empty() && guides.empty() &&
+           symmetries.empty() && !toggles_guides;
   }
   /// Returns the edit that undoes this edit: `before` and `after` are swapped. The inverse of the
   /// result is this edit.

@@ -121,6 +121,7 @@ struct Session::Parts {
   SurfaceOptions surface;
   Rgba ink_color;
   std::string ink_medium = "pencil";
+  std::vector<DrawingGuidePtr> visible_guides;  // of the document
   std::optional<GuideTrack> guide;
   std::uint32_t guide_number = 0;  // the last number that a guide has used
 };
@@ -133,6 +134,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       selection_(std::move(options_.selection)),
       history_(options_.history_limit_bytes) {
   selection_.hold_to(document_);
+  parts_->visible_guides = document_.visible_guides();
   parts_->selection_view.look_at_all(document_, selection_);
   FELT_CHECK(!tools_.empty());
   const auto draws = [](const auto& tool) { return tool->info().kind == ToolKind::kDraws; };
@@ -379,6 +381,9 @@ void Session::follow(const Edit& applied) {
   ++selections_;
   if (is_selected) parts_->selection_view.look_at_all(document_, selection_);
   if (!applied.layers.empty()) keep_layer_open();
+  if (!applied.guides.empty() || applied.toggles_guides) {
+    parts_->visible_guides = document_.visible_guides();
+  }
   if (options_.on_edit) options_.on_edit(applied);
 }
 
@@ -450,7 +455,8 @@ Scene Session::scene() const {
           options_.materials,
           parts_->guide ? &*parts_->guide : nullptr,
           parts_->ink_medium,
-          size ? size->mm : Scene::kUsualInkWidthMm};
+          size ? size->mm : Scene::kUsualInkWidthMm,
+          parts_->visible_guides};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {
