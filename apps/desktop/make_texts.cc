@@ -30,6 +30,7 @@ constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Layer opacity"), QT_TRANSLATE_NOOP("edits", "Duplicate layer"),
     QT_TRANSLATE_NOOP("edits", "Merge layers"),  QT_TRANSLATE_NOOP("edits", "Add picture"),
     QT_TRANSLATE_NOOP("edits", "Place picture"), QT_TRANSLATE_NOOP("edits", "Export picture"),
+    QT_TRANSLATE_NOOP("edits", "Make exact"),
 };
 
 /// The set of texts of one translation context.

@@ -238,6 +238,14 @@
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
+        <source>Make e&amp;xact</source>
+        <translation>&amp;Exakt machen</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Ersetzt die Linie, die an einer Hilfslinie gezeichnet wurde, durch die exakte Kurve.</translation>
+    </message>
+    <message>
         <source>Select &amp;all</source>
         <translation>&amp;Alles auswählen</translation>
     </message>
@@ -1777,6 +1785,10 @@
     <message>
         <source>Duplicate layer</source>
         <translation>Ebene duplizieren</translation>
+    </message>
+    <message>
+        <source>Make exact</source>
+        <translation>Exakt machen</translation>
     </message>
     <message>
         <source>Merge layers</source>

@@ -238,6 +238,14 @@
         <translation>Op&amp;nieuw</translation>
     </message>
     <message>
+        <source>Make e&amp;xact</source>
+        <translation>E&amp;xact maken</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Vervangt de lijn die langs een hulplijn is getekend door de exacte kromme.</translation>
+    </message>
+    <message>
         <source>Select &amp;all</source>
         <translation>&amp;Alles selecteren</translation>
     </message>
@@ -1777,6 +1785,10 @@
     <message>
         <source>Duplicate layer</source>
         <translation>Laag dupliceren</translation>
+    </message>
+    <message>
+        <source>Make exact</source>
+        <translation>Exact maken</translation>
     </message>
     <message>
         <source>Merge layers</source>

@@ -207,13 +207,20 @@ struct UseGuide {
   friend bool operator==(const UseGuide&, const UseGuide&) = default;
 };
 
+/// Replaces the last stroke by the exact line or arc of the guide of the drawing that it kept to,
+/// as one undo step. Does nothing if no exact curve is offered (Session::exact_offer).
+/// {"event":"exact"}
+struct ExactEvent {
+  friend bool operator==(const ExactEvent&, const ExactEvent&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent, OrderEvent,
-               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide>
+               RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide, ExactEvent>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -19,8 +19,11 @@
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/exact_ink.h"
 #include "felt/tools/guide_track.h"
+#include "felt/tools/guided_feel.h"
 #include "felt/tools/selection_view.h"
+#include "felt/tools/stroke_guide.h"
 
 namespace felt {
 namespace {
@@ -48,6 +51,13 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   const std::size_t dot = id.find('.');
   if (dot == std::string_view::npos) return {id, {}};
   return {id.substr(0, dot), id.substr(dot + 1)};
+}
+
+/// A guide of a study has priority over those of the drawing.
+ActiveGuide active_guide(const GuideTrack* study, const StrokeGuide& drawing) noexcept {
+  if (study) return {&study->guide(), study->number()};
+  if (drawing.force()) return {drawing.force(), drawing.number(), true};
+  return {};
 }
 
 Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes,
@@ -108,6 +118,7 @@ struct Session::Apply {
   }
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
   Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
+  Result<void> operator()(const ExactEvent&) const { return session.make_exact(); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -132,7 +143,8 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       document_(std::move(options_.document)),
       parts_(std::make_unique<Parts>(document_)),
       selection_(std::move(options_.selection)),
-      history_(options_.history_limit_bytes) {
+      history_(options_.history_limit_bytes),
+      stroke_guide_(std::make_unique<StrokeGuide>()) {
   selection_.hold_to(document_);
   parts_->visible_guides = document_.visible_guides();
   parts_->selection_view.look_at_all(document_, selection_);
@@ -198,6 +210,8 @@ Result<void> Session::sample(const PenSample& reported) {
   const Contact::Change contact = parts_->contact.update(sample);
   if (must_lift_ && parts_->contact.is_down()) return {};
   must_lift_ = false;
+  if (contact == Contact::Change::kTouched) exact_.reset();
+  follow_stroke_guide(sample);
   if (pen_is_down_ && !was_down) gesture_is_open_ = true;
   Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
@@ -219,6 +233,7 @@ Result<void> Session::finish() {
   Result<void> taken = take(tools_[active_]->finish(scene()));
   show({});
   gesture_is_open_ = false;
+  stroke_guide_->stop();
   // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
   // lifted first.
   const bool was_down = std::exchange(pen_is_down_, false);
@@ -323,6 +338,7 @@ void Session::report_material(std::int64_t time_ns, OpenChoice kind, const Optio
 
 void Session::cancel() {
   tools_[active_]->cancel();
+  stroke_guide_->stop();
   show({});
   gesture_is_open_ = false;
 }
@@ -333,7 +349,9 @@ Result<void> Session::take(ToolResult result) {
   Result<void> done;
   if (result.commit) {
     gesture_is_open_ = false;
+    const Edit edit = *result.commit;
     done = commit(std::move(*result.commit));
+    if (done) offer_exact(edit);
   }
   if (done && result.selection) {
     set_selection(std::move(*result.selection));
@@ -404,6 +422,22 @@ void Session::draw(Overlay& overlay) const {
   if (kind != ToolKind::kSelects && kind != ToolKind::kTransforms)
     parts_->selection_view.draw(overlay);
   tool().draw(overlay);
+  stroke_guide_->draw(overlay);
+  if (!options_.device.has_force()) draw_guide_spring(overlay);
+  if (const StrokePtr exact = exact_offer()) draw_exact(*exact, overlay);
+}
+
+void Session::draw_guide_spring(Overlay& overlay) const {
+  stroke_guide_->draw_spring(overlay);
+}
+
+void Session::follow_stroke_guide(const PenSample& sample) {
+  const bool draws = tool().info().kind == ToolKind::kDraws && !parts_->guide;
+  if (!draws) stroke_guide_->stop();
+  stroke_guide_->update(sample, parts_->contact.is_down(),
+                        draws ? std::span<const DrawingGuidePtr>(parts_->visible_guides)
+                              : std::span<const DrawingGuidePtr>(),
+                        document_, guide_spring_for(options_.device));
 }
 
 std::vector<std::string> Session::option_ids() const {
@@ -453,7 +487,7 @@ Scene Session::scene() const {
           options_.device,
           ink_color(),
           options_.materials,
-          parts_->guide ? &*parts_->guide : nullptr,
+          active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_),
           parts_->ink_medium,
           size ? size->mm : Scene::kUsualInkWidthMm,
           parts_->visible_guides};

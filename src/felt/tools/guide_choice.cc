@@ -16,7 +16,7 @@ using Kind = DrawingGuideKind;
 constexpr double kMinRadiusMm = 2.0;  // of circles and of the semi-axes of ellipses
 constexpr double kMaxRadiusMm = 3000.0;
 constexpr double kMinLengthMm = 1.0;
-constexpr double kMinStepMm = 0.5;    // between nodes
+constexpr double kMinStepMm = 0.5;  // between nodes
 constexpr double kNearVanishingMm = 5.0;
 constexpr double kApart = 0.45;  // share of the distance between neighbours that a radius may have
 constexpr double kTraceStepMm = 0.25;
@@ -32,7 +32,7 @@ Vec direction(double angle_rad) noexcept {
 }
 
 std::optional<GuideShape> leg(Point at, Vec along, double length_mm) {
-  if (!(length_mm >= kMinLengthMm && length_mm <= 2.0 * GuideStraight::kEndlessMm)) return {};
+  if (!(length_mm >= kMinLengthMm)) return {};
   return GuideStraight{at, along, 0.0, length_mm};
 }
 

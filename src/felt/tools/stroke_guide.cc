@@ -11,16 +11,16 @@ namespace {
 
 using Kind = DrawingGuideKind;
 
-constexpr double kRaySpanMm = 9.5;       // half of the piece of a ray
-constexpr double kRimFadeMm = 5.0;       // beyond the ends of the rays, as for a path
+constexpr double kRaySpanMm = 9.5;  // half of the piece of a ray
+constexpr double kRimFadeMm = 5.0;  // beyond the ends of the rays, as for a path
 constexpr double kGateRiseS = 0.1, kGateFallS = 0.03;
 constexpr double kMaxGateStepS = 0.02;
-constexpr double kMaxBackMm = 1.0;       // a stroke that goes back further is not exact
-constexpr double kMinExactMm = 2.0;      // shortest stroke that is offered as exact
+constexpr double kMaxBackMm = 1.0;   // a stroke that goes back further is not exact
+constexpr double kMinExactMm = 2.0;  // shortest stroke that is offered as exact
 constexpr double kClickN = 0.2;
-constexpr double kShownSpringMm = 0.3;   // shortest spring that is drawn
+constexpr double kChoiceMm = 30.0;      // how far the lines of a perspective are shown
+constexpr double kShownSpringMm = 0.3;  // shortest spring that is drawn
 
-/// Returns the spacing at which a piece of one point has the distance from that point as its D.
 GuidePiece node_piece(Point at, std::uint32_t hold, double gain) {
   GuidePiece piece;
   piece.points[0] = at;
@@ -54,13 +54,13 @@ double between_mm(const GuideShape& shape, double from, double to) noexcept {
 
 void StrokeGuide::update(const PenSample& sample, bool is_down,
                          std::span<const DrawingGuidePtr> guides, const Document& document,
-                         double n_per_m) {
+                         const GuideSpring& spring) {
   pen_ = on_page(sample.position);
-  n_per_m_ = n_per_m;
+  spring_ = spring;
   const bool begins = is_down && !is_down_;
   is_down_ = is_down;
   if (!is_down) {
-    stop();
+    let_go();
     return;
   }
   if (begins) begin(guides, document);
@@ -74,7 +74,12 @@ void StrokeGuide::update(const PenSample& sample, bool is_down,
 }
 
 void StrokeGuide::stop() noexcept {
-  is_down_ = false;
+  let_go();
+  shape_.reset();
+  keeps_ = false;
+}
+
+void StrokeGuide::let_go() noexcept {
   phase_ = Phase::kNone;
   track_.reset();
   guide_.reset();
@@ -117,7 +122,7 @@ void StrokeGuide::hold_to(const GuideShape& shape) {
   shape_ = shape;
   keeps_ = true;
   first_at_ = last_at_ = furthest_ = nearest_on(shape, pen_).at;
-  GuideLaw law = GuideLaw::line(guide_->strength, n_per_m_);
+  GuideLaw law = GuideLaw::line(guide_->strength, spring_);
   law.is_edge = guide_->kind == Kind::kRuler;
   if (guide_->kind == Kind::kPerspective) law.click_n = kClickN * guide_->strength;
   start_track({.kind = GuideKind::kGroove,
@@ -130,7 +135,7 @@ void StrokeGuide::hold_to(const GuideShape& shape) {
 
 void StrokeGuide::hold_to_path(const Document& document) {
   const bool leads = guide_->kind == Kind::kTeacher;
-  GuideLaw law = GuideLaw::line(guide_->strength, n_per_m_);
+  GuideLaw law = GuideLaw::line(guide_->strength, spring_);
   if (leads) {
     const GuideLaw teacher = GuideLaw::teacher(guide_->strength);
     law.lead_n = teacher.lead_n;
@@ -191,8 +196,8 @@ void StrokeGuide::follow_nodes(const PenSample& sample) {
     if (node_) ++ticks_;
     node_ = node.at;
   }
-  piece_ = Guide(GuideLaw::tick(guide_->strength, node.radius_mm),
-                 node_piece(node.at, hold_, gate_));
+  piece_ =
+      Guide(GuideLaw::tick(guide_->strength, node.radius_mm), node_piece(node.at, hold_, gate_));
 }
 
 /// Follows the position on the shape, and whether the stroke keeps to it.
@@ -237,23 +242,28 @@ std::optional<Point> StrokeGuide::felt_point() const {
   return guide->nearest(pen_);
 }
 
-void StrokeGuide::draw(Overlay& overlay, bool has_force) const {
-  if (phase_ == Phase::kNone) return;
-  for (const GuideStraight& line : phase_ == Phase::kChooses ? choices_ : std::vector<GuideStraight>()) {
-    overlay.lines.push_back({point_at(line, -30.0), point_at(line, 30.0), Overlay::Role::kReach});
+void StrokeGuide::draw(Overlay& overlay) const {
+  if (phase_ == Phase::kChooses) {
+    for (const GuideStraight& line : choices_) {
+      overlay.lines.push_back(
+          {point_at(line, -kChoiceMm), point_at(line, kChoiceMm), Overlay::Role::kReach});
+    }
   }
   if (phase_ == Phase::kPath && shape_) {
     const bool is_closed = std::holds_alternative<GuideEllipse>(*shape_);
     overlay.outlines.push_back({guide_points(*shape_, touch_), is_closed, Overlay::Role::kGuide});
   }
+}
+
+void StrokeGuide::draw_spring(Overlay& overlay) const {
   const std::optional<Point> to = felt_point();
-  if (has_force || !to || distance(pen_, *to) < kShownSpringMm) return;
-  const Vec way = *to - pen_;
-  const Vec side = 0.5 * perp(normalized(way));
-  Overlay::Outline spring{.points = {pen_}, .role = Overlay::Role::kTether};
+  if (!to || distance(pen_, *to) < kShownSpringMm) return;
   constexpr int kTurns = 6;
+  const Vec whole = *to - pen_;
+  const Vec side = 0.5 * perp(normalized(whole));
+  Overlay::Outline spring{.points = {pen_}, .role = Overlay::Role::kTether};
   for (int i = 0; i < kTurns; ++i) {
-    spring.points.push_back(pen_ + (i + 0.5) / kTurns * way + (i % 2 == 0 ? 1.0 : -1.0) * side);
+    spring.points.push_back(pen_ + (i + 0.5) / kTurns * whole + (i % 2 == 0 ? 1.0 : -1.0) * side);
   }
   spring.points.push_back(*to);
   overlay.outlines.push_back(std::move(spring));

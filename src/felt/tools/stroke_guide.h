@@ -44,10 +44,10 @@ class StrokeGuide {
   static constexpr std::uint32_t kFirstHold = 1U << 31;
 
   /// Handles a sample. `is_down` is true from the touch until the lift, also in a bounce. `guides`
-  /// are the visible guides; `n_per_m` is the stiffness of lines (guide_stiffness_n_per_m).
+  /// are the visible guides; `spring` is that of the device (guide_spring_for).
   void update(const PenSample& sample, bool is_down, std::span<const DrawingGuidePtr> guides,
-              const Document& document, double n_per_m);
-  /// Ends the stroke, for example because it was cancelled.
+              const Document& document, const GuideSpring& spring);
+  /// Lets the pen go until the next touch, for example because the stroke was cancelled.
   void stop() noexcept;
 
   /// Returns the force near the last sample, or null if no guide holds the pen.
@@ -63,13 +63,15 @@ class StrokeGuide {
   /// within kExactMm of one line, circle or ellipse, without turning back.
   [[nodiscard]] std::optional<ExactPath> exact_path() const;
 
-  /// Adds the line that the stroke is held to, if the drawing does not show it itself. Adds a spring
-  /// from the pen to the guide if the device has no force.
-  void draw(Overlay& overlay, bool has_force) const;
+  /// Adds the lines from which a perspective chooses, and the line that the stroke is held to.
+  void draw(Overlay& overlay) const;
+  /// Adds a spring from the pen to the guide, for users whose device has no force.
+  void draw_spring(Overlay& overlay) const;
 
  private:
   enum class Phase : std::uint8_t { kNone, kChooses, kPath, kRays, kNodes };
 
+  void let_go() noexcept;
   void begin(std::span<const DrawingGuidePtr> guides, const Document& document);
   void hold_to(const GuideShape& shape);
   void hold_to_path(const Document& document);
@@ -84,7 +86,7 @@ class StrokeGuide {
   Phase phase_ = Phase::kNone;
   bool is_down_ = false;
   Point touch_, pen_;
-  double n_per_m_ = GuideLaw::kLineNPerM;
+  GuideSpring spring_;
   std::optional<GuideTrack> track_;     // kPath
   Guide piece_;                         // kRays, kNodes
   std::vector<GuideStraight> choices_;  // kChooses

@@ -32,11 +32,14 @@ enum class Trial : std::uint8_t {
   kTeacher,      ///< a teacher who draws with 40 mm/s
 };
 /// The trials of guides of a drawing.
-inline constexpr Trial kGuideTrials[] = {
-    Trial::kRuler, Trial::kLine, Trial::kCompass, Trial::kEllipse, Trial::kPerspective,
-    Trial::kRay,   Trial::kNode, Trial::kTrace,   Trial::kTeacher};
+inline constexpr Trial kGuideTrials[] = {Trial::kRuler,   Trial::kLine,        Trial::kCompass,
+                                         Trial::kEllipse, Trial::kPerspective, Trial::kRay,
+                                         Trial::kNode,    Trial::kTrace,       Trial::kTeacher};
 inline constexpr Trial kTrials[] = {Trial::kRest, Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit, Trial::kGuide, Trial::kRidge, Trial::kBundle};
+constexpr bool is_guide_of_drawing(Trial trial) noexcept {
+  return trial >= Trial::kRuler;
+}
 std::string_view name_of(Trial trial) noexcept;
 
 /// One trial: a hand uses a medium on a surface with a device and a loop.

@@ -61,9 +61,10 @@ GuideLaw GuideLaw::teacher(double strength) noexcept {
   return law;
 }
 
-GuideLaw GuideLaw::line(double strength, double n_per_m) noexcept {
+GuideLaw GuideLaw::line(double strength, const GuideSpring& spring) noexcept {
   GuideLaw law = groove(strength);
-  law.well.core_mm = 800.0 / std::max(n_per_m, 300.0);
+  law.well.core_mm = std::min(law.well.core_mm, 800.0 / std::max(spring.n_per_m, 1.0));
+  law.well.damping_n_s_per_m = strength * spring.damping_n_s_per_m;
   return law;
 }
 
@@ -145,7 +146,7 @@ double Guide::held_share(bool is_down, double reach_mm, ForceMemory& memory) con
   GuideHold& hold = memory.guide;
   if (hold.number != piece_.hold) hold = {.number = piece_.hold};
   const bool keeps = hold.is_held || law_.pushes_away;
-  const double limit = keeps            ? law_.well.radius_mm
+  const double limit = keeps          ? law_.well.radius_mm
                        : law_.is_edge ? std::numeric_limits<double>::min()
                                       : capture_mm(law_.well);
   hold.is_held = is_down && reach_mm < limit;

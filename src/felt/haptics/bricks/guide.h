@@ -12,6 +12,11 @@
 
 namespace felt {
 
+/// How stiff a guide of a drawing is across its path.
+struct GuideSpring {
+  double n_per_m = 600.0, damping_n_s_per_m = 3.0;
+};
+
 /// The force of a guide as a function of the distance D from its path
 /// (docs/design/forces.md#guides): the same function as that of a snap target.
 struct GuideLaw {
@@ -25,13 +30,11 @@ struct GuideLaw {
   double window_mm = 9.5;  ///< how far along the path points count, from the position of the pen
   double lead_n = 0.0;     ///< largest force along the path, towards its end
   double lead_n_s_per_m = 0.0;  ///< that force divided by how much too slow the pen is
-  double rise_s = 0.15;          ///< time in which the force grows from zero
-  /// If true, the path is an edge: it pushes the pen to the side GuidePiece::free_side, from
-  /// kEdgeMm before the path on, so that a pen that is pushed against it rests on the path.
+  double rise_s = 0.15;         ///< time in which the force grows from zero
+  /// If true, the path is an edge: from kEdgeMm before it on, it pushes to GuidePiece::free_side.
   bool is_edge = false;
   static constexpr double kEdgeMm = 0.25;
-  /// A brake against any movement, N, for some 30 ms when the guide begins to hold the pen: a
-  /// click. It opposes the velocity, so it can only remove energy.
+  /// A click: a brake against the movement, N, for 30 ms when the guide begins to hold the pen.
   double click_n = 0.0;
 
   /// Returns the law of a groove: 300 N/m, at most 0.8 N, capture width 3 mm. `strength`, 0 to 1,
@@ -41,12 +44,10 @@ struct GuideLaw {
   static GuideLaw error_amplifying(double strength) noexcept;
   /// Returns the law of a groove that also leads the pen along the path, with at most 0.2 N.
   static GuideLaw teacher(double strength) noexcept;
-  /// Returns the law of a guide of a drawing: a groove that is stiffer than that of a study, with
-  /// the same force and capture width.
-  static GuideLaw line(double strength, double n_per_m = kLineNPerM) noexcept;
-  static constexpr double kLineNPerM = 600.0;
-  /// Returns the law of a node of a grid or a ray of a protractor: 300 N/m, at most 0.3 N. If
-  /// `radius_mm` is less than kTickMm, the force is smaller in proportion.
+  /// Returns the law of a guide of a drawing: a stiffer groove with the same force and width.
+  static GuideLaw line(double strength, const GuideSpring& spring = {}) noexcept;
+  /// Returns the law of a node of a grid or a ray of a protractor: 300 N/m, at most 0.3 N, smaller
+  /// in proportion if `radius_mm` is less than kTickMm.
   static GuideLaw tick(double strength, double radius_mm) noexcept;
   static constexpr double kTickMm = 2.0, kTickN = 0.3;
 
@@ -67,8 +68,7 @@ struct GuidePiece {
   double spacing_mm = kSpacingMm;
   double at_mm = 0.0;  ///< position of the pen along the path, from points[0]
   double gain = 1.0;   ///< 0..1, multiplies all forces; must change slowly
-  /// For GuideLaw::is_edge: the side without force; 1 is the side to which perp() of the direction
-  /// of the path points, -1 the other one.
+  /// For an edge: 1 if the side without force is that of perp() of the path's direction, else -1.
   double free_side = 1.0;
   /// Changes when the piece belongs to another part of the path than before, or to another path.
   /// Then the force starts again from zero.
@@ -90,14 +90,14 @@ struct GuidePiece {
 /// moves.
 ///
 /// The force begins when the pen touches within the capture width, and grows from zero within 150
-/// ms (GuideLaw::rise_s). When the pen has left the guide (D > radius), there is no force until the pen is back within
-/// the capture width; then the force grows from zero again. So a guide never pulls suddenly, and
-/// leaving it costs more energy than coming back returns. A force that points away acts without
-/// this rule, because otherwise coming back would cost nothing, and a loop would gain energy.
+/// ms (GuideLaw::rise_s). When the pen has left the guide (D > radius), there is no force until the
+/// pen is back within the capture width; then the force grows from zero again. So a guide never
+/// pulls suddenly, and leaving it costs more energy than coming back returns. A force that points
+/// away acts without this rule, because otherwise coming back would cost nothing, and a loop would
+/// gain energy.
 ///
-/// An edge acts only on a pen that has been on its free side during this touch, D counts from
-/// GuideLaw::kEdgeMm before the path, and F points to the free side. A pen that was pushed over the
-/// edge is free until it is back on the free side.
+/// An edge acts only on a pen that has been on its free side during this touch, and again after it
+/// was left. D counts from GuideLaw::kEdgeMm before the path, and F points to the free side.
 ///
 /// The force of a teacher along the path, lead_n_s_per_m (v_teacher - v_pen), is never negative: a
 /// pen that is faster than the teacher is not braked.
@@ -116,9 +116,9 @@ class Guide {
   /// Returns D at a point of the page, mm; infinity without a piece.
   [[nodiscard]] double distance_mm(Point pen) const noexcept;
 
-  /// Returns the point q of the path for a point of the page; that point itself without a piece.
+  /// Returns the point q of the path, and the largest force on a pen at rest, N, for a point of the
+  /// page; that point itself and 0 without a piece.
   [[nodiscard]] Point nearest(Point pen) const noexcept;
-  /// Returns the largest force on a pen at rest at this point, N; 0 without a piece.
   [[nodiscard]] double pull_n(Point pen) const noexcept;
 
   [[nodiscard]] const GuideLaw& law() const noexcept { return law_; }

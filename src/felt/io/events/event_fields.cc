@@ -427,6 +427,7 @@ constexpr NamedEvent kEvents[] = {
     {"undo", EventName::kUndo, kPlainFields},
     {"redo", EventName::kRedo, kPlainFields},
     {"cancel", EventName::kCancel, kPlainFields},
+    {"exact", EventName::kExact, kPlainFields},
     {"import", EventName::kImport, kImportFields},
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},

@@ -53,6 +53,7 @@ enum class EventName {
   kUndo,
   kRedo,
   kCancel,
+  kExact,
   kImport,
   kSelect,
   kDelete,

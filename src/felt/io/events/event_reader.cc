@@ -50,6 +50,8 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return RedoEvent{};
     case EventName::kCancel:
       return CancelEvent{};
+    case EventName::kExact:
+      return ExactEvent{};
     case EventName::kImport:
       return ImportEvent{std::move(fields.path), fields.select};
     case EventName::kSelect:

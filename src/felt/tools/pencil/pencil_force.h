@@ -1,13 +1,15 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
-#include "felt/tools/guide_track.h"
+#include "felt/tools/guided_feel.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/scene.h"
 
@@ -42,8 +44,9 @@ class ScaledInertia {
 /// itself whether the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
-  const Medium material =
+  Medium material =
       scaled_medium(medium_of(scene, settings.medium), settings.strength, settings.strength);
+  if (scene.guide.is_of_drawing) material = guided_medium(std::move(material));
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
@@ -56,10 +59,10 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
     id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
   }
-  if (scene.guide) id.with("guide").with(std::uint64_t{scene.guide->number()});
+  if (scene.guide.force) id.with("guide").with(std::uint64_t{scene.guide.number});
   const auto model_with = [&](const auto&... stabiliser) {
-    if (!scene.guide) return ForceModel(Compose(surface, well, stabiliser...));
-    return ForceModel(Compose(surface, well, scene.guide->guide(), stabiliser...));
+    if (!scene.guide.force) return ForceModel(Compose(surface, well, stabiliser...));
+    return ForceModel(Compose(surface, well, *scene.guide.force, stabiliser...));
   };
   ForceModel model;
   switch (settings.stabiliser.kind) {
