@@ -63,6 +63,7 @@ TEST(EventReader, ReadsEveryKind) {
   EXPECT_EQ(event_of(R"({"event":"undo","t_ms":3})"), (Event{3'000'000, UndoEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"redo","t_ms":3})"), (Event{3'000'000, RedoEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"cancel","t_ms":3})"), (Event{3'000'000, CancelEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"exact","t_ms":3})"), (Event{3'000'000, ExactEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"import","path":"a/b.ndjson","t_ms":3})"),
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
   EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
