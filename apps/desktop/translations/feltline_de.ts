@@ -345,6 +345,14 @@
         <source>Replaces the line of the steady hand by the line as it was drawn.</source>
         <translation>Ersetzt die Linie der ruhigen Hand durch die Linie, wie sie gezeichnet wurde.</translation>
     </message>
+    <message>
+        <source>Make e&amp;xact</source>
+        <translation>&amp;Exakt machen</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Ersetzt die Linie, die an einer Hilfslinie gezeichnet wurde, durch die exakte Kurve.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -1889,6 +1897,10 @@
     <message>
         <source>Unlink</source>
         <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Make exact</source>
+        <translation>Exakt machen</translation>
     </message>
 </context>
 <context>

@@ -345,6 +345,14 @@
         <source>Replaces the line of the steady hand by the line as it was drawn.</source>
         <translation>Vervangt de lijn van de vaste hand door de lijn zoals die getekend is.</translation>
     </message>
+    <message>
+        <source>Make e&amp;xact</source>
+        <translation>E&amp;xact maken</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Vervangt de lijn die langs een hulplijn is getekend door de exacte kromme.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -1889,6 +1897,10 @@
     <message>
         <source>Unlink</source>
         <translation>Losmaken</translation>
+    </message>
+    <message>
+        <source>Make exact</source>
+        <translation>Exact maken</translation>
     </message>
 </context>
 <context>

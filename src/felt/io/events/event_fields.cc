@@ -6,6 +6,7 @@
 
 #include "felt/base/base64.h"
 #include "felt/geometry/tilt.h"
+#include "felt/io/events/event_values.h"
 #include "felt/io/events/event_words.h"
 #include "felt/io/events/guide_fields.h"
 #include "felt/material/material_file.h"
@@ -17,13 +18,6 @@ namespace {
 constexpr NumberLimit kMoveLimit = {MoveEvent::kMaxMm, "10000"};
 constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
 constexpr std::uint64_t kMaxCounted = 1000;
-
-/// Reads the number at `key` into `out`.
-Result<void> parse_number(Value& value, const char* key, NumberLimit limit, double& out) {
-  const std::string_view token = token_of(value);
-  if (read_number(value, limit, out)) return {};
-  return tl::unexpected(with_context(number_error(token, limit), key));
-}
 
 template <double Vec3::*Axis>
 Result<void> parse_axis(Value& value, const char* key, EventFields& out) {
@@ -100,58 +94,6 @@ Result<void> parse_width_factor(Value& value, EventFields& out) {
   }
   out.width_factor = factor;
   return {};
-}
-
-Result<void> parse_text(Value& value, const char* key, std::string& out,
-                        std::size_t max_bytes = limits::kMaxNameBytes) {
-  Result<std::string> text = read_name(value, max_bytes);
-  if (!text) return tl::unexpected(with_context(text.error(), key));
-  if (text->empty()) return bad(std::string(key) + ": is empty");
-  if (text->find('\0') != std::string::npos) return bad(std::string(key) + ": contains a NUL");
-  out = std::move(*text);
-  return {};
-}
-
-Result<void> parse_option_value(Value& value, EventFields& out) {
-  const std::string_view token = token_of(value);
-  if (!token.empty() && token[0] == '"') {
-    Result<std::string> text = read_name(value);
-    if (!text) return tl::unexpected(with_context(text.error(), "value"));
-    out.value = std::move(*text);
-    return {};
-  }
-  if (token == "true" || token == "false") {
-    const Result<bool> is_on = read_bool(value);
-    if (!is_on) return tl::unexpected(with_context(is_on.error(), "value"));
-    out.value = *is_on;
-    return {};
-  }
-  double number = 0.0;
-  if (!read_number(value, kCoordinateLimit, number)) {
-    const Error error = number_error(token, kCoordinateLimit);
-    if (error.code == ErrorCode::kLimitExceeded)
-      return tl::unexpected(with_context(error, "value"));
-    return bad("value: " + excerpt(token) + " is not a number, a string, true or false");
-  }
-  out.value = number;
-  return {};
-}
-
-/// Converts a word of a list to the enumerator at the same index.
-template <class Enum, std::size_t N>
-Result<void> parse_word(Value& value, const char* key, const std::array<std::string_view, N>& words,
-                        Enum& out) {
-  std::string text;
-  if (Result<void> read = parse_text(value, key, text); !read) return read;
-  std::string known;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (words[i] == text) {
-      out = static_cast<Enum>(i);
-      return {};
-    }
-    known += (known.empty() ? "" : ", ") + std::string(words[i]);
-  }
-  return bad(std::string(key) + ": \"" + excerpt(text) + "\" is not one of " + known);
 }
 
 Result<void> parse_layer(Value& value, EventFields& out) {
@@ -505,6 +447,7 @@ constexpr NamedEvent kEvents[] = {
     {"redo", EventName::kRedo, kPlainFields},
     {"cancel", EventName::kCancel, kPlainFields},
     {"as-drawn", EventName::kAsDrawn, kPlainFields},
+    {"exact", EventName::kExact, kPlainFields},
     {"import", EventName::kImport, kImportFields},
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},
