@@ -13,8 +13,8 @@ void RestWatch::begin(Point pen, std::int64_t time_ns) noexcept {
 void RestWatch::update(Point pen, std::int64_t time_ns) noexcept {
   if (distance(pen, at_) > kRestMm) return begin(pen, time_ns);
   // A gap between samples says nothing about where the pen was, so it counts as a short step.
-  constexpr double kMaxStepS = 0.1;
-  still_s_ += seconds_between(last_ns_, time_ns, kMaxStepS);
+  constexpr double kMaxRestStepS = 0.1;
+  still_s_ += seconds_between(last_ns_, time_ns, kMaxRestStepS);
   last_ns_ = time_ns;
 }
 

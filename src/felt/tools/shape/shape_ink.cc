@@ -17,7 +17,7 @@ namespace {
 /// 0.0196 %, the smallest that four segments can have [Spencer Mortensen,
 /// https://spencermortensen.com/articles/bezier-circle/].
 constexpr double kQuarterHandle = 0.551915024493510;
-constexpr double kMousePressure = 0.5;
+constexpr double kMouseShare = 0.5;
 
 Vec regular_way(ShapeKind kind, Vec way) noexcept {
   if (kind == ShapeKind::kLine) return in_direction_steps(way);
@@ -78,7 +78,7 @@ std::optional<Stroke> shape_stroke(ShapeKind kind, const ShapeCorners& corners,
   }
   const WidthMapOptions widths = drawn_with(medium_of(scene, scene.medium), {}).width_map;
   const double width_mm = std::max(scene.ink_width_mm, kMinWidthMm);
-  const double tone = widths.tone ? tone_of(widths, kMousePressure, 0.0) : tone_of_width(width_mm);
+  const double tone = widths.tone ? tone_of(widths, kMouseShare, 0.0) : tone_of_width(width_mm);
   data.widths = {{0.0, width_mm, tone}, {is_line ? 1.0 : 4.0, width_mm, tone}};
   data.medium = std::string(scene.medium);
   data.color = scene.color;
