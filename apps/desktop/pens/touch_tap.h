@@ -18,7 +18,7 @@ class TouchTap {
 
   /// Handles a touch event. Returns the number of fingers if it ends a tap.
   std::optional<int> take(const QTouchEvent& event);
-  /// Discards the touch: it is no tap, whatever follows until all fingers are lifted.
+  /// Ignores this touch until all fingers are lifted: it does not count as a tap.
   void cancel() noexcept { is_tap_ = false; }
 
  private:

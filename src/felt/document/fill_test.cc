@@ -52,7 +52,7 @@ TEST(Fill, GoesWithStrokesIfAllOfItsBoundaryIsChosen) {
   EXPECT_TRUE(goes_with_strokes(fill, all));
   fill.loops[0].pieces = {{{}, 0, 0}};
   fill.loops[1].pieces.clear();
-  EXPECT_FALSE(goes_with_strokes(fill, all)) << "a bridge alone is no stroke";
+  EXPECT_FALSE(goes_with_strokes(fill, all)) << "a bridge alone is not a stroke";
 }
 
 RC_GTEST_PROP(Fill, RandomFillsAreValid, (std::uint64_t seed)) {

@@ -29,7 +29,7 @@ class VisitMap {
   /// Number of steps of coverage.
   static constexpr int kCoverSteps = 15;
 
-  /// The visits of a pixel: the newest one, then the others. A value of 0 is no visit. The lower
+  /// The visits of a pixel: the newest one, then the others. A value of 0 means none. The lower
   /// four bits of rho^2 in a value are the coverage of the pixel by that visit.
   struct Visits {
     const std::int32_t* values;

@@ -48,7 +48,7 @@ class LayerStack {
     while (i < entries_.size() && entries_[i].id != id) ++i;
     return {i, std::min(i + 1, entries_.size())};
   }
-  /// Returns the layers of a group; an empty range if there is no such group.
+  /// Returns the layers of a group; an empty range if the group does not exist.
   [[nodiscard]] Range range_of(GroupId id) const {
     const auto is_in = [id](const Entry& e) { return e.state.group && e.state.group->id == id; };
     const auto first = std::find_if(entries_.begin(), entries_.end(), is_in);
