@@ -31,7 +31,9 @@ constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Merge layers"),     QT_TRANSLATE_NOOP("edits", "Add picture"),
     QT_TRANSLATE_NOOP("edits", "Place picture"),    QT_TRANSLATE_NOOP("edits", "Export picture"),
     QT_TRANSLATE_NOOP("edits", "Layer blend mode"), QT_TRANSLATE_NOOP("edits", "Group layers"),
-    QT_TRANSLATE_NOOP("edits", "Ungroup layers"),
+    QT_TRANSLATE_NOOP("edits", "Ungroup layers"),   QT_TRANSLATE_NOOP("edits", "Remove guides"),
+    QT_TRANSLATE_NOOP("edits", "Show guides"),      QT_TRANSLATE_NOOP("edits", "Hide guides"),
+    QT_TRANSLATE_NOOP("edits", "Unlink"),
 };
 
 /// The set of texts of one translation context.

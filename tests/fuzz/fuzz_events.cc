@@ -103,6 +103,9 @@ struct CheckWhat {
   }
   void operator()(const UseGuide& e) const { FELT_CHECK(check_guide(e.line).has_value()); }
   void operator()(const ChooseOffer& e) const { FELT_CHECK(e.what <= OfferKind::kPolygon); }
+  void operator()(const GuidesEvent& e) const {
+    FELT_CHECK(e.what != GuidesEvent::Do::kAdd || check_drawing_guide(e.guide).has_value());
+  }
 };
 
 void check_round_trip(const std::vector<Event>& events) {

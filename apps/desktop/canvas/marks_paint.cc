@@ -56,8 +56,10 @@ void paint_arrow(QPainter& painter, QPointF from, QPointF to, QPen pen, const Ma
 
 void paint_ring(QPainter& painter, const Mark& mark, const MarkLook& look) {
   const RoleLook role = look_of(mark.role);
-  painter.setPen(halo_pen(role.width, look));
-  painter.drawEllipse(mark.points[0], mark.size, mark.size);
+  if (role.has_halo) {
+    painter.setPen(halo_pen(role.width, look));
+    painter.drawEllipse(mark.points[0], mark.size, mark.size);
+  }
   painter.setPen(role_pen(mark, look));
   painter.drawEllipse(mark.points[0], mark.size, mark.size);
 }
@@ -157,8 +159,10 @@ void paint_mark(QPainter& painter, const Mark& mark, const MarkLook& look, const
   painter.setBrush(Qt::NoBrush);
   switch (mark.kind) {
     case Kind::kLines:
-      painter.setPen(halo_pen(look_of(mark.role).width, look));
-      painter.drawPolyline(mark.points);
+      if (look_of(mark.role).has_halo) {
+        painter.setPen(halo_pen(look_of(mark.role).width, look));
+        painter.drawPolyline(mark.points);
+      }
       painter.setPen(role_pen(mark, look));
       painter.drawPolyline(mark.points);
       return;

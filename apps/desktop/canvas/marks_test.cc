@@ -98,7 +98,7 @@ TEST(Marks, EveryRoleIsSeenOnLightAndOnDarkPaper) {
       return std::abs(c.red() - ground.red()) + std::abs(c.green() - ground.green()) +
              std::abs(c.blue() - ground.blue());
     };
-    for (int role = 0; role <= static_cast<int>(Overlay::Role::kCut); ++role) {
+    for (int role = 0; role <= static_cast<int>(Overlay::Role::kAxis); ++role) {
       EXPECT_GT(far_from_ground(look.color(static_cast<Overlay::Role>(role))), 120) << role;
       EXPECT_GT(far_from_ground(look.band(static_cast<Overlay::Role>(role))), 50) << role;
     }

@@ -846,6 +846,10 @@
 <context>
     <name>Menus</name>
     <message>
+        <source>&amp;Guides</source>
+        <translation>&amp;Hilfslinien</translation>
+    </message>
+    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -1788,6 +1792,34 @@
 </context>
 <context>
     <name>edits</name>
+    <message>
+        <source>Add guide</source>
+        <translation>Hilfslinie hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change guide</source>
+        <translation>Hilfslinie ändern</translation>
+    </message>
+    <message>
+        <source>Remove guide</source>
+        <translation>Hilfslinie entfernen</translation>
+    </message>
+    <message>
+        <source>Remove guides</source>
+        <translation>Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>Hide guides</source>
+        <translation>Hilfslinien verbergen</translation>
+    </message>
+    <message>
+        <source>Unlink</source>
+        <translation>Trennen</translation>
+    </message>
     <message>
         <source>Add layer</source>
         <translation>Ebene hinzufügen</translation>
@@ -5626,6 +5658,102 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 <context>
     <name>tools</name>
     <message>
+        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Körnung, Anziehung und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Places rulers, grids, mirror axes and other guides, and moves and turns them.</source>
+        <translation>Setzt Lineale, Raster, Spiegelachsen und andere Hilfslinien, verschiebt und dreht sie.</translation>
+    </message>
+    <message>
+        <source>Drag to place a guide, or drag a guide by a handle or a line.</source>
+        <translation>Ziehen setzt eine Hilfslinie; an einem Griff oder einer Linie ziehen verändert sie.</translation>
+    </message>
+    <message>
+        <source>removes the guide</source>
+        <translation>entfernt die Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>The guide that a drag on a free part of the page places.</source>
+        <translation>Die Hilfslinie, die ein Ziehen auf freier Seite setzt.</translation>
+    </message>
+    <message>
+        <source>Mirror axes</source>
+        <translation>Spiegelachsen</translation>
+    </message>
+    <message>
+        <source>How many axes a new symmetry has. Each stroke gets twice as many images.</source>
+        <translation>Wie viele Achsen eine neue Symmetrie hat. Jede Linie hat doppelt so viele Bilder.</translation>
+    </message>
+    <message>
+        <source>Vanishing points</source>
+        <translation>Fluchtpunkte</translation>
+    </message>
+    <message>
+        <source>How many vanishing points a new perspective has.</source>
+        <translation>Wie viele Fluchtpunkte eine neue Perspektive hat.</translation>
+    </message>
+    <message>
+        <source>How strongly a new guide holds the pen of the pencil.</source>
+        <translation>Wie stark eine neue Hilfslinie den Stift hält.</translation>
+    </message>
+    <message>
+        <source>ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>parallels</source>
+        <translation>Parallelen</translation>
+    </message>
+    <message>
+        <source>set-square</source>
+        <translation>Geodreieck</translation>
+    </message>
+    <message>
+        <source>protractor</source>
+        <translation>Winkelmesser</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>Zirkel</translation>
+    </message>
+    <message>
+        <source>ellipses</source>
+        <translation>Ellipsen</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>isometric-grid</source>
+        <translation>isometrisches Raster</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
+        <source>steps of 15°</source>
+        <translation>Schritte von 15°</translation>
+    </message>
+    <message>
         <source>Draw a line around the selection, or a rectangle from corner to corner.</source>
         <translation>Die Auswahl mit einer Linie umfahren oder ein Rechteck von Ecke zu Ecke aufziehen.</translation>
     </message>
@@ -7056,6 +7184,137 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Widths in steps</source>
         <translation>Breiten in Stufen</translation>
+    </message>
+</context>
+<context>
+    <name>GuideActions</name>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>&amp;Lineal</translation>
+    </message>
+    <message>
+        <source>Adds a straight edge with millimetres.</source>
+        <translation>Fügt eine gerade Kante mit Millimetern hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Gerade</translation>
+    </message>
+    <message>
+        <source>Adds a straight line across the page.</source>
+        <translation>Fügt eine Gerade über die ganze Seite hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Parallels</source>
+        <translation>&amp;Parallelen</translation>
+    </message>
+    <message>
+        <source>Adds all lines of one direction.</source>
+        <translation>Fügt alle Linien einer Richtung hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Set square</source>
+        <translation>Geo&amp;dreieck</translation>
+    </message>
+    <message>
+        <source>Adds a right angle with millimetres.</source>
+        <translation>Fügt einen rechten Winkel mit Millimetern hinzu.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otractor</source>
+        <translation>&amp;Winkelmesser</translation>
+    </message>
+    <message>
+        <source>Adds rays in steps of 15 degrees.</source>
+        <translation>Fügt Strahlen in Schritten von 15 Grad hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Zirkel</translation>
+    </message>
+    <message>
+        <source>Adds the centre of circles.</source>
+        <translation>Fügt den Mittelpunkt von Kreisen hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Adds one ellipse.</source>
+        <translation>Fügt eine Ellipse hinzu.</translation>
+    </message>
+    <message>
+        <source>Co&amp;ncentric ellipses</source>
+        <translation>Ko&amp;nzentrische Ellipsen</translation>
+    </message>
+    <message>
+        <source>Adds ellipses around one centre.</source>
+        <translation>Fügt Ellipsen um einen Mittelpunkt hinzu.</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspekti&amp;ve</translation>
+    </message>
+    <message>
+        <source>Adds two vanishing points.</source>
+        <translation>Fügt zwei Fluchtpunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of squares.</source>
+        <translation>Fügt ein Raster aus Quadraten hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric grid</source>
+        <translation>&amp;Isometrisches Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of triangles.</source>
+        <translation>Fügt ein Raster aus Dreiecken hinzu.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Adds a mirror axis. New lines get mirror images.</source>
+        <translation>Fügt eine Spiegelachse hinzu. Neue Linien bekommen Spiegelbilder.</translation>
+    </message>
+    <message>
+        <source>&amp;Trace of selected lines</source>
+        <translation>&amp;Spur ausgewählter Linien</translation>
+    </message>
+    <message>
+        <source>Makes each selected line a guide.</source>
+        <translation>Macht jede ausgewählte Linie zu einer Hilfslinie.</translation>
+    </message>
+    <message>
+        <source>&amp;Show guides</source>
+        <translation>&amp;Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the guides. Hidden guides have no effect.</source>
+        <translation>Zeigt oder verbirgt die Hilfslinien. Verborgene wirken nicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink mirrored lines</source>
+        <translation>Gespiegelte Linien &amp;trennen</translation>
+    </message>
+    <message>
+        <source>The selected lines no longer follow their mirror images.</source>
+        <translation>Die ausgewählten Linien folgen ihren Spiegelbildern nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all guides</source>
+        <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the guides. Lines stay.</source>
+        <translation>Entfernt die Hilfslinien. Linien bleiben.</translation>
     </message>
 </context>
 </TS>

@@ -846,6 +846,10 @@
 <context>
     <name>Menus</name>
     <message>
+        <source>&amp;Guides</source>
+        <translation>H&amp;ulplijnen</translation>
+    </message>
+    <message>
         <source>&amp;File</source>
         <translation>&amp;Bestand</translation>
     </message>
@@ -1788,6 +1792,34 @@
 </context>
 <context>
     <name>edits</name>
+    <message>
+        <source>Add guide</source>
+        <translation>Hulplijn toevoegen</translation>
+    </message>
+    <message>
+        <source>Change guide</source>
+        <translation>Hulplijn wijzigen</translation>
+    </message>
+    <message>
+        <source>Remove guide</source>
+        <translation>Hulplijn verwijderen</translation>
+    </message>
+    <message>
+        <source>Remove guides</source>
+        <translation>Hulplijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Hulplijnen tonen</translation>
+    </message>
+    <message>
+        <source>Hide guides</source>
+        <translation>Hulplijnen verbergen</translation>
+    </message>
+    <message>
+        <source>Unlink</source>
+        <translation>Losmaken</translation>
+    </message>
     <message>
         <source>Add layer</source>
         <translation>Laag toevoegen</translation>
@@ -5626,6 +5658,102 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 <context>
     <name>tools</name>
     <message>
+        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Sterkte van wrijving, korrel, aantrekking en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Hulplijn</translation>
+    </message>
+    <message>
+        <source>Places rulers, grids, mirror axes and other guides, and moves and turns them.</source>
+        <translation>Plaatst linialen, rasters, spiegelassen en andere hulplijnen, en verplaatst en draait ze.</translation>
+    </message>
+    <message>
+        <source>Drag to place a guide, or drag a guide by a handle or a line.</source>
+        <translation>Sleep om een hulplijn te plaatsen, of sleep er een aan een greep of lijn.</translation>
+    </message>
+    <message>
+        <source>removes the guide</source>
+        <translation>verwijdert de hulplijn</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Soort</translation>
+    </message>
+    <message>
+        <source>The guide that a drag on a free part of the page places.</source>
+        <translation>De hulplijn die slepen op een vrij deel van de pagina plaatst.</translation>
+    </message>
+    <message>
+        <source>Mirror axes</source>
+        <translation>Spiegelassen</translation>
+    </message>
+    <message>
+        <source>How many axes a new symmetry has. Each stroke gets twice as many images.</source>
+        <translation>Hoeveel assen een nieuwe symmetrie heeft. Elke lijn krijgt twee keer zoveel beelden.</translation>
+    </message>
+    <message>
+        <source>Vanishing points</source>
+        <translation>Verdwijnpunten</translation>
+    </message>
+    <message>
+        <source>How many vanishing points a new perspective has.</source>
+        <translation>Hoeveel verdwijnpunten een nieuw perspectief heeft.</translation>
+    </message>
+    <message>
+        <source>How strongly a new guide holds the pen of the pencil.</source>
+        <translation>Hoe sterk een nieuwe hulplijn de pen vasthoudt.</translation>
+    </message>
+    <message>
+        <source>ruler</source>
+        <translation>liniaal</translation>
+    </message>
+    <message>
+        <source>parallels</source>
+        <translation>parallellen</translation>
+    </message>
+    <message>
+        <source>set-square</source>
+        <translation>geodriehoek</translation>
+    </message>
+    <message>
+        <source>protractor</source>
+        <translation>gradenboog</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>passer</translation>
+    </message>
+    <message>
+        <source>ellipses</source>
+        <translation>ellipsen</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>perspectief</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>raster</translation>
+    </message>
+    <message>
+        <source>isometric-grid</source>
+        <translation>isometrisch raster</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>symmetrie</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>spoor</translation>
+    </message>
+    <message>
+        <source>steps of 15°</source>
+        <translation>stappen van 15°</translation>
+    </message>
+    <message>
         <source>Draw a line around the selection, or a rectangle from corner to corner.</source>
         <translation>Teken een lijn om de selectie, of een rechthoek van hoek tot hoek.</translation>
     </message>
@@ -7056,6 +7184,137 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Widths in steps</source>
         <translation>Breedtes in stappen</translation>
+    </message>
+</context>
+<context>
+    <name>GuideActions</name>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>Lin&amp;iaal</translation>
+    </message>
+    <message>
+        <source>Adds a straight edge with millimetres.</source>
+        <translation>Voegt een rechte rand met millimeters toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Lijn</translation>
+    </message>
+    <message>
+        <source>Adds a straight line across the page.</source>
+        <translation>Voegt een rechte lijn over de hele pagina toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Parallels</source>
+        <translation>&amp;Parallellen</translation>
+    </message>
+    <message>
+        <source>Adds all lines of one direction.</source>
+        <translation>Voegt alle lijnen van één richting toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Set square</source>
+        <translation>&amp;Geodriehoek</translation>
+    </message>
+    <message>
+        <source>Adds a right angle with millimetres.</source>
+        <translation>Voegt een rechte hoek met millimeters toe.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otractor</source>
+        <translation>Grad&amp;enboog</translation>
+    </message>
+    <message>
+        <source>Adds rays in steps of 15 degrees.</source>
+        <translation>Voegt stralen in stappen van 15 graden toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Passer</translation>
+    </message>
+    <message>
+        <source>Adds the centre of circles.</source>
+        <translation>Voegt het middelpunt van cirkels toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellips</translation>
+    </message>
+    <message>
+        <source>Adds one ellipse.</source>
+        <translation>Voegt één ellips toe.</translation>
+    </message>
+    <message>
+        <source>Co&amp;ncentric ellipses</source>
+        <translation>Co&amp;ncentrische ellipsen</translation>
+    </message>
+    <message>
+        <source>Adds ellipses around one centre.</source>
+        <translation>Voegt ellipsen rond één middelpunt toe.</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspectie&amp;f</translation>
+    </message>
+    <message>
+        <source>Adds two vanishing points.</source>
+        <translation>Voegt twee verdwijnpunten toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of squares.</source>
+        <translation>Voegt een raster van vierkanten toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric grid</source>
+        <translation>&amp;Isometrisch raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of triangles.</source>
+        <translation>Voegt een raster van driehoeken toe.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Adds a mirror axis. New lines get mirror images.</source>
+        <translation>Voegt een spiegelas toe. Nieuwe lijnen krijgen spiegelbeelden.</translation>
+    </message>
+    <message>
+        <source>&amp;Trace of selected lines</source>
+        <translation>&amp;Spoor van geselecteerde lijnen</translation>
+    </message>
+    <message>
+        <source>Makes each selected line a guide.</source>
+        <translation>Maakt van elke geselecteerde lijn een hulplijn.</translation>
+    </message>
+    <message>
+        <source>&amp;Show guides</source>
+        <translation>&amp;Hulplijnen tonen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the guides. Hidden guides have no effect.</source>
+        <translation>Toont of verbergt de hulplijnen. Verborgen hulplijnen doen niets.</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink mirrored lines</source>
+        <translation>Gespiegelde lijnen &amp;losmaken</translation>
+    </message>
+    <message>
+        <source>The selected lines no longer follow their mirror images.</source>
+        <translation>De geselecteerde lijnen volgen hun spiegelbeelden niet meer.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all guides</source>
+        <translation>&amp;Alle hulplijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Removes the guides. Lines stay.</source>
+        <translation>Verwijdert de hulplijnen. Lijnen blijven.</translation>
     </message>
 </context>
 </TS>

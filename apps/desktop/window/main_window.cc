@@ -21,6 +21,7 @@
 #include "desktop/materials/media_picker.h"
 #include "desktop/panels/colors_panel.h"
 #include "desktop/panels/edit_actions.h"
+#include "desktop/panels/guide_actions.h"
 #include "desktop/panels/history_panel.h"
 #include "desktop/panels/layers_panel.h"
 #include "desktop/panels/options_panel.h"
@@ -196,6 +197,7 @@ void MainWindow::make_panels() {
   auto* layers = new LayersPanel(*studio_);
   add_panel(QStringLiteral("layers"), tr("Layers"), layers);
   add_layer_actions(*actions_, *studio_, *layers);
+  add_guide_actions(*actions_, *studio_);
   auto* colors = new ColorsPanel(*studio_);
   add_panel(QStringLiteral("colors"), tr("Colours"), scrolled(colors, tr("Colours")));
   add_color_actions(*actions_, *colors);

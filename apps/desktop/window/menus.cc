@@ -50,6 +50,8 @@ constexpr std::array kMenus{
             "layer.add layer.duplicate layer.merge layer.rename layer.remove - layer.show "
             "layer.lock layer.export_picture - layer.raise layer.lower - layer.group "
             "layer.ungroup layer.leave_group - layer.*"},
+    MenuRow{"guide", QT_TRANSLATE_NOOP("Menus", "&Guides"),
+            "guide.show - guide.add_* - guide.unlink guide.clear - guide.*"},
     MenuRow{
         "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
         "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "

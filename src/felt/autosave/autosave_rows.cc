@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/autosave/edit_blob.h"
 #include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
@@ -33,6 +34,22 @@ Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
   const Result<std::string> bytes = felt_bytes(page);
   if (!bytes) return tl::unexpected(bytes.error());
   out.text(*bytes);
+  return {};
+}
+
+/// Appends the guides and symmetry groups of a base, as the bytes of an edit that adds them.
+/// Appends nothing if there are none.
+Result<void> append_guides(ByteWriter& out, const Document& document) {
+  Edit edit;
+  for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, nullptr, guide});
+  for (const auto& [id, group] : document.symmetries()) {
+    edit.symmetries.push_back({id, nullptr, group});
+  }
+  edit.toggles_guides = !document.shows_guides();
+  if (edit.empty()) return {};
+  std::string bytes;
+  if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
+  out.text(bytes);
   return {};
 }
 
@@ -123,8 +140,9 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     if (has_look) append_layer_look(out, layer.state(), nullptr);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
-  // The groups are last, because programs from before groups ignore what follows the page.
+  // Groups and guides are last, because programs from before them ignore what follows the page.
   for (const Layer& layer : document.layers()) append_layer_group(out, layer.group);
+  if (auto ok = append_guides(out, document); !ok) return tl::unexpected(ok.error());
   return bytes;
 }
 
@@ -140,6 +158,11 @@ Result<Drawing> read_base_head(std::string_view bytes) {
   read_groups(in, *layers);
   if (auto ok = document.apply(*layers); !ok) return tl::unexpected(ok.error());
   document.reserve_ids(last_stroke, last_layer);
+  if (in.left() > 0) {
+    const Result<Edit> guides = read_edit_blob(in.text(kMaxHeadBytes), document);
+    if (!guides) return tl::unexpected(guides.error());
+    if (auto ok = document.apply(*guides); !ok) return tl::unexpected(ok.error());
+  }
   drawing->document = std::move(document);
   drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};
   return drawing;

@@ -8,6 +8,7 @@
 #include "felt/autosave/layer_look.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/fill_blob.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -16,6 +17,8 @@ namespace {
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kVersionWithFills = 2;
 constexpr std::uint8_t kVersionWithGroups = 3;  // has the groups of all changed layers at its end
+constexpr std::uint8_t kVersionWithGuides = 4;  // has groups as in 3, and then guides
+constexpr std::size_t kMaxGuideBlobBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxNameBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
@@ -42,6 +45,58 @@ Result<void> write_fill(ByteWriter& out, const FillChange& c) {
   out.u64(c.after_place.index);
   out.text(shape);
   return {};
+}
+
+/// Writes the changes of guides or of symmetry groups.
+template <class Change, class Append>
+Result<void> write_unplaced(ByteWriter& out, const std::vector<Change>& changes, Append append) {
+  out.u32(static_cast<std::uint32_t>(changes.size()));
+  for (const Change& c : changes) {
+    out.u64(c.id.value);
+    std::string bytes;
+    if (c.after) {
+      if (auto ok = append(bytes, *c.after); !ok) return ok;
+    }
+    out.text(bytes);  // empty: removed
+  }
+  return {};
+}
+
+template <class Change, class Read>
+Result<void> read_unplaced(ByteReader& in, std::vector<Change>& changes, Read read) {
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kMinChangeBytes)) return invalid_data("the edit is incomplete");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Change c;
+    c.id = {in.u64()};
+    const std::string_view bytes = in.text(kMaxGuideBlobBytes);
+    if (!in.ok()) return invalid_data("the edit ends in the middle of a guide");
+    if (!bytes.empty()) {
+      auto after = read(bytes);
+      if (!after) return tl::unexpected(with_context(after.error(), "guide"));
+      c.after = *std::move(after);
+    }
+    changes.push_back(std::move(c));
+  }
+  return {};
+}
+
+Result<void> write_guides_part(ByteWriter& out, const Edit& edit) {
+  out.u8(edit.toggles_guides ? 1 : 0);
+  return write_unplaced(out, edit.guides, append_guide_blob).and_then([&] {
+    return write_unplaced(out, edit.symmetries, append_symmetry_blob);
+  });
+}
+
+Result<void> read_guides_part(ByteReader& in, Edit& edit) {
+  edit.toggles_guides = in.u8() != 0;
+  return read_unplaced(in, edit.guides, read_guide_blob).and_then([&] {
+    return read_unplaced(in, edit.symmetries, read_symmetry_blob);
+  });
+}
+
+bool has_guides_part(const Edit& edit) noexcept {
+  return edit.toggles_guides || !edit.guides.empty() || !edit.symmetries.empty();
 }
 
 void write_layer(ByteWriter& out, const LayerChange& c) {
@@ -161,9 +216,13 @@ bool has_groups(const Edit& edit) {
 
 Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   ByteWriter writer(out);
-  const bool with_groups = has_groups(edit);
+  const bool with_guides = has_guides_part(edit);
+  const bool with_groups = with_guides || has_groups(edit);
   const bool with_fills = with_groups || !edit.fills.empty();
-  writer.u8(with_groups ? kVersionWithGroups : with_fills ? kVersionWithFills : kVersion);
+  writer.u8(with_guides   ? kVersionWithGuides
+            : with_groups ? kVersionWithGroups
+            : with_fills  ? kVersionWithFills
+                          : kVersion);
   writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
   for (const LayerChange& c : edit.layers) write_layer(writer, c);
@@ -180,7 +239,7 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     append_layer_group(writer, c.after ? c.after->group : nullptr);
   }
-  return {};
+  return with_guides ? write_guides_part(writer, edit) : Result<void>();
 }
 
 namespace {
@@ -190,7 +249,7 @@ namespace {
 Result<Edit> parse(std::string_view bytes, const Document& document) {
   ByteReader in(bytes);
   const std::uint8_t version = in.u8();
-  if (version < kVersion || version > kVersionWithGroups)
+  if (version < kVersion || version > kVersionWithGuides)
     return invalid_data("the edit has an unknown version");
   Edit edit;
   edit.label = std::string(in.text(kMaxNameBytes));
@@ -212,9 +271,12 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
     if (!change) return tl::unexpected(change.error());
     edit.fills.push_back(*std::move(change));
   }
-  for (std::size_t i = 0; version == kVersionWithGroups && i < edit.layers.size(); ++i) {
+  for (std::size_t i = 0; version >= kVersionWithGroups && i < edit.layers.size(); ++i) {
     const LayerGroupPtr group = read_layer_group(in);
     if (edit.layers[i].after) edit.layers[i].after->group = group;
+  }
+  if (version == kVersionWithGuides) {
+    if (auto ok = read_guides_part(in, edit); !ok) return tl::unexpected(ok.error());
   }
   if (!in.ok() || in.left() > 0)
     return invalid_data("the edit does not have the length that it states");
@@ -254,6 +316,33 @@ void force(FillChange change, Document& document) {
   static_cast<void>(document.apply(edit));
 }
 
+/// Applies the changes of guides and symmetry groups as far as they fit.
+void force_guides(const Edit& blob, Document& document) {
+  Edit edit;
+  edit.toggles_guides = blob.toggles_guides;
+  for (GuideChange c : blob.guides) {
+    c.before = document.find_guide(c.id);
+    if (c.before || c.after) edit.guides.push_back(std::move(c));
+  }
+  for (SymmetryChange c : blob.symmetries) {
+    c.before = document.find_symmetry(c.id);
+    if (c.before || c.after) edit.symmetries.push_back(std::move(c));
+  }
+  static_cast<void>(document.apply(edit));
+}
+
+/// Fills in the guides and symmetry groups before the edit.
+Result<void> find_guides(const Document& document, Edit& edit) {
+  for (GuideChange& c : edit.guides) c.before = document.find_guide(c.id);
+  for (SymmetryChange& c : edit.symmetries) c.before = document.find_symmetry(c.id);
+  const auto is_unknown = [](const auto& c) { return !c.before && !c.after; };
+  if (std::any_of(edit.guides.begin(), edit.guides.end(), is_unknown) ||
+      std::any_of(edit.symmetries.begin(), edit.symmetries.end(), is_unknown)) {
+    return invalid_data("the edit removes a guide that does not exist");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
@@ -262,6 +351,7 @@ Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
   if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_fills(document, edit->fills); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_guides(document, *edit); !ok) return tl::unexpected(ok.error());
   return edit;
 }
 
@@ -277,6 +367,7 @@ Result<void> apply_what_fits(std::string_view bytes, Document& document) {
   }
   for (StrokeChange& change : edit->changes) force(std::move(change), document);
   for (FillChange& change : edit->fills) force(std::move(change), document);
+  force_guides(*edit, document);
   return {};
 }
 

@@ -16,6 +16,12 @@ std::string name_of(StrokeId id) {
 std::string name_of(FillId id) {
   return "fill " + std::to_string(id.value);
 }
+std::string name_of(GuideId id) {
+  return "guide " + std::to_string(id.value);
+}
+std::string name_of(SymmetryId id) {
+  return "symmetry " + std::to_string(id.value);
+}
 std::string name_of(LayerId id) {
   return "layer " + std::to_string(id.value);
 }
@@ -65,6 +71,10 @@ class Document::Plan {
     return check_ids(edit_.changes)
         .and_then([&] { return check_ids(edit_.layers); })
         .and_then([&] { return check_ids(edit_.fills); })
+        .and_then([&] { return check_ids(edit_.guides); })
+        .and_then([&] { return check_ids(edit_.symmetries); })
+        .and_then([&] { return check_unplaced(edit_.guides, document_.guides_); })
+        .and_then([&] { return check_unplaced(edit_.symmetries, document_.symmetries_); })
         .and_then([&] { return prepare_layers(); })
         .and_then([&] { return prepare_objects(edit_.changes, document_.strokes_, orders_); })
         .and_then([&] { return prepare_objects(edit_.fills, document_.fills_, fill_orders_); })
@@ -80,10 +90,27 @@ class Document::Plan {
     if (!edit_.layers.empty()) arrange_layers();
     for (const StrokeChange& c : edit_.changes) change_object(c, document_.strokes_);
     for (const FillChange& c : edit_.fills) change_object(c, document_.fills_);
+    for (const GuideChange& c : edit_.guides) change_unplaced(c, document_.guides_);
+    change_symmetries();
+    document_.shows_guides_ = document_.shows_guides_ != edit_.toggles_guides;
   }
 
  private:
   Layer* layer(LayerId id) { return const_cast<Layer*>(document_.layer(id)); }
+
+  /// Checks the changes of objects that are in no layer.
+  template <class Change, class Table>
+  static Result<void> check_unplaced(const std::vector<Change>& changes, const Table& table) {
+    for (const Change& c : changes) {
+      const auto found = table.find(c.id);
+      if (c.before && found == table.end()) return misfit(name_of(c.id) + " does not exist");
+      if (!c.before && found != table.end()) return misfit(name_of(c.id) + " already exists");
+      if (c.before && found->second != c.before && *found->second != *c.before) {
+        return misfit(name_of(c.id) + " has changed in the meantime");
+      }
+    }
+    return {};
+  }
 
   Result<void> prepare_layers() {
     Moves<LayerId> moves;
@@ -260,6 +287,32 @@ class Document::Plan {
     document_.last_id_ = std::max(document_.last_id_, c.id.value);
   }
 
+  template <class Change, class Table>
+  void change_unplaced(const Change& c, Table& table) {
+    if (c.after) {
+      table.insert_or_assign(c.id, c.after);
+    } else {
+      table.erase(c.id);
+    }
+    document_.last_id_ = std::max(document_.last_id_, c.id.value);
+  }
+
+  void change_symmetries() {
+    std::map<StrokeId, SymmetryId>& of = document_.symmetry_of_;
+    for (const SymmetryChange& c : edit_.symmetries) {
+      change_unplaced(c, document_.symmetries_);
+      if (!c.before) continue;
+      for (const SymmetryImage& image : c.before->images) {
+        const auto found = of.find(image.stroke);
+        if (found != of.end() && found->second == c.id) of.erase(found);
+      }
+    }
+    for (const SymmetryChange& c : edit_.symmetries) {
+      if (!c.after) continue;
+      for (const SymmetryImage& image : c.after->images) of.try_emplace(image.stroke, c.id);
+    }
+  }
+
   Document& document_;
   const Edit& edit_;
   std::vector<LayerId> layer_order_;
@@ -362,8 +415,16 @@ void Document::reserve_ids(StrokeId stroke, LayerId layer) noexcept {
 }
 
 bool operator==(const Document& a, const Document& b) {
+  const auto equal = [](const auto& x, const auto& y) {
+    return x.first == y.first && (x.second == y.second || *x.second == *y.second);
+  };
   return a.layers_ == b.layers_ && equal_tables(a.strokes_, b.strokes_) &&
-         equal_tables(a.fills_, b.fills_);
+         equal_tables(a.fills_, b.fills_) &&
+         (a.shows_guides_ == b.shows_guides_ || a.guides_.empty()) &&
+         std::equal(a.guides_.begin(), a.guides_.end(), b.guides_.begin(), b.guides_.end(),
+                    equal) &&
+         std::equal(a.symmetries_.begin(), a.symmetries_.end(), b.symmetries_.begin(),
+                    b.symmetries_.end(), equal);
 }
 
 }  // namespace felt

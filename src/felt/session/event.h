@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "felt/document/drawing_guide.h"
 #include "felt/document/edit.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
@@ -232,6 +233,28 @@ struct ChooseOffer {
   friend bool operator==(const ChooseOffer&, const ChooseOffer&) = default;
 };
 
+/// Adds, changes or removes guides of the drawing, shows or hides all of them, or unlinks mirrored
+/// strokes. Each is one undo step. (UseGuide is another kind of guide: the path of a study, which
+/// is not part of the drawing.)
+/// {"event":"guides","do":"add","kind":"ruler","x":20,"y":30,"angle_rad":0.5,"size_mm":100}
+struct GuidesEvent {
+  static constexpr std::size_t kMaxGuides = 256;  ///< of a drawing
+
+  enum class Do : std::uint8_t {
+    kAdd,     ///< adds `guide`, and shows the guides if they were hidden
+    kChange,  ///< replaces the guide `id` by `guide`
+    kRemove,  ///< removes the guide `id`
+    kClear,   ///< removes all guides
+    kShow,
+    kHide,    ///< hidden guides do not act on the pen
+    kUnlink,  ///< ends the symmetry of the strokes that are wholly selected
+  };
+  Do what = Do::kAdd;
+  GuideId id{};
+  DrawingGuide guide{};
+  friend bool operator==(const GuidesEvent&, const GuidesEvent&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
@@ -239,7 +262,7 @@ struct Event {
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer>
+               ChooseOffer, GuidesEvent>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

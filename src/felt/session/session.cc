@@ -19,6 +19,7 @@
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/guide_picture.h"
 #include "felt/tools/guide_track.h"
 #include "felt/tools/selection_view.h"
 
@@ -110,6 +111,7 @@ struct Session::Apply {
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
   Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
   Result<void> operator()(const ChooseOffer& e) const { return session.choose(e.what); }
+  Result<void> operator()(const GuidesEvent& e) const { return session.change_guides(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -123,6 +125,7 @@ struct Session::Parts {
   SurfaceOptions surface;
   Rgba ink_color;
   std::string ink_medium = "pencil";
+  std::vector<DrawingGuidePtr> visible_guides;  // of the document
   std::optional<GuideTrack> guide;
   std::uint32_t guide_number = 0;  // the last number that a guide has used
 };
@@ -135,6 +138,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       selection_(std::move(options_.selection)),
       history_(options_.history_limit_bytes) {
   selection_.hold_to(document_);
+  parts_->visible_guides = document_.visible_guides();
   parts_->selection_view.look_at_all(document_, selection_);
   FELT_CHECK(!tools_.empty());
   const auto draws = [](const auto& tool) { return tool->info().kind == ToolKind::kDraws; };
@@ -313,6 +317,14 @@ const GuideLine* Session::guide() const noexcept {
   return parts_->guide ? &parts_->guide->line() : nullptr;
 }
 
+const DrawingGuide* Session::symmetry() const noexcept {
+  const auto& guides = parts_->visible_guides;
+  const auto found = std::find_if(guides.rbegin(), guides.rend(), [](const auto& guide) {
+    return guide->kind == DrawingGuideKind::kSymmetry;
+  });
+  return found == guides.rend() ? nullptr : found->get();
+}
+
 void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
   const auto* id = std::get_if<std::string>(&value);
   if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
@@ -339,7 +351,8 @@ Result<void> Session::take(ToolResult result) {
   if (!result.commit) result.offer.reset();  // an offer belongs to a step
   if (result.commit) {
     gesture_is_open_ = false;
-    done = commit(std::move(*result.commit));
+    let_others_follow(*result.commit, Origin::kTool);
+    done = apply_and_record(*std::move(result.commit));
     as_drawn_.reset();
     if (done && result.as_drawn) {
       as_drawn_ = AsDrawn{std::move(*result.as_drawn), history_.position()};
@@ -367,8 +380,12 @@ void Session::show(std::optional<Edit> preview) {
 }
 
 Result<void> Session::commit(Edit edit) {
+  let_others_follow(edit, Origin::kCommand);
+  return apply_and_record(std::move(edit));
+}
+
+Result<void> Session::apply_and_record(Edit edit) {
   if (edit.empty()) return {};
-  let_fills_follow(edit);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   history_.record(std::move(edit));
@@ -376,7 +393,7 @@ Result<void> Session::commit(Edit edit) {
 }
 
 Result<void> Session::commit_with_previous(Edit edit) {
-  let_fills_follow(edit);
+  let_others_follow(edit, Origin::kCommand);
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
   if (!history_.extend(edit)) history_.record(std::move(edit));
@@ -395,6 +412,9 @@ void Session::follow(const Edit& applied) {
   ++selections_;
   if (is_selected) parts_->selection_view.look_at_all(document_, selection_);
   if (!applied.layers.empty()) keep_layer_open();
+  if (!applied.guides.empty() || applied.toggles_guides) {
+    parts_->visible_guides = document_.visible_guides();
+  }
   if (options_.on_edit) options_.on_edit(applied);
 }
 
@@ -416,6 +436,9 @@ void Session::draw(Overlay& overlay) const {
     parts_->selection_view.draw(overlay);
   tool().draw(overlay);
   draw_offer(overlay);
+  if (draws_ink()) {
+    if (const DrawingGuide* guide = symmetry()) add_ink_images(overlay, *guide);
+  }
 }
 
 std::vector<std::string> Session::option_ids() const {
@@ -467,7 +490,8 @@ Scene Session::scene() const {
           options_.materials,
           parts_->guide ? &*parts_->guide : nullptr,
           parts_->ink_medium,
-          size ? size->mm : Scene::kUsualInkWidthMm};
+          size ? size->mm : Scene::kUsualInkWidthMm,
+          parts_->visible_guides};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

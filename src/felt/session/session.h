@@ -57,7 +57,7 @@ struct SessionOptions {
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
 ///   redo, as-drawn, select, delete, duplicate, move, order, restyle, layer,
-///   picture                                            have no effect
+///   picture, guides                                    have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
@@ -89,8 +89,8 @@ class Session {
   /// Handles an event. Fails if the tool, option, layer or medium does not exist; if the option
   /// does not accept the value, or the layer cannot be used; for a HandEvent, which is for the
   /// Player; for an ImportEvent, because the caller must read its file for import(); or if
-  /// read_material refuses the text of a material, or check_guide a guide. After a failure nothing
-  /// has changed, and the event is not recorded.
+  /// read_material refuses the text of a material, or check_guide or guide_edit a guide. After a
+  /// failure nothing has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& sample);
@@ -110,8 +110,8 @@ class Session {
   /// the document. It is the result so far of the gesture in progress, or the result of a gesture
   /// that would begin at the position of the pen.
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
-  /// Returns preview() with the fills that follow it. This may take longer than a sample does, so
-  /// it is meant for displays, once per frame.
+  /// Returns preview() with the mirror images and the fills that follow it. This may take longer
+  /// than a sample does, so it is meant for displays, once per frame.
   [[nodiscard]] const std::optional<Edit>& preview_with_fills() const;
 
   /// Returns what the gesture in progress or the last stroke offers, or nullopt.
@@ -127,6 +127,9 @@ class Session {
   /// Returns the known surfaces and media. A UseMaterial may invalidate references to them.
   [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
   [[nodiscard]] const SurfaceMaterial& surface() const noexcept;
+  /// Returns the symmetry whose mirror images new ink gets: the newest visible guide of this kind;
+  /// null if there is none.
+  [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
   /// Returns the colour of new ink (option "ink.color").
@@ -187,6 +190,7 @@ class Session {
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
   Result<void> add_picture(const AddPicture& event);
+  Result<void> change_guides(const GuidesEvent& event);
   Result<void> choose(OfferKind what);
   [[nodiscard]] bool has_offer() const noexcept { return offer_ && offer_edits_ == edits_; }
   /// Marks what the first other choice of the offer would change.
@@ -194,7 +198,15 @@ class Session {
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
+  /// Completes an edit of a command and commits it.
   Result<void> commit(Edit edit);
+  Result<void> apply_and_record(Edit edit);
+  /// Returns true if the tool in use adds ink, which gets mirror images.
+  [[nodiscard]] bool draws_ink() const noexcept;
+  /// Adds what follows from an edit: the changes of linked strokes, of traces and of fills. If the
+  /// edit is of the tool in use, also the mirror images of new ink.
+  enum class Origin : std::uint8_t { kTool, kCommand };
+  void let_others_follow(Edit& edit, Origin origin) const;
   /// Adds the changes of fills whose boundary the edit changes.
   void let_fills_follow(Edit& edit) const;
   /// Commits an edit as a part of the previous undo step, if History::extend() allows it.

@@ -1,9 +1,11 @@
 // The commands of a session: undo, redo, selection, layers. session.cc handles the samples.
 #include <utility>
 
+#include "felt/session/guide_edit.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
+#include "felt/session/symmetry_edit.h"
 
 namespace felt {
 
@@ -135,6 +137,17 @@ Result<void> Session::add_picture(const AddPicture& event) {
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
   layer_ = added;
   return {};
+}
+
+Result<void> Session::change_guides(const GuidesEvent& event) {
+  if (gesture_in_progress()) return {};
+  // Reports an error before anything changes.
+  if (Result<Edit> edit = guide_edit(document_, event); !edit) return tl::unexpected(edit.error());
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (event.what == GuidesEvent::Do::kUnlink) return commit(unlink_edit(document_, selection_));
+  Result<Edit> edit = guide_edit(document_, event);
+  if (!edit) return tl::unexpected(edit.error());
+  return commit(*std::move(edit));
 }
 
 void Session::keep_layer_open() {

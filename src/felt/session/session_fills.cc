@@ -1,4 +1,4 @@
-// How the fills of a session follow its edits.
+// How the fills, linked strokes and guides of a session follow its edits.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "felt/fill/follow_edit.h"
 #include "felt/session/session.h"
+#include "felt/session/symmetry_edit.h"
 
 namespace felt {
 namespace {
@@ -19,7 +20,37 @@ WhenOpened when_opened(const Session& session) {
                                                                : WhenOpened::kClose;
 }
 
+/// Removes the traces of strokes that the edit removes.
+void let_traces_follow(const Document& document, Edit& edit) {
+  if (document.guides().empty()) return;
+  const auto removed = [&edit](StrokeId id) {
+    return std::any_of(edit.changes.begin(), edit.changes.end(),
+                       [id](const StrokeChange& c) { return c.id == id && !c.after; });
+  };
+  for (const auto& [id, guide] : document.guides()) {
+    const bool is_changed = std::any_of(edit.guides.begin(), edit.guides.end(),
+                                        [id = id](const GuideChange& c) { return c.id == id; });
+    if (guide->stroke && !is_changed && removed(guide->stroke)) {
+      edit.guides.push_back({id, guide, nullptr});
+    }
+  }
+}
+
 }  // namespace
+
+bool Session::draws_ink() const noexcept {
+  const ToolKind kind = tool().info().kind;
+  return kind == ToolKind::kDraws || kind == ToolKind::kShapes;
+}
+
+void Session::let_others_follow(Edit& edit, Origin origin) const {
+  let_images_follow(document_, edit);
+  if (origin == Origin::kTool && draws_ink()) {
+    if (const DrawingGuide* guide = symmetry()) add_images(document_, *guide, edit);
+  }
+  let_traces_follow(document_, edit);
+  let_fills_follow(edit);
+}
 
 void Session::let_fills_follow(Edit& edit) const {
   if (document_.fill_count() == 0) {
@@ -35,7 +66,7 @@ void Session::let_fills_follow(Edit& edit) const {
 const std::optional<Edit>& Session::preview_with_fills() const {
   if (!shown_is_current_) {
     shown_preview_ = preview_;
-    if (shown_preview_) let_fills_follow(*shown_preview_);
+    if (shown_preview_) let_others_follow(*shown_preview_, Origin::kTool);
     shown_is_current_ = true;
   }
   return shown_preview_;

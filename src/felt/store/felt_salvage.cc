@@ -15,6 +15,7 @@
 #include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -61,6 +62,7 @@ class Findings {
     if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) ||
         take_view(row))
       return;
+    if (take_guide(row) || take_symmetry(row)) return;
     if (take_material(row) || take_opacity(row) || take_picture(row)) return;
     if (take_blend(row) || take_group(row)) return;
     if (!take_color(row)) ++others;
@@ -82,6 +84,9 @@ class Findings {
   std::map<std::int64_t, LayerPicturePtr> pictures;  // by layer
   std::map<std::int64_t, BlendMode> blends;          // by layer
   std::map<std::int64_t, LayerGroupPtr> groups;      // by layer
+  std::map<std::int64_t, DrawingGuidePtr> guides;
+  std::map<std::int64_t, SymmetryPtr> symmetries;
+  bool hides_guides = false;
   std::map<std::int64_t, NamedColor> colors;
   std::optional<Drawing> head;  // without the document and the palette's colours
   std::optional<Viewport> view;
@@ -229,6 +234,27 @@ class Findings {
     if (group && groups.size() < kMaxLayers) groups.try_emplace(*whole(v[1]), group);
     return group != nullptr;
   }
+  bool take_guide(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 4 || !whole(v[1]) || !blob(v[2]) || !whole(v[3])) return false;
+    if (*whole(v[3]) != guide_checksum(row.id, *whole(v[1]), *blob(v[2]))) return false;
+    Result<DrawingGuidePtr> guide = read_guide_blob(*blob(v[2]));
+    if (!guide) return false;
+    hides_guides = *whole(v[1]) == 0;
+    if (guides.size() < kMaxStoredGuides) guides.try_emplace(row.id, *std::move(guide));
+    return true;
+  }
+  bool take_symmetry(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 3 || !blob(v[1]) || !whole(v[2])) return false;
+    if (*whole(v[2]) != guide_checksum(row.id, 0, *blob(v[1]))) return false;
+    Result<SymmetryPtr> group = read_symmetry_blob(*blob(v[1]));
+    if (!group) return false;
+    if (symmetries.size() < kMaxStoredSymmetries) {
+      symmetries.try_emplace(row.id, *std::move(group));
+    }
+    return true;
+  }
   bool take_color(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.size() != 3 || !whole(v[1]) || !is_color_number(*whole(v[1])) || !text(v[2])) {
@@ -331,6 +357,13 @@ class Assembly {
     separate_groups_of(edit);
     place(found_.strokes, edit.changes, " stroke");
     place(found_.fills, edit.fills, " fill");
+    for (const auto& [id, guide] : found_.guides) {
+      edit.guides.push_back({{static_cast<std::uint64_t>(id)}, nullptr, guide});
+    }
+    for (const auto& [id, group] : found_.symmetries) {
+      edit.symmetries.push_back({{static_cast<std::uint64_t>(id)}, nullptr, group});
+    }
+    edit.toggles_guides = found_.hides_guides;
     return document.apply(edit);
   }
 

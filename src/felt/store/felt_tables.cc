@@ -8,6 +8,7 @@
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -240,6 +241,7 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_layer_groups(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
       .and_then([&] { return write_fills(database, drawing.document); })
+      .and_then([&] { return write_guides(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
       .and_then([&] { return write_materials(database, drawing); });
 }
@@ -257,6 +259,8 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   if (done && schema.has_layer_groups) done = read_layer_groups(database, edit);
   if (done) done = read_strokes(database, edit);
   if (done && schema.has_fills) done = read_fills(database, edit);
+  if (done && schema.has_guides) done = read_guides(database, edit);
+  if (done && schema.has_symmetries) done = read_symmetries(database, edit);
   if (done) {
     done = drawing.document.apply(edit).and_then([&] { return read_page(database, drawing); });
   }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "felt/document/document.h"
+#include "felt/document/drawing_guide.h"
 #include "felt/document/selection.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/material/materials.h"
@@ -29,6 +31,8 @@ struct Scene {
   const GuideTrack* guide = nullptr;       ///< guides the pen while it draws; null: no guide
   std::string_view medium = "pencil";      ///< id of the medium of new ink
   double ink_width_mm = kUsualInkWidthMm;  ///< width of a line that a mouse draws in this medium
+  /// The guides of the document, by ascending id; none while guides are hidden.
+  std::span<const DrawingGuidePtr> guides = {};
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

@@ -38,6 +38,7 @@ enum class ToolKind : std::uint8_t {
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
   kReads,       ///< changes nothing; reports what is under the pen (Tool::reading)
+  kGuides,      ///< adds, changes and removes guides of the drawing
 };
 
 /// The path of a typical gesture. Tests of devices and of the haptic loop perform it.

@@ -64,6 +64,20 @@ Broken check_edit(const Document& before, const Edit& edit) {
     const Layer* layer = before.layer(before.layer_of_fill(change.id));
     if (layer->locked) return name + " is locked";
   }
+  for (const GuideChange& change : edit.guides) {
+    const std::string name = "guide " + std::to_string(change.id.value);
+    if (before.find_guide(change.id) != change.before) return name + " is not what it was";
+    if (!change.after) continue;
+    if (const Result<void> kept = check_drawing_guide(*change.after); !kept) {
+      return name + ": " + kept.error().message;
+    }
+  }
+  for (const SymmetryChange& change : edit.symmetries) {
+    if (!change.after) continue;
+    if (const Result<void> kept = check_symmetry_group(*change.after); !kept) {
+      return kept.error().message;
+    }
+  }
   for (const StrokeChange& change : edit.changes) {
     if (Broken broken = check_change(before, change)) return broken;
   }

@@ -65,7 +65,8 @@ void add_numbers(std::string& bytes, std::initializer_list<double> numbers) {
 }
 
 bool changes_something(const Edit& edit) {
-  return !edit.layers.empty() || !edit.fills.empty() ||
+  return !edit.layers.empty() || !edit.fills.empty() || !edit.guides.empty() ||
+         !edit.symmetries.empty() || edit.toggles_guides ||
          std::any_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
            return !c.before || !c.after || !(*c.before == *c.after) ||
                   !(c.before_place == c.after_place);
@@ -91,6 +92,19 @@ std::string bytes_of(const Document& document) {
         }
       }
       bytes += '\n';
+    }
+  }
+  for (const auto& [id, guide] : document.guides()) {
+    bytes += "guide " + std::to_string(id.value) + (document.shows_guides() ? " shown" : "");
+    add_numbers(bytes, {guide->origin.x, guide->origin.y, guide->angle_rad, guide->size_mm,
+                        guide->second_mm, static_cast<double>(guide->stroke.value)});
+    for (const Point& p : guide->points) add_numbers(bytes, {p.x, p.y});
+  }
+  for (const auto& [id, group] : document.symmetries()) {
+    bytes += "symmetry " + std::to_string(id.value);
+    add_numbers(bytes, {group->center.x, group->center.y, group->angle_rad});
+    for (const SymmetryImage& image : group->images) {
+      bytes += ' ' + std::to_string(image.stroke.value);
     }
   }
   return bytes;

@@ -47,6 +47,8 @@ struct EventFields {
   std::vector<LayerId> layers;
   GuideLine guide;
   OfferKind offer{};
+  GuidesEvent guides;
+  bool has_kind = false;  ///< of guides
 };
 
 /// The kinds of events, by their name in the file.
@@ -71,7 +73,8 @@ enum class EventName {
   kDevice,
   kMaterial,
   kGuide,
-  kChoose
+  kChoose,
+  kGuides
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

@@ -164,6 +164,12 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
 }
 
 TEST(EventReader, ReadsGuides) {
+  const DrawingGuide ruler{DrawingGuideKind::kRuler, {20, 30.5}, 0.25};
+  EXPECT_EQ(event_of(R"({"event":"guides","do":"add","kind":"ruler","x":20,"y":30.5,)"
+                     R"("angle_rad":0.25,"t_ms":0})"),
+            (Event{0, GuidesEvent{GuidesEvent::Do::kAdd, {}, ruler}}));
+  EXPECT_EQ(event_of(R"({"event":"guides","do":"remove","id":7,"kind":"ruler","t_ms":0})"),
+            (Event{0, GuidesEvent{GuidesEvent::Do::kRemove, {7}}}));
   EXPECT_EQ(event_of(R"({"event":"guide","kind":"none","t_ms":0})"), (Event{0, UseGuide{}}));
   EXPECT_EQ(event_of(R"({"event":"choose","what":"delete","t_ms":0})"),
             (Event{0, ChooseOffer{OfferKind::kDelete}}));
@@ -249,7 +255,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(error_of(R"({"event":"fly","t_ms":0})"),
             "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
             "import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-            "material, guide, choose");
+            "material, guide, choose, guides");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

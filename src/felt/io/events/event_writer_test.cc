@@ -1,4 +1,5 @@
 #include "felt/io/events/event_writer.h"
+#include "felt/document/testing/random_guides.h"
 #include "felt/document/testing/small_picture.h"
 
 #include <gtest/gtest.h>
@@ -180,9 +181,22 @@ GuideLine any_guide() {
   return line;
 }
 
+GuidesEvent any_guides_event() {
+  using Do = GuidesEvent::Do;
+  testing::RandomStroke random(*rc::gen::arbitrary<std::uint64_t>());
+  GuidesEvent event{static_cast<Do>(*rc::gen::inRange(0, 7))};
+  if (event.what == Do::kChange || event.what == Do::kRemove) {
+    event.id = {*rc::gen::inRange<std::uint64_t>(1, 1ULL << 53)};
+  }
+  if (event.what == Do::kAdd || event.what == Do::kChange) {
+    event.guide = testing::random_guide(random);
+  }
+  return event;
+}
+
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 18)) {
+  switch (*rc::gen::inRange(0, 19)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -232,6 +246,9 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 16:
       event.what = ChooseOffer{static_cast<OfferKind>(*rc::gen::inRange(0, 10))};
+      break;
+    case 17:
+      event.what = any_guides_event();
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};

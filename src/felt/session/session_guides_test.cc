@@ -1,0 +1,227 @@
+// Tests of guides and of linked mirror images in a session, with the real tools.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "felt/base/constants.h"
+#include "felt/session/session.h"
+#include "felt/session/symmetry_edit.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt::session_guides_test {
+namespace {
+
+constexpr double kSameMm = 1e-9;
+
+/// A session with one symmetry guide, and a pen.
+struct MirrorFixture {
+  explicit MirrorFixture(int axes = 1, double angle_rad = 1.5707963267948966) {
+    session = std::make_unique<Session>(make_tools(), SessionOptions{});
+    DrawingGuide guide{DrawingGuideKind::kSymmetry, {100, 100}, angle_rad};
+    guide.axes = axes;
+    must(GuidesEvent{GuidesEvent::Do::kAdd, {}, guide});
+  }
+  template <class Command>
+  void must(Command what) {
+    const Result<void> done = session->apply({now_ns += 1'000'000, std::move(what)});
+    ASSERT_TRUE(done) << done.error().message;
+  }
+  void pen(Point p, double z) { must(PenEvent{{p.x, p.y, z}, {}, 0}); }
+  void drag(const char* tool, Point from, Point to) {
+    must(SelectTool{tool});
+    now_ns += 1'000'000'000;
+    pen(from, 5);
+    for (int i = 0; i <= 60; ++i) pen(lerp(from, to, i / 60.0), -1);
+    for (int i = 0; i < 100; ++i) pen(to, 5);
+  }
+  [[nodiscard]] const Document& document() const { return session->document(); }
+
+  std::int64_t now_ns = 0;
+  std::unique_ptr<Session> session;
+};
+
+/// Returns the largest distance between a stroke of a group and the image of the first, mm.
+double largest_error_mm(const Document& document) {
+  double worst = 0.0;
+  for (const auto& [id, group] : document.symmetries()) {
+    const StrokePtr first = document.find(group->images.front().stroke);
+    for (const SymmetryImage& image : group->images) {
+      const StrokePtr other = document.find(image.stroke);
+      if (!first || !other) return 1e9;
+      const auto &a = first->data(), &b = other->data();
+      if (a.points.size() != b.points.size() || a.widths != b.widths || a.color != b.color) {
+        return 1e9;
+      }
+      const Affine map = image_map(*group, group->images.front().image, image.image);
+      for (std::size_t i = 0; i < a.points.size(); ++i) {
+        worst = std::max(worst, distance(apply(map, a.points[i]), b.points[i]));
+      }
+    }
+  }
+  return worst;
+}
+
+TEST(SessionGuides, TheMapsOfASymmetryAreAGroup) {
+  for (const int axes : {1, 2, 3, 5, 16}) {
+    const SymmetryGroup group{{3, -7}, 0.4, axes, {}};
+    for (int a = 0; a < 2 * axes; ++a) {
+      for (int b = 0; b < 2 * axes; ++b) {
+        const Point p{12.5, 40.25};
+        const Point expected = apply(image_map(group, b), p);
+        const Point found = apply(image_map(group, a, b), apply(image_map(group, a), p));
+        EXPECT_LT(distance(expected, found), 1e-12) << axes << ": " << a << " to " << b;
+      }
+    }
+  }
+}
+
+TEST(SessionGuides, AnInkStrokeGetsItsImagesInOneStepOfUndo) {
+  for (const int axes : {1, 2, 4}) {
+    MirrorFixture f(axes);
+    const std::size_t steps = f.session->history().undo_count();
+    f.drag("pencil", {110, 97}, {140, 80});
+    EXPECT_EQ(f.document().stroke_count(), 2U * static_cast<std::size_t>(axes));
+    EXPECT_EQ(f.document().symmetries().size(), 1U);
+    EXPECT_EQ(f.session->history().undo_count(), steps + 1);
+    EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+    f.must(UndoEvent{});
+    EXPECT_EQ(f.document().stroke_count(), 0U);
+    EXPECT_TRUE(f.document().symmetries().empty());
+  }
+}
+
+TEST(SessionGuides, HiddenGuidesMirrorNothing) {
+  MirrorFixture f;
+  f.must(GuidesEvent{GuidesEvent::Do::kHide});
+  EXPECT_EQ(f.session->symmetry(), nullptr);
+  f.drag("pencil", {110, 97}, {140, 80});
+  EXPECT_EQ(f.document().stroke_count(), 1U);
+  f.must(UndoEvent{});
+  f.must(UndoEvent{});
+  EXPECT_NE(f.session->symmetry(), nullptr) << "undo shows them again";
+}
+
+TEST(SessionGuides, APullOfOneStrokePullsItsImagesAndThePreviewShowsIt) {
+  MirrorFixture f(2);
+  f.drag("pencil", {110, 80}, {150, 80});
+  const Document before = f.document();
+  f.must(SelectTool{"pull"});
+  f.now_ns += 1'000'000'000;
+  f.pen({130, 80}, 5);
+  for (int i = 0; i <= 60; ++i) f.pen({130, 80 - 0.2 * i}, -1);
+  Document shown = f.document();
+  ASSERT_TRUE(f.session->preview_with_fills());
+  ASSERT_TRUE(shown.apply(*f.session->preview_with_fills()));
+  EXPECT_NE(shown, before);
+  EXPECT_LT(largest_error_mm(shown), kSameMm);
+  for (int i = 0; i < 100; ++i) f.pen({130, 68}, 5);
+  EXPECT_NE(f.document(), before);
+  EXPECT_EQ(f.document().stroke_count(), 4U);
+  EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.document(), before);
+}
+
+TEST(SessionGuides, TheEraserDividesAndRemovesImagesToo) {
+  MirrorFixture f;
+  f.drag("pencil", {110, 80}, {150, 80});
+  f.drag("eraser", {130, 74}, {130, 86});
+  EXPECT_EQ(f.document().stroke_count(), 4U) << "two parts on each side";
+  EXPECT_EQ(f.document().symmetries().size(), 2U);
+  EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+  f.must(SelectStrokes{SelectStrokes::What::kAll});
+  f.must(DeleteEvent{});
+  EXPECT_EQ(f.document().stroke_count(), 0U);
+  EXPECT_TRUE(f.document().symmetries().empty());
+}
+
+TEST(SessionGuides, AMoveOfAllImagesMovesTheAxes) {
+  MirrorFixture f;
+  f.drag("pencil", {110, 80}, {150, 80});
+  f.must(SelectStrokes{SelectStrokes::What::kAll});
+  f.must(MoveEvent{{7, 3}});
+  ASSERT_EQ(f.document().symmetries().size(), 1U);
+  EXPECT_NEAR(f.document().symmetries().begin()->second->center.x, 107.0, 1e-9);
+  EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+}
+
+TEST(SessionGuides, UnlinkedStrokesDoNotFollow) {
+  MirrorFixture f;
+  f.drag("pencil", {110, 80}, {150, 80});
+  f.must(SelectStrokes{SelectStrokes::What::kAll});
+  f.must(GuidesEvent{GuidesEvent::Do::kUnlink});
+  EXPECT_TRUE(f.document().symmetries().empty());
+  const auto strokes = f.document().layers().front().strokes;
+  const StrokePtr other = f.document().find(strokes[1]);
+  f.drag("pull", {130, 80}, {130, 70});
+  EXPECT_EQ(f.document().find(strokes[1]), other);
+}
+
+TEST(SessionGuides, RandomGesturesKeepImagesAndUndoIsExact) {
+  constexpr const char* kTools[] = {"pencil", "pull",    "smooth",  "width",
+                                    "eraser", "recolor", "connect", "shape"};
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    testing::RandomStroke random(seed);
+    MirrorFixture f(random.pick(1, 4), random.uniform(0.0, 3.0));
+    std::vector<Document> states{f.document()};
+    for (int i = 0; i < 10; ++i) {
+      const auto point = [&] {
+        return Point{random.uniform(70.0, 130.0), random.uniform(70.0, 130.0)};
+      };
+      const char* tool = kTools[i < 2 ? 0 : random.pick(0, 7)];
+      const std::size_t steps = f.session->history().undo_count();
+      f.drag(tool, point(), point());
+      ASSERT_LT(largest_error_mm(f.document()), kSameMm) << tool << " of seed " << seed;
+      if (f.session->history().undo_count() > steps) states.push_back(f.document());
+    }
+    EXPECT_FALSE(f.document().symmetries().empty() && f.document().stroke_count() > 1);
+    for (; states.size() > 1; states.pop_back()) {
+      ASSERT_EQ(f.document(), states.back());
+      f.must(UndoEvent{});
+    }
+    EXPECT_EQ(f.document(), states.front());
+  }
+}
+
+TEST(SessionGuides, EventsChangeGuidesAndBadOnesChangeNothing) {
+  MirrorFixture f;
+  const GuideId id = f.document().guides().begin()->first;
+  DrawingGuide ruler;
+  ruler.origin = {20, 30};
+  f.must(GuidesEvent{GuidesEvent::Do::kChange, id, ruler});
+  EXPECT_EQ(*f.document().find_guide(id), ruler);
+  const Document before = f.document();
+  ruler.size_mm = kNan;
+  DrawingGuide trace{DrawingGuideKind::kTrace};
+  trace.stroke = {77};
+  for (const GuidesEvent& bad :
+       {GuidesEvent{GuidesEvent::Do::kChange, id, ruler},
+        GuidesEvent{GuidesEvent::Do::kAdd, {}, ruler}, GuidesEvent{GuidesEvent::Do::kRemove, {999}},
+        GuidesEvent{GuidesEvent::Do::kAdd, {}, trace}}) {
+    EXPECT_FALSE(f.session->apply({f.now_ns, bad}));
+  }
+  EXPECT_EQ(f.document(), before);
+  f.must(GuidesEvent{GuidesEvent::Do::kClear});
+  EXPECT_TRUE(f.document().guides().empty());
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.document(), before);
+}
+
+TEST(SessionGuides, ATraceGoesWithItsStroke) {
+  Session session(make_tools(), SessionOptions{});
+  const StrokePtr line =
+      std::make_shared<const Stroke>(testing::straight_stroke({10, 10}, {50, 10}, 1, 1));
+  ASSERT_TRUE(session.import(0, ImportEvent{"x", true}, {&line, 1}));
+  DrawingGuide trace{DrawingGuideKind::kTrace};
+  trace.stroke = session.document().layers().front().strokes.front();
+  ASSERT_TRUE(session.apply({1, GuidesEvent{GuidesEvent::Do::kAdd, {}, trace}}));
+  ASSERT_TRUE(session.apply({2, DeleteEvent{}}));
+  EXPECT_TRUE(session.document().guides().empty());
+  ASSERT_TRUE(session.apply({3, UndoEvent{}}));
+  EXPECT_EQ(session.document().guides().size(), 1U);
+  EXPECT_EQ(session.document().stroke_count(), 1U);
+}
+
+}  // namespace
+}  // namespace felt::session_guides_test
