@@ -33,7 +33,7 @@ constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Layer blend mode"), QT_TRANSLATE_NOOP("edits", "Group layers"),
     QT_TRANSLATE_NOOP("edits", "Ungroup layers"),   QT_TRANSLATE_NOOP("edits", "Remove guides"),
     QT_TRANSLATE_NOOP("edits", "Show guides"),      QT_TRANSLATE_NOOP("edits", "Hide guides"),
-    QT_TRANSLATE_NOOP("edits", "Unlink"),
+    QT_TRANSLATE_NOOP("edits", "Unlink"),           QT_TRANSLATE_NOOP("edits", "Make exact"),
 };
 
 /// The set of texts of one translation context.

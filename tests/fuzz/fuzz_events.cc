@@ -47,6 +47,7 @@ struct CheckWhat {
   void operator()(const UndoEvent&) const {}
   void operator()(const RedoEvent&) const {}
   void operator()(const CancelEvent&) const {}
+  void operator()(const ExactEvent&) const {}
   void operator()(const ImportEvent& e) const { check_text(e.path); }
   void operator()(const SelectStrokes& e) const {
     FELT_CHECK(e.what <= SelectStrokes::What::kInvert);

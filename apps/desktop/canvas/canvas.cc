@@ -259,6 +259,10 @@ void Canvas::refresh() {
   const Session& session = studio_.session();
   ink_.show(session.preview_with_fills());
   session.draw(s.overlay);
+  // The user of a mouse or tablet does not feel the force of the simulated stylus.
+  if (session.device().has_force() && studio_.loop().device().hand()) {
+    session.draw_guide_spring(s.overlay);
+  }
   // Removes the size ring, because the line itself shows its width.
   if (in_contact(studio_.pen().sample)) s.size_ring.stop();
   if (s.size_ring.isActive()) add_size_ring();

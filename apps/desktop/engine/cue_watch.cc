@@ -40,13 +40,16 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   const bool is_new_find = found && !found_;
   found_ = found;
 
+  const std::uint64_t ticks = session.guide_ticks();
+  const bool is_new_tick = std::exchange(guide_ticks_, ticks) != ticks;
+
   if (is_down && !was_down) came_to_something_ = false;
   const bool is_first_change =
       is_down && !came_to_something_ && session.preview().has_value() && takes;
   if (is_first_change) came_to_something_ = true;
   if (was_down && !is_down && takes && !came_to_something_) return CueEvent::kRefused;
   if (is_new_snap) return CueEvent::kSnapped;
-  if (is_first_change) return CueEvent::kTook;
+  if (is_first_change || is_new_tick) return CueEvent::kTook;
   if (is_new_find) return CueEvent::kFound;
   return std::nullopt;
 }

@@ -102,6 +102,20 @@ void add_history(Actions& actions, Studio& studio) {
   cancel->setAutoRepeat(false);
 }
 
+void add_exact(Actions& actions, Studio& studio) {
+  QAction* exact = actions.add(
+      QStringLiteral("edit.exact"), menu_text(QT_TRANSLATE_NOOP("EditActions", "Make e&xact")),
+      {QKeySequence(Qt::CTRL | Qt::Key_E)},
+      menu_text(QT_TRANSLATE_NOOP(
+          "EditActions", "Replaces the line that was drawn along a guide by the exact curve.")),
+      [&studio] { studio.apply(ExactEvent{}); });
+  const auto follow = [exact, &studio] {
+    exact->setEnabled(studio.session().exact_offer() != nullptr);
+  };
+  QObject::connect(&studio, &Studio::shown, exact, follow);
+  follow();
+}
+
 void add_selected(Actions& actions, Studio& studio) {
   QAction* remove = actions.add(
       QStringLiteral("edit.delete"), menu_text(QT_TRANSLATE_NOOP("EditActions", "De&lete")),
@@ -178,6 +192,7 @@ void add_selecting(Actions& actions, Studio& studio) {
 
 void add_edit_actions(Actions& actions, Studio& studio) {
   add_history(actions, studio);
+  add_exact(actions, studio);
   add_selected(actions, studio);
   add_selecting(actions, studio);
 }

@@ -234,6 +234,14 @@
 <context>
     <name>EditActions</name>
     <message>
+        <source>Make e&amp;xact</source>
+        <translation>&amp;Exakt machen</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Ersetzt die Linie, die an einer Hilfslinie gezeichnet wurde, durch die exakte Kurve.</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
@@ -1792,6 +1800,10 @@
 </context>
 <context>
     <name>edits</name>
+    <message>
+        <source>Make exact</source>
+        <translation>Exakt machen</translation>
+    </message>
     <message>
         <source>Add guide</source>
         <translation>Hilfslinie hinzufügen</translation>

@@ -234,6 +234,14 @@
 <context>
     <name>EditActions</name>
     <message>
+        <source>Make e&amp;xact</source>
+        <translation>E&amp;xact maken</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Vervangt de lijn die langs een hulplijn is getekend door de exacte kromme.</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Ongedaan maken</translation>
     </message>
@@ -1792,6 +1800,10 @@
 </context>
 <context>
     <name>edits</name>
+    <message>
+        <source>Make exact</source>
+        <translation>Exact maken</translation>
+    </message>
     <message>
         <source>Add guide</source>
         <translation>Hulplijn toevoegen</translation>

@@ -34,9 +34,8 @@ constexpr std::array kMenus{
             "file.quit"},
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
-        "edit.undo edit.redo edit.as_drawn - edit.cut edit.copy edit.copy* edit.paste "
-        "edit.paste_in_place "
-        "edit.duplicate "
+        "edit.undo edit.redo edit.as_drawn edit.exact - edit.cut edit.copy edit.copy* edit.paste "
+        "edit.paste_in_place edit.duplicate "
         "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.pick_color "
         "edit.pick_all edit.broader edit.thinner edit.to_front edit.to_back - edit.palette_* - "
         "edit.* - edit.cancel - edit.preferences"},

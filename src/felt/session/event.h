@@ -255,6 +255,13 @@ struct GuidesEvent {
   friend bool operator==(const GuidesEvent&, const GuidesEvent&) = default;
 };
 
+/// Replaces the last stroke by the exact line or arc of the guide of the drawing that it kept to,
+/// as one undo step. Does nothing if no exact curve is offered (Session::exact_offer).
+/// {"event":"exact"}
+struct ExactEvent {
+  friend bool operator==(const ExactEvent&, const ExactEvent&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
@@ -262,7 +269,7 @@ struct Event {
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer, GuidesEvent>
+               ChooseOffer, GuidesEvent, ExactEvent>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -20,6 +20,8 @@
 namespace felt {
 
 class DocumentMap;
+class StrokeGuide;
+struct ExactOffer;
 
 struct SessionOptions {
   /// The device that will output forces. A mouse or tablet has zero forces. UseDevice changes the
@@ -56,7 +58,7 @@ struct SessionOptions {
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
-///   redo, as-drawn, select, delete, duplicate, move, order, restyle, layer,
+///   redo, as-drawn, exact, select, delete, duplicate, move, order, restyle, layer,
 ///   picture, guides                                    have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
@@ -106,6 +108,10 @@ class Session {
   [[nodiscard]] ForceModel force() const;
   /// Replaces the content of `overlay` with everything to show besides the document.
   void draw(Overlay& overlay) const;
+  /// Adds the spring that shows how a guide of the drawing pulls the pen. draw() does so, too, if
+  /// the device has no force; a program whose user does not feel the force of the device calls
+  /// this.
+  void draw_guide_spring(Overlay& overlay) const;
   /// Returns the preview, if there is one: an edit that the display shows as if it were applied to
   /// the document. It is the result so far of the gesture in progress, or the result of a gesture
   /// that would begin at the position of the pen.
@@ -132,6 +138,12 @@ class Session {
   [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
+  /// Returns the line or arc that the last stroke would become by an ExactEvent, or null. It is
+  /// offered from the end of a stroke that kept to a guide of the drawing until the next touch or
+  /// until the stroke changes; draw() shows it.
+  [[nodiscard]] StrokePtr exact_offer() const;
+  /// Returns a count of events of guides of the drawing that should be felt as a tick.
+  [[nodiscard]] std::uint64_t guide_ticks() const noexcept;
   /// Returns the colour of new ink (option "ink.color").
   [[nodiscard]] Rgba ink_color() const noexcept;
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
@@ -195,6 +207,9 @@ class Session {
   [[nodiscard]] bool has_offer() const noexcept { return offer_ && offer_edits_ == edits_; }
   /// Marks what the first other choice of the offer would change.
   void draw_offer(Overlay& overlay) const;
+  Result<void> make_exact();
+  void offer_exact(const Edit& drawn);
+  void follow_stroke_guide(const PenSample& sample);
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
@@ -249,6 +264,8 @@ class Session {
   std::uint64_t offer_edits_ = 0;      // edits_ when it was made; it is over if this differs
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
+  std::unique_ptr<StrokeGuide> stroke_guide_;
+  std::unique_ptr<ExactOffer> exact_;  // null: no offer
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;
   std::uint64_t selections_ = 0;

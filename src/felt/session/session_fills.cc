@@ -1,4 +1,4 @@
-// How the fills, linked strokes and guides of a session follow its edits.
+// How a session commits edits, and how its fills, linked strokes and guides follow them.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -37,6 +37,64 @@ void let_traces_follow(const Document& document, Edit& edit) {
 }
 
 }  // namespace
+
+Result<void> Session::take(ToolResult result) {
+  // A commit also replaces the preview, because a preview of the previous document is invalid.
+  if (result.preview || result.commit || !result.same_preview) show(std::move(result.preview));
+  Result<void> done;
+  if (!result.commit) result.offer.reset();  // an offer belongs to a step
+  if (result.commit) {
+    gesture_is_open_ = false;
+    const Edit drawn = *result.commit;
+    let_others_follow(*result.commit, Origin::kTool);
+    done = apply_and_record(*std::move(result.commit));
+    as_drawn_.reset();
+    if (done && result.as_drawn) {
+      as_drawn_ = AsDrawn{std::move(*result.as_drawn), history_.position()};
+    }
+    if (done) offer_exact(drawn);
+  }
+  if (done && result.selection) {
+    set_selection(std::move(*result.selection));
+  }
+  if (done && result.offer) {
+    offer_ = std::move(result.offer);
+    offer_edits_ = edits_;
+  }
+  if (!done) {
+    return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
+  }
+  return done;
+}
+
+void Session::show(std::optional<Edit> preview) {
+  // The preview of a gesture may remain for a while after the touch. The preview of a hovering pen
+  // begins without a touch.
+  preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
+  preview_ = std::move(preview);
+  shown_is_current_ = false;
+}
+
+Result<void> Session::commit(Edit edit) {
+  let_others_follow(edit, Origin::kCommand);
+  return apply_and_record(std::move(edit));
+}
+
+Result<void> Session::apply_and_record(Edit edit) {
+  if (edit.empty()) return {};
+  if (Result<void> applied = document_.apply(edit); !applied) return applied;
+  follow(edit);
+  history_.record(std::move(edit));
+  return {};
+}
+
+Result<void> Session::commit_with_previous(Edit edit) {
+  let_others_follow(edit, Origin::kCommand);
+  if (Result<void> applied = document_.apply(edit); !applied) return applied;
+  follow(edit);
+  if (!history_.extend(edit)) history_.record(std::move(edit));
+  return {};
+}
 
 bool Session::draws_ink() const noexcept {
   const ToolKind kind = tool().info().kind;

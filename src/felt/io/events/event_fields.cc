@@ -447,6 +447,7 @@ constexpr NamedEvent kEvents[] = {
     {"redo", EventName::kRedo, kPlainFields},
     {"cancel", EventName::kCancel, kPlainFields},
     {"as-drawn", EventName::kAsDrawn, kPlainFields},
+    {"exact", EventName::kExact, kPlainFields},
     {"import", EventName::kImport, kImportFields},
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},

@@ -61,6 +61,7 @@ enum class EventName {
   kRedo,
   kCancel,
   kAsDrawn,
+  kExact,
   kImport,
   kSelect,
   kDelete,

@@ -58,6 +58,8 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return CancelEvent{};
     case EventName::kAsDrawn:
       return AsDrawnEvent{};
+    case EventName::kExact:
+      return ExactEvent{};
     case EventName::kImport:
       return ImportEvent{std::move(fields.path), fields.select};
     case EventName::kSelect:

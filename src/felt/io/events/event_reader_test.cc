@@ -63,6 +63,7 @@ TEST(EventReader, ReadsEveryKind) {
   EXPECT_EQ(event_of(R"({"event":"undo","t_ms":3})"), (Event{3'000'000, UndoEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"redo","t_ms":3})"), (Event{3'000'000, RedoEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"cancel","t_ms":3})"), (Event{3'000'000, CancelEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"exact","t_ms":3})"), (Event{3'000'000, ExactEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"import","path":"a/b.ndjson","t_ms":3})"),
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
   EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
@@ -252,10 +253,11 @@ TEST(EventReader, PressureIsClampedToItsRange) {
 }
 
 TEST(EventReader, NamesTheKeyAndTheReason) {
-  EXPECT_EQ(error_of(R"({"event":"fly","t_ms":0})"),
-            "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
-            "import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-            "material, guide, choose, guides");
+  EXPECT_EQ(
+      error_of(R"({"event":"fly","t_ms":0})"),
+      "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
+      "exact, import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
+      "material, guide, choose, guides");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

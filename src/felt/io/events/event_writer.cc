@@ -90,6 +90,7 @@ struct AddWhat {
   void operator()(const UndoEvent&) const { kind("undo"); }
   void operator()(const RedoEvent&) const { kind("redo"); }
   void operator()(const CancelEvent&) const { kind("cancel"); }
+  void operator()(const ExactEvent&) const { kind("exact"); }
   void operator()(const ImportEvent& e) const {
     kind("import");
     out.add_text("path", e.path);

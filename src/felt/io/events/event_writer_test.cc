@@ -40,6 +40,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, UndoEvent{}}), "{\"t_ms\":0,\"event\":\"undo\"}\n");
   EXPECT_EQ(line_of({0, RedoEvent{}}), "{\"t_ms\":0,\"event\":\"redo\"}\n");
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
+  EXPECT_EQ(line_of({0, ExactEvent{}}), "{\"t_ms\":0,\"event\":\"exact\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg", true}}),

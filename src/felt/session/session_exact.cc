@@ -1,0 +1,49 @@
+// Exact strokes: a stroke that kept to a guide of the drawing can become a line or an arc.
+#include <memory>
+#include <utility>
+
+#include "felt/document/edit_builder.h"
+#include "felt/session/session.h"
+#include "felt/tools/exact_ink.h"
+#include "felt/tools/stroke_guide.h"
+
+namespace felt {
+
+StrokePtr Session::exact_offer() const {
+  if (!exact_ || gesture_in_progress()) return {};
+  return document_.find(exact_->id) == exact_->drawn ? exact_->exact : StrokePtr();
+}
+
+std::uint64_t Session::guide_ticks() const noexcept {
+  return stroke_guide_->ticks();
+}
+
+void Session::draw_guide_spring(Overlay& overlay) const {
+  stroke_guide_->draw_spring(overlay);
+}
+
+/// Offers an exact curve if the edit adds one stroke and changes no other.
+void Session::offer_exact(const Edit& drawn) {
+  exact_.reset();
+  if (tool().info().kind != ToolKind::kDraws || drawn.changes.size() != 1) return;
+  const StrokeChange& ink = drawn.changes.front();
+  const std::optional<ExactPath> path = stroke_guide_->exact_path();
+  if (ink.before || !ink.after || !path) return;
+  if (std::optional<Stroke> exact = exact_stroke(*ink.after, *path)) {
+    exact_ = std::make_unique<ExactOffer>(
+        ExactOffer{ink.id, ink.after, std::make_shared<const Stroke>(*std::move(exact))});
+  }
+}
+
+Result<void> Session::make_exact() {
+  if (gesture_in_progress()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  const StrokePtr exact = exact_offer();
+  if (!exact) return {};
+  EditBuilder edit(document_);
+  edit.replace(exact_->id, exact);
+  exact_.reset();
+  return commit(std::move(edit).build("Make exact"));
+}
+
+}  // namespace felt
