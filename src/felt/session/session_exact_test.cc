@@ -24,7 +24,8 @@ struct Fixture {
   }
   static Document with(DrawingGuide guide) {
     Document document;
-    Edit edit{.label = "Guide"};
+    Edit edit;
+    edit.label = "Guide";
     edit.guides.push_back({.id = document.new_guide_id(),
                            .before = nullptr,
                            .after = std::make_shared<const DrawingGuide>(std::move(guide))});

@@ -120,7 +120,7 @@ std::optional<Stroke> exact_stroke(const Stroke& drawn, const ExactPath& path) {
 
 void draw_exact(const Stroke& exact, Overlay& overlay) {
   constexpr int kPointsPerSegment = 8;
-  Overlay::Outline line{.closed = exact.closed(), .role = Overlay::Role::kGuide};
+  Overlay::Outline line{.points = {}, .closed = exact.closed(), .role = Overlay::Role::kGuide};
   for (int i = 0; i <= kPointsPerSegment * exact.segment_count(); ++i) {
     line.points.push_back(exact.position(static_cast<double>(i) / kPointsPerSegment));
   }

@@ -27,10 +27,6 @@ bool is_sound(const DrawingGuide& g) noexcept {
          std::isfinite(g.second_mm) && std::isfinite(g.step_rad) && std::isfinite(g.strength);
 }
 
-Vec direction(double angle_rad) noexcept {
-  return {std::cos(angle_rad), std::sin(angle_rad)};
-}
-
 std::optional<GuideShape> leg(Point at, Vec along, double length_mm) {
   if (!(length_mm >= kMinLengthMm)) return {};
   return GuideStraight{at, along, 0.0, length_mm};
@@ -45,7 +41,7 @@ std::optional<GuideShape> ellipse(const DrawingGuide& g, double a_mm, double b_m
 /// Returns the ellipse of the family through a point.
 std::optional<GuideShape> ellipse_through(const DrawingGuide& g, Point p) {
   if (!(g.size_mm > 0.0 && g.second_mm > 0.0)) return {};
-  const Vec off = p - g.origin, u = direction(g.angle_rad);
+  const Vec off = p - g.origin, u = direction_of(g.angle_rad);
   const double scale = std::hypot(dot(off, u) / g.size_mm, dot(off, perp(u)) / g.second_mm);
   return ellipse(g, scale * g.size_mm, scale * g.second_mm);
 }
@@ -110,7 +106,7 @@ std::optional<std::size_t> choose_guide(std::span<const DrawingGuidePtr> guides,
 
 std::optional<GuideShape> guide_shape(const DrawingGuide& g, Point touch) {
   if (!is_sound(g)) return {};
-  const Vec u = direction(g.angle_rad);
+  const Vec u = direction_of(g.angle_rad);
   switch (g.kind) {
     case Kind::kRuler:
       return leg(g.origin, u, g.size_mm);
@@ -190,7 +186,7 @@ GuideRay nearest_ray(const DrawingGuide& g, Point pen) noexcept {
   const double turns = std::remainder(std::atan2(off.y, off.x) - g.angle_rad, kTau);
   GuideRay ray;
   ray.number = static_cast<int>(std::lround(turns / step));
-  const Vec along = direction(g.angle_rad + ray.number * step);
+  const Vec along = direction_of(g.angle_rad + ray.number * step);
   ray.line = {g.origin, along, 0.0, std::max(g.size_mm, 0.0)};
   const double out_mm = std::max(0.0, dot(off, along));
   const double apart_mm = 2.0 * std::sin(0.5 * std::min(step, 0.5 * kTau)) * out_mm;
@@ -201,7 +197,7 @@ GuideRay nearest_ray(const DrawingGuide& g, Point pen) noexcept {
 GuideNode nearest_node(const DrawingGuide& g, Point pen) noexcept {
   const double step = std::max(g.size_mm, kMinStepMm);
   const double corner = g.kind == Kind::kGrid ? 0.25 * kTau : kTau / 6.0;
-  const Vec u = direction(g.angle_rad), v = direction(g.angle_rad + corner);
+  const Vec u = direction_of(g.angle_rad), v = direction_of(g.angle_rad + corner);
   const Vec off = (pen - g.origin) / step;
   // Coordinates along u and v: off = i u + j v.
   const double area = cross(u, v);

@@ -6,18 +6,17 @@
 #include <optional>
 #include <utility>
 
+#include "felt/tools/guide_shape.h"
+
 namespace felt {
 namespace {
 
+using Kind = DrawingGuideKind;
 using Role = Overlay::Role;
 constexpr double kParallelsMm = 10.0;  // chosen: sparse enough to see the drawing
 constexpr double kBodyMm = 18.0;       // breadth of a ruler
 constexpr int kFanLines = 36;
 constexpr double kQuarter = 0.5 * std::numbers::pi;
-
-Vec direction(double angle_rad) noexcept {
-  return {std::cos(angle_rad), std::sin(angle_rad)};
-}
 
 /// Returns the part of the line through p with direction d that is within the page (Liang and
 /// Barsky).
@@ -43,11 +42,10 @@ class GuidePicture {
         guide_(guide),
         document_(document),
         page_(page),
-        along_(direction(guide.angle_rad)),
+        along_(direction_of(guide.angle_rad)),
         aside_{-along_.y, along_.x} {}
 
   void draw() {
-    using Kind = DrawingGuideKind;
     switch (guide_.kind) {
       case Kind::kRuler:
         return ruler();
@@ -83,7 +81,7 @@ class GuidePicture {
         return;
       case Kind::kSymmetry:
         for (int i = 0; i < guide_.axes; ++i) {
-          infinite(guide_.origin, direction(guide_.angle_rad + i * std::numbers::pi / guide_.axes),
+          infinite(guide_.origin, direction_of(guide_.angle_rad + i * std::numbers::pi / guide_.axes),
                    Role::kAxis);
         }
         return ring(3.0, Role::kAxis);
@@ -137,13 +135,13 @@ class GuidePicture {
     const double radius_mm = guide_.size_mm;
     ring(radius_mm, Role::kRule);
     for (int deg = 0; deg < 360; ++deg) {
-      const Vec d = direction(guide_.angle_rad + deg * std::numbers::pi / 180.0);
+      const Vec d = direction_of(guide_.angle_rad + deg * std::numbers::pi / 180.0);
       const double tick = deg % 10 == 0 ? 0.9 : deg % 5 == 0 ? 0.94 : 0.97;
       line(guide_.origin + tick * radius_mm * d, guide_.origin + radius_mm * d, Role::kTick);
     }
     const int rays = static_cast<int>(2.0 * std::numbers::pi / guide_.step_rad + 1e-9);
     for (int i = 0; i < rays; ++i) {
-      const Vec d = direction(guide_.angle_rad + i * guide_.step_rad);
+      const Vec d = direction_of(guide_.angle_rad + i * guide_.step_rad);
       line(guide_.origin + 0.15 * radius_mm * d, guide_.origin + 0.88 * radius_mm * d,
            i == 0 ? Role::kRule : Role::kTick);
     }
@@ -153,7 +151,7 @@ class GuidePicture {
     Overlay::Outline outline{{}, true, role};
     constexpr int kSteps = 96;
     for (int i = 0; i < kSteps; ++i) {
-      const Vec d = direction(2.0 * std::numbers::pi * i / kSteps);
+      const Vec d = direction_of(2.0 * std::numbers::pi * i / kSteps);
       outline.points.push_back(guide_.origin + (scale * guide_.size_mm * d.x) * along_ +
                                (scale * guide_.second_mm * d.y) * aside_);
     }
@@ -193,7 +191,7 @@ class GuidePicture {
   }
   /// Adds parallel lines at this spacing, one of them through the origin.
   void family(double angle_rad, double spacing_mm, Role role) {
-    const Vec d = direction(angle_rad), n{-d.y, d.x};
+    const Vec d = direction_of(angle_rad), n{-d.y, d.x};
     double low = 0.0, high = 0.0;
     bool is_first = true;
     for (const Point corner : {Point{page_.x0, page_.y0}, Point{page_.x1, page_.y0},
@@ -262,14 +260,13 @@ void add_guide_pictures(Overlay& overlay, const Document& document, const Edit* 
 }
 
 Rect guide_extent(const DrawingGuide& guide) noexcept {
-  using Kind = DrawingGuideKind;
   constexpr double kAroundMm = 20.0;
   Rect extent;
   for (const Point p : guide.points) extent.extend(p);
   if (!guide.points.empty()) return extent;
   if (guide.kind == Kind::kTrace) return extent;  // that of its stroke
   extent.extend(guide.origin);
-  const Vec along = direction(guide.angle_rad), aside{-along.y, along.x};
+  const Vec along = direction_of(guide.angle_rad), aside{-along.y, along.x};
   const double size_mm = guide.size_mm, second_mm = guide.second_mm;
   switch (guide.kind) {
     case Kind::kRuler:

@@ -95,6 +95,10 @@ std::vector<Point> points_of(const GuideEllipse& e, Point /*near*/) {
 
 }  // namespace
 
+Vec direction_of(double angle_rad) noexcept {
+  return {std::cos(angle_rad), std::sin(angle_rad)};
+}
+
 Point point_at(const GuideShape& shape, double at) noexcept {
   return std::visit([at](const auto& s) { return point_of(s, at); }, shape);
 }

@@ -41,6 +41,8 @@ struct ShapeNearest {
   double at = 0.0;
 };
 
+/// Returns the direction at an angle, which counts from +x towards +y; length 1.
+Vec direction_of(double angle_rad) noexcept;
 /// Returns the point at a position of the shape; for a straight line also beyond its ends.
 Point point_at(const GuideShape& shape, double at) noexcept;
 /// Returns the direction of the shape at a position, length 1.

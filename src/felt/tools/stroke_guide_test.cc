@@ -23,7 +23,7 @@ DrawingGuidePtr made(DrawingGuide guide) {
 /// Moves a pen with one guide, and evaluates its force as the haptic loop does.
 class Pen {
  public:
-  explicit Pen(DrawingGuide guide) : guides_{made(std::move(guide))} {}
+  explicit Pen(DrawingGuide held) : guides_{made(std::move(held))} {}
 
   void set_document(Document document) { document_ = std::move(document); }
   Force move(Point to, double z = -1.0, Vec velocity = {}) {
