@@ -17,6 +17,7 @@
 
 #include "desktop/engine/grain_setting.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 #include "desktop/files/files_setting_keys.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/page_picture.h"
@@ -50,14 +51,14 @@ bool can_swell(FileFormat format) {
   return format == FileFormat::kSvg || format == FileFormat::kPdf;
 }
 
-/// Returns the drawing as it is exported for swell paper, for the preview; unchanged if it cannot
-/// be.
-Document black_document(const Document& document) {
+/// Returns the drawing as it is exported for swell paper, for the preview.
+Result<Document> black_document(const Document& document) {
   Drawing drawing;
   drawing.document = document;
   SwellReport report;
   Result<Drawing> black = prepare_for_swell_paper(drawing, report);
-  return black ? std::move(black->document) : document;
+  if (!black) return tl::unexpected(black.error());
+  return std::move(black->document);
 }
 
 /// Paints the picture over chequered squares, which show where it is transparent.
@@ -120,7 +121,6 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   compact_->setChecked(settings.flag(files_keys::kExportCompact, false));
   compact_->setToolTip(
       tr("Only the visible ink, which other programs show but cannot edit as lines"));
-  swell_->setChecked(settings.flag(files_keys::kExportSwell, false));
   swell_->setToolTip(
       tr("Black at true size, with lines at least 1 mm wide and textures instead of "
          "colours, for drawings that are read with the fingers"));
@@ -152,8 +152,8 @@ void ExportDialog::build() {
   columns->addWidget(picture_);
   columns->addLayout(form_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  QPushButton* go = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-  go->setDefault(true);
+  go_ = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+  go_->setDefault(true);
   connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* all = new QVBoxLayout(this);
@@ -217,9 +217,6 @@ void ExportDialog::accept() {
   if (options().format == FileFormat::kSvg) {
     settings.set(files_keys::kExportCompact, compact_->isChecked());
   }
-  if (can_swell(options().format)) {
-    settings.set(files_keys::kExportSwell, swell_->isChecked());
-  }
   settings.set(files_keys::kExportDpi, dpi_->value());
   settings.set(files_keys::kExportBackground, background_->isChecked());
   QDialog::accept();
@@ -228,10 +225,14 @@ void ExportDialog::accept() {
 const Document& ExportDialog::shown_document(const ExportOptions& chosen) {
   const bool is_part = chosen.part == ExportPart::kSelection;
   const Document& whole = is_part ? selected_ : document_;
+  go_->setEnabled(true);
   if (!chosen.swell) return whole;
-  std::optional<Document>& black = is_part ? swell_selected_ : swell_document_;
+  std::optional<Result<Document>>& black = is_part ? swell_selected_ : swell_document_;
   if (!black) black = black_document(whole);
-  return *black;
+  if (*black) return **black;
+  kept_->setText(tr("It cannot be made for swell paper: %1.").arg(text_of(black->error())));
+  go_->setEnabled(false);
+  return whole;
 }
 
 void ExportDialog::show_result() {
@@ -240,7 +241,6 @@ void ExportDialog::show_result() {
   kept_->setText(chosen.compact
                      ? tr("The picture, for browsers. Feltline does not read the lines back.")
                      : format_kept(chosen.format));
-  format_->setAccessibleDescription(kept_->text());
   if (chosen.swell) kept_->setText(tr("Black lines and textures that rise on swell paper."));
   const bool is_png = chosen.format == FileFormat::kPng;
   scale_->setEnabled(is_png);
@@ -256,6 +256,7 @@ void ExportDialog::show_result() {
   if (page_.paper.a == 0 || chosen.swell) background_->setEnabled(false);
   const bool is_part = chosen.part == ExportPart::kSelection;
   const Document& document = shown_document(chosen);
+  format_->setAccessibleDescription(kept_->text());
   const Rect area = export_area(ink_bounds(document), page_, chosen);
   const Rgba paper = chosen.background && !chosen.swell ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();

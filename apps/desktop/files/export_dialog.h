@@ -12,6 +12,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 
 namespace felt::desktop {
 
@@ -36,7 +37,7 @@ class ExportDialog : public QDialog {
 
   Document document_;  // with the newest strokes, for the preview
   Document selected_;
-  std::optional<Document> swell_document_, swell_selected_;  // the same for swell paper
+  std::optional<Result<Document>> swell_document_, swell_selected_;  // the same for swell paper
   Page page_;
   bool has_pictures_ = false;
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
@@ -50,6 +51,7 @@ class ExportDialog : public QDialog {
   QCheckBox* compact_;
   QCheckBox* pictures_;
   QCheckBox* swell_;
+  QPushButton* go_;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

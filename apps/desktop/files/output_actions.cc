@@ -131,19 +131,20 @@ bool needs_pixels(const Document& document) {
   });
 }
 
-/// Paints the page as one picture.
-void paint_pixels(QPainter& painter, const Drawing& drawing, double dpi,
+/// Paints the page as one picture. Returns false if it could not be made.
+bool paint_pixels(QPainter& painter, const Drawing& drawing, double dpi,
                   const std::optional<Grain>& grain) {
   PageOptions options{.dpi = dpi, .area = drawing.page.area(), .paper = drawing.page.paper};
   if (grain) options.grain = *grain;
   Result<Image> image = render_page(drawing.document, options, PictureChoice::kMarked);
-  if (!image) return;
+  if (!image) return false;
   const Pixels pixels = image->pixels();
   const double mm_per_px = kMmPerInch / dpi;
   painter.drawImage(
       QRectF(0.0, 0.0, pixels.width * mm_per_px, pixels.height * mm_per_px),
       QImage(pixels.data, pixels.width, pixels.height, static_cast<qsizetype>(pixels.stride),
              QImage::Format_RGBA8888_Premultiplied));
+  return true;
 }
 
 }  // namespace
@@ -162,9 +163,11 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
   }
   if (needs_pixels(drawing.document)) {
     const double largest = kMmPerInch * std::sqrt(kMaxPrintPx / (area.width() * area.height()));
-    paint_pixels(painter, drawing, std::min({dpi, kPrintBlendDpi, largest}), grain);
-    painter.restore();
-    return;
+    // Without memory for the picture, the lines are printed without blending.
+    if (paint_pixels(painter, drawing, std::min({dpi, kPrintBlendDpi, largest}), grain)) {
+      painter.restore();
+      return;
+    }
   }
   painter.setPen(Qt::NoPen);
   const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);

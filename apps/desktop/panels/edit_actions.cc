@@ -82,6 +82,12 @@ void add_history(Actions& actions, Studio& studio) {
           "EditActions", "Replaces the line of the steady hand by the line as it was drawn.")),
       [&studio] { studio.apply(AsDrawnEvent{}); });
   drawn->setAutoRepeat(false);
+  const auto follow_drawn = [drawn, &studio] {
+    drawn->setEnabled(studio.session().can_show_as_drawn());
+  };
+  QObject::connect(&studio, &Studio::shown, drawn, follow_drawn);
+  QObject::connect(&studio, &Studio::opened, drawn, follow_drawn);
+  follow_drawn();
   QAction* cancel =
       actions.add(QStringLiteral("edit.cancel"),
                   menu_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or clear selection")),

@@ -206,7 +206,10 @@ void MainWindow::make_panels() {
   auto* tactile = new TactilePanel(*studio_);
   add_panel(QStringLiteral("tactile"), tr("Tactile check"), tactile);
   connect(actions_->find(QStringLiteral("view.panel_tactile")), &QAction::toggled, tactile,
-          &TactilePanel::set_on);
+          [this, tactile](bool on) {
+            // The marks stay while all panels are hidden.
+            if (hidden_.isEmpty()) tactile->set_on(on);
+          });
   connect(tactile, &TactilePanel::marks_changed, canvas_, &Canvas::set_notes);
   connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);
   // The panel scrolls on a small screen, because its text may need many lines.

@@ -142,6 +142,8 @@ class Session {
   /// offered from the end of a stroke that kept to a guide of the drawing until the next touch or
   /// until the stroke changes; draw() shows it.
   [[nodiscard]] StrokePtr exact_offer() const;
+  /// Returns true if the event `as-drawn` would replace the last line.
+  [[nodiscard]] bool can_show_as_drawn() const;
   /// Returns a count of events of guides of the drawing that should be felt as a tick.
   [[nodiscard]] std::uint64_t guide_ticks() const noexcept;
   /// Returns the colour of new ink (option "ink.color").

@@ -32,10 +32,14 @@ Result<void> Session::redo() {
   return {};
 }
 
+bool Session::can_show_as_drawn() const {
+  return as_drawn_ && as_drawn_->position == history_.position() && !gesture_in_progress();
+}
+
 Result<void> Session::show_as_drawn() {
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  if (!as_drawn_ || as_drawn_->position != history_.position()) return {};
+  if (!can_show_as_drawn()) return {};
   Edit edit = std::move(as_drawn_->edit);
   as_drawn_.reset();
   return commit(std::move(edit));
