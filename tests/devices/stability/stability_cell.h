@@ -22,10 +22,11 @@ enum class Trial : std::uint8_t {
   kBundle,  ///< moves 20 mm out and back through a bundle of the tool Gather
   kShake,   ///< the same with a hand that shakes by 1 mm, and the damping of the steady hand
   kHold,    ///< rests where the pencil holds the pen, moves out of the hold and back
+  kRead,    ///< lands 1 mm beside a line at an end that the tool Read holds, moves out and back
 };
 inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit,  Trial::kGuide, Trial::kRidge, Trial::kBundle,
-                                    Trial::kShake, Trial::kHold};
+                                    Trial::kShake, Trial::kHold,  Trial::kRead};
 std::string_view name_of(Trial trial) noexcept;
 
 /// One trial: a hand uses a medium on a surface with a device and a loop.
