@@ -64,7 +64,9 @@ void copy(Image& from, Image& to, int x0, int y0) {
 
 }  // namespace
 
-ActPictures::ActPictures(std::string_view act) : tool_(act.substr(act.find('-') + 1)) {}
+ActPictures::ActPictures(std::string_view act) : tool_(act.substr(act.find('-') + 1)) {
+  tool_.resize(std::min(tool_.size(), tool_.find('-')));
+}
 
 void ActPictures::see(const Session& session, const PenSample& pen) {
   if (is_over_ || session.tool().info().id != tool_) return;

@@ -58,6 +58,10 @@ void add_tool(Texts& texts, const ToolInfo& tool) {
   add(texts, tool.help);
   add(texts, tool.act.title);
   add(texts, tool.act.caption);
+  for (const ToolAct& act : tool.more_acts) {
+    add(texts, act.title);
+    add(texts, act.caption);
+  }
   for (const ToolUse& use : tool.uses) {
     for (const std::string_view text : {use.hint, use.first_modifier, use.second_modifier}) {
       add(texts, text);

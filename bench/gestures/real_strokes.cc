@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "felt/gather/testing/labelled_drawing.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/io/xopp/xopp_import.h"
 #include "felt/session/session.h"
 
 namespace felt::bench {
@@ -130,6 +132,39 @@ Result<std::vector<RealPage>> read_drawings(const std::string& folder, double di
         stroke.push_back(s);
       }
       if (!stroke.empty()) page.strokes.push_back(std::move(stroke));
+    }
+    pages.push_back(std::move(page));
+  }
+  return pages;
+}
+
+Result<std::vector<RealPage>> read_notes(const std::string& folder) {
+  constexpr double kSamplesInSegment = 4.0;
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".xopp") paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<RealPage> pages;
+  for (const std::string& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const Result<Imported> notes = import_xopp(bytes);
+    if (!notes) return fail(ErrorCode::kInvalidData, path + ": " + notes.error().message);
+    RealPage page{path, {}};
+    const Document& document = notes->drawing.document;
+    for (const Layer& layer : document.layers()) {
+      for (const StrokeId id : layer.strokes) {
+        const StrokePtr line = document.find(id);
+        std::vector<InkSample> stroke;
+        for (double k = 0.0; k <= kSamplesInSegment * line->segment_count(); ++k) {
+          InkSample s;
+          s.position = line->position(k / kSamplesInSegment);
+          s.time_ns = static_cast<std::int64_t>(stroke.size()) * kUnknownStepNs;
+          stroke.push_back(s);
+        }
+        page.strokes.push_back(std::move(stroke));
+      }
     }
     pages.push_back(std::move(page));
   }

@@ -7197,6 +7197,30 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Widths in steps</source>
         <translation>Breiten in Stufen</translation>
     </message>
+    <message>
+        <source>A drawing can be read without eyes: lines hold the pen, ends and crossings click, and what is under the pen is spoken.</source>
+        <translation>Eine Zeichnung lässt sich ohne Augen lesen: Linien halten den Stift, Enden und Kreuzungen klicken, und was unter dem Stift ist, wird gesprochen.</translation>
+    </message>
+    <message>
+        <source>Felt steps</source>
+        <translation>Fühlbare Stufen</translation>
+    </message>
+    <message>
+        <source>Gestures</source>
+        <translation>Gesten</translation>
+    </message>
+    <message>
+        <source>Hold the pen at the end of a line and press: the line becomes the shape. Scribble over lines, and you are asked whether to delete them.</source>
+        <translation>Am Ende einer Linie stehen bleiben und drücken: Die Linie wird zur Form. Über Linien kritzeln: Feltline fragt, ob sie gelöscht werden sollen.</translation>
+    </message>
+    <message>
+        <source>If your hand shakes, lines can be calm: the shaking is measured once and removed while you draw.</source>
+        <translation>Auch wenn die Hand zittert, können Linien ruhig sein: Das Zittern wird einmal gemessen und beim Zeichnen entfernt.</translation>
+    </message>
+    <message>
+        <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
+        <translation>Den Radierer drücken, bis er klickt: Die ganze Linie verschwindet. Auch der Bleistift hat solche Stufen; sie halten die Breite einer Linie.</translation>
+    </message>
 </context>
 <context>
     <name>GuideActions</name>

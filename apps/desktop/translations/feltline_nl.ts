@@ -7197,6 +7197,30 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Widths in steps</source>
         <translation>Breedtes in stappen</translation>
     </message>
+    <message>
+        <source>A drawing can be read without eyes: lines hold the pen, ends and crossings click, and what is under the pen is spoken.</source>
+        <translation>Een tekening kan zonder ogen gelezen worden: lijnen houden de pen vast, einden en kruisingen klikken, en wat onder de pen ligt, wordt uitgesproken.</translation>
+    </message>
+    <message>
+        <source>Felt steps</source>
+        <translation>Voelbare stappen</translation>
+    </message>
+    <message>
+        <source>Gestures</source>
+        <translation>Gebaren</translation>
+    </message>
+    <message>
+        <source>Hold the pen at the end of a line and press: the line becomes the shape. Scribble over lines, and you are asked whether to delete them.</source>
+        <translation>Blijf aan het einde van een lijn staan en druk: de lijn wordt de vorm. Kras over lijnen, en Feltline vraagt of ze weg mogen.</translation>
+    </message>
+    <message>
+        <source>If your hand shakes, lines can be calm: the shaking is measured once and removed while you draw.</source>
+        <translation>Ook als je hand beeft, kunnen lijnen rustig zijn: het beven wordt één keer gemeten en tijdens het tekenen verwijderd.</translation>
+    </message>
+    <message>
+        <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
+        <translation>Druk de gum in tot hij klikt: de hele lijn verdwijnt. Ook het potlood heeft zulke stappen; ze houden de breedte van een lijn vast.</translation>
+    </message>
 </context>
 <context>
     <name>GuideActions</name>

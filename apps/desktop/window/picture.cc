@@ -14,6 +14,7 @@
 #include "desktop/help/examples.h"
 #include "desktop/help/script_player.h"
 #include "desktop/help/tour_window.h"
+#include "desktop/panels/tactile_panel.h"
 #include "desktop/pens/steady_dialog.h"
 #include "desktop/window/main_window.h"
 #include "desktop/window/preferences.h"
@@ -58,10 +59,15 @@ bool lacks_pictures(const MainWindow& window) {
   return false;
 }
 
-/// Waits until other threads have finished the pictures of surfaces and media.
+/// Waits until other threads have finished the pictures of surfaces and media, and the check of a
+/// tactile drawing if its panel is shown.
 void wait_for_pictures(const MainWindow& window) {
   constexpr int kMaxWaits = 500, kWaitMs = 20;
-  for (int i = 0; i < kMaxWaits && lacks_pictures(window); ++i) {
+  const auto* tactile = window.findChild<TactilePanel*>();
+  const auto checks = [tactile] {
+    return tactile && tactile->isVisible() && !tactile->is_up_to_date();
+  };
+  for (int i = 0; i < kMaxWaits && (lacks_pictures(window) || checks()); ++i) {
     QThread::msleep(kWaitMs);
     settle();
   }

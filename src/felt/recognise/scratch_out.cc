@@ -121,10 +121,17 @@ ScratchFeatures features_of(const PassList& list) {
 }
 
 bool is_within_limits(const ScratchFeatures& f) noexcept {
-  return f.passes >= ScratchOut::kMinPasses && f.along >= ScratchOut::kMinAlong &&
-         f.evenness >= ScratchOut::kMinEvenness && f.straightness >= ScratchOut::kMinStraightness &&
-         f.overlap >= ScratchOut::kMinOverlap &&
-         f.path_per_diagonal >= ScratchOut::kMinPathPerDiagonal;
+  if (f.passes < ScratchOut::kMinPasses || f.along < ScratchOut::kMinAlong ||
+      f.path_per_diagonal < ScratchOut::kMinPathPerDiagonal) {
+    return false;
+  }
+  if (f.passes >= ScratchOut::kSurePasses) {
+    return f.evenness >= ScratchOut::kSureEvenness &&
+           f.straightness >= ScratchOut::kSureStraightness &&
+           f.overlap >= ScratchOut::kSureOverlap;
+  }
+  return f.evenness >= ScratchOut::kMinEvenness && f.straightness >= ScratchOut::kMinStraightness &&
+         f.overlap >= ScratchOut::kMinOverlap;
 }
 
 /// Returns true if p is inside the triangle or within `margin_mm` of its sides.
@@ -172,6 +179,30 @@ double ScratchOut::covered_share(std::span<const Point> line) const {
   const auto inside =
       std::count_if(probes.begin(), probes.end(), [this](Point p) { return contains(p); });
   return static_cast<double>(inside) / static_cast<double>(kProbes);
+}
+
+int ScratchOut::crossings(std::span<const Point> line) const {
+  const auto is_crossed_by = [&](Point a, Point b) {
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      if (cross(b - a, line[k] - a) * cross(b - a, line[k + 1] - a) <= 0.0 &&
+          cross(line[k + 1] - line[k], a - line[k]) * cross(line[k + 1] - line[k], b - line[k]) <
+              0.0) {
+        return true;
+      }
+    }
+    return false;
+  };
+  int count = 0;
+  for (std::size_t i = 0; i + 1 < turns_.size(); ++i) {
+    if (is_crossed_by(turns_[i], turns_[i + 1])) ++count;
+  }
+  return count;
+}
+
+bool ScratchOut::covers(std::span<const Point> line) const {
+  const double share = covered_share(line);
+  if (share >= kCoveredShare) return true;
+  return share >= kCrossedShare && crossings(line) >= kMinCrossings;
 }
 
 bool ScratchOut::is_about(const Rect& covered) const noexcept {

@@ -8,6 +8,7 @@
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/tools/pencil/shape_hold.h"
+#include "felt/tools/read/read_force.h"
 
 namespace felt {
 namespace {
@@ -69,6 +70,12 @@ Side guide_side(Trial trial, const GuideLaw& law, double t_s) noexcept {
   return side;
 }
 
+// The force of the tool Read at the end of a line: its groove and its notch.
+double read_pull_n(double way_mm) noexcept {
+  return GuideLaw::groove(kReadGrooveShare).well.force_at_n(way_mm) +
+         read_notch(1.0).force_at_n(way_mm);
+}
+
 Side side_of(Trial trial, const GuideLaw& law, double t_s) noexcept {
   Side side;
   switch (trial) {
@@ -107,6 +114,13 @@ Side side_of(Trial trial, const GuideLaw& law, double t_s) noexcept {
       if (t_s >= kLandedS) side.pull_n = hold_shape(1.0).force_at_n(side.way_mm);
       side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
       break;
+    case Trial::kRead:
+      // From afar, as for the well: a notch attracts in the air, and forces engage only where the
+      // pen feels none.
+      side.way_mm = 10.0 - 9.0 * smooth(kArmedS, kMoveS, t_s) +
+                    2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+      if (t_s >= kLandedS) side.pull_n = read_pull_n(side.way_mm);
+      break;
     case Trial::kGuide:
     case Trial::kRidge:
       side.way_mm = 1.0 + 2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
@@ -123,7 +137,7 @@ Side side_of(Trial trial, const GuideLaw& law, double t_s) noexcept {
 // counts only from then on.
 bool is_in_a_well(Trial trial) noexcept {
   return trial == Trial::kWell || trial == Trial::kGuide || trial == Trial::kRidge ||
-         trial == Trial::kHold || is_guide_of_drawing(trial);
+         trial == Trial::kHold || trial == Trial::kRead || is_guide_of_drawing(trial);
 }
 
 }  // namespace
@@ -152,6 +166,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
     case Trial::kGuide:
     case Trial::kRidge:
     case Trial::kHold:
+    case Trial::kRead:
     default:
       times = {
           .measure_from_s = 1.9, .measure_until_s = 2.9, .energy_from_s = kMoveS, .end_s = 4.6};

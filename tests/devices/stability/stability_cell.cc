@@ -18,6 +18,7 @@
 #include "felt/tools/gather/gather_force.h"
 #include "felt/tools/guided_feel.h"
 #include "felt/tools/pencil/shape_hold.h"
+#include "felt/tools/read/read_force.h"
 #include "tests/devices/stability/pen_plan.h"
 
 namespace felt {
@@ -110,6 +111,12 @@ ForceModel bundle_model(const StabilityCell& cell, const Medium& tool, const Cap
                             BundleFeel(kBundleMm, friction.coefficient, 1.0), Friction(friction)));
 }
 
+// Returns the forces of the tool Read where they are stiffest: at the end of a line.
+ForceModel read_model(const StabilityCell& cell, const Capabilities& device) {
+  const Guide groove(GuideLaw::groove(kReadGrooveShare), straight_path());
+  return read_feel(*cell.surface, device, 1.0, &groove, &kTrialPlace);
+}
+
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   // Grain is tested at rest only: there it must add no force. It may be felt while the pen moves.
   const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
@@ -130,6 +137,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, BandDamping(band_damping_for(kShakeHz, device))));
     case Trial::kHold:
       return ForceModel(Compose(surface, SnapWells(kTrialPlace, hold_shape(1.0))));
+    case Trial::kRead:
+      return read_model(cell, device);
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -251,6 +260,8 @@ std::string_view name_of(Trial trial) noexcept {
       return "shake";
     case Trial::kHold:
       return "hold";
+    case Trial::kRead:
+      return "read";
     case Trial::kRuler:
       return "ruler";
     case Trial::kLine:

@@ -22,6 +22,7 @@ enum class Trial : std::uint8_t {
   kBundle,  ///< moves 20 mm out and back through a bundle of the tool Gather
   kShake,   ///< the same with a hand that shakes by 1 mm, and the damping of the steady hand
   kHold,    ///< rests where the pencil holds the pen, moves out of the hold and back
+  kRead,    ///< lands 1 mm beside a line at an end that the tool Read holds, moves out and back
   // As kGuide, but with a guide of a drawing and the friction of a guided pencil.
   kRuler,        ///< beyond the edge of a ruler
   kLine,         ///< a line, also one of parallels or of a set square
@@ -39,7 +40,7 @@ inline constexpr Trial kGuideTrials[] = {Trial::kRuler,   Trial::kLine,        T
                                          Trial::kNode,    Trial::kTrace,       Trial::kTeacher};
 inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit,  Trial::kGuide, Trial::kRidge, Trial::kBundle,
-                                    Trial::kShake, Trial::kHold};
+                                    Trial::kShake, Trial::kHold,  Trial::kRead};
 constexpr bool is_guide_of_drawing(Trial trial) noexcept {
   return trial >= Trial::kRuler;
 }

@@ -21,7 +21,12 @@ constexpr ToolInfo kReadInfo{.id = "read",
                              .shortcut = 'l',
                              .options = kReadOptions,
                              .kind = ToolKind::kReads,
-                             .uses = kReadUses};
+                             .uses = kReadUses,
+                             .act = {.title = "Read",
+                                     .caption = "A drawing can be read without eyes: lines hold the "
+                                                "pen, ends and crossings click, and what is under "
+                                                "the pen is spoken.",
+                                     .seconds = 8.0}};
 /// The pen is on a line if it is this near to its ink: then the groove holds it.
 constexpr double kOnLineMm = 2.0;
 /// How far the pen moves before fills are searched again.
