@@ -114,8 +114,8 @@ TEST_F(OfferPopupTest, TheKeysOfAnOfferAreNotThoseOfThePen) {
 
 TEST_F(OfferPopupTest, ItIsNeverUnderThePenAndDescribesTheCanvas) {
   auto* canvas = window_.findChild<Canvas*>();
-  const QString before = canvas->accessibleDescription();
   line();
+  const QString before = canvas->accessibleDescription();
   CanvasView view = canvas->view();
   view.pan(QPointF(canvas->width() - 8.0, canvas->height() - 8.0) - view.to_px({63.0, 66.0}));
   canvas->set_view(view);

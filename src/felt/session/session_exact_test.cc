@@ -100,7 +100,7 @@ TEST(DrawingGuides, HoldThePencilUnlessAStudyGuidesIt) {
 }
 
 TEST(DrawingGuides, DoNotMoveInk) {
-  Fixture with(kLine), without({.kind = DrawingGuideKind::kSymmetry, .origin = {900.0, 900.0}});
+  Fixture with(kLine), without({.kind = DrawingGuideKind::kTrace, .stroke = {99}});
   for (Fixture* fixture : {&with, &without}) {
     fixture->draw({{20.0, 50.3}, {50.0, 49.8}, {80.0, 50.2}});
   }
