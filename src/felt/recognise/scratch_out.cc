@@ -127,8 +127,7 @@ bool is_within_limits(const ScratchFeatures& f) noexcept {
   }
   if (f.passes >= ScratchOut::kSurePasses) {
     return f.evenness >= ScratchOut::kSureEvenness &&
-           f.straightness >= ScratchOut::kSureStraightness &&
-           f.overlap >= ScratchOut::kSureOverlap;
+           f.straightness >= ScratchOut::kSureStraightness && f.overlap >= ScratchOut::kSureOverlap;
   }
   return f.evenness >= ScratchOut::kMinEvenness && f.straightness >= ScratchOut::kMinStraightness &&
          f.overlap >= ScratchOut::kMinOverlap;
