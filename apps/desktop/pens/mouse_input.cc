@@ -30,7 +30,7 @@ QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
 
 /// Returns true if a button with this role acts when it is pressed, so that it cannot be clicked.
 bool acts_at_once(ButtonRole role) {
-  return role == ButtonRole::kUndo || role == ButtonRole::kFirstModifier ||
+  return role == ButtonRole::kUndo || role == ButtonRole::kRing || role == ButtonRole::kFirstModifier ||
          role == ButtonRole::kSecondModifier;
 }
 
@@ -42,7 +42,16 @@ bool draws(ButtonRole role) {
 }  // namespace
 
 MouseInput::MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings)
-    : canvas_(canvas), hand_(hand), drag_(drag), settings_(settings) {}
+    : canvas_(canvas), hand_(hand), drag_(drag), settings_(settings) {
+  hold_.setSingleShot(true);
+  hold_.setInterval(kHoldMs);
+  connect(&hold_, &QTimer::timeout, this, [this] {
+    if (!click_) return;
+    const QPointF at = *click_;
+    release_all();
+    Q_EMIT canvas_.ring_wanted(at);
+  });
+}
 
 /// Returns true if the event moves the view.
 bool MouseInput::drags(const QMouseEvent& event) {
@@ -74,6 +83,7 @@ void MouseInput::take(const QMouseEvent& event) {
   if (presses && event.button() == Qt::RightButton && !hand_.is_down() &&
       !acts_at_once(settings_.right)) {
     click_ = at;
+    hold_.start();
   }
   const bool clicks = click_ && !right;
   if (click_ && (left || QLineF(*click_, at).length() > kClickPx)) hold_right(time_ns);
@@ -84,7 +94,11 @@ void MouseInput::take(const QMouseEvent& event) {
   }
   if (right && !click_ && right_held_ == ButtonRole::kNone && !hand_.is_down()) {
     right_held_ = settings_.right == ButtonRole::kPopup ? ButtonRole::kNone : settings_.right;
-    hand_.press(right_held_);
+    if (right_held_ == ButtonRole::kRing) {
+      Q_EMIT canvas_.ring_wanted(at);
+    } else {
+      hand_.press(right_held_);
+    }
   }
   const bool touching = left || (right && draws(right_held_));
   hand_.point(PenHand::Source::kMouse, at, time_ns, touching, std::nullopt);

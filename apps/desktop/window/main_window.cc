@@ -37,6 +37,7 @@
 #include "desktop/window/offer_popup.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/preset_menu.h"
+#include "desktop/window/ring_menu.h"
 #include "desktop/window/status_line.h"
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/top_bar.h"
@@ -101,6 +102,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   new ToolKeys(*actions_, *studio_, this);
   add_preset_actions(*actions_, *studio_, this);
   add_popup_action(*actions_, *canvas_);
+  add_ring_menu(*actions_, *canvas_, *media_pictures_, this);
   files_->clipboard().set_pointer([this]() -> std::optional<Point> {
     if (!canvas_->underMouse()) return std::nullopt;
     return canvas_->view().to_mm(canvas_->mapFromGlobal(QCursor::pos()));
