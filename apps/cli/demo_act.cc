@@ -78,11 +78,10 @@ void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int&
 void DemoAct::aim(const Vec3& target) {
   hand_ = target;
   const Vec off = std::sin(kTau * shake_hz_ * now_s_) * shake_mm_;
-  say(HandEvent{
-      .target = {rounded(target.x + off.x, 0.01), rounded(target.y + off.y, 0.01),
-                 rounded(target.z, 0.01)},
-      .pressure = {},
-      .buttons = 0});
+  say(HandEvent{.target = {rounded(target.x + off.x, 0.01), rounded(target.y + off.y, 0.01),
+                           rounded(target.z, 0.01)},
+                .pressure = {},
+                .buttons = 0});
 }
 
 void DemoAct::go(const Vec3& target, double seconds) {

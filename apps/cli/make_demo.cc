@@ -364,13 +364,22 @@ struct Act {
   const char* name;
   std::string (*script)();
 };
-constexpr Act kActs[] = {
-    {"1-pencil", pencil_act},       {"2-pull", pull_act},       {"3-smooth", smooth_act},
-    {"4-width", width_act},         {"5-eraser", eraser_act},   {"6-lasso", lasso_act},
-    {"7-transform", transform_act}, {"8-connect", connect_act}, {"9-recolor", recolor_act},
-    {"10-shape", shape_act},        {"11-gather", gather_act},  {"12-fill", fill_act},
-    {"13-pencil-gestures", gestures_act}, {"14-pencil-steady", steady_act},
-    {"15-eraser-press", press_act}, {"16-read", read_act}};
+constexpr Act kActs[] = {{"1-pencil", pencil_act},
+                         {"2-pull", pull_act},
+                         {"3-smooth", smooth_act},
+                         {"4-width", width_act},
+                         {"5-eraser", eraser_act},
+                         {"6-lasso", lasso_act},
+                         {"7-transform", transform_act},
+                         {"8-connect", connect_act},
+                         {"9-recolor", recolor_act},
+                         {"10-shape", shape_act},
+                         {"11-gather", gather_act},
+                         {"12-fill", fill_act},
+                         {"13-pencil-gestures", gestures_act},
+                         {"14-pencil-steady", steady_act},
+                         {"15-eraser-press", press_act},
+                         {"16-read", read_act}};
 
 }  // namespace
 }  // namespace felt

@@ -77,6 +77,27 @@ class Drawer {
   std::int64_t now_ns_ = 0;
 };
 
+/// Returns samples of a stroke without times, 8 ms apart.
+std::vector<InkSample> samples_of(const Stroke& line) {
+  constexpr int kSamplesInSegment = 4;
+  std::vector<InkSample> stroke;
+  for (int k = 0; k <= kSamplesInSegment * line.segment_count(); ++k) {
+    InkSample s;
+    s.position = line.position(static_cast<double>(k) / kSamplesInSegment);
+    s.time_ns = k * kUnknownStepNs;
+    stroke.push_back(s);
+  }
+  return stroke;
+}
+
+std::vector<std::vector<InkSample>> strokes_of(const Document& document) {
+  std::vector<std::vector<InkSample>> strokes;
+  for (const Layer& layer : document.layers()) {
+    for (const StrokeId id : layer.strokes) strokes.push_back(samples_of(*document.find(id)));
+  }
+  return strokes;
+}
+
 bool offers(const OfferView& offer, OfferKind kind) {
   return std::any_of(offer.rows.begin(), offer.rows.end(),
                      [kind](const OfferRow& row) { return row.kind == kind; });
@@ -139,7 +160,6 @@ Result<std::vector<RealPage>> read_drawings(const std::string& folder, double di
 }
 
 Result<std::vector<RealPage>> read_notes(const std::string& folder) {
-  constexpr double kSamplesInSegment = 4.0;
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".xopp") paths.push_back(entry.path().string());
@@ -151,22 +171,7 @@ Result<std::vector<RealPage>> read_notes(const std::string& folder) {
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     const Result<Imported> notes = import_xopp(bytes);
     if (!notes) return fail(ErrorCode::kInvalidData, path + ": " + notes.error().message);
-    RealPage page{path, {}};
-    const Document& document = notes->drawing.document;
-    for (const Layer& layer : document.layers()) {
-      for (const StrokeId id : layer.strokes) {
-        const StrokePtr line = document.find(id);
-        std::vector<InkSample> stroke;
-        for (double k = 0.0; k <= kSamplesInSegment * line->segment_count(); ++k) {
-          InkSample s;
-          s.position = line->position(k / kSamplesInSegment);
-          s.time_ns = static_cast<std::int64_t>(stroke.size()) * kUnknownStepNs;
-          stroke.push_back(s);
-        }
-        page.strokes.push_back(std::move(stroke));
-      }
-    }
-    pages.push_back(std::move(page));
+    pages.push_back({path, strokes_of(notes->drawing.document)});
   }
   return pages;
 }

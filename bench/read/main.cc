@@ -4,7 +4,8 @@
 // the whole line, each 5 mm of it in order and within 3 mm, and comes within 2 mm of the far end
 // within 60 s. Prints the successes; fails if they are fewer than 95 %. With --forces off, the
 // people feel nothing, which shows that the hand does not know the line otherwise; with --sound
-// off, they do not hear whether the pen is on a line or at an end. With --trace, prints the path of one try as lines of x, y and the distance from the line.
+// off, they do not hear whether the pen is on a line or at an end. With --trace, prints the path of
+// one try as lines of x, y and the distance from the line.
 #include <fmt/core.h>
 
 #include <algorithm>

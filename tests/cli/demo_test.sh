@@ -52,8 +52,7 @@ changes 9-recolor '"edits":1,'
 changes 10-shape '"edits":2,'
 changes 11-gather '"edits":5,'
 changes 12-fill '"edits":1,'
-changes 13-pencil-gestures '"edits":'
-has out '"strokes_changed":2,'  # the circle, and the scribble, because the moon is not on this drawing
+changes 13-pencil-gestures '"edits":2,'  # a circle, and a scribble: the moon is not on this drawing
 changes 14-pencil-steady '"edits":2,'
 changes 16-read '"edits":0,'
 run 0 "$feltline" replay "$tools/pencil/14-pencil-steady.ndjson" -o lines.ndjson

@@ -33,8 +33,8 @@ const ToolAct* find_act(const std::vector<std::unique_ptr<Tool>>& tools, const Q
   const QString base = script.section(QLatin1Char('.'), 0, 0);
   const std::string id = base.section(QLatin1Char('-'), 1, 1).toStdString(),
                     name = base.section(QLatin1Char('-'), 2).toStdString();
-  const auto tool = std::find_if(tools.begin(), tools.end(),
-                                 [&](const auto& t) { return t->info().id == id; });
+  const auto tool =
+      std::find_if(tools.begin(), tools.end(), [&](const auto& t) { return t->info().id == id; });
   if (tool == tools.end()) return nullptr;
   const ToolInfo& info = (*tool)->info();
   if (name.empty()) return &info.act;
@@ -43,24 +43,25 @@ const ToolAct* find_act(const std::vector<std::unique_ptr<Tool>>& tools, const Q
   return act == info.more_acts.end() ? nullptr : &*act;
 }
 
+std::vector<Act> find_acts() {
+  const std::vector<std::unique_ptr<Tool>> tools = make_tools();
+  std::vector<Act> all;
+  QStringList names = QDir(QStringLiteral(":/tour")).entryList(QDir::Files);
+  const auto number = [](const QString& name) {
+    return name.section(QLatin1Char('-'), 0, 0).toInt();
+  };
+  std::sort(names.begin(), names.end(),
+            [&](const QString& a, const QString& b) { return number(a) < number(b); });
+  for (const QString& name : names) {
+    const ToolAct* act = find_act(tools, name);
+    if (act) all.push_back({QStringLiteral(":/tour/") + name, *act});
+  }
+  return all;
+}
+
 /// Returns the acts in the sequence of their scripts: 1-pencil, 2-pull, ...
 const std::vector<Act>& acts() {
-  static const std::vector<Act> kActs = [] {
-    const std::vector<std::unique_ptr<Tool>> tools = make_tools();
-    std::vector<Act> all;
-    QStringList names = QDir(QStringLiteral(":/tour")).entryList(QDir::Files);
-    const auto number = [](const QString& name) {
-      return name.section(QLatin1Char('-'), 0, 0).toInt();
-    };
-    std::sort(names.begin(), names.end(),
-              [&](const QString& a, const QString& b) { return number(a) < number(b); });
-    for (const QString& name : names) {
-      if (const ToolAct* act = find_act(tools, name)) {
-        all.push_back({QStringLiteral(":/tour/") + name, *act});
-      }
-    }
-    return all;
-  }();
+  static const std::vector<Act> kActs = find_acts();
   return kActs;
 }
 

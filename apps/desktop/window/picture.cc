@@ -1,5 +1,6 @@
 #include "desktop/window/picture.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QDialog>
 #include <QFile>
@@ -70,6 +71,14 @@ void wait_for_pictures(const MainWindow& window) {
   for (int i = 0; i < kMaxWaits && (lacks_pictures(window) || checks()); ++i) {
     QThread::msleep(kWaitMs);
     settle();
+  }
+}
+
+/// Lays out the rows of all lists. Lists that changed a moment ago do so by a timer, and would be
+/// empty in the picture.
+void lay_out_lists(const QWidget& seen) {
+  for (auto* list : seen.findChildren<QAbstractItemView*>()) {
+    if (list->isVisible()) list->doItemsLayout();
   }
 }
 
@@ -166,6 +175,7 @@ int make_picture(const PictureRequest& request) {
   window.canvas().ink().finish();
   wait_for_pictures(window);
   settle();
+  lay_out_lists(*seen);
   return seen->grab().save(request.path) ? 0
                                          : complain(request.path + QStringLiteral(": not written"));
 }

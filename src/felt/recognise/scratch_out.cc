@@ -127,8 +127,7 @@ bool is_within_limits(const ScratchFeatures& f) noexcept {
   }
   if (f.passes >= ScratchOut::kSurePasses) {
     return f.evenness >= ScratchOut::kSureEvenness &&
-           f.straightness >= ScratchOut::kSureStraightness &&
-           f.overlap >= ScratchOut::kSureOverlap;
+           f.straightness >= ScratchOut::kSureStraightness && f.overlap >= ScratchOut::kSureOverlap;
   }
   return f.evenness >= ScratchOut::kMinEvenness && f.straightness >= ScratchOut::kMinStraightness &&
          f.overlap >= ScratchOut::kMinOverlap;
@@ -145,6 +144,16 @@ bool is_in_triangle(Point a, Point b, Point c, Point p, double margin_mm) noexce
   return nearest_on_line(a, b, p).distance_squared <= squared ||
          nearest_on_line(b, c, p).distance_squared <= squared ||
          nearest_on_line(c, a, p).distance_squared <= squared;
+}
+
+/// Returns true if the straight pass from a to b crosses a line.
+bool is_crossed(std::span<const Point> line, Point a, Point b) noexcept {
+  const auto side = [](Point from, Point to, Point p) { return cross(to - from, p - from); };
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Point c = line[k], d = line[k + 1];
+    if (side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) < 0.0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -182,19 +191,9 @@ double ScratchOut::covered_share(std::span<const Point> line) const {
 }
 
 int ScratchOut::crossings(std::span<const Point> line) const {
-  const auto is_crossed_by = [&](Point a, Point b) {
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      if (cross(b - a, line[k] - a) * cross(b - a, line[k + 1] - a) <= 0.0 &&
-          cross(line[k + 1] - line[k], a - line[k]) * cross(line[k + 1] - line[k], b - line[k]) <
-              0.0) {
-        return true;
-      }
-    }
-    return false;
-  };
   int count = 0;
   for (std::size_t i = 0; i + 1 < turns_.size(); ++i) {
-    if (is_crossed_by(turns_[i], turns_[i + 1])) ++count;
+    if (is_crossed(line, turns_[i], turns_[i + 1])) ++count;
   }
   return count;
 }

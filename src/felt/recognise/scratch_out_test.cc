@@ -80,8 +80,8 @@ TEST(ScratchOut, CoversALongLineThatMostPassesCross) {
 
 TEST(ScratchOut, ManyPassesMayBeUneven) {
   // The ends of the passes: the third and fourth are short.
-  const std::vector<Point> ends{{0, 0}, {12, 1}, {1, 2}, {12, 3}, {8, 4}, {12, 5},
-                                {0, 6}, {12, 7}, {1, 8}};
+  const std::vector<Point> ends{{0, 0},  {12, 1}, {1, 2},  {12, 3}, {8, 4},
+                                {12, 5}, {0, 6},  {12, 7}, {1, 8}};
   const auto features = ScratchOut::features(joined(ends));
   EXPECT_LT(features.overlap, ScratchOut::kMinOverlap);
   EXPECT_TRUE(ScratchOut::find(joined(ends)));

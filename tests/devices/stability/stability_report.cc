@@ -88,9 +88,10 @@ beside a snap target, then out to its plateau and back. *edit*: an edit spring, 
 ridge of Fill, which pushes away, with Fill's share of the friction. *bundle*: the widest bundle of
 Gather, with Gather's share of the friction, 20 mm out and back. *shake*: 20 mm out and back by a
 hand that shakes by 1 mm at 5 Hz, with the damping of the steady hand at full strength. *hold*: rest
-where the pencil holds the pen while it offers a shape, then out of the hold and back. *let go*: a typical hand lands
-lightly and lets go; measured after the pen has come to rest; for *tap*, after it has fallen and
-bounced.
+where the pencil holds the pen while it offers a shape, then out of the hold and back. *read*: rest 1
+mm beside the end of a line with the groove and the notch of Read, which has no friction on any
+surface, then to 3 mm and back. *let go*: a typical hand lands lightly and lets go; measured after
+the pen has come to rest; for *tap*, after it has fallen and bounced.
 
 Pencil and eraser in every loop; all other media at 1 kHz with a delay of one tick.
 

@@ -19,7 +19,7 @@ namespace felt::gestures {
 namespace {
 
 constexpr double kChecked = 0.12;  // share of the samples
-constexpr double kMeant = 0.08;    // share of the gestures that the pencil may take for more than ink
+constexpr double kMeant = 0.08;  // share of the gestures that the pencil may take for more than ink
 
 const Capabilities& any_device(Dice& dice) {
   static constexpr std::array<std::string_view, 5> kNames{"touch", "premium", "omega", "mouse",

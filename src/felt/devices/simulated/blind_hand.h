@@ -75,12 +75,12 @@ class BlindHand {
   double turn_rad_;       // heading
   double weave_s_ = 0.0;  // time since the weave began
   double held_back_s_ = 0.0, nothing_s_ = 0.0;
-  double strongest_n_ = 0.0;  // of the last moments
-  double side_ = 0.0;         // on which side the force was last felt
-  Point felt_at_{};           // the plan when a line was last felt
-  Point anchor_{};            // from where the person probes
-  double first_rad_ = 0.0;    // heading before probing
-  std::size_t probe_ = 0, round_ = 0;  // of probes
+  double strongest_n_ = 0.0;                   // of the last moments
+  double side_ = 0.0;                          // on which side the force was last felt
+  Point felt_at_{};                            // the plan when a line was last felt
+  Point anchor_{};                             // from where the person probes
+  double first_rad_ = 0.0;                     // heading before probing
+  std::size_t probe_ = 0, round_ = 0;          // of probes
   bool hears_line_ = true, hears_end_ = true;  // without ears, only the hand counts
   double off_line_s_ = 0.0;                    // since the tone was steady
   Point heard_at_{};                           // the plan when it was

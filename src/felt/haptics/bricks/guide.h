@@ -90,11 +90,10 @@ struct GuidePiece {
 /// moves.
 ///
 /// The force begins when the pen touches within the capture width, and grows from zero within 150
-/// ms (GuideLaw::rise_s). When the pen has left the guide (D > radius), there is no force until the
-/// pen is back within the capture width; then the force grows from zero again. So a guide never
-/// pulls suddenly, and leaving it costs more energy than coming back returns. A force that points
-/// away acts without this rule, because otherwise coming back would cost nothing, and a loop would
-/// gain energy.
+/// ms (GuideLaw::rise_s). If the pen leaves the guide (D > radius), the force ends. It grows from
+/// zero again when the pen returns to the capture width. So a guide never pulls suddenly, and
+/// leaving it costs more energy than returning gives. A force that points away acts without this
+/// rule, because otherwise coming back would cost nothing, and a loop would gain energy.
 ///
 /// An edge acts only on a pen that has been on its free side during this touch, and again after it
 /// was left. D counts from GuideLaw::kEdgeMm before the path, and F points to the free side.

@@ -26,8 +26,9 @@ constexpr std::array<std::string_view, 4> kPencilEdits = {"Draw", "As drawn", "S
 constexpr std::array<ToolAct, 2> kPencilActs = {
     {{.name = "gestures",
       .title = "Gestures",
-      .caption = "Hold the pen at the end of a line and press: the line becomes the shape. Scribble "
-                 "over lines, and you are asked whether to delete them.",
+      .caption =
+          "Hold the pen at the end of a line and press: the line becomes the shape. Scribble "
+          "over lines, and you are asked whether to delete them.",
       .seconds = 12.0},
      {.name = "steady",
       .title = "Steady hand",

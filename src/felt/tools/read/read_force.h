@@ -48,8 +48,8 @@ inline ForceModel make_read_force(double strength, const Scene& scene, const Gui
   id.with_surface(scene.surface, medium_of(scene, "pencil")).with(strength);
   if (groove) id.with("groove").with(std::uint64_t{groove->number()});
   if (notch) id.with(notch->x).with(notch->y);
-  ForceModel model = read_feel(scene.surface, scene.device, strength,
-                               groove ? &groove->guide() : nullptr, notch);
+  ForceModel model =
+      read_feel(scene.surface, scene.device, strength, groove ? &groove->guide() : nullptr, notch);
   model.set_fade_id(id.value());
   return model;
 }
