@@ -9,8 +9,10 @@
 
 #include "felt/autosave/edit_blob.h"
 #include "felt/autosave/layer_look.h"
+#include "felt/base/utf8.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/stroke_blob.h"
@@ -63,12 +65,18 @@ Result<Edit> read_layers(ByteReader& in, const Document& document) {
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
   for (std::uint32_t i = 0; i < count; ++i) {
     LayerChange change{{in.u64()}, std::nullopt, LayerState{}, 0, i};
-    change.after->name = std::string(in.text(kMaxTextBytes));
+    change.after->name = std::string(utf8_prefix(in.text(kMaxTextBytes), kMaxLayerNameBytes));
     const std::uint8_t flags = in.u8();
     change.after->visible = (flags & kRowVisible) != 0;
     change.after->locked = (flags & kRowLocked) != 0;
     change.after->blend = blend_of_flags(flags);
     if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr);
+    if (!is_id(static_cast<std::int64_t>(change.id.value))) {
+      return invalid_data("a layer has an invalid id");
+    }
+    if (change.id == first.id && edit.layers.front().after) {
+      return invalid_data("layer " + std::to_string(first.id.value) + " is listed twice");
+    }
     if (change.id == first.id) {
       edit.layers.front().after = std::move(change.after);
       edit.layers.front().after_index = i;
@@ -133,7 +141,7 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
   for (const Layer& layer : document.layers()) {
     const bool has_look = layer.opacity != 1.0 || layer.picture;
     out.u64(layer.id.value);
-    out.text(std::string_view(layer.name).substr(0, kMaxTextBytes));
+    out.text(utf8_prefix(layer.name, kMaxLayerNameBytes));
     out.u8(static_cast<std::uint8_t>((layer.own_visible ? kRowVisible : 0) |
                                      (layer.own_locked ? kRowLocked : 0) |
                                      (has_look ? kRowHasLook : 0) | flags_of_blend(layer.blend)));

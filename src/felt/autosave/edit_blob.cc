@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/autosave/layer_look.h"
+#include "felt/base/utf8.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/guide_table.h"
@@ -19,7 +20,7 @@ constexpr std::uint8_t kVersionWithFills = 2;
 constexpr std::uint8_t kVersionWithGroups = 3;  // has the groups of all changed layers at its end
 constexpr std::uint8_t kVersionWithGuides = 4;  // has groups as in 3, and then guides
 constexpr std::size_t kMaxGuideBlobBytes = std::size_t{1} << 20;
-constexpr std::size_t kMaxNameBytes = 4096;
+constexpr std::size_t kMaxLabelBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
 
@@ -110,7 +111,7 @@ void write_layer(ByteWriter& out, const LayerChange& c) {
                                    (c.after->locked ? kLocked : 0) | (has_look ? kHasLook : 0) |
                                    flags_of_blend(c.after->blend)));
   out.u64(c.after_index);
-  out.text(c.after->name);
+  out.text(utf8_prefix(c.after->name, kMaxLayerNameBytes));
   const LayerPicture* before = c.before ? c.before->picture.get() : nullptr;
   if (has_look) append_layer_look(out, *c.after, before ? before->data.get() : nullptr);
 }
@@ -149,7 +150,7 @@ LayerChange read_layer(ByteReader& in, const Document& document) {
   const std::uint8_t flags = in.u8();
   if (flags == 0) return c;
   c.after_index = in.u64();
-  c.after = LayerState{std::string(in.text(kMaxNameBytes)), (flags & kVisible) != 0,
+  c.after = LayerState{std::string(in.text(kMaxLayerNameBytes)), (flags & kVisible) != 0,
                        (flags & kLocked) != 0};
   c.after->blend = blend_of_flags(flags);
   if ((flags & kHasLook) == 0) return c;
@@ -223,7 +224,7 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
             : with_groups ? kVersionWithGroups
             : with_fills  ? kVersionWithFills
                           : kVersion);
-  writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
+  writer.text(utf8_prefix(edit.label, kMaxLabelBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
   for (const LayerChange& c : edit.layers) write_layer(writer, c);
   writer.u32(static_cast<std::uint32_t>(edit.changes.size()));
@@ -252,7 +253,7 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
   if (version < kVersion || version > kVersionWithGuides)
     return invalid_data("the edit has an unknown version");
   Edit edit;
-  edit.label = std::string(in.text(kMaxNameBytes));
+  edit.label = std::string(in.text(kMaxLabelBytes));
   const std::uint32_t layers = in.u32();
   if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in, document));

@@ -4,6 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include "felt/base/utf8.h"
+#include "felt/store/felt_tables.h"
+
 namespace felt {
 namespace {
 
@@ -11,7 +14,6 @@ enum class PictureBytes : std::uint8_t { kNone, kKnown, kHere };
 
 constexpr unsigned kBlendShift = 4;
 constexpr std::uint8_t kGroupVisible = 1, kGroupLocked = 2;  // flags of a group
-constexpr std::size_t kMaxGroupNameBytes = 4096;
 static_assert(kBlendModeNames.size() <= 16);
 
 }  // namespace
@@ -61,7 +63,7 @@ void read_layer_look(ByteReader& in, LayerState& state,
 void append_layer_group(ByteWriter& out, const LayerGroupPtr& group) {
   out.u64(group ? group->id.value : 0);
   if (!group) return;
-  out.text(std::string_view(group->name).substr(0, kMaxGroupNameBytes));
+  out.text(utf8_prefix(group->name, kMaxLayerNameBytes));
   out.u8(static_cast<std::uint8_t>((group->visible ? kGroupVisible : 0) |
                                    (group->locked ? kGroupLocked : 0) |
                                    flags_of_blend(group->blend)));
@@ -71,13 +73,15 @@ void append_layer_group(ByteWriter& out, const LayerGroupPtr& group) {
 LayerGroupPtr read_layer_group(ByteReader& in) {
   LayerGroup group{.id = {in.u64()}, .name = {}};
   if (!group.id) return nullptr;
-  group.name = std::string(in.text(kMaxGroupNameBytes));
+  group.name = std::string(in.text(kMaxLayerNameBytes));
   const std::uint8_t flags = in.u8();
   group.visible = (flags & kGroupVisible) != 0;
   group.locked = (flags & kGroupLocked) != 0;
   group.blend = blend_of_flags(flags);
   group.opacity = in.f64();
-  if (!in.ok() || !(group.opacity >= 0.0 && group.opacity <= 1.0)) return nullptr;
+  const bool is_valid = is_id(static_cast<std::int64_t>(group.id.value)) && is_utf8(group.name) &&
+                        group.opacity >= 0.0 && group.opacity <= 1.0;
+  if (!in.ok() || !is_valid) return nullptr;
   return std::make_shared<const LayerGroup>(std::move(group));
 }
 

@@ -116,5 +116,47 @@ TEST(AutosaveLook, EditsAndBasesHoldGroups) {
   EXPECT_EQ(old.document.layers()[0].blend, BlendMode::kMultiply);
 }
 
+TEST(AutosaveLook, ABaseThatListsALayerTwiceIsRefused) {
+  Document document = with_group();
+  Drawing drawing;
+  drawing.document = document;
+  std::string head = base_head_bytes(drawing).value();
+  // The list begins after three ids and its count: id, name, flags of each layer.
+  const std::size_t second = head.find("Top") - 12;
+  ASSERT_EQ(head[second], 2);
+  ASSERT_TRUE(read_base_head(head));
+  head[second] = 1;
+  const Result<Drawing> read = read_base_head(head);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "layer 1 is listed twice");
+  head[second] = 2;
+  head[second + 7] = '\x7f';
+  EXPECT_EQ(read_base_head(head).error().message, "a layer has an invalid id");
+}
+
+TEST(AutosaveLook, AGroupWithAnImpossibleIdIsLeftOut) {
+  const LayerGroupPtr group = with_group().layers()[0].group;
+  std::string bytes;
+  ByteWriter out(bytes);
+  append_layer_group(out, group);
+  ByteReader whole(bytes);
+  EXPECT_EQ(*read_layer_group(whole), *group);
+  bytes[7] = '\x7f';
+  ByteReader impossible(bytes);
+  EXPECT_FALSE(read_layer_group(impossible));
+  EXPECT_EQ(impossible.left(), 0U) << "what follows can be read";
+}
+
+TEST(AutosaveLook, ALongNameIsCutBetweenTwoCodePoints) {
+  Document document = with_group();
+  LayerGroup group = *document.layers()[0].group;
+  group.name = std::string(kMaxLayerNameBytes - 1, 'n') + "\u00fc";
+  std::string bytes;
+  ByteWriter out(bytes);
+  append_layer_group(out, std::make_shared<const LayerGroup>(group));
+  ByteReader in(bytes);
+  EXPECT_EQ(read_layer_group(in)->name, std::string(kMaxLayerNameBytes - 1, 'n'));
+}
+
 }  // namespace
 }  // namespace felt::layer_look_test

@@ -395,12 +395,14 @@ const Layer* Document::layer(LayerId id) const noexcept {
   return found == layers_.end() ? nullptr : &*found;
 }
 
-GroupId Document::new_group_id() const noexcept {
-  GroupId last;
+GroupId Document::new_group_id() const {
+  std::set<GroupId> taken;
   for (const Layer& l : layers_) {
-    if (l.group) last = std::max(last, l.group->id);
+    if (l.group) taken.insert(l.group->id);
   }
-  return {last.value + 1};
+  GroupId id{1};
+  while (taken.contains(id)) ++id.value;
+  return id;
 }
 
 LayerGroupPtr Document::group(GroupId id) const noexcept {

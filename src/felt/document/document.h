@@ -105,8 +105,9 @@ class Document {
   [[nodiscard]] LayerId new_layer_id(std::uint64_t n = 0) const noexcept {
     return {last_layer_id_ + 1 + n};
   }
-  /// Returns an id that no group of this document has. It is one more than the largest one.
-  [[nodiscard]] GroupId new_group_id() const noexcept;
+  /// Returns the smallest id that no group of this document has. So ids stay small, also after a
+  /// file with large ones was read.
+  [[nodiscard]] GroupId new_group_id() const;
   /// Returns the group with this id, or null if no layer is in such a group.
   [[nodiscard]] LayerGroupPtr group(GroupId id) const noexcept;
 

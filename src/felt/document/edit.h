@@ -76,6 +76,9 @@ struct SymmetryChange {
   friend bool operator==(const SymmetryChange&, const SymmetryChange&) = default;
 };
 
+/// Longest name of a layer or of a group of layers, in bytes of UTF-8. Files have no longer ones.
+inline constexpr std::size_t kMaxLayerNameBytes = 4096;
+
 /// Everything about a layer except its strokes, its fills and its position.
 struct LayerState {
   std::string name;

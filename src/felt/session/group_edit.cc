@@ -193,7 +193,7 @@ Edit removed_group(const Document& document, LayerRange range) {
 Edit copied_group(const Document& document, LayerRange range) {
   LayerGroup group = *document.layers()[range.first].group;
   group.id = document.new_group_id();
-  group.name += " copy";
+  group.name = copied_name(group.name);
   const auto shared = std::make_shared<const LayerGroup>(std::move(group));
   Edit edit{label_of(Do::kDuplicate), {}, {}};
   for (std::size_t i = range.first; i < range.last; ++i) {

@@ -246,5 +246,20 @@ RC_GTEST_PROP(GroupEvents, AnyEventsKeepTheInvariantsAndAreUndone, ()) {
   }
 }
 
+TEST(GroupEvents, NamesStayShortEnoughForFiles) {
+  GroupFixture f;
+  const std::string longest(kMaxLayerNameBytes - 3, 'n');
+  ASSERT_EQ(f.group({{2}, {3}}, longest + "\u270e"), "");
+  LayerEvent copy{Do::kDuplicate};
+  copy.group = GroupId{1};
+  ASSERT_EQ(f.apply(copy), "");
+  const std::string name = f.document().group({2})->name;
+  EXPECT_EQ(name, longest.substr(0, kMaxLayerNameBytes - 5) + " copy");
+  EXPECT_THAT(f.group({{1}}, longest + "1234"), HasSubstr("longer than 4096 bytes"));
+  LayerEvent rename{Do::kRename, {}, longest + "1234"};
+  rename.group = GroupId{1};
+  EXPECT_THAT(f.apply(rename), HasSubstr("longer than 4096 bytes"));
+}
+
 }  // namespace
 }  // namespace felt::group_events_test

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "felt/base/utf8.h"
 #include "felt/document/edit_builder.h"
 #include "felt/session/group_edit.h"
 
@@ -75,7 +76,7 @@ Edit removal_of(const Document& document, const Layer& layer) {
 /// Returns an edit that adds a copy of the layer with all its strokes and fills above it.
 Edit copy_of(const Document& document, const Layer& layer) {
   LayerState state = layer.state();
-  state.name += " copy";
+  state.name = copied_name(state.name);
   Edit edit{label_of(Do::kDuplicate), {}, {}};
   add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1, edit);
   return edit;
@@ -126,6 +127,12 @@ Result<void> check_merge(const Document& document, const Layer& layer) {
                               " differ in blend mode: make it equal before you merge them");
   }
   return {};
+}
+
+/// Files hold no longer names, so that the drawing could not be saved.
+Result<void> check_name(const std::string& name) {
+  if (name.size() <= kMaxLayerNameBytes) return {};
+  return fail(ErrorCode::kInvalidArgument, "name: is longer than 4096 bytes");
 }
 
 /// Returns an error if the event cannot be applied to the layer.
@@ -254,7 +261,13 @@ LayerId highest_open_layer(const Document& document) noexcept {
   return open == layers.rend() ? LayerId{} : open->id;
 }
 
+std::string copied_name(std::string_view name) {
+  constexpr std::string_view kEnd = " copy";
+  return std::string(utf8_prefix(name, kMaxLayerNameBytes - kEnd.size())).append(kEnd);
+}
+
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
+  if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (event.what == Do::kAdd) {
     const std::size_t above = std::min(index_of(document, in_use) + 1, document.layers().size());
     Edit edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
@@ -281,6 +294,7 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
 }
 
 Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use) {
+  if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (!event.data) return fail(ErrorCode::kInvalidArgument, "picture: has no data");
   if (!is_picture_place(event.place)) {
     return fail(ErrorCode::kInvalidArgument, "matrix: a picture cannot be placed like this");

@@ -24,9 +24,10 @@ LayerId highest_open_layer(const Document& document) noexcept;
 /// If the event is for a group, the edit is that of group_edit().
 ///
 /// Fails if the layer does not exist; if the event is kUse and the layer is not open; if a value is
-/// out of range; if the event changes a picture and the layer has none, or is locked; or if layers
-/// cannot be merged: both must be open, in the same group and have the same opacity and blend mode,
-/// and the upper one must have no picture. The message names the layer and the reason.
+/// out of range or a name longer than kMaxLayerNameBytes; if the event changes a picture and the
+/// layer has none, or is locked; or if layers cannot be merged: both must be open, in the same
+/// group and have the same opacity and blend mode, and the upper one must have no picture. The
+/// message names the layer and the reason.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
 
 /// Returns an edit that adds a layer with a picture below the layer `in_use`. Fails if the event
@@ -47,6 +48,9 @@ void keep_one_open(const Document& document, Edit& edit);
 /// with this state. Requires that the edit contains only such copies.
 void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
               Edit& edit);
+
+/// Returns the name of a copy of a layer or group, of at most kMaxLayerNameBytes.
+std::string copied_name(std::string_view name);
 
 /// Returns an edit that adds an open layer on top.
 Edit add_layer_on_top(const Document& document);

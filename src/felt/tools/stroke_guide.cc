@@ -80,9 +80,16 @@ void StrokeGuide::stop() noexcept {
 }
 
 void StrokeGuide::let_go() noexcept {
-  phase_ = Phase::kNone;
-  track_.reset();
+  end_track();
   guide_.reset();
+}
+
+/// Ends the track. Its holds are not used again: the haptic loop would take the next guide for the
+/// same one, and its force would begin at its full value.
+void StrokeGuide::end_track() noexcept {
+  phase_ = Phase::kNone;
+  if (track_) hold_ = std::max(hold_, track_->hold());
+  track_.reset();
 }
 
 void StrokeGuide::begin(std::span<const DrawingGuidePtr> guides, const Document& document) {
@@ -93,6 +100,7 @@ void StrokeGuide::begin(std::span<const DrawingGuidePtr> guides, const Document&
   node_.reset();
   is_slow_ = true;
   gate_ = 1.0;
+  piece_ = {};
   const std::optional<std::size_t> chosen = choose_guide(guides, document, touch_);
   if (!chosen) return;
   guide_ = guides[*chosen];
@@ -141,16 +149,17 @@ void StrokeGuide::hold_to_path(const Document& document) {
     law.lead_n = teacher.lead_n;
     law.lead_n_s_per_m = teacher.lead_n_s_per_m;
   }
+  const StrokePtr traced = leads ? nullptr : document.find(guide_->stroke);
   start_track({.kind = leads ? GuideKind::kTeacher : GuideKind::kGroove,
                .points = guide_path(*guide_, document),
+               .is_closed = traced && traced->is_closed(),
                .strength = guide_->strength,
                .times_ms = leads ? guide_->times_ms : std::vector<double>()},
               law);
 }
 
 void StrokeGuide::start_track(GuideLine line, const GuideLaw& law) {
-  track_.reset();
-  phase_ = Phase::kNone;
+  end_track();
   if (!check_guide(line)) return;
   track_.emplace(std::move(line), ++hold_, law);
   phase_ = Phase::kPath;

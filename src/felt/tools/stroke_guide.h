@@ -72,6 +72,7 @@ class StrokeGuide {
   enum class Phase : std::uint8_t { kNone, kChooses, kPath, kRays, kNodes };
 
   void let_go() noexcept;
+  void end_track() noexcept;
   void begin(std::span<const DrawingGuidePtr> guides, const Document& document);
   void hold_to(const GuideShape& shape);
   void hold_to_path(const Document& document);
@@ -95,7 +96,8 @@ class StrokeGuide {
   bool is_slow_ = true;
   double gate_ = 1.0;  // 0..1, share of the force that the speed allows
   std::int64_t last_ns_ = 0;
-  std::uint32_t number_ = kFirstHold, hold_ = kFirstHold;
+  std::uint32_t number_ = kFirstHold;
+  std::uint32_t hold_ = kFirstHold;  // the last one that was used, except those of track_
   std::uint64_t ticks_ = 0;
 
   // How the stroke keeps to its shape.

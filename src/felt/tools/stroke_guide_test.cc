@@ -25,6 +25,7 @@ class Pen {
  public:
   explicit Pen(DrawingGuide held) : guides_{made(std::move(held))} {}
 
+  void use(DrawingGuide guide) { guides_ = {made(std::move(guide))}; }
   void set_document(Document document) { document_ = std::move(document); }
   Force move(Point to, double z = -1.0, Vec velocity = {}) {
     time_ns_ += kMs;

@@ -66,6 +66,18 @@ TEST(SvgGroups, PartsThatDoNotOverlapNeedNoLayer) {
   EXPECT_EQ(picture_of(imported).at(25, 4).a, 64);
 }
 
+// The shapes of a group wait until it ends. They have views into the file, which is freed before
+// the drawing is taken: AddressSanitizer found that.
+TEST(SvgGroups, AGroupAtTheEndOfTheFileIsReadBeforeTheFileIsFreed) {
+  const std::string id(300, 'n');
+  const Imported imported =
+      read("<g opacity='.5'><path id='" + id +
+           "' d='M5 5h9' stroke='#000' stroke-width='2' fill='none' stroke-linecap='square'/></g>");
+  EXPECT_THAT(opacities(imported), ::testing::ElementsAre(1.0));
+  EXPECT_EQ(picture_of(imported).at(8, 5).a, 128);
+  EXPECT_THAT(notice_lines(imported), ::testing::AnyOf(IsEmpty(), HasSubstr(id)));
+}
+
 TEST(SvgGroups, AFillAndItsLineAreTransparentTogether) {
   const Imported imported = read(
       "<rect x='20' y='20' width='40' height='40' fill='#f00' stroke='#00f' stroke-width='8' "
