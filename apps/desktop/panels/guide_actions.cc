@@ -159,9 +159,13 @@ void add_guide_actions(Actions& actions, Studio& studio) {
                   guide_text(QT_TRANSLATE_NOOP(
                       "GuideActions", "Shows or hides the guides. Hidden guides have no effect.")),
                   true,
-                  [&studio](bool on) {
-                    if (studio.session().document().shows_guides() == on) return;
+                  [&actions, &studio](bool on) {
+                    const Document& document = studio.session().document();
+                    if (document.shows_guides() == on) return;
                     studio.apply(GuidesEvent{on ? GuideDo::kShow : GuideDo::kHide});
+                    // During a stroke, nothing changes.
+                    actions.find(QStringLiteral("guide.show"))
+                        ->setChecked(studio.session().document().shows_guides());
                   })
       ->setIcon(icon_of("eye"));
   for (const GuideRow& row : kGuideRows) {

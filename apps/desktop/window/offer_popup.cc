@@ -201,7 +201,8 @@ bool OfferPopup::event(QEvent* event) {
       return true;
     }
     case QEvent::TouchBegin:
-      pressed_ = button_at(static_cast<QTouchEvent*>(event)->points().constFirst().globalPosition());
+      pressed_ =
+          button_at(static_cast<QTouchEvent*>(event)->points().constFirst().globalPosition());
       [[fallthrough]];
     case QEvent::TouchUpdate:
     case QEvent::TouchCancel:

@@ -43,7 +43,7 @@ class OfferPopup : public QFrame {
   QHBoxLayout* row_;
   QLabel* hint_;
   std::optional<OfferView> shown_;
-  bool is_live_ = false;  // the stroke is in progress
+  bool is_live_ = false;           // the stroke is in progress
   QPointer<QToolButton> pressed_;  // where a pen or finger was put down
 };
 

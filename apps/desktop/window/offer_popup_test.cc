@@ -122,7 +122,8 @@ TEST_F(OfferPopupTest, ItIsNeverUnderThePenAndDescribesTheCanvas) {
   scratch();
   ASSERT_TRUE(popup_->isVisible());
   EXPECT_TRUE(canvas->rect().contains(popup_->geometry()));
-  EXPECT_FALSE(popup_->geometry().contains(canvas->view().to_px(session().offered()->at).toPoint()));
+  EXPECT_FALSE(
+      popup_->geometry().contains(canvas->view().to_px(session().offered()->at).toPoint()));
   EXPECT_TRUE(canvas->accessibleDescription().contains(QStringLiteral("Delete 1 line")));
   window_.actions().find(QStringLiteral("edit.cancel"))->trigger();
   EXPECT_EQ(canvas->accessibleDescription(), before);

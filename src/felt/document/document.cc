@@ -74,6 +74,7 @@ class Document::Plan {
         .and_then([&] { return check_ids(edit_.guides); })
         .and_then([&] { return check_ids(edit_.symmetries); })
         .and_then([&] { return check_unplaced(edit_.guides, document_.guides_); })
+        .and_then([&] { return check_guide_count(); })
         .and_then([&] { return check_unplaced(edit_.symmetries, document_.symmetries_); })
         .and_then([&] { return prepare_layers(); })
         .and_then([&] { return prepare_objects(edit_.changes, document_.strokes_, orders_); })
@@ -110,6 +111,16 @@ class Document::Plan {
       }
     }
     return {};
+  }
+
+  [[nodiscard]] Result<void> check_guide_count() const {
+    std::size_t count = document_.guides_.size();
+    for (const GuideChange& c : edit_.guides) {
+      count += c.after ? 1 : 0;
+      count -= c.before ? 1 : 0;
+    }
+    if (count <= kMaxDrawingGuides) return {};
+    return misfit("a drawing has at most " + std::to_string(kMaxDrawingGuides) + " guides");
   }
 
   Result<void> prepare_layers() {

@@ -54,9 +54,10 @@ class Document {
   Document();
 
   /// Applies an edit completely or not at all. Fails if the edit does not fit this document: a
-  /// `before` differs from what the document has, a layer is unknown, or a position is beyond the
-  /// end or used twice. The message names the edit, the stroke, fill or layer, and the reason.
-  /// Takes linear time in the changes and in the strokes above the lowest stroke that moves.
+  /// `before` differs from what the document has, a layer is unknown, a position is beyond the end
+  /// or used twice, or there would be more than kMaxDrawingGuides guides. The message names the
+  /// edit, the stroke, fill or layer, and the reason. Takes linear time in the changes and in the
+  /// strokes above the lowest stroke that moves.
   Result<void> apply(const Edit& edit);
 
   /// Returns the stroke with this id, or null if the document has no such stroke.

@@ -61,6 +61,8 @@ struct DrawingGuide {
 };
 
 inline constexpr std::size_t kDrawingGuideKinds = 14;
+/// Largest number of guides of a drawing, because each touch looks at all of them.
+inline constexpr std::size_t kMaxDrawingGuides = 256;
 
 /// Returns the name of a kind in events: "ruler", "isometric-grid".
 std::string_view guide_kind_name(DrawingGuideKind kind) noexcept;

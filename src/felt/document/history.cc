@@ -58,6 +58,16 @@ bool extend_fills(std::vector<FillChange>& fills, const std::vector<FillChange>&
   return true;
 }
 
+/// Returns true if each change of a symmetry group continues the one of the edit before.
+bool continue_groups(const std::vector<SymmetryChange>& groups,
+                     const std::vector<SymmetryChange>& further) {
+  const auto continues = [](const SymmetryChange& first, const SymmetryChange& second) {
+    return first.id == second.id && first.before && first.after && second.after &&
+           (first.after == second.before || (second.before && *first.after == *second.before));
+  };
+  return std::equal(groups.begin(), groups.end(), further.begin(), further.end(), continues);
+}
+
 }  // namespace
 
 std::size_t memory_of(const Edit& edit) noexcept {
@@ -104,7 +114,7 @@ void History::record(Edit edit) {
 
 bool History::extend(const Edit& edit) {
   const auto has_more = [](const Edit& e) {
-    return !e.layers.empty() || !e.guides.empty() || !e.symmetries.empty() || e.toggles_guides;
+    return !e.layers.empty() || !e.guides.empty() || e.toggles_guides;
   };
   if (done_ == 0 || can_redo() || has_more(edit)) return false;
   Step& step = steps_.back();
@@ -114,13 +124,17 @@ bool History::extend(const Edit& edit) {
   };
   if (step.edit.label != edit.label || has_more(step.edit) ||
       !std::equal(step.edit.changes.begin(), step.edit.changes.end(), edit.changes.begin(),
-                  edit.changes.end(), continues)) {
+                  edit.changes.end(), continues) ||
+      !continue_groups(step.edit.symmetries, edit.symmetries)) {
     return false;
   }
   if (!extend_fills(step.edit.fills, edit.fills)) return false;
   for (std::size_t i = 0; i < edit.changes.size(); ++i) {
     step.edit.changes[i].after = edit.changes[i].after;
     step.edit.changes[i].after_place = edit.changes[i].after_place;
+  }
+  for (std::size_t i = 0; i < edit.symmetries.size(); ++i) {
+    step.edit.symmetries[i].after = edit.symmetries[i].after;
   }
   bytes_ -= std::exchange(step.bytes, memory_of(step.edit));
   bytes_ += step.bytes;

@@ -238,8 +238,6 @@ struct ChooseOffer {
 /// is not part of the drawing.)
 /// {"event":"guides","do":"add","kind":"ruler","x":20,"y":30,"angle_rad":0.5,"size_mm":100}
 struct GuidesEvent {
-  static constexpr std::size_t kMaxGuides = 256;  ///< of a drawing
-
   enum class Do : std::uint8_t {
     kAdd,     ///< adds `guide`, and shows the guides if they were hidden
     kChange,  ///< replaces the guide `id` by `guide`

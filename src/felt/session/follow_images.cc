@@ -12,9 +12,9 @@
 
 #include "felt/base/constants.h"
 #include "felt/fill/follow_edit.h"
-#include "felt/geometry/nearest.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/layered_edit.h"
+#include "felt/session/stroke_joins.h"
 #include "felt/session/symmetry_edit.h"
 
 namespace felt {
@@ -30,7 +30,6 @@ struct ImageResult {
   StrokePtr after;                // null: removed or divided
   std::vector<StrokeId> parts{};  // the strokes that the edit added where it was
   bool is_changed = false;
-  bool is_joined = false;  // with a stroke outside of this one
 };
 
 double control_length_mm(const Stroke& stroke) {
@@ -140,10 +139,6 @@ class GroupFollower {
 
   void follow() {
     const auto is = [this](auto test) { return std::all_of(all_.begin(), all_.end(), test); };
-    if (std::any_of(all_.begin(), all_.end(), [](const auto& r) { return r.is_joined; })) {
-      edit_.set_group(id_, nullptr);
-      return;
-    }
     if (is([](const auto& r) { return r.is_changed && r.after && r.parts.empty(); })) {
       if (keep_together()) return;
     }
@@ -236,22 +231,6 @@ class GroupFollower {
   LayeredEdit& edit_;
 };
 
-/// Returns true if the ends and the middle of `part` are on `whole`.
-bool is_piece_of(const Stroke& part, const Stroke& whole) {
-  constexpr double kOnLineMm = 0.01;  // as far as a piece may be from the stroke by rounding
-  if (!part.bounds().intersects(whole.bounds())) return false;
-  const int n = part.segment_count();
-  for (const double u : {0.0, 0.5 * n, 1.0 * n}) {
-    const Point p = part.position(u);
-    bool is_near = false;
-    for (int i = 0; i < whole.segment_count() && !is_near; ++i) {
-      is_near = nearest_within(whole.segment(i), p, kOnLineMm * kOnLineMm).has_value();
-    }
-    if (!is_near) return false;
-  }
-  return true;
-}
-
 /// Finds out what an edit made of the strokes of groups.
 class ResultFinder {
  public:
@@ -273,8 +252,6 @@ class ResultFinder {
       const StrokeChange& other = *changes_.at(id);
       if (!other.before && is_piece_of(*other.after, *stroke)) {
         if (claimed_.insert(id).second) r.parts.push_back(id);
-      } else if (!r.after && is_piece_of(*stroke, *other.after)) {
-        r.is_joined = true;
       }
     }
     return r;
@@ -297,6 +274,45 @@ std::set<SymmetryId> changed_groups(const Document& document, const Edit& edit) 
   return groups;
 }
 
+/// Returns true if two strokes are the same image of two groups with the same axes and images, so
+/// that their partners are to be joined in the same way.
+bool are_same_image(const Document& document, StrokeId a, StrokeId b) {
+  const SymmetryId id_a = document.symmetry_of(a), id_b = document.symmetry_of(b);
+  if (!id_a || !id_b || id_a == id_b) return false;
+  const SymmetryGroup &p = *document.find_symmetry(id_a), &q = *document.find_symmetry(id_b);
+  if (p.center != q.center || p.angle_rad != q.angle_rad || p.axes != q.axes) return false;
+  return std::equal(p.images.begin(), p.images.end(), q.images.begin(), q.images.end(),
+                    [a, b](const SymmetryImage& x, const SymmetryImage& y) {
+                      return x.image == y.image && (x.stroke == a) == (y.stroke == b);
+                    });
+}
+
+/// Returns the groups that end because the edit joins one of their strokes with a stroke whose
+/// partners cannot be joined in the same way.
+std::set<SymmetryId> groups_that_end(const Document& document, const Edit& edit) {
+  const std::vector<StrokeJoin> joins = stroke_joins(edit);
+  std::set<SymmetryId> ended;
+  const auto end = [&](StrokeId stroke) {
+    const SymmetryId id = document.symmetry_of(stroke);
+    return id && ended.insert(id).second;
+  };
+  for (const StrokeJoin& join : joins) {
+    if (are_same_image(document, join.from, join.into)) continue;
+    end(join.from);
+    end(join.into);
+  }
+  // A group that ends also ends those that would follow it.
+  for (bool is_done = false; !is_done;) {
+    is_done = true;
+    for (const StrokeJoin& join : joins) {
+      const bool ends = ended.contains(document.symmetry_of(join.from)) ||
+                        ended.contains(document.symmetry_of(join.into));
+      if (ends && (int{end(join.from)} + int{end(join.into)}) > 0) is_done = false;
+    }
+  }
+  return ended;
+}
+
 }  // namespace
 
 void let_images_follow(const Document& document, Edit& edit) {
@@ -314,8 +330,15 @@ void let_images_follow(const Document& document, Edit& edit) {
     }
     results.emplace_back(id, std::move(all));
   }
+  const std::set<SymmetryId> ended = groups_that_end(document, edit);
   LayeredEdit layered(document, edit);
-  for (auto& [id, all] : results) GroupFollower(document, id, std::move(all), layered).follow();
+  for (auto& [id, all] : results) {
+    if (ended.contains(id)) {
+      layered.set_group(id, nullptr);
+    } else {
+      GroupFollower(document, id, std::move(all), layered).follow();
+    }
+  }
   layered.finish();
 }
 

@@ -250,7 +250,7 @@ TEST(GroupEvents, NamesStayShortEnoughForFiles) {
   GroupFixture f;
   const std::string longest(kMaxLayerNameBytes - 3, 'n');
   ASSERT_EQ(f.group({{2}, {3}}, longest + "\u270e"), "");
-  LayerEvent copy{Do::kDuplicate};
+  LayerEvent copy{Do::kDuplicate, {}};
   copy.group = GroupId{1};
   ASSERT_EQ(f.apply(copy), "");
   const std::string name = f.document().group({2})->name;

@@ -16,7 +16,7 @@ Result<void> check_new_guide(const Document& document, const DrawingGuide& guide
 }
 
 Result<Edit> added_guide(const Document& document, const DrawingGuide& guide) {
-  if (document.guides().size() >= GuidesEvent::kMaxGuides) {
+  if (document.guides().size() >= kMaxDrawingGuides) {
     return fail(ErrorCode::kLimitExceeded, "guides: a drawing has at most 256 guides");
   }
   Edit edit{"Add guide", {}};

@@ -12,7 +12,7 @@ namespace felt {
 ///
 /// Fails if the guide to change or remove does not exist; if check_drawing_guide() refuses the new
 /// guide, or it traces a stroke that does not exist; or if the drawing has too many guides
-/// (GuidesEvent::kMaxGuides).
+/// (kMaxDrawingGuides).
 Result<Edit> guide_edit(const Document& document, const GuidesEvent& event);
 
 }  // namespace felt

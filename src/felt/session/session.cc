@@ -57,7 +57,7 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
 /// A guide of a study has priority over those of the drawing.
 ActiveGuide active_guide(const GuideTrack* study, const StrokeGuide& drawing) noexcept {
   if (study) return {&study->guide(), study->number()};
-  if (drawing.force()) return {drawing.force(), drawing.number(), true};
+  if (drawing.force()) return {drawing.force(), drawing.number(), drawing.is_near()};
   return {};
 }
 

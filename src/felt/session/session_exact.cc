@@ -2,7 +2,7 @@
 #include <memory>
 #include <utility>
 
-#include "felt/document/edit_builder.h"
+#include "felt/session/layer_edit.h"
 #include "felt/session/session.h"
 #include "felt/tools/exact_ink.h"
 #include "felt/tools/stroke_guide.h"
@@ -11,7 +11,9 @@ namespace felt {
 
 StrokePtr Session::exact_offer() const {
   if (!exact_ || gesture_in_progress()) return {};
-  return document_.find(exact_->id) == exact_->drawn ? exact_->exact : StrokePtr();
+  if (document_.find(exact_->id) != exact_->drawn) return {};
+  const Layer* layer = document_.layer(document_.layer_of(exact_->id));
+  return layer && is_open(*layer) ? exact_->exact : StrokePtr();
 }
 
 std::uint64_t Session::guide_ticks() const noexcept {
@@ -29,21 +31,18 @@ void Session::offer_exact(const Edit& drawn) {
   const StrokeChange& ink = drawn.changes.front();
   const std::optional<ExactPath> path = stroke_guide_->exact_path();
   if (ink.before || !ink.after || !path) return;
-  if (std::optional<Stroke> exact = exact_stroke(*ink.after, *path)) {
-    exact_ = std::make_unique<ExactOffer>(
-        ExactOffer{ink.id, ink.after, std::make_shared<const Stroke>(*std::move(exact))});
+  if (std::optional<ExactOffer> offer = offer_exact_ink(document_, scene().index, ink.id, *path)) {
+    exact_ = std::make_unique<ExactOffer>(*std::move(offer));
   }
 }
 
 Result<void> Session::make_exact() {
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  const StrokePtr exact = exact_offer();
-  if (!exact) return {};
-  EditBuilder edit(document_);
-  edit.replace(exact_->id, exact);
+  if (!exact_offer()) return {};
+  Edit edit = exact_edit(document_, scene().index, *exact_);
   exact_.reset();
-  return commit(std::move(edit).build("Make exact"));
+  return edit.empty() ? Result<void>() : commit(std::move(edit));
 }
 
 }  // namespace felt

@@ -1,12 +1,15 @@
 // Guides of the drawing in a session: the force of the pencil, and exact strokes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "felt/base/constants.h"
 #include "felt/document/drawing_guide.h"
+#include "felt/geometry/nearest.h"
 #include "felt/haptics/force_model.h"
 #include "felt/session/session.h"
 
@@ -99,6 +102,33 @@ TEST(DrawingGuides, HoldThePencilUnlessAStudyGuidesIt) {
   EXPECT_EQ(guide_force(fixture.session, {20.5, 51.0}), Vec{}) << "only the pencil is guided";
 }
 
+TEST(DrawingGuides, AGuideFarAwayDoesNotSoftenTheFriction) {
+  // The force of the friction after the pen has moved by 0.05 mm.
+  const auto friction_n = [](const DrawingGuide& guide, double y) {
+    Fixture fixture(guide);
+    fixture.pen({20.0, y}, 5.0);
+    fixture.pen({20.0, y}, -1.0);
+    const ForceModel model = fixture.session.force();
+    ForceMemory memory;
+    double force_n = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      memory.begin_tick(0.001);
+      PenSample sample;
+      sample.position = {i < 50 ? 20.0 : 20.05, y, -1.0};
+      static_cast<void>(model(sample, memory));
+      for (const ForceTerms::Term& term : memory.terms) {
+        if (std::string_view(term.name) == "friction") force_n = norm(term.force);
+      }
+    }
+    return force_n;
+  };
+  const DrawingGuide none{.kind = DrawingGuideKind::kTrace, .stroke = {99}};
+  const double plain_n = friction_n(none, 90.0);
+  EXPECT_GT(plain_n, 0.01);
+  EXPECT_EQ(friction_n(kLine, 90.0), plain_n);
+  EXPECT_LT(friction_n(kLine, 51.0), 0.5 * plain_n);
+}
+
 TEST(DrawingGuides, DoNotMoveInk) {
   Fixture with(kLine), without({.kind = DrawingGuideKind::kTrace, .stroke = {99}});
   for (Fixture* fixture : {&with, &without}) {
@@ -145,6 +175,99 @@ TEST(DrawingGuides, TheOfferEndsWithTheNextTouchAndWhenTheStrokeChanges) {
   EXPECT_FALSE(fixture.session.exact_offer());
   fixture.draw({{20.0, 50.0}, {50.0, 51.0}, {80.0, 50.0}});
   EXPECT_FALSE(fixture.session.exact_offer()) << "1 mm away";
+}
+
+TEST(DrawingGuides, ALockedOrHiddenLayerStaysAsItIs) {
+  Fixture fixture(kLine);
+  fixture.draw({{20.0, 50.3}, {80.0, 50.2}});
+  const StrokePtr drawn = fixture.ink();
+  ASSERT_TRUE(fixture.session.exact_offer());
+  const LayerId layer = fixture.session.document().layers().front().id;
+  for (const auto& [closes, opens] : {std::pair{LayerEvent::Do::kLock, LayerEvent::Do::kUnlock},
+                                      std::pair{LayerEvent::Do::kHide, LayerEvent::Do::kShow}}) {
+    fixture.must(LayerEvent{closes, layer});
+    EXPECT_FALSE(fixture.session.exact_offer());
+    fixture.must(ExactEvent{});
+    EXPECT_EQ(fixture.ink(), drawn);
+    fixture.must(LayerEvent{opens, layer});
+    EXPECT_TRUE(fixture.session.exact_offer());
+  }
+}
+
+/// Returns the smallest distance between the ends of two strokes, mm.
+double gap_mm(const Stroke& a, const Stroke& b) {
+  double gap = kInf;
+  for (const StrokeTip i : {StrokeTip::kStart, StrokeTip::kEnd}) {
+    for (const StrokeTip k : {StrokeTip::kStart, StrokeTip::kEnd}) {
+      gap = std::min(gap, distance(tip_point(a, i), tip_point(b, k)));
+    }
+  }
+  return gap;
+}
+
+/// A line through (20, 50.3) and (80, 50.2) is drawn with snapping after another one, in another
+/// colour, so that they are not joined.
+struct ConnectedFixture : Fixture {
+  ConnectedFixture(Point from, Point to) : Fixture(kLine) {
+    must(SetOption{"pencil.snap", "both"});
+    draw({from, to});
+    first = session.document().layers().front().strokes.front();
+    must(SetOption{"ink.color", "#aa0000"});
+    draw({{20.0, 50.3}, {50.0, 49.9}, {80.0, 50.2}});
+  }
+  [[nodiscard]] StrokePtr other() const { return session.document().find(first); }
+  StrokeId first;
+};
+
+TEST(DrawingGuides, AnExactLineStaysConnectedAtItsEnds) {
+  ConnectedFixture fixture({40.0, 90.0}, {20.0, 50.4});
+  ASSERT_EQ(fixture.session.document().stroke_count(), 2U);
+  const StrokePtr drawn = fixture.ink();
+  const Document before = fixture.session.document();
+  ASSERT_LT(gap_mm(*drawn, *fixture.other()), 1e-9);
+  ASSERT_TRUE(fixture.session.exact_offer());
+  fixture.must(ExactEvent{});
+  EXPECT_NE(fixture.ink(), drawn);
+  EXPECT_EQ(fixture.ink()->segment_count(), 1);
+  EXPECT_EQ(fixture.ink()->position(0.0).y, 50.0);
+  EXPECT_EQ(gap_mm(*fixture.ink(), *fixture.other()), 0.0) << "the other line moved along";
+  EXPECT_NEAR(fixture.other()->position(0.0).y, 90.0, 0.2);
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.session.document(), before) << "one step";
+}
+
+TEST(DrawingGuides, AnExactLineStaysConnectedToTheMiddleOfAnother) {
+  ConnectedFixture fixture({5.0, 20.0}, {35.0, 80.6});
+  ASSERT_EQ(fixture.session.document().stroke_count(), 2U);
+  const StrokePtr other = fixture.other();
+  const auto away_mm = [&](Point p) {
+    double away = kInf;
+    for (int i = 0; i < other->segment_count(); ++i) {
+      away = std::min(away, std::sqrt(nearest(other->segment(i), p).distance_squared));
+    }
+    return away;
+  };
+  ASSERT_LT(away_mm(fixture.ink()->position(0.0)), 1e-3) << "drawn from a point of the line";
+  ASSERT_TRUE(fixture.session.exact_offer());
+  fixture.must(ExactEvent{});
+  EXPECT_EQ(fixture.ink()->position(0.0).y, 50.0);
+  EXPECT_LT(away_mm(fixture.ink()->position(0.0)), 1e-3);
+  EXPECT_EQ(fixture.other(), other);
+}
+
+TEST(DrawingGuides, AConnectionToALockedLineIsNotOpened) {
+  ConnectedFixture fixture({40.0, 90.0}, {20.0, 50.4});
+  const LayerId below = fixture.session.document().layers().front().id;
+  fixture.must(UndoEvent{});
+  fixture.must(LayerEvent{LayerEvent::Do::kAdd, {}});
+  fixture.must(LayerEvent{LayerEvent::Do::kLock, below});
+  fixture.draw({{20.0, 50.3}, {50.0, 49.9}, {80.0, 50.2}});
+  const Document before = fixture.session.document();
+  const StrokePtr drawn = before.find(before.layers().back().strokes.back());
+  ASSERT_LT(gap_mm(*drawn, *fixture.other()), 1e-9);
+  EXPECT_FALSE(fixture.session.exact_offer());
+  fixture.must(ExactEvent{});
+  EXPECT_EQ(fixture.session.document(), before);
 }
 
 TEST(DrawingGuides, AnArcOfACompassBecomesExact) {

@@ -1,11 +1,14 @@
 // How a session commits edits, and how its fills, linked strokes and guides follow them.
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "felt/fill/follow_edit.h"
 #include "felt/session/session.h"
+#include "felt/session/stroke_joins.h"
 #include "felt/session/symmetry_edit.h"
 
 namespace felt {
@@ -20,20 +23,28 @@ WhenOpened when_opened(const Session& session) {
                                                                : WhenOpened::kClose;
 }
 
-/// Removes the traces of strokes that the edit removes.
+/// Lets the traces of strokes that the edit divides, joins or removes follow the longest remainder;
+/// removes them if there is none.
 void let_traces_follow(const Document& document, Edit& edit) {
-  if (document.guides().empty()) return;
-  const auto removed = [&edit](StrokeId id) {
-    return std::any_of(edit.changes.begin(), edit.changes.end(),
-                       [id](const StrokeChange& c) { return c.id == id && !c.after; });
-  };
+  std::vector<GuideChange> changes;
   for (const auto& [id, guide] : document.guides()) {
     const bool is_changed = std::any_of(edit.guides.begin(), edit.guides.end(),
                                         [id = id](const GuideChange& c) { return c.id == id; });
-    if (guide->stroke && !is_changed && removed(guide->stroke)) {
-      edit.guides.push_back({id, guide, nullptr});
+    const auto stroke = std::find_if(
+        edit.changes.begin(), edit.changes.end(),
+        [&guide = guide](const StrokeChange& c) { return guide->stroke && c.id == guide->stroke; });
+    if (is_changed || stroke == edit.changes.end() || stroke->before == stroke->after) continue;
+    const StrokeId remainder = longest_remainder(edit, guide->stroke);
+    if (remainder == guide->stroke) continue;
+    DrawingGuidePtr after;
+    if (remainder) {
+      DrawingGuide followed = *guide;
+      followed.stroke = remainder;
+      after = std::make_shared<const DrawingGuide>(std::move(followed));
     }
+    changes.push_back({id, guide, std::move(after)});
   }
+  edit.guides.insert(edit.guides.end(), changes.begin(), changes.end());
 }
 
 }  // namespace

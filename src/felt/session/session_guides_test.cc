@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "felt/base/constants.h"
+#include "felt/document/edit_builder.h"
 #include "felt/session/session.h"
 #include "felt/session/symmetry_edit.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -28,11 +30,11 @@ struct MirrorFixture {
     ASSERT_TRUE(done) << done.error().message;
   }
   void pen(Point p, double z) { must(PenEvent{{p.x, p.y, z}, {}, 0}); }
-  void drag(const char* tool, Point from, Point to) {
+  void drag(const char* tool, Point from, Point to, int samples = 60) {
     must(SelectTool{tool});
     now_ns += 1'000'000'000;
     pen(from, 5);
-    for (int i = 0; i <= 60; ++i) pen(lerp(from, to, i / 60.0), -1);
+    for (int i = 0; i <= samples; ++i) pen(lerp(from, to, double(i) / samples), -1);
     for (int i = 0; i < 100; ++i) pen(to, 5);
   }
   [[nodiscard]] const Document& document() const { return session->document(); }
@@ -136,6 +138,65 @@ TEST(SessionGuides, TheEraserDividesAndRemovesImagesToo) {
   EXPECT_TRUE(f.document().symmetries().empty());
 }
 
+/// Draws a mirrored line whose free end is at (150, 80), and a line without images from `from`.
+struct JoinFixture : MirrorFixture {
+  explicit JoinFixture(Point from) {
+    drag("pencil", {110, 80}, {150, 80});
+    must(GuidesEvent{GuidesEvent::Do::kHide});
+    drag("pencil", from, {175, 110});
+    image = document().find(image_id());
+  }
+  [[nodiscard]] StrokeId image_id() const {
+    for (const StrokeId id : document().layers().front().strokes) {
+      if (document().find(id)->bounds().x1 < 100.0) return id;
+    }
+    return {};
+  }
+  StrokePtr image;
+};
+
+TEST(SessionGuides, AMirroredLineThatIsJoinedIntoAnotherOneKeepsItsImage) {
+  const Point from{157, 84};
+  JoinFixture f(from);
+  ASSERT_EQ(f.document().stroke_count(), 3U);
+  f.drag("connect", {150, 80}, from);
+  EXPECT_EQ(f.document().stroke_count(), 2U) << "the joined line, and the image";
+  EXPECT_EQ(f.document().find(f.image_id()), f.image);
+  EXPECT_TRUE(f.document().symmetries().empty());
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.document().stroke_count(), 3U);
+  EXPECT_EQ(f.document().symmetries().size(), 1U);
+}
+
+TEST(SessionGuides, AJoinThatKeepsTheMirroredLineEndsItsGroup) {
+  const Point from{157, 84};
+  JoinFixture f(from);
+  f.drag("connect", from, {150, 80});
+  EXPECT_EQ(f.document().stroke_count(), 2U);
+  EXPECT_EQ(f.document().find(f.image_id()), f.image);
+  EXPECT_TRUE(f.document().symmetries().empty());
+}
+
+TEST(SessionGuides, TwoMirroredLinesAreJoinedOnBothSides) {
+  MirrorFixture f;
+  f.drag("pencil", {110, 80}, {150, 80});
+  f.drag("pencil", {157, 84}, {175, 110});
+  ASSERT_EQ(f.document().stroke_count(), 4U);
+  f.drag("connect", {150, 80}, {157, 84});
+  EXPECT_EQ(f.document().stroke_count(), 2U);
+  EXPECT_EQ(f.document().symmetries().size(), 1U);
+  EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+}
+
+TEST(SessionGuides, InkBetweenTwoLinesKeepsTheImageOfOneOfThem) {
+  JoinFixture f({165, 95});
+  f.must(SetOption{"pencil.keep_separate", false});
+  f.drag("pencil", {150, 80}, {165, 95}, 1000);
+  EXPECT_EQ(f.document().stroke_count(), 2U);
+  EXPECT_EQ(f.document().find(f.image_id()), f.image);
+  EXPECT_TRUE(f.document().symmetries().empty());
+}
+
 TEST(SessionGuides, AMoveOfAllImagesMovesTheAxes) {
   MirrorFixture f;
   f.drag("pencil", {110, 80}, {150, 80});
@@ -144,6 +205,50 @@ TEST(SessionGuides, AMoveOfAllImagesMovesTheAxes) {
   ASSERT_EQ(f.document().symmetries().size(), 1U);
   EXPECT_NEAR(f.document().symmetries().begin()->second->center.x, 107.0, 1e-9);
   EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+}
+
+TEST(SessionGuides, RepeatedMovesOfAMirroredGroupAreOneStep) {
+  MirrorFixture f;
+  f.drag("pencil", {110, 80}, {150, 80});
+  f.must(SelectStrokes{SelectStrokes::What::kAll});
+  const Document before = f.document();
+  const std::size_t steps = f.session->history().undo_count();
+  for (int i = 0; i < 5; ++i) f.must(MoveEvent{{1, 0}});
+  EXPECT_EQ(f.session->history().undo_count(), steps + 1);
+  EXPECT_NEAR(f.document().symmetries().begin()->second->center.x, 105.0, 1e-9);
+  const Document moved = f.document();
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.document(), before);
+  f.must(RedoEvent{});
+  EXPECT_EQ(f.document(), moved);
+}
+
+/// Returns an edit that adds two lines, the second one so far away that its image has no valid
+/// coordinates.
+Edit near_and_far(const Document& document) {
+  EditBuilder edit(document);
+  for (const double size : {50.0, 1.3e308}) {
+    edit.add(document.layers().front().id, std::make_shared<const Stroke>(testing::straight_stroke(
+                                               {size, size}, {1.05 * size, size}, 1, 1)));
+  }
+  return std::move(edit).build("Draw");
+}
+
+TEST(SessionGuides, AnImageThatIsTooFarAwayLeavesNoHalfGroups) {
+  Document document;
+  DrawingGuide symmetry{DrawingGuideKind::kSymmetry, {20, 10}, kTau / 16.0};
+  Edit edit = near_and_far(document);
+  add_images(document, symmetry, edit);
+  for (const SymmetryChange& group : edit.symmetries) {
+    for (const SymmetryImage& image : group.after->images) {
+      EXPECT_TRUE(std::any_of(edit.changes.begin(), edit.changes.end(),
+                              [&](const StrokeChange& c) { return c.id == image.stroke; }));
+    }
+  }
+  ASSERT_TRUE(document.apply(edit));
+  EXPECT_EQ(document.stroke_count(), 3U) << "the near line has its image";
+  EXPECT_EQ(document.symmetries().size(), 1U);
+  EXPECT_LT(largest_error_mm(document), kSameMm);
 }
 
 TEST(SessionGuides, UnlinkedStrokesDoNotFollow) {
@@ -221,6 +326,49 @@ TEST(SessionGuides, ATraceGoesWithItsStroke) {
   ASSERT_TRUE(session.apply({3, UndoEvent{}}));
   EXPECT_EQ(session.document().guides().size(), 1U);
   EXPECT_EQ(session.document().stroke_count(), 1U);
+}
+
+/// Returns the ends of the stroke of the only guide.
+std::pair<Point, Point> traced_ends(const Document& document) {
+  if (document.guides().size() != 1) return {};
+  const StrokePtr stroke = document.find(document.guides().begin()->second->stroke);
+  if (!stroke) return {};
+  return {stroke->data().points.front(), stroke->data().points.back()};
+}
+
+TEST(SessionGuides, ATraceFollowsTheLongestPartOfItsStroke) {
+  MirrorFixture f;
+  f.must(GuidesEvent{GuidesEvent::Do::kClear});
+  f.drag("pencil", {100, 80}, {160, 80});
+  DrawingGuide trace{DrawingGuideKind::kTrace};
+  trace.stroke = f.document().layers().front().strokes.front();
+  f.must(GuidesEvent{GuidesEvent::Do::kAdd, {}, trace});
+  const Document whole = f.document();
+  for (const double x : {110.0, 150.0}) {
+    f.drag("eraser", {x, 74}, {x, 86});
+    const auto [from, to] = traced_ends(f.document());
+    EXPECT_NEAR(from.x, 113.0, 4.0);
+    EXPECT_NEAR(to.x, x < 130 ? 160.0 : 147.0, 4.0);
+  }
+  EXPECT_EQ(f.document().stroke_count(), 3U);
+  f.must(UndoEvent{});
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.document(), whole);
+}
+
+TEST(SessionGuides, ATraceFollowsAStrokeThatIsJoinedIntoAnother) {
+  MirrorFixture f;
+  f.must(GuidesEvent{GuidesEvent::Do::kClear});
+  f.drag("pencil", {100, 80}, {150, 80});
+  DrawingGuide trace{DrawingGuideKind::kTrace};
+  trace.stroke = f.document().layers().front().strokes.front();
+  f.must(GuidesEvent{GuidesEvent::Do::kAdd, {}, trace});
+  f.drag("pencil", {157, 84}, {175, 110});
+  f.drag("connect", {150, 80}, {157, 84});
+  ASSERT_EQ(f.document().stroke_count(), 1U);
+  const auto [from, to] = traced_ends(f.document());
+  EXPECT_LT(std::min(distance(from, {100, 80}), distance(to, {100, 80})), 1.0);
+  EXPECT_LT(std::min(distance(from, {175, 110}), distance(to, {175, 110})), 1.0);
 }
 
 }  // namespace

@@ -74,25 +74,37 @@ StrokePtr mirrored(const Stroke& stroke, const Affine& map) {
   return image ? std::make_shared<const Stroke>(*std::move(image)) : nullptr;
 }
 
+namespace {
+
+/// Returns the images of a stroke, each with its number, without those that coincide with another
+/// one; nothing if one of them would be far outside of any page.
+std::vector<std::pair<int, StrokePtr>> images_of(const StrokePtr& original,
+                                                 const SymmetryGroup& group) {
+  std::vector<std::pair<int, StrokePtr>> images{{0, original}};
+  for (int image = 1; image < 2 * group.axes; ++image) {
+    StrokePtr stroke = mirrored(*original, image_map(group, image));
+    if (!stroke) return {};
+    if (std::none_of(images.begin(), images.end(),
+                     [&](const auto& other) { return coincide(*other.second, *stroke); })) {
+      images.emplace_back(image, std::move(stroke));
+    }
+  }
+  images.erase(images.begin());
+  return images;
+}
+
+}  // namespace
+
 void add_images(const Document& document, const DrawingGuide& symmetry, Edit& edit) {
   const std::vector<StrokeId> added = strokes_without_group(document, edit);
   if (added.empty()) return;
   LayeredEdit layered(document, edit);
   for (const StrokeId id : added) {
     SymmetryGroup group{symmetry.origin, symmetry.angle_rad, symmetry.axes, {{id, 0}}};
-    const StrokePtr original = layered.after(id);
-    std::vector<StrokePtr> images{original};
     StrokeId below = id;
-    for (int image = 1; image < 2 * group.axes; ++image) {
-      StrokePtr stroke = mirrored(*original, image_map(group, image));
-      if (!stroke) return;  // far outside of any page
-      if (std::any_of(images.begin(), images.end(),
-                      [&](const StrokePtr& other) { return coincide(*other, *stroke); })) {
-        continue;
-      }
-      below = layered.add_above(below, stroke);
+    for (auto& [image, stroke] : images_of(layered.after(id), group)) {
+      below = layered.add_above(below, std::move(stroke));
       group.images.push_back({below, image});
-      images.push_back(std::move(stroke));
     }
     if (group.images.size() > 1) layered.add_group(std::move(group));
   }

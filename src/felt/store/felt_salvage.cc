@@ -358,6 +358,10 @@ class Assembly {
     place(found_.strokes, edit.changes, " stroke");
     place(found_.fills, edit.fills, " fill");
     for (const auto& [id, guide] : found_.guides) {
+      if (edit.guides.size() == kMaxDrawingGuides) {
+        out_.problems.push_back(too_many_guides(found_.guides.size()));
+        break;
+      }
       edit.guides.push_back({{static_cast<std::uint64_t>(id)}, nullptr, guide});
     }
     for (const auto& [id, group] : found_.symmetries) {

@@ -246,7 +246,8 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_materials(database, drawing); });
 }
 
-Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) {
+Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
+                            std::vector<std::string>* notices) {
   Drawing drawing;
   const Result<Head> head = read_drawing_row(database, drawing);
   if (!head) return tl::unexpected(head.error());
@@ -259,7 +260,7 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) 
   if (done && schema.has_layer_groups) done = read_layer_groups(database, edit);
   if (done) done = read_strokes(database, edit);
   if (done && schema.has_fills) done = read_fills(database, edit);
-  if (done && schema.has_guides) done = read_guides(database, edit);
+  if (done && schema.has_guides) done = read_guides(database, edit, notices);
   if (done && schema.has_symmetries) done = read_symmetries(database, edit);
   if (done) {
     done = drawing.document.apply(edit).and_then([&] { return read_page(database, drawing); });

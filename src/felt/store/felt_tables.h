@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "felt/base/result.h"
 #include "felt/store/database.h"
 #include "felt/store/felt_file.h"
@@ -24,6 +27,7 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
 /// Reads a drawing from an untrusted database whose schema was checked by read_schema(). Does not
 /// read extras. Fails if a row is not valid or not consistent with other rows; the message names
 /// the row and the reason.
-Result<Drawing> read_tables(const Database& database, const FeltSchema& schema);
+Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
+                            std::vector<std::string>* notices);
 
 }  // namespace felt

@@ -159,17 +159,24 @@ Result<void> write_guides(Database& database, const Document& document) {
   return {};
 }
 
-Result<void> read_guides(const Database& database, Edit& edit) {
-  const auto row = database.prepare("SELECT id, shown, guide, checksum FROM guide");
+std::string too_many_guides(std::size_t count) {
+  return "Skipped " + std::to_string(count - kMaxDrawingGuides) + " of " + std::to_string(count) +
+         " guides: a drawing has at most " + std::to_string(kMaxDrawingGuides) + ".";
+}
+
+Result<void> read_guides(const Database& database, Edit& edit, std::vector<std::string>* notices) {
+  const auto row = database.prepare("SELECT id, shown, guide, checksum FROM guide ORDER BY id");
   if (!row) return tl::unexpected(row.error());
   bool is_hidden = false;
-  for (std::size_t count = 0;; ++count) {
+  std::size_t count = 0;
+  for (;; ++count) {
     const Result<bool> more = next(*row, "guide", 3);
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
     if (count == kMaxStoredGuides) {
       return fail(ErrorCode::kLimitExceeded, "has more than 10000 guides");
     }
+    if (count >= kMaxDrawingGuides) continue;
     const std::string name = "guide " + std::to_string(row->integer(0));
     if (!row->is_integer(1) || (row->integer(1) | 1) != 1) {
       return invalid_data(name + " contains an invalid value");
@@ -183,6 +190,7 @@ Result<void> read_guides(const Database& database, Edit& edit) {
         {{static_cast<std::uint64_t>(row->integer(0))}, nullptr, *std::move(guide)});
     is_hidden = row->integer(1) == 0;
   }
+  if (count > kMaxDrawingGuides && notices) notices->push_back(too_many_guides(count));
   edit.toggles_guides = is_hidden;
   return {};
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/document.h"
@@ -20,7 +21,7 @@ inline constexpr std::string_view kSymmetryTable =
     "CREATE TABLE symmetry(id INTEGER PRIMARY KEY, strokes BLOB NOT NULL, "
     "checksum INTEGER NOT NULL)";
 
-/// Largest number of guides and of symmetry groups that a reader accepts.
+/// Largest number of guides and of symmetry groups that a table may have.
 inline constexpr std::size_t kMaxStoredGuides = 10'000;
 inline constexpr std::size_t kMaxStoredSymmetries = 10'000'000;
 
@@ -35,10 +36,14 @@ Result<SymmetryPtr> read_symmetry_blob(std::string_view bytes);
 
 /// Creates and fills the tables that the document needs.
 Result<void> write_guides(Database& database, const Document& document);
-/// Reads a table from an untrusted database into an edit that adds its objects. Requires that the
-/// database has the table.
-Result<void> read_guides(const Database& database, Edit& edit);
+/// Read a table from an untrusted database into an edit that adds its objects. Require that the
+/// database has the table. Of more than kMaxDrawingGuides guides, those with the lowest ids are
+/// read, and a notice is added to `notices`, unless it is null.
+Result<void> read_guides(const Database& database, Edit& edit, std::vector<std::string>* notices);
 Result<void> read_symmetries(const Database& database, Edit& edit);
+/// Returns the notice about a file with this number of guides, which is more than
+/// kMaxDrawingGuides.
+std::string too_many_guides(std::size_t count);
 /// Returns the checksum that is stored in the row of a guide or of a group, whose `shown` is 0.
 std::int64_t guide_checksum(std::int64_t id, std::int64_t shown, std::string_view bytes);
 

@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "felt/base/constants.h"
 #include "felt/document/testing/random_guides.h"
 #include "felt/store/felt_file.h"
 #include "felt/store/felt_salvage.h"
+#include "felt/store/felt_tables.h"
 
 namespace felt::guide_table_test {
 namespace {
@@ -87,6 +92,47 @@ TEST(GuideTable, AFileKeepsGuidesLinksAndWhetherTheyAreShown) {
     EXPECT_EQ(back->document.shows_guides(), count % 2 == 0);
     EXPECT_EQ(*felt_bytes(*back), bytes);
   }
+}
+
+/// Returns a file with more guides than a drawing can have.
+std::string with_too_many_guides(std::size_t count) {
+  Result<Database> database = Database::create();
+  EXPECT_TRUE(database);
+  const std::string setup = "PRAGMA application_id=" + std::to_string(kFeltApplicationId) +
+                            "; PRAGMA user_version=" + std::to_string(kFeltVersion);
+  EXPECT_TRUE(database->run(setup.c_str()));
+  EXPECT_TRUE(write_tables(*database, with_guides(1), nullptr));
+  const Result<Statement> row = database->prepare("INSERT INTO guide VALUES(?,1,?,?)");
+  EXPECT_TRUE(row);
+  for (std::size_t i = 1; i < count; ++i) {
+    std::string bytes;
+    EXPECT_TRUE(append_guide_blob(bytes, DrawingGuide{}));
+    const auto id = static_cast<std::int64_t>(1000 + i);
+    row->bind(1, id);
+    row->bind_blob(2, bytes);
+    row->bind(3, guide_checksum(id, 1, bytes));
+    EXPECT_TRUE(row->step());
+    row->reset();
+  }
+  return *database->bytes();
+}
+
+TEST(GuideTable, OfTooManyGuidesTheFirstOnesAreReadAndANoticeSaysSo) {
+  std::vector<std::string> notices;
+  std::string bytes = with_too_many_guides(300);
+  const Result<Drawing> read = parse_felt(bytes, &notices);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->document.guides().size(), kMaxDrawingGuides);
+  EXPECT_EQ(notices,
+            std::vector<std::string>{"Skipped 44 of 300 guides: a drawing has at most 256."});
+  bytes[100 + 8] ^= 0x55;  // in the schema
+  const Result<Salvaged> salvaged = salvage_felt_bytes(bytes);
+  ASSERT_TRUE(salvaged) << salvaged.error().message;
+  EXPECT_EQ(salvaged->drawing.document.guides().size(), kMaxDrawingGuides);
+  EXPECT_EQ(std::count(salvaged->problems.begin(), salvaged->problems.end(), notices.front()), 1);
+  notices.clear();
+  ASSERT_TRUE(parse_felt(with_too_many_guides(256), &notices));
+  EXPECT_TRUE(notices.empty());
 }
 
 TEST(GuideTable, SalvageFindsGuidesAndLinks) {

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "felt/base/constants.h"
+#include "felt/document/edit_builder.h"
+#include "felt/geometry/nearest.h"
+#include "felt/stroke/edit/join.h"
+#include "felt/tools/junctions.h"
 
 namespace felt {
 namespace {
@@ -40,6 +46,13 @@ double position_at(const Follow& follow, double u) {
   const double x = std::clamp(u * kStepsPerSegment, 0.0, static_cast<double>(follow.at.size() - 1));
   const auto i = std::min(static_cast<std::size_t>(x), follow.at.size() - 2);
   return std::lerp(follow.at[i], follow.at[i + 1], x - static_cast<double>(i));
+}
+
+/// Returns the position on the shape nearest to a point; on an ellipse, the turn nearest to `at`.
+double position_near(const GuideShape& shape, Point p, double at) {
+  const double found = nearest_on(shape, p).at;
+  const bool turns = std::holds_alternative<GuideEllipse>(shape);
+  return turns ? at + std::remainder(found - at, kTau) : found;
 }
 
 /// Returns the widths of the drawn stroke on a curve with `count` segments from `from` to `to`.
@@ -85,12 +98,71 @@ int segments_of(const GuideEllipse& /*ellipse*/, double sweep) {
   return std::max(1, static_cast<int>(std::ceil(std::fabs(sweep) / kMaxArcRad - 1e-9)));
 }
 
+Point nearest_point(const Stroke& stroke, Point p) {
+  Point best = stroke.position(0.0);
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Point on = nearest(stroke.segment(i), p).point;
+    if (distance_squared(on, p) < distance_squared(best, p)) best = on;
+  }
+  return best;
+}
+
+/// Returns the end of a stroke that is at a point.
+std::optional<StrokeTip> tip_at(const Stroke& stroke, Point p) {
+  for (const StrokeTip tip : {StrokeTip::kStart, StrokeTip::kEnd}) {
+    if (!stroke.closed() && distance(tip_point(stroke, tip), p) <= kSharedPointMm) return tip;
+  }
+  return {};
+}
+
+/// Returns a point where the shape crosses the stroke, near a point of the stroke: the limit of
+/// nearest points on one and the other in turn, if they do not run beside each other.
+std::optional<Point> crossing(const GuideShape& shape, const Stroke& stroke, Point near) {
+  constexpr int kCrossingSteps = 60;
+  constexpr double kMeetMm = 1e-6, kMaxAwayMm = 3.0;
+  Point on = near;
+  for (int i = 0; i < kCrossingSteps; ++i) {
+    const Point p = nearest_on(shape, on).point;
+    on = nearest_point(stroke, p);
+    if (distance(p, near) > kMaxAwayMm) return {};
+    if (distance(p, on) < kMeetMm) return p;
+  }
+  return {};
+}
+
+/// Returns where the exact curve is to end so that it stays on the lines on which it ends.
+ExactEnds ends_on_lines(const Document& document, const Stroke& drawn, const ExactPath& path,
+                        const std::vector<Junction>& junctions) {
+  ExactEnds ends;
+  for (const Junction& junction : junctions) {
+    const Stroke& other = *document.find(junction.other);
+    const std::optional<StrokeTip> tip = tip_at(drawn, junction.point);
+    if (!tip || tip_at(other, junction.point)) continue;  // that end moves along
+    std::optional<Point>& end = *tip == StrokeTip::kStart ? ends.start : ends.end;
+    if (!end) end = crossing(path.shape, other, junction.point);
+  }
+  return ends;
+}
+
+/// Moves the end of another line that lies on the drawn stroke. Fails if it cannot move.
+Result<Stroke> with_end_on(const Stroke& other, StrokeTip tip, const ExactOffer& offer) {
+  const Point from = tip_point(other, tip);
+  const std::optional<StrokeTip> own = tip_at(*offer.drawn, from);
+  const bool meets_end = own && !offer.exact->closed();
+  const Point to = meets_end ? tip_point(*offer.exact, *own) : nearest_point(*offer.exact, from);
+  if (to == from) return other;
+  const double fade_mm = std::clamp(5.0 * distance(from, to), 2.0, kTipFadeMm);
+  return with_tip_at(other, tip, to, fade_mm);
+}
+
 }  // namespace
 
-std::optional<Stroke> exact_stroke(const Stroke& drawn, const ExactPath& path) {
+std::optional<Stroke> exact_stroke(const Stroke& drawn, const ExactPath& path,
+                                   const ExactEnds& ends) {
   const Follow at = follow(drawn, path);
-  const double from = at.at.front();
-  double to = at.at.back();
+  const double from =
+      ends.start ? position_near(path.shape, *ends.start, at.at.front()) : at.at.front();
+  double to = ends.end ? position_near(path.shape, *ends.end, at.at.back()) : at.at.back();
   const auto* ellipse = std::get_if<GuideEllipse>(&path.shape);
   const bool closes = drawn.closed();
   if (closes && (!ellipse || std::fabs(to - from) < 0.5 * kTau)) return {};
@@ -116,6 +188,46 @@ std::optional<Stroke> exact_stroke(const Stroke& drawn, const ExactPath& path) {
   Result<Stroke> exact = Stroke::create(std::move(data));
   if (!exact) return {};
   return *std::move(exact);
+}
+
+std::optional<ExactOffer> offer_exact_ink(const Document& document, const StrokeIndex& index,
+                                          StrokeId id, const ExactPath& path) {
+  const StrokePtr drawn = document.find(id);
+  if (!drawn) return {};
+  const std::vector<Junction> junctions = junctions_of(document, index, id, *drawn);
+  std::optional<Stroke> exact =
+      exact_stroke(*drawn, path, ends_on_lines(document, *drawn, path, junctions));
+  if (!exact) return {};
+  ExactOffer offer{id, drawn, std::make_shared<const Stroke>(*std::move(exact))};
+  if (exact_edit(document, index, offer).empty()) return {};
+  return offer;
+}
+
+Edit exact_edit(const Document& document, const StrokeIndex& index, const ExactOffer& offer) {
+  const SymmetryId group = document.symmetry_of(offer.id);
+  std::map<StrokeId, StrokePtr> others;
+  for (const Junction& junction : junctions_of(document, index, offer.id, *offer.drawn)) {
+    StrokePtr& other =
+        others.try_emplace(junction.other, document.find(junction.other)).first->second;
+    const std::optional<StrokeTip> tip = tip_at(*other, junction.point);
+    if (!tip) {  // the stroke ends on the middle of the other one
+      const Point end = tip_point(*offer.exact, *tip_at(*offer.drawn, junction.point));
+      if (distance(nearest_point(*other, end), end) > kSharedPointMm) return {};
+      continue;
+    }
+    Result<Stroke> moved = with_end_on(*other, *tip, offer);
+    if (!moved) return {};
+    if (*moved == *other) continue;
+    // An image of the stroke itself follows the stroke, and cannot be moved on its own.
+    if (!junction.editable || (group && document.symmetry_of(junction.other) == group)) return {};
+    other = std::make_shared<const Stroke>(*std::move(moved));
+  }
+  EditBuilder edit(document);
+  edit.replace(offer.id, offer.exact);
+  for (const auto& [id, stroke] : others) {
+    if (stroke != document.find(id)) edit.replace(id, stroke);
+  }
+  return std::move(edit).build("Make exact");
 }
 
 void draw_exact(const Stroke& exact, Overlay& overlay) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "felt/base/constants.h"
 #include "felt/geometry/nearest.h"
@@ -17,6 +18,7 @@ constexpr double kMinRadiusMm = 2.0;  // of circles and of the semi-axes of elli
 constexpr double kMaxRadiusMm = 3000.0;
 constexpr double kMinLengthMm = 1.0;
 constexpr double kMinStepMm = 0.5;  // between nodes
+constexpr double kMinRayStepRad = 1e-3;
 constexpr double kNearVanishingMm = 5.0;
 constexpr double kApart = 0.45;  // share of the distance between neighbours that a radius may have
 constexpr double kTraceStepMm = 0.25;
@@ -60,11 +62,34 @@ bool has_own_shape(Kind kind) noexcept {
          kind == Kind::kEllipse || kind == Kind::kTrace || kind == Kind::kTeacher;
 }
 
-/// Returns the distance of a guide with a shape of its own; infinity without a valid shape.
-double own_distance(const DrawingGuide& g, const Document& document, Point p) {
-  if (const std::optional<GuideShape> shape = guide_shape(g, p)) return distance_from(*shape, p);
-  const std::vector<Point> path = guide_path(g, document);
-  return path.size() < 2 ? kInf : std::sqrt(nearest_on_polyline(path, p).distance_squared);
+/// Returns the distance from a stroke, or infinity if it is not less than `limit_mm`.
+double distance_below(const Stroke& stroke, Point p, double limit_mm) {
+  double nearest_squared = limit_mm * limit_mm;
+  bool is_near = false;
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic curve = stroke.segment(i);
+    if (distance_squared(control_bounds(curve), p) >= nearest_squared) continue;
+    const auto near = nearest_within(curve, p, nearest_squared);
+    if (!near || !(near->distance_squared < nearest_squared)) continue;
+    nearest_squared = near->distance_squared;
+    is_near = true;
+  }
+  return is_near ? std::sqrt(nearest_squared) : kInf;
+}
+
+/// Returns the distance of a guide with a shape of its own; infinity without a valid shape. May
+/// also return infinity if the distance is not less than `limit_mm`.
+double own_distance(const DrawingGuidePtr& guide, const Document& document, Point p,
+                    double limit_mm, GuideBounds& bounds) {
+  if (const auto shape = guide_shape(*guide, p)) return distance_from(*shape, p);
+  if (distance_squared(bounds.of(guide, document), p) >= limit_mm * limit_mm) return kInf;
+  if (guide->kind == Kind::kTrace) {
+    const StrokePtr stroke = document.find(guide->stroke);
+    return stroke ? distance_below(*stroke, p, limit_mm) : kInf;
+  }
+  const std::vector<Point>& path = guide->points;
+  const bool fits = path.size() >= 2 && std::all_of(path.begin(), path.end(), is_in_range);
+  return fits ? std::sqrt(nearest_on_polyline(path, p).distance_squared) : kInf;
 }
 
 /// Returns true if a guide without a shape of its own can hold a pen that touches here.
@@ -84,8 +109,24 @@ bool acts_at(const DrawingGuide& g, Point p) {
 
 }  // namespace
 
+Rect GuideBounds::of(const DrawingGuidePtr& guide, const Document& document) {
+  const bool is_trace = guide->kind == Kind::kTrace;
+  if (!is_trace && guide->kind != Kind::kTeacher) return {};
+  const StrokePtr stroke = is_trace ? document.find(guide->stroke) : nullptr;
+  if (is_trace && !stroke) return {};
+  std::shared_ptr<const void> key = guide;
+  if (is_trace) key = stroke;
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  Rect bounds;
+  for (const Point p : is_trace ? stroke->data().points : guide->points) bounds.extend(p);
+  if (known_.size() >= 2 * kMaxDrawingGuides) known_.clear();  // most are of the past
+  known_.emplace(std::move(key), bounds);
+  return bounds;
+}
+
 std::optional<std::size_t> choose_guide(std::span<const DrawingGuidePtr> guides,
-                                        const Document& document, Point touch) {
+                                        const Document& document, Point touch,
+                                        GuideBounds& bounds) {
   std::optional<std::size_t> own, everywhere;
   double nearest_mm = kInf;
   for (std::size_t i = 0; i < guides.size(); ++i) {
@@ -95,7 +136,7 @@ std::optional<std::size_t> choose_guide(std::span<const DrawingGuidePtr> guides,
       if (acts_at(guide, touch)) everywhere = i;
       continue;
     }
-    const double away_mm = own_distance(guide, document, touch);
+    const double away_mm = own_distance(guides[i], document, touch, nearest_mm, bounds);
     if (away_mm < nearest_mm) {
       nearest_mm = away_mm;
       own = i;
@@ -180,12 +221,20 @@ std::optional<GuideStraight> line_along(std::span<const GuideStraight> lines, Ve
   return best;
 }
 
+int ray_count(const DrawingGuide& g) noexcept {
+  return std::max(1, static_cast<int>(kTau / std::max(g.step_rad, kMinRayStepRad) + 1e-9));
+}
+
 GuideRay nearest_ray(const DrawingGuide& g, Point pen) noexcept {
   const Vec off = pen - g.origin;
-  const double step = std::max(g.step_rad, 1e-3);
-  const double turns = std::remainder(std::atan2(off.y, off.x) - g.angle_rad, kTau);
+  const double step = std::max(g.step_rad, kMinRayStepRad);
+  double turn = std::remainder(std::atan2(off.y, off.x) - g.angle_rad, kTau);
+  if (turn < 0.0) turn += kTau;
+  const int last = ray_count(g) - 1;
   GuideRay ray;
-  ray.number = static_cast<int>(std::lround(turns / step));
+  ray.number = std::min(static_cast<int>(std::lround(turn / step)), last);
+  // If the step does not divide the full turn, the gap before the first ray is wider than a step.
+  if (ray.number == last && kTau - turn < turn - last * step) ray.number = 0;
   const Vec along = direction_of(g.angle_rad + ray.number * step);
   ray.line = {g.origin, along, 0.0, std::max(g.size_mm, 0.0)};
   const double out_mm = std::max(0.0, dot(off, along));

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "felt/document/document.h"
 #include "felt/document/drawing_guide.h"
+#include "felt/geometry/rect.h"
 #include "felt/tools/guide_shape.h"
 
 namespace felt {
@@ -17,6 +20,18 @@ namespace felt {
 /// A guide within this distance of the touch is preferred to guides that pass through every point.
 inline constexpr double kGuideCaptureMm = 3.0;
 
+/// The bounds of the paths of traces and teachers, so that only paths near the pen are searched.
+/// Each is computed once for each stroke or guide, because these do not change.
+class GuideBounds {
+ public:
+  /// Returns the bounds of the path of a trace or a teacher; an empty rectangle for other kinds and
+  /// for a stroke that does not exist.
+  Rect of(const DrawingGuidePtr& guide, const Document& document);
+
+ private:
+  std::map<std::shared_ptr<const void>, Rect> known_;
+};
+
 /// Returns the index of the guide that holds a pen that touches at a point, or nullopt:
 ///   1. the nearest guide with a shape of its own (ruler, line, set square, ellipse, trace,
 ///   teacher)
@@ -24,9 +39,9 @@ inline constexpr double kGuideCaptureMm = 3.0;
 ///   2. otherwise the last guide that acts everywhere (parallels, compass, ellipses, perspective,
 ///      grids) or whose protractor the pen is on;
 ///   3. otherwise the nearest guide with a shape of its own.
-/// A symmetry holds no pen.
+/// A symmetry holds no pen. Use the same `bounds` for all touches of a drawing.
 std::optional<std::size_t> choose_guide(std::span<const DrawingGuidePtr> guides,
-                                        const Document& document, Point touch);
+                                        const Document& document, Point touch, GuideBounds& bounds);
 
 /// Returns the line, circle or ellipse along which the guide holds a pen that touches at a point:
 /// the nearest leg of a set square, the line, circle or ellipse through the point for parallels,
@@ -49,13 +64,15 @@ std::optional<GuideStraight> line_along(std::span<const GuideStraight> lines, Ve
 /// that neighbours do not overlap.
 struct GuideRay {
   GuideStraight line;
-  int number = 0;          ///< multiples of the step
+  int number = 0;          ///< multiples of the step, from 0 to ray_count() - 1
   double radius_mm = 0.0;  ///< 0 at the centre
 };
 struct GuideNode {
   Point at{};
   double radius_mm = 0.0;
 };
+/// Returns the number of rays of a protractor: as many whole steps as fit into a full turn.
+int ray_count(const DrawingGuide& guide) noexcept;
 /// Returns the ray nearest to a point; requires a protractor.
 GuideRay nearest_ray(const DrawingGuide& guide, Point pen) noexcept;
 /// Returns the node nearest to a point; requires a grid.

@@ -81,7 +81,8 @@ class GuidePicture {
         return;
       case Kind::kSymmetry:
         for (int i = 0; i < guide_.axes; ++i) {
-          infinite(guide_.origin, direction_of(guide_.angle_rad + i * std::numbers::pi / guide_.axes),
+          infinite(guide_.origin,
+                   direction_of(guide_.angle_rad + i * std::numbers::pi / guide_.axes),
                    Role::kAxis);
         }
         return ring(3.0, Role::kAxis);
@@ -139,8 +140,7 @@ class GuidePicture {
       const double tick = deg % 10 == 0 ? 0.9 : deg % 5 == 0 ? 0.94 : 0.97;
       line(guide_.origin + tick * radius_mm * d, guide_.origin + radius_mm * d, Role::kTick);
     }
-    const int rays = static_cast<int>(2.0 * std::numbers::pi / guide_.step_rad + 1e-9);
-    for (int i = 0; i < rays; ++i) {
+    for (int i = 0; i < ray_count(guide_); ++i) {
       const Vec d = direction_of(guide_.angle_rad + i * guide_.step_rad);
       line(guide_.origin + 0.15 * radius_mm * d, guide_.origin + 0.88 * radius_mm * d,
            i == 0 ? Role::kRule : Role::kTick);

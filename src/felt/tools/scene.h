@@ -19,9 +19,9 @@ class StrokeIndex;
 struct ActiveGuide {
   const Guide* force = nullptr;  ///< near the last sample; null: no guide
   std::uint32_t number = 0;      ///< changes when another guide acts
-  /// If true, it is a guide of the drawing, not of a study; the pencil's friction is softer, so
-  /// that guide and friction stay within the stiffness budget.
-  bool is_of_drawing = false;
+  /// If true, the pencil's friction is softer, so that it and a guide of the drawing stay within
+  /// the stiffness budget.
+  bool softens_friction = false;
 };
 
 /// What a tool can read besides the pen samples: the document, the surface under the pen, and the

@@ -70,6 +70,7 @@ void StrokeGuide::update(const PenSample& sample, bool is_down,
   if (phase_ == Phase::kRays) follow_rays();
   if (phase_ == Phase::kNodes) follow_nodes(sample);
   if (shape_) follow_shape();
+  follow_distance();
   last_ns_ = sample.time_ns;
 }
 
@@ -101,7 +102,8 @@ void StrokeGuide::begin(std::span<const DrawingGuidePtr> guides, const Document&
   is_slow_ = true;
   gate_ = 1.0;
   piece_ = {};
-  const std::optional<std::size_t> chosen = choose_guide(guides, document, touch_);
+  is_near_ = false;
+  const std::optional<std::size_t> chosen = choose_guide(guides, document, touch_, bounds_);
   if (!chosen) return;
   guide_ = guides[*chosen];
   number_ = ++hold_;
@@ -149,10 +151,14 @@ void StrokeGuide::hold_to_path(const Document& document) {
     law.lead_n = teacher.lead_n;
     law.lead_n_s_per_m = teacher.lead_n_s_per_m;
   }
+  std::vector<Point> path = guide_path(*guide_, document);
   const StrokePtr traced = leads ? nullptr : document.find(guide_->stroke);
+  // The path of a very long stroke does not come back to its start.
+  const bool is_closed =
+      traced && traced->closed() && distance(path.front(), path.back()) < 0.5 * kMinExactMm;
   start_track({.kind = leads ? GuideKind::kTeacher : GuideKind::kGroove,
-               .points = guide_path(*guide_, document),
-               .is_closed = traced && traced->is_closed(),
+               .points = std::move(path),
+               .is_closed = is_closed,
                .strength = guide_->strength,
                .times_ms = leads ? guide_->times_ms : std::vector<double>()},
               law);
@@ -230,6 +236,17 @@ void StrokeGuide::follow_shape() {
   } else if (has_direction && -onward_mm > kMaxBackMm) {
     keeps_ = false;
   }
+}
+
+/// Follows whether the pen is near the guide, with the same hysteresis as the force.
+void StrokeGuide::follow_distance() {
+  if (phase_ != Phase::kPath) {
+    is_near_ = true;
+    return;
+  }
+  const WellShape& well = track_->guide().law().well;
+  const double limit_mm = is_near_ ? well.radius_mm : well.radius_mm - well.rim_mm;
+  is_near_ = track_->guide().distance_mm(pen_) < limit_mm;
 }
 
 std::optional<ExactPath> StrokeGuide::exact_path() const {

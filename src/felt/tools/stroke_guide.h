@@ -52,6 +52,9 @@ class StrokeGuide {
 
   /// Returns the force near the last sample, or null if no guide holds the pen.
   [[nodiscard]] const Guide* force() const noexcept;
+  /// Returns true if there is a force() and the pen is or was so near to the guide that it may be
+  /// held: from the capture width on, until it leaves the guide. Rays and nodes are everywhere.
+  [[nodiscard]] bool is_near() const noexcept { return force() && is_near_; }
   /// Returns a number that is different for each stroke that has a guide.
   [[nodiscard]] std::uint32_t number() const noexcept { return number_; }
   /// Returns the guide of the stroke, or null. It also stays while the pen is away from the guide.
@@ -81,8 +84,10 @@ class StrokeGuide {
   void follow_rays();
   void follow_nodes(const PenSample& sample);
   void follow_shape();
+  void follow_distance();
   [[nodiscard]] std::optional<Point> felt_point() const;
 
+  GuideBounds bounds_;
   DrawingGuidePtr guide_;
   Phase phase_ = Phase::kNone;
   bool is_down_ = false;
@@ -94,6 +99,7 @@ class StrokeGuide {
   std::optional<int> ray_;
   std::optional<Point> node_;  // in whose well the pen is
   bool is_slow_ = true;
+  bool is_near_ = false;
   double gate_ = 1.0;  // 0..1, share of the force that the speed allows
   std::int64_t last_ns_ = 0;
   std::uint32_t number_ = kFirstHold;

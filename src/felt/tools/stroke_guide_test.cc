@@ -25,7 +25,7 @@ class Pen {
  public:
   explicit Pen(DrawingGuide held) : guides_{made(std::move(held))} {}
 
-  void use(DrawingGuide guide) { guides_ = {made(std::move(guide))}; }
+  void use(DrawingGuide held) { guides_ = {made(std::move(held))}; }
   void set_document(Document document) { document_ = std::move(document); }
   Force move(Point to, double z = -1.0, Vec velocity = {}) {
     time_ns_ += kMs;
@@ -213,6 +213,129 @@ TEST(StrokeGuide, RaysTickWithinAThirdOfANewton) {
   EXPECT_GT(most, 0.25);
   EXPECT_LE(most, 0.3);
   EXPECT_FALSE(pen.guide.exact_path()) << "an arc across rays is not a ray";
+}
+
+TEST(StrokeGuide, TheRayAtHalfATurnDoesNotTickAllTheTime) {
+  Pen pen({.kind = Kind::kProtractor, .size_mm = 80.0});
+  pen.touch({-40.0, 0.0});
+  for (int i = 0; i < 200; ++i) pen.move({-40.0, i % 2 == 0 ? 0.05 : -0.05});
+  EXPECT_EQ(pen.guide.ticks(), 0U);
+  pen.lift();
+  EXPECT_FALSE(pen.guide.exact_path());
+  pen.touch({-20.0, 0.0});
+  for (int i = 0; i < 200; ++i) pen.move({-20.0 - 0.2 * i, i % 2 == 0 ? 0.05 : -0.05});
+  EXPECT_TRUE(pen.guide.exact_path()) << "it kept to one ray";
+}
+
+TEST(StrokeGuide, TheForceOfTheNextGuideGrowsFromZero) {
+  const std::vector<DrawingGuide> guides{
+      {.kind = Kind::kLine},
+      {.kind = Kind::kParallels, .angle_rad = 0.3},
+      {.kind = Kind::kTrace, .stroke = {1}},
+      {.kind = Kind::kPerspective, .points = {{600.0, 0.0}}},
+      {.kind = Kind::kProtractor, .origin = {-40.0, 0.0}, .size_mm = 120.0},
+      {.kind = Kind::kGrid, .size_mm = 10.0}};
+  // Leaves a guide and comes back farther along it, which starts a new hold; then rests.
+  const auto draw = [](Pen& pen, int returns) {
+    pen.touch({-8.0, 0.2});
+    for (int i = -7; i < 0; ++i) pen.move({1.0 * i, 0.2});
+    for (int i = 1; i <= returns; ++i) {
+      pen.rest({20.0 * i, 40.0}, 3);
+      pen.rest({20.0 * i, 0.2}, 200);
+    }
+    pen.lift();
+  };
+  for (std::size_t a = 0; a < guides.size(); ++a) {
+    for (std::size_t b = 0; b < guides.size(); ++b) {
+      for (int returns = 0; returns < 4; ++returns) {
+        Pen pen(guides[a]);
+        pen.set_document(with_stroke());
+        draw(pen, returns);
+        pen.use(guides[b]);
+        const auto begins_at_zero = [&](int ms) {
+          const Point at{0.6, 0.8};
+          pen.move(at, 2.0);
+          double first = 0.0;
+          for (int i = 0; i < ms; ++i) first = std::max(first, norm(pen.move(at)));
+          EXPECT_LT(first, 0.05 * std::max(0.2, norm(pen.rest(at, 200))))
+              << a << ' ' << b << ' ' << returns;
+          pen.lift();
+        };
+        begins_at_zero(1);
+        pen.use(guides[2]);
+        draw(pen, 1);
+        pen.use(guides[a]);
+        begins_at_zero(1);
+      }
+    }
+  }
+}
+
+TEST(StrokeGuide, AGuideAfterAnotherNeedsTheWholeTimeToGrow) {
+  Pen pen({.kind = Kind::kLine});
+  pen.set_document(with_stroke());
+  const Point at{0.0, 1.0};
+  pen.touch({0.0, 0.2});
+  for (const double x : {0.0, 30.0, 50.0}) {
+    pen.go({x, 20.0});
+    pen.go({x, 1.0});
+    pen.rest({x, 1.0}, 300);
+  }
+  pen.lift();
+  for (const DrawingGuide& next :
+       {DrawingGuide{.kind = Kind::kTrace, .stroke = {1}}, DrawingGuide{.kind = Kind::kLine},
+        DrawingGuide{.kind = Kind::kParallels, .origin = {0.0, 5.0}}}) {
+    pen.use(next);
+    pen.move(at, 2.0);
+    const double early = norm(pen.rest(at, 20));
+    const double late = norm(pen.rest(at, 300));
+    EXPECT_LE(early, 0.2 * std::max(late, 0.1)) << "20 of 150 ms";
+    pen.lift();
+  }
+}
+
+TEST(StrokeGuide, IsNearFromTheCaptureWidthUntilThePenLeavesTheGuide) {
+  Pen pen({.kind = Kind::kLine});
+  pen.touch({0.0, 30.0});
+  EXPECT_TRUE(pen.guide.force()) << "the only guide";
+  EXPECT_FALSE(pen.guide.is_near());
+  pen.go({0.0, 3.2});
+  EXPECT_FALSE(pen.guide.is_near());
+  pen.go({0.0, 2.9});
+  EXPECT_TRUE(pen.guide.is_near());
+  pen.go({0.0, 4.9});
+  EXPECT_TRUE(pen.guide.is_near());
+  pen.go({0.0, 5.1});
+  EXPECT_FALSE(pen.guide.is_near());
+  pen.lift();
+  EXPECT_FALSE(pen.guide.is_near());
+  pen.use({.kind = Kind::kGrid, .size_mm = 20.0});
+  pen.touch({10.0, 10.0});
+  EXPECT_TRUE(pen.guide.is_near()) << "nodes are everywhere";
+}
+
+TEST(StrokeGuide, ATraceOfAClosedLineIsFeltAsClosed) {
+  Document document;
+  StrokeData data{.points = {{40.0, 0.0},
+                             {40.0, 53.333},
+                             {-40.0, 53.333},
+                             {-40.0, 0.0},
+                             {-40.0, -53.333},
+                             {40.0, -53.333},
+                             {40.0, 0.0}},
+                  .joints = {JointKind::kCorner, JointKind::kCorner},
+                  .closed = true,
+                  .widths = {{0.0, 1.0}, {2.0, 1.0}}};
+  EditBuilder edit(document);
+  edit.add(document.layers().front().id, std::make_shared<const Stroke>(*Stroke::create(data)));
+  ASSERT_TRUE(document.apply(std::move(edit).build("Draw")));
+  Pen pen({.kind = Kind::kTrace, .stroke = {1}});
+  pen.set_document(document);
+  pen.touch({39.5, -10.0});
+  pen.go({39.5, -2.0});
+  // The force of an open path would fall to zero 5 mm beyond its end.
+  for (double y = -2.0; y < 6.0; y += 0.05) pen.move({40.0, y});
+  EXPECT_GT(norm(pen.rest({38.0, 6.0}, 300)), 0.3) << "the other end of the line holds the pen";
 }
 
 TEST(StrokeGuide, NodesAreOffForAFastPen) {

@@ -218,12 +218,11 @@ Means free_means(Task task, std::size_t people) {
   return means(task, people, holds);
 }
 
-/// The goal is 0.3 for all guides. A compass misses it (0.31 for 20 people, docs/figures.md), because
-/// its radius is that of the touch, and so contains the error of the touch.
+/// The goal is 0.3 for all guides. A compass misses it (0.31 for 20 people, docs/figures.md),
+/// because its radius is that of the touch, and so contains the error of the touch.
 TEST(GuidedPeople, DrawWithLessErrorAtSmallForces) {
-  for (const auto& [task, share] : {std::pair<Task, double>{line_task(), 0.3},
-                                    {ellipse_task(), 0.3},
-                                    {circle_task(), 0.4}}) {
+  for (const auto& [task, share] :
+       {std::pair<Task, double>{line_task(), 0.3}, {ellipse_task(), 0.3}, {circle_task(), 0.4}}) {
     const Means free = free_means(task, 3), led = means(task, 3, is_led);
     EXPECT_LE(led.rms_mm, share * free.rms_mm);
     EXPECT_LE(led.mean_n, 0.4);

@@ -110,11 +110,12 @@ double to_path(const std::vector<Point>& path, Point p) {
 }
 
 double to_stroke(const Stroke& stroke, Point p) {
-  double nearest_mm = kFar;
+  double nearest_squared = kFar;
   for (int i = 0; i < stroke.segment_count(); ++i) {
-    nearest_mm = std::min(nearest_mm, std::sqrt(nearest(stroke.segment(i), p).distance_squared));
+    const auto near = nearest_within(stroke.segment(i), p, nearest_squared);
+    if (near) nearest_squared = std::min(nearest_squared, near->distance_squared);
   }
-  return nearest_mm;
+  return std::sqrt(nearest_squared);
 }
 
 }  // namespace

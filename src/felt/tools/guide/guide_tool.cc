@@ -62,6 +62,9 @@ void GuideTool::look(Point pen, const Scene& scene) {
   if (grip_) return;
   nearest_mm = kLineReachMm;
   for (const auto& [id, guide] : scene.document.guides()) {
+    const Rect bounds = bounds_.of(guide, scene.document);
+    const bool is_far = distance_squared(bounds, pen) > nearest_mm * nearest_mm;
+    if (!bounds.empty() && is_far) continue;
     const double mm = distance_to_guide(*guide, scene.document, pen);
     if (mm > nearest_mm) continue;
     nearest_mm = mm;
@@ -120,8 +123,7 @@ std::optional<Edit> GuideTool::added(Point pen, bool in_steps, const Scene& scen
     guide = placed_guide(guide, touch_, pen, settings_.points,
                          in_steps ? GuideTurn::kInSteps : GuideTurn::kFree);
   }
-  constexpr std::size_t kMaxPlacedGuides = 256;  // as GuidesEvent::kMaxGuides
-  if (!check_drawing_guide(guide) || scene.document.guides().size() >= kMaxPlacedGuides) {
+  if (!check_drawing_guide(guide) || scene.document.guides().size() >= kMaxDrawingGuides) {
     return std::nullopt;
   }
   Edit edit{"Add guide", {}};

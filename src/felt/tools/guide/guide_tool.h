@@ -6,6 +6,7 @@
 
 #include "felt/tools/gesture_tool.h"
 #include "felt/tools/guide/guide_options.h"
+#include "felt/tools/guide_choice.h"
 
 namespace felt {
 
@@ -40,6 +41,7 @@ class GuideTool final : public GestureTool {
   [[nodiscard]] std::optional<Edit> added(Point pen, bool in_steps, const Scene& scene) const;
 
   GuideToolSettings settings_;
+  GuideBounds bounds_;
   std::optional<Grip> grip_;    // under the pen; during a gesture, what it took
   std::vector<Point> handles_;  // of all visible guides, while the pen hovers
   // The state of the gesture:

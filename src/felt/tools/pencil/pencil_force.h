@@ -68,7 +68,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
                                     const std::optional<Point>& held_at = {}) {
   Medium material =
       scaled_medium(medium_of(scene, settings.medium), settings.strength, settings.strength);
-  if (scene.guide.is_of_drawing) material = guided_medium(std::move(material));
+  if (scene.guide.softens_friction) material = guided_medium(std::move(material));
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
@@ -87,6 +87,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   }
   if (clicks.size() > 0) id.with("clicks").with(std::uint64_t{clicks.size()});
   if (scene.guide.force) id.with("guide").with(std::uint64_t{scene.guide.number});
+  if (scene.guide.softens_friction) id.with("softer");
   const auto model_of = [&](const auto&... others) {
     if (!scene.guide.force) return ForceModel(Compose(surface, clicks, well, others...));
     return ForceModel(Compose(surface, clicks, well, *scene.guide.force, others...));
