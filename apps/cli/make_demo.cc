@@ -33,7 +33,7 @@ std::vector<Gesture> ball_of_wool() {
   constexpr double kRadius = 10.2;
   std::vector<Gesture> ball;
   ball.push_back(arc(center, kRadius, 0.75, 1.0 - 1.5 / (2.0 * std::numbers::pi * kRadius), 0.6));
-  const auto thread = [&](std::vector<Vec> offsets) {
+  const auto thread = [&](const std::vector<Vec>& offsets) {
     Gesture gesture{.via = {}, .pressure = 0.32, .end_pressure = 0.3};
     for (const Vec& offset : offsets) gesture.via.push_back(center + offset);
     ball.push_back(std::move(gesture));
@@ -77,7 +77,7 @@ std::vector<Gesture> shaky_line() {
 std::vector<Gesture> fish() {
   const Vec at{2.0, 74.0};
   std::vector<Gesture> fish;
-  const auto line = [&](std::vector<Vec> offsets, double pressure) {
+  const auto line = [&](const std::vector<Vec>& offsets, double pressure) {
     Gesture gesture{.via = {}, .pressure = pressure, .end_pressure = 0.4};
     for (const Vec& offset : offsets) gesture.via.push_back(Point{} + at + offset);
     fish.push_back(std::move(gesture));
@@ -393,7 +393,8 @@ int main(int argc, char** argv) {
     // N-TOOL or N-TOOL-NAME
     const std::string name = act.name, rest = name.substr(name.find('-') + 1),
                       tool = rest.substr(0, rest.find('-'));
-    const std::string path = std::string(argv[1]) + "/" + tool + "/" + name + ".ndjson";
+    std::string path = argv[1];
+    path.append("/").append(tool).append("/").append(name).append(".ndjson");
     std::ofstream out(path, std::ios::binary);
     out << act.script();
     if (out.flush()) continue;

@@ -20,6 +20,19 @@ void MirroredInkView::set_outline_mode(bool on) {
   for (WetInkView& each : views_) each.set_outline_mode(on);
 }
 
+namespace {
+
+/// Sets `image` to an image of the ink of an overlay.
+void set_image(Overlay& image, const Overlay& overlay, const Affine& map) {
+  for (const Overlay::InkSegment& segment : overlay.ink) {
+    image.ink.push_back(mapped(segment, map));
+  }
+  image.ink_stroke = overlay.ink_stroke;
+  image.ink_stable = overlay.ink_stable;
+}
+
+}  // namespace
+
 QRegion MirroredInkView::update(const Overlay& overlay) {
   QRegion dirty = views_.front().update(overlay);
   const std::size_t images = overlay.ink.empty() ? 0 : overlay.ink_images.size();
@@ -32,13 +45,7 @@ QRegion MirroredInkView::update(const Overlay& overlay) {
   for (std::size_t i = 1; i < views_.size(); ++i) {
     image_.clear();
     image_.ink_color = overlay.ink_color;
-    if (i <= images) {
-      for (const Overlay::InkSegment& segment : overlay.ink) {
-        image_.ink.push_back(mapped(segment, overlay.ink_images[i - 1]));
-      }
-      image_.ink_stroke = overlay.ink_stroke;
-      image_.ink_stable = overlay.ink_stable;
-    }
+    if (i <= images) set_image(image_, overlay, overlay.ink_images[i - 1]);
     dirty += views_[i].update(image_);
   }
   return dirty;

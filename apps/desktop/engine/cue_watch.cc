@@ -36,9 +36,9 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   const bool snapped = is_in_snap_ring(overlay_, at, snaps_ ? kLetGo : 1.0) && is_down;
   const bool is_new_snap = snapped && !std::exchange(snaps_, snapped);
   snaps_ = snapped;
-  const bool found = !is_down && nearest_handle(overlay_, at) <= (found_ ? kLetGo : 1.0) * kFoundMm;
-  const bool is_new_find = found && !found_;
-  found_ = found;
+  const double reach_mm = (found_ ? kLetGo : 1.0) * kFoundMm;
+  const bool found = !is_down && nearest_handle(overlay_, at) <= reach_mm;
+  const bool is_new_find = !std::exchange(found_, found) && found;
 
   const std::uint64_t ticks = session.guide_ticks();
   const bool is_new_tick = std::exchange(guide_ticks_, ticks) != ticks;

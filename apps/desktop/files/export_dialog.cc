@@ -254,7 +254,6 @@ void ExportDialog::show_result() {
   area_->setEnabled(is_picture || selected_.stroke_count() > 0);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0 || chosen.swell) background_->setEnabled(false);
-  const bool is_part = chosen.part == ExportPart::kSelection;
   const Document& document = shown_document(chosen);
   format_->setAccessibleDescription(kept_->text());
   const Rect area = export_area(ink_bounds(document), page_, chosen);
@@ -265,17 +264,22 @@ void ExportDialog::show_result() {
       document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : Grain(),
       chosen.pictures ? PictureChoice::kAll : PictureChoice::kMarked);
   picture_->setPixmap(on_squares(picture, ratio));
+  show_size(chosen, area);
+}
+
+void ExportDialog::show_size(const ExportOptions& chosen, const Rect& area) {
   const QLocale locale;
   QString text =
       tr("%1 × %2 mm")
           .arg(locale.toString(area.width(), 'f', 1), locale.toString(area.height(), 'f', 1));
-  if (is_png) {
+  if (chosen.format == FileFormat::kPng) {
     const double scale = chosen.dpi / kMmPerInch;
     text += QLatin1Char('\n') + tr("%1 × %2 pixels")
                                     .arg(locale.toString(std::ceil(area.width() * scale), 'f', 0),
                                          locale.toString(std::ceil(area.height() * scale), 'f', 0));
   }
-  if (!is_picture && !traits_of(chosen.format).page) {
+  if (!traits_of(chosen.format).picture && !traits_of(chosen.format).page) {
+    const bool is_part = chosen.part == ExportPart::kSelection;
     text = is_part ? tr("The selected strokes, exactly") : tr("All strokes, exactly");
   }
   size_->setText(text);

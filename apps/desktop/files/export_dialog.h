@@ -33,6 +33,7 @@ class ExportDialog : public QDialog {
   QWidget* resolution_row();
   void follow_choices();
   void show_result();
+  void show_size(const ExportOptions& chosen, const Rect& area);
   const Document& shown_document(const ExportOptions& chosen);
 
   Document document_;  // with the newest strokes, for the preview
@@ -51,7 +52,7 @@ class ExportDialog : public QDialog {
   QCheckBox* compact_;
   QCheckBox* pictures_;
   QCheckBox* swell_;
-  QPushButton* go_;
+  QPushButton* go_ = nullptr;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

@@ -147,6 +147,48 @@ bool paint_pixels(QPainter& painter, const Drawing& drawing, double dpi,
   return true;
 }
 
+/// Paints the layers of a page, the strokes with the grain of the surface if it is given.
+class StrokePrint {
+ public:
+  StrokePrint(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain)
+      : painter_(painter), document_(drawing.document), grain_(grain) {
+    if (!grain) return;
+    // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
+    // painted without grain, so that all strokes look alike.
+    const std::vector<StrokePtr> strokes = visible_strokes(document_);
+    const Rect area = drawing.page.area();
+    const auto grain_dpi = GrainMasks::dpi_for_all(strokes, area, kPrintGrainDpi);
+    if (grain_dpi) masks_.emplace(GrainPrint{*grain, *grain_dpi}, area);
+  }
+
+  void paint(const Layer& layer) {
+    painter_.setOpacity(layer.opacity);
+    if (const LayerPicture* picture = exported_picture(layer, PictureChoice::kMarked)) {
+      paint_picture(painter_, *picture);
+    }
+    for (const FillId id : layer.fills) {
+      const FillPtr fill = document_.find_fill(id);
+      painter_.setBrush(color_of(fill->color));
+      painter_.drawPath(path_of(*fill));
+    }
+    for (const StrokeId id : layer.strokes) paint(*document_.find(id));
+  }
+
+ private:
+  void paint(const Stroke& stroke) {
+    const auto mask = masks_ ? masks_->of(stroke).value_or(std::nullopt) : std::nullopt;
+    if (mask) return paint_grained(painter_, stroke, *grain_, *mask, rasterizer_);
+    painter_.setBrush(color_of(stroke.color()));
+    painter_.drawPath(path_of(stroke));
+  }
+
+  QPainter& painter_;
+  const Document& document_;
+  const std::optional<Grain>& grain_;
+  std::optional<GrainMasks> masks_;
+  Rasterizer rasterizer_;
+};
+
 }  // namespace
 
 void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
@@ -170,34 +212,9 @@ void paint_page(QPainter& painter, const Drawing& drawing, double dpi,
     }
   }
   painter.setPen(Qt::NoPen);
-  const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);
-  std::optional<GrainMasks> masks;
-  // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
-  // painted without grain, so that all strokes look alike.
-  const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
-  if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());
-  Rasterizer rasterizer;
+  StrokePrint print(painter, drawing, grain);
   for (const Layer& layer : drawing.document.layers()) {
-    if (!layer.visible) continue;
-    painter.setOpacity(layer.opacity);
-    if (const LayerPicture* picture = exported_picture(layer, PictureChoice::kMarked)) {
-      paint_picture(painter, *picture);
-    }
-    for (const FillId id : layer.fills) {
-      const FillPtr fill = drawing.document.find_fill(id);
-      painter.setBrush(color_of(fill->color));
-      painter.drawPath(path_of(*fill));
-    }
-    for (const StrokeId id : layer.strokes) {
-      const StrokePtr stroke = drawing.document.find(id);
-      const auto mask = masks ? masks->of(*stroke).value_or(std::nullopt) : std::nullopt;
-      if (mask) {
-        paint_grained(painter, *stroke, *grain, *mask, rasterizer);
-        continue;
-      }
-      painter.setBrush(color_of(stroke->color()));
-      painter.drawPath(path_of(*stroke));
-    }
+    if (layer.visible) print.paint(layer);
   }
   painter.restore();
 }

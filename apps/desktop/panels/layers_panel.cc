@@ -290,7 +290,7 @@ void LayersPanel::apply(const LayerEvent& event) {
   if (!studio_.apply(event) || adds || count() <= before) return;
   const Layer* added = studio_.session().document().layer(studio_.session().layer());
   Q_EMIT studio_.refused(tr("All layers were hidden or locked, so “%1” was added to draw on.")
-                             .arg(model_->shown_name(*added)));
+                             .arg(LayersModel::shown_name(*added)));
 }
 
 void LayersPanel::toggle_visible(LayerId id) {
@@ -380,8 +380,8 @@ void LayersPanel::use_clicked() {
 /// Returns why a layer that is hidden or locked, itself or by its group, does not become current.
 QString LayersPanel::why_not_open(const Layer& layer) const {
   const bool by_group = layer.locked ? !layer.own_locked : layer.own_visible;
-  const QString name = by_group ? tr("The group “%1”").arg(model_->shown_name(*layer.group))
-                                : tr("“%1”", "a layer").arg(model_->shown_name(layer));
+  const QString name = by_group ? tr("The group “%1”").arg(LayersModel::shown_name(*layer.group))
+                                : tr("“%1”", "a layer").arg(LayersModel::shown_name(layer));
   return layer.locked ? tr("%1 is locked. Unlock it to draw there.").arg(name)
                       : tr("%1 is hidden. Show it to draw there.").arg(name);
 }

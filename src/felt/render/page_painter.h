@@ -53,8 +53,8 @@ class PagePainter {
                            PictureChoice pictures, Pixels target);
   Result<void> draw_layer(const Document& document, const Layer& layer, const LayerPicture* picture,
                           Pixels target);
-  PagePainter(Image image, const View& view, const Grain& grain)
-      : image_(std::move(image)), view_(view), grain_(grain) {}
+  PagePainter(Image image, const View& view, Grain grain)
+      : image_(std::move(image)), view_(view), grain_(std::move(grain)) {}
 
   Image image_;
   View view_;
