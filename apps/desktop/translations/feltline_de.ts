@@ -471,6 +471,137 @@
     </message>
 </context>
 <context>
+    <name>GuideActions</name>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>&amp;Lineal</translation>
+    </message>
+    <message>
+        <source>Adds a straight edge with millimetres.</source>
+        <translation>Fügt eine gerade Kante mit Millimetern hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Gerade</translation>
+    </message>
+    <message>
+        <source>Adds a straight line across the page.</source>
+        <translation>Fügt eine Gerade über die ganze Seite hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Parallels</source>
+        <translation>&amp;Parallelen</translation>
+    </message>
+    <message>
+        <source>Adds all lines of one direction.</source>
+        <translation>Fügt alle Linien einer Richtung hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Set square</source>
+        <translation>Geo&amp;dreieck</translation>
+    </message>
+    <message>
+        <source>Adds a right angle with millimetres.</source>
+        <translation>Fügt einen rechten Winkel mit Millimetern hinzu.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otractor</source>
+        <translation>&amp;Winkelmesser</translation>
+    </message>
+    <message>
+        <source>Adds rays in steps of 15 degrees.</source>
+        <translation>Fügt Strahlen in Schritten von 15 Grad hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Zirkel</translation>
+    </message>
+    <message>
+        <source>Adds the centre of circles.</source>
+        <translation>Fügt den Mittelpunkt von Kreisen hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Adds one ellipse.</source>
+        <translation>Fügt eine Ellipse hinzu.</translation>
+    </message>
+    <message>
+        <source>Co&amp;ncentric ellipses</source>
+        <translation>Ko&amp;nzentrische Ellipsen</translation>
+    </message>
+    <message>
+        <source>Adds ellipses around one centre.</source>
+        <translation>Fügt Ellipsen um einen Mittelpunkt hinzu.</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspekti&amp;ve</translation>
+    </message>
+    <message>
+        <source>Adds two vanishing points.</source>
+        <translation>Fügt zwei Fluchtpunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of squares.</source>
+        <translation>Fügt ein Raster aus Quadraten hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric grid</source>
+        <translation>&amp;Isometrisches Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of triangles.</source>
+        <translation>Fügt ein Raster aus Dreiecken hinzu.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Adds a mirror axis. New lines get mirror images.</source>
+        <translation>Fügt eine Spiegelachse hinzu. Neue Linien bekommen Spiegelbilder.</translation>
+    </message>
+    <message>
+        <source>&amp;Trace of selected lines</source>
+        <translation>&amp;Spur ausgewählter Linien</translation>
+    </message>
+    <message>
+        <source>Makes each selected line a guide.</source>
+        <translation>Macht jede ausgewählte Linie zu einer Hilfslinie.</translation>
+    </message>
+    <message>
+        <source>&amp;Show guides</source>
+        <translation>&amp;Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the guides. Hidden guides have no effect.</source>
+        <translation>Zeigt oder verbirgt die Hilfslinien. Verborgene wirken nicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink mirrored lines</source>
+        <translation>Gespiegelte Linien &amp;trennen</translation>
+    </message>
+    <message>
+        <source>The selected lines no longer follow their mirror images.</source>
+        <translation>Die ausgewählten Linien folgen ihren Spiegelbildern nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all guides</source>
+        <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the guides. Lines stay.</source>
+        <translation>Entfernt die Hilfslinien. Linien bleiben.</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source>Tools</source>
@@ -2823,6 +2954,10 @@
         <source>Black lines and textures that rise on swell paper.</source>
         <translation>Schwarze Linien und Muster, die auf Schwellpapier hochkommen.</translation>
     </message>
+    <message>
+        <source>It cannot be made for swell paper: %1.</source>
+        <translation>Die Zeichnung kann nicht für Schwellpapier ausgegeben werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -3658,6 +3793,14 @@ Double-click to rename, drag to move, drag layers into it</source>
         <translation>%1
 Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</translation>
     </message>
+    <message>
+        <source>, hidden by its group</source>
+        <translation>, durch ihre Gruppe ausgeblendet</translation>
+    </message>
+    <message>
+        <source>, locked by its group</source>
+        <translation>, durch ihre Gruppe gesperrt</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3668,10 +3811,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Add a layer</source>
         <translation>Eine Ebene hinzufügen</translation>
-    </message>
-    <message>
-        <source>A new layer above this one</source>
-        <translation>Eine neue Ebene über dieser</translation>
     </message>
     <message>
         <source>Raise the layer</source>
@@ -3700,14 +3839,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>All layers were hidden or locked, so “%1” was added to draw on.</source>
         <translation>Alle Ebenen waren ausgeblendet oder gesperrt, daher wurde „%1“ zum Zeichnen hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>“%1” is locked. Unlock it to draw there.</source>
-        <translation>„%1“ ist gesperrt. Entsperren Sie die Ebene, um darauf zu zeichnen.</translation>
-    </message>
-    <message>
-        <source>“%1” is hidden. Show it to draw there.</source>
-        <translation>„%1“ ist ausgeblendet. Blenden Sie die Ebene ein, um darauf zu zeichnen.</translation>
     </message>
     <message>
         <source>Duplicate the layer</source>
@@ -3752,6 +3883,31 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Multiply makes what is below darker, for shading on line art</source>
         <translation>Multiplizieren macht dunkler, was darunter liegt: zum Schattieren von Linien</translation>
+    </message>
+    <message>
+        <source>A new layer above the current one</source>
+        <translation>Eine neue Ebene über der aktuellen</translation>
+    </message>
+    <message>
+        <source>Removes the group, its layers and their lines</source>
+        <translation>Entfernt die Gruppe, ihre Ebenen und deren Linien</translation>
+    </message>
+    <message>
+        <source>The group “%1”</source>
+        <translation>Die Gruppe „%1“</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <comment>a layer</comment>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it to draw there.</source>
+        <translation>%1 ist gesperrt. Entsperren Sie sie, um dort zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Show it to draw there.</source>
+        <translation>%1 ist ausgeblendet. Blenden Sie sie ein, um dort zu zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -4280,16 +4436,16 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 <context>
     <name>felt::desktop::OfferPopup</name>
     <message>
-        <source>Press harder; with a mouse, stay:</source>
-        <translation>Fester drücken; mit der Maus stehen bleiben:</translation>
-    </message>
-    <message>
         <source>Key: %1</source>
         <translation>Taste: %1</translation>
     </message>
     <message>
         <source>This stroke can be: %1</source>
         <translation>Dieser Strich kann sein: %1</translation>
+    </message>
+    <message>
+        <source>Press harder, or hold the mouse still:</source>
+        <translation>Fester drücken oder die Maus stillhalten:</translation>
     </message>
 </context>
 <context>
@@ -5187,10 +5343,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 <context>
     <name>felt::desktop::SteadyDialog</name>
     <message>
-        <source>That was too short. Draw slowly, for about ten seconds.</source>
-        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang.</translation>
-    </message>
-    <message>
         <source>This pen reports its position too rarely to measure a shaking.</source>
         <translation>Dieser Stift meldet seine Position zu selten, um ein Zittern zu messen.</translation>
     </message>
@@ -5225,6 +5377,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>The hand shakes %1.</source>
         <translation>Die Hand zittert %1.</translation>
+    </message>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds, without lifting the pen.</source>
+        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang, ohne den Stift abzuheben.</translation>
     </message>
 </context>
 <context>
@@ -5669,10 +5825,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 </context>
 <context>
     <name>tools</name>
-    <message>
-        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
-        <translation>Stärke von Reibung, Körnung, Anziehung und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
-    </message>
     <message>
         <source>Guide</source>
         <translation>Hilfslinie</translation>
@@ -7220,137 +7372,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
         <translation>Den Radierer drücken, bis er klickt: Die ganze Linie verschwindet. Auch der Bleistift hat solche Stufen; sie halten die Breite einer Linie.</translation>
-    </message>
-</context>
-<context>
-    <name>GuideActions</name>
-    <message>
-        <source>&amp;Ruler</source>
-        <translation>&amp;Lineal</translation>
-    </message>
-    <message>
-        <source>Adds a straight edge with millimetres.</source>
-        <translation>Fügt eine gerade Kante mit Millimetern hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Line</source>
-        <translation>&amp;Gerade</translation>
-    </message>
-    <message>
-        <source>Adds a straight line across the page.</source>
-        <translation>Fügt eine Gerade über die ganze Seite hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Parallels</source>
-        <translation>&amp;Parallelen</translation>
-    </message>
-    <message>
-        <source>Adds all lines of one direction.</source>
-        <translation>Fügt alle Linien einer Richtung hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Set square</source>
-        <translation>Geo&amp;dreieck</translation>
-    </message>
-    <message>
-        <source>Adds a right angle with millimetres.</source>
-        <translation>Fügt einen rechten Winkel mit Millimetern hinzu.</translation>
-    </message>
-    <message>
-        <source>Pr&amp;otractor</source>
-        <translation>&amp;Winkelmesser</translation>
-    </message>
-    <message>
-        <source>Adds rays in steps of 15 degrees.</source>
-        <translation>Fügt Strahlen in Schritten von 15 Grad hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Compass</source>
-        <translation>&amp;Zirkel</translation>
-    </message>
-    <message>
-        <source>Adds the centre of circles.</source>
-        <translation>Fügt den Mittelpunkt von Kreisen hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Ellipse</source>
-        <translation>&amp;Ellipse</translation>
-    </message>
-    <message>
-        <source>Adds one ellipse.</source>
-        <translation>Fügt eine Ellipse hinzu.</translation>
-    </message>
-    <message>
-        <source>Co&amp;ncentric ellipses</source>
-        <translation>Ko&amp;nzentrische Ellipsen</translation>
-    </message>
-    <message>
-        <source>Adds ellipses around one centre.</source>
-        <translation>Fügt Ellipsen um einen Mittelpunkt hinzu.</translation>
-    </message>
-    <message>
-        <source>Perspecti&amp;ve</source>
-        <translation>Perspekti&amp;ve</translation>
-    </message>
-    <message>
-        <source>Adds two vanishing points.</source>
-        <translation>Fügt zwei Fluchtpunkte hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Grid</source>
-        <translation>&amp;Raster</translation>
-    </message>
-    <message>
-        <source>Adds a grid of squares.</source>
-        <translation>Fügt ein Raster aus Quadraten hinzu.</translation>
-    </message>
-    <message>
-        <source>&amp;Isometric grid</source>
-        <translation>&amp;Isometrisches Raster</translation>
-    </message>
-    <message>
-        <source>Adds a grid of triangles.</source>
-        <translation>Fügt ein Raster aus Dreiecken hinzu.</translation>
-    </message>
-    <message>
-        <source>S&amp;ymmetry</source>
-        <translation>S&amp;ymmetrie</translation>
-    </message>
-    <message>
-        <source>Adds a mirror axis. New lines get mirror images.</source>
-        <translation>Fügt eine Spiegelachse hinzu. Neue Linien bekommen Spiegelbilder.</translation>
-    </message>
-    <message>
-        <source>&amp;Trace of selected lines</source>
-        <translation>&amp;Spur ausgewählter Linien</translation>
-    </message>
-    <message>
-        <source>Makes each selected line a guide.</source>
-        <translation>Macht jede ausgewählte Linie zu einer Hilfslinie.</translation>
-    </message>
-    <message>
-        <source>&amp;Show guides</source>
-        <translation>&amp;Hilfslinien zeigen</translation>
-    </message>
-    <message>
-        <source>Shows or hides the guides. Hidden guides have no effect.</source>
-        <translation>Zeigt oder verbirgt die Hilfslinien. Verborgene wirken nicht.</translation>
-    </message>
-    <message>
-        <source>&amp;Unlink mirrored lines</source>
-        <translation>Gespiegelte Linien &amp;trennen</translation>
-    </message>
-    <message>
-        <source>The selected lines no longer follow their mirror images.</source>
-        <translation>Die ausgewählten Linien folgen ihren Spiegelbildern nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Remove &amp;all guides</source>
-        <translation>&amp;Alle Hilfslinien entfernen</translation>
-    </message>
-    <message>
-        <source>Removes the guides. Lines stay.</source>
-        <translation>Entfernt die Hilfslinien. Linien bleiben.</translation>
     </message>
 </context>
 </TS>

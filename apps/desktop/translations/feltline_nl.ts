@@ -471,6 +471,137 @@
     </message>
 </context>
 <context>
+    <name>GuideActions</name>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>Lin&amp;iaal</translation>
+    </message>
+    <message>
+        <source>Adds a straight edge with millimetres.</source>
+        <translation>Voegt een rechte rand met millimeters toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Lijn</translation>
+    </message>
+    <message>
+        <source>Adds a straight line across the page.</source>
+        <translation>Voegt een rechte lijn over de hele pagina toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Parallels</source>
+        <translation>&amp;Parallellen</translation>
+    </message>
+    <message>
+        <source>Adds all lines of one direction.</source>
+        <translation>Voegt alle lijnen van één richting toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Set square</source>
+        <translation>&amp;Geodriehoek</translation>
+    </message>
+    <message>
+        <source>Adds a right angle with millimetres.</source>
+        <translation>Voegt een rechte hoek met millimeters toe.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otractor</source>
+        <translation>Grad&amp;enboog</translation>
+    </message>
+    <message>
+        <source>Adds rays in steps of 15 degrees.</source>
+        <translation>Voegt stralen in stappen van 15 graden toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Passer</translation>
+    </message>
+    <message>
+        <source>Adds the centre of circles.</source>
+        <translation>Voegt het middelpunt van cirkels toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellips</translation>
+    </message>
+    <message>
+        <source>Adds one ellipse.</source>
+        <translation>Voegt één ellips toe.</translation>
+    </message>
+    <message>
+        <source>Co&amp;ncentric ellipses</source>
+        <translation>Co&amp;ncentrische ellipsen</translation>
+    </message>
+    <message>
+        <source>Adds ellipses around one centre.</source>
+        <translation>Voegt ellipsen rond één middelpunt toe.</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspectie&amp;f</translation>
+    </message>
+    <message>
+        <source>Adds two vanishing points.</source>
+        <translation>Voegt twee verdwijnpunten toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of squares.</source>
+        <translation>Voegt een raster van vierkanten toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric grid</source>
+        <translation>&amp;Isometrisch raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of triangles.</source>
+        <translation>Voegt een raster van driehoeken toe.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Adds a mirror axis. New lines get mirror images.</source>
+        <translation>Voegt een spiegelas toe. Nieuwe lijnen krijgen spiegelbeelden.</translation>
+    </message>
+    <message>
+        <source>&amp;Trace of selected lines</source>
+        <translation>&amp;Spoor van geselecteerde lijnen</translation>
+    </message>
+    <message>
+        <source>Makes each selected line a guide.</source>
+        <translation>Maakt van elke geselecteerde lijn een hulplijn.</translation>
+    </message>
+    <message>
+        <source>&amp;Show guides</source>
+        <translation>&amp;Hulplijnen tonen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the guides. Hidden guides have no effect.</source>
+        <translation>Toont of verbergt de hulplijnen. Verborgen hulplijnen doen niets.</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink mirrored lines</source>
+        <translation>Gespiegelde lijnen &amp;losmaken</translation>
+    </message>
+    <message>
+        <source>The selected lines no longer follow their mirror images.</source>
+        <translation>De geselecteerde lijnen volgen hun spiegelbeelden niet meer.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all guides</source>
+        <translation>&amp;Alle hulplijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Removes the guides. Lines stay.</source>
+        <translation>Verwijdert de hulplijnen. Lijnen blijven.</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source>Tools</source>
@@ -2823,6 +2954,10 @@
         <source>Black lines and textures that rise on swell paper.</source>
         <translation>Zwarte lijnen en patronen die op zwelpapier omhoog komen.</translation>
     </message>
+    <message>
+        <source>It cannot be made for swell paper: %1.</source>
+        <translation>De tekening kan niet voor zwelpapier worden gemaakt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -3658,6 +3793,14 @@ Double-click to rename, drag to move, drag layers into it</source>
         <translation>%1
 Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translation>
     </message>
+    <message>
+        <source>, hidden by its group</source>
+        <translation>, verborgen door zijn groep</translation>
+    </message>
+    <message>
+        <source>, locked by its group</source>
+        <translation>, vergrendeld door zijn groep</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3668,10 +3811,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Add a layer</source>
         <translation>Een laag toevoegen</translation>
-    </message>
-    <message>
-        <source>A new layer above this one</source>
-        <translation>Een nieuwe laag boven deze</translation>
     </message>
     <message>
         <source>Raise the layer</source>
@@ -3700,14 +3839,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>All layers were hidden or locked, so “%1” was added to draw on.</source>
         <translation>Alle lagen waren verborgen of vergrendeld, daarom is ‘%1’ toegevoegd om op te tekenen.</translation>
-    </message>
-    <message>
-        <source>“%1” is locked. Unlock it to draw there.</source>
-        <translation>‘%1’ is vergrendeld. Ontgrendel de laag om erop te tekenen.</translation>
-    </message>
-    <message>
-        <source>“%1” is hidden. Show it to draw there.</source>
-        <translation>‘%1’ is verborgen. Maak de laag zichtbaar om erop te tekenen.</translation>
     </message>
     <message>
         <source>Duplicate the layer</source>
@@ -3752,6 +3883,31 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Multiply makes what is below darker, for shading on line art</source>
         <translation>Vermenigvuldigen maakt donkerder wat eronder ligt: voor schaduw op lijnen</translation>
+    </message>
+    <message>
+        <source>A new layer above the current one</source>
+        <translation>Een nieuwe laag boven de huidige</translation>
+    </message>
+    <message>
+        <source>Removes the group, its layers and their lines</source>
+        <translation>Verwijdert de groep, de lagen erin en hun lijnen</translation>
+    </message>
+    <message>
+        <source>The group “%1”</source>
+        <translation>De groep ‘%1’</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <comment>a layer</comment>
+        <translation>‘%1’</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it to draw there.</source>
+        <translation>%1 is vergrendeld. Ontgrendel hem om daar te tekenen.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Show it to draw there.</source>
+        <translation>%1 is verborgen. Maak hem zichtbaar om daar te tekenen.</translation>
     </message>
 </context>
 <context>
@@ -4280,16 +4436,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 <context>
     <name>felt::desktop::OfferPopup</name>
     <message>
-        <source>Press harder; with a mouse, stay:</source>
-        <translation>Druk harder; met de muis stilhouden:</translation>
-    </message>
-    <message>
         <source>Key: %1</source>
         <translation>Toets: %1</translation>
     </message>
     <message>
         <source>This stroke can be: %1</source>
         <translation>Deze haal kan zijn: %1</translation>
+    </message>
+    <message>
+        <source>Press harder, or hold the mouse still:</source>
+        <translation>Druk harder, of houd de muis stil:</translation>
     </message>
 </context>
 <context>
@@ -5187,10 +5343,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 <context>
     <name>felt::desktop::SteadyDialog</name>
     <message>
-        <source>That was too short. Draw slowly, for about ten seconds.</source>
-        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang.</translation>
-    </message>
-    <message>
         <source>This pen reports its position too rarely to measure a shaking.</source>
         <translation>Deze pen meldt zijn positie te weinig om beven te meten.</translation>
     </message>
@@ -5225,6 +5377,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>The hand shakes %1.</source>
         <translation>De hand beeft %1.</translation>
+    </message>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds, without lifting the pen.</source>
+        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang, zonder de pen op te tillen.</translation>
     </message>
 </context>
 <context>
@@ -5669,10 +5825,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 </context>
 <context>
     <name>tools</name>
-    <message>
-        <source>Force level of friction, grain, attraction and stabiliser. Does not affect the hardness of the surface.</source>
-        <translation>Sterkte van wrijving, korrel, aantrekking en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
-    </message>
     <message>
         <source>Guide</source>
         <translation>Hulplijn</translation>
@@ -7220,137 +7372,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
         <translation>Druk de gum in tot hij klikt: de hele lijn verdwijnt. Ook het potlood heeft zulke stappen; ze houden de breedte van een lijn vast.</translation>
-    </message>
-</context>
-<context>
-    <name>GuideActions</name>
-    <message>
-        <source>&amp;Ruler</source>
-        <translation>Lin&amp;iaal</translation>
-    </message>
-    <message>
-        <source>Adds a straight edge with millimetres.</source>
-        <translation>Voegt een rechte rand met millimeters toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Line</source>
-        <translation>&amp;Lijn</translation>
-    </message>
-    <message>
-        <source>Adds a straight line across the page.</source>
-        <translation>Voegt een rechte lijn over de hele pagina toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Parallels</source>
-        <translation>&amp;Parallellen</translation>
-    </message>
-    <message>
-        <source>Adds all lines of one direction.</source>
-        <translation>Voegt alle lijnen van één richting toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Set square</source>
-        <translation>&amp;Geodriehoek</translation>
-    </message>
-    <message>
-        <source>Adds a right angle with millimetres.</source>
-        <translation>Voegt een rechte hoek met millimeters toe.</translation>
-    </message>
-    <message>
-        <source>Pr&amp;otractor</source>
-        <translation>Grad&amp;enboog</translation>
-    </message>
-    <message>
-        <source>Adds rays in steps of 15 degrees.</source>
-        <translation>Voegt stralen in stappen van 15 graden toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Compass</source>
-        <translation>&amp;Passer</translation>
-    </message>
-    <message>
-        <source>Adds the centre of circles.</source>
-        <translation>Voegt het middelpunt van cirkels toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Ellipse</source>
-        <translation>&amp;Ellips</translation>
-    </message>
-    <message>
-        <source>Adds one ellipse.</source>
-        <translation>Voegt één ellips toe.</translation>
-    </message>
-    <message>
-        <source>Co&amp;ncentric ellipses</source>
-        <translation>Co&amp;ncentrische ellipsen</translation>
-    </message>
-    <message>
-        <source>Adds ellipses around one centre.</source>
-        <translation>Voegt ellipsen rond één middelpunt toe.</translation>
-    </message>
-    <message>
-        <source>Perspecti&amp;ve</source>
-        <translation>Perspectie&amp;f</translation>
-    </message>
-    <message>
-        <source>Adds two vanishing points.</source>
-        <translation>Voegt twee verdwijnpunten toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Grid</source>
-        <translation>&amp;Raster</translation>
-    </message>
-    <message>
-        <source>Adds a grid of squares.</source>
-        <translation>Voegt een raster van vierkanten toe.</translation>
-    </message>
-    <message>
-        <source>&amp;Isometric grid</source>
-        <translation>&amp;Isometrisch raster</translation>
-    </message>
-    <message>
-        <source>Adds a grid of triangles.</source>
-        <translation>Voegt een raster van driehoeken toe.</translation>
-    </message>
-    <message>
-        <source>S&amp;ymmetry</source>
-        <translation>S&amp;ymmetrie</translation>
-    </message>
-    <message>
-        <source>Adds a mirror axis. New lines get mirror images.</source>
-        <translation>Voegt een spiegelas toe. Nieuwe lijnen krijgen spiegelbeelden.</translation>
-    </message>
-    <message>
-        <source>&amp;Trace of selected lines</source>
-        <translation>&amp;Spoor van geselecteerde lijnen</translation>
-    </message>
-    <message>
-        <source>Makes each selected line a guide.</source>
-        <translation>Maakt van elke geselecteerde lijn een hulplijn.</translation>
-    </message>
-    <message>
-        <source>&amp;Show guides</source>
-        <translation>&amp;Hulplijnen tonen</translation>
-    </message>
-    <message>
-        <source>Shows or hides the guides. Hidden guides have no effect.</source>
-        <translation>Toont of verbergt de hulplijnen. Verborgen hulplijnen doen niets.</translation>
-    </message>
-    <message>
-        <source>&amp;Unlink mirrored lines</source>
-        <translation>Gespiegelde lijnen &amp;losmaken</translation>
-    </message>
-    <message>
-        <source>The selected lines no longer follow their mirror images.</source>
-        <translation>De geselecteerde lijnen volgen hun spiegelbeelden niet meer.</translation>
-    </message>
-    <message>
-        <source>Remove &amp;all guides</source>
-        <translation>&amp;Alle hulplijnen verwijderen</translation>
-    </message>
-    <message>
-        <source>Removes the guides. Lines stay.</source>
-        <translation>Verwijdert de hulplijnen. Lijnen blijven.</translation>
     </message>
 </context>
 </TS>

@@ -123,27 +123,33 @@ class Document::Plan {
     return misfit("a drawing has at most " + std::to_string(kMaxDrawingGuides) + " guides");
   }
 
+  /// Checks that the document has a layer as it was before a change.
+  [[nodiscard]] Result<void> check_layer(const LayerChange& c) const {
+    const Layer* present = document_.layer(c.id);
+    if (!c.before) {
+      return present ? Result<void>(misfit(name_of(c.id) + " already exists")) : Result<void>();
+    }
+    if (!present) return misfit(name_of(c.id) + " does not exist");
+    const auto& all = document_.layers_;
+    if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
+      return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_index));
+    }
+    if (present->state() != *c.before)
+      return misfit(name_of(c.id) + " has changed in the meantime");
+    return {};
+  }
+
   Result<void> prepare_layers() {
     Moves<LayerId> moves;
     for (const LayerChange& c : edit_.layers) {
-      const Layer* present = document_.layer(c.id);
-      if (!c.before && present) return misfit(name_of(c.id) + " already exists");
-      if (c.before) {
-        if (!present) return misfit(name_of(c.id) + " does not exist");
-        const auto& all = document_.layers_;
-        if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
-          return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_index));
-        }
-        if (present->state() != *c.before)
-          return misfit(name_of(c.id) + " has changed in the meantime");
-        moves.remove(c.before_index);
-      }
+      if (Result<void> fits = check_layer(c); !fits) return fits;
+      if (c.before) moves.remove(c.before_index);
       if (c.after) moves.add(c.after_index, c.id);
     }
     std::vector<LayerId> ids;
     for (const Layer& l : document_.layers_) ids.push_back(l.id);
     return moves.reorder<LayerId>(ids)
-        .map([&](Reordered<LayerId> order) {
+        .map([&](const Reordered<LayerId>& order) {
           order.apply_to(ids);
           layer_order_ = std::move(ids);
         })
@@ -170,12 +176,30 @@ class Document::Plan {
         last = group;
       }
       if (!group) continue;
-      const std::string name = "group " + std::to_string(group->id.value);
-      if (!group->id) return misfit("a group without an id");
-      if (done.contains(group->id)) return misfit("the layers of " + name + " are not neighbours");
-      if (!equal_groups(group, last)) return misfit("the layers of " + name + " differ in it");
+      if (Result<void> fits = check_group(group, last, done); !fits) return fits;
     }
     return {};
+  }
+
+  /// Checks the group of a layer; `last` is the group of the lowest layer of its block, and `done`
+  /// are the groups below.
+  static Result<void> check_group(const LayerGroupPtr& group, const LayerGroupPtr& last,
+                                  const std::set<GroupId>& done) {
+    const std::string name = "group " + std::to_string(group->id.value);
+    if (!group->id) return misfit("a group without an id");
+    if (done.contains(group->id)) return misfit("the layers of " + name + " are not neighbours");
+    if (!equal_groups(group, last)) return misfit("the layers of " + name + " differ in it");
+    return {};
+  }
+
+  template <class Change, class Id>
+  static void note_moves(const Change& c, std::map<LayerId, Moves<Id>>& moves) {
+    if (c.before && c.after && c.before_place == c.after_place) {
+      moves[c.before_place.layer].keep(c.before_place.index, c.id);
+      return;
+    }
+    if (c.before) moves[c.before_place.layer].remove(c.before_place.index);
+    if (c.after) moves[c.after_place.layer].add(c.after_place.index, c.id);
   }
 
   /// Checks the changes of strokes or of fills, and computes the new orders in their layers.
@@ -188,12 +212,7 @@ class Document::Plan {
       if (c.after && !is_kept(c.after_place.layer)) {
         return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " does not exist");
       }
-      if (c.before && c.after && c.before_place == c.after_place) {
-        moves[c.before_place.layer].keep(c.before_place.index, c.id);
-        continue;
-      }
-      if (c.before) moves[c.before_place.layer].remove(c.before_place.index);
-      if (c.after) moves[c.after_place.layer].add(c.after_place.index, c.id);
+      note_moves(c, moves);
     }
     for (auto& [id, m] : moves) {
       const Layer* present = document_.layer(id);

@@ -173,19 +173,11 @@ class GroupFollower {
   void lead(const ImageResult& leader) {
     SymmetryGroup whole{group_.center, group_.angle_rad, group_.axes, {}};
     std::vector<SymmetryGroup> parts(leader.parts.size(), whole);
-    for (const ImageResult& r : all_) {
-      if (r.image == leader.image) {
-        if (leader.after) whole.images.push_back(leader.image);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-          parts[i].images.push_back({leader.parts[i], leader.image.image});
-        }
-      } else if (is_open_for(r)) {
-        if (!follow_leader(leader, r, whole, parts)) {
-          edit_.set_group(id_, nullptr);
-          return;
-        }
-      }
-    }
+    const bool all_follow = std::all_of(all_.begin(), all_.end(), [&](const ImageResult& r) {
+      if (r.image == leader.image) return add_leader(leader, whole, parts);
+      return !is_open_for(r) || follow_leader(leader, r, whole, parts);
+    });
+    if (!all_follow) return edit_.set_group(id_, nullptr);
     const bool is_group = whole.images.size() > 1;
     if (!is_group) {
       edit_.set_group(id_, nullptr);
@@ -195,6 +187,15 @@ class GroupFollower {
     for (SymmetryGroup& group : parts) {
       if (group.images.size() > 1) edit_.add_group(std::move(group));
     }
+  }
+
+  static bool add_leader(const ImageResult& leader, SymmetryGroup& whole,
+                         std::vector<SymmetryGroup>& parts) {
+    if (leader.after) whole.images.push_back(leader.image);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      parts[i].images.push_back({leader.parts[i], leader.image.image});
+    }
+    return true;
   }
 
   /// Returns true if tools may change the stroke of a partner.

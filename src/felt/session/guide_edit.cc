@@ -26,6 +26,19 @@ Result<Edit> added_guide(const Document& document, const DrawingGuide& guide) {
   return edit;
 }
 
+Edit changed_guide(const DrawingGuidePtr& present, const GuidesEvent& event) {
+  Edit edit{"Change guide", {}};
+  if (*present == event.guide) return edit;
+  edit.guides.push_back({event.id, present, std::make_shared<const DrawingGuide>(event.guide)});
+  return edit;
+}
+
+Edit without_guides(const Document& document) {
+  Edit edit{"Remove guides", {}};
+  for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, guide, nullptr});
+  return edit;
+}
+
 Edit shown_guides(const Document& document, bool shown) {
   Edit edit{shown ? "Show guides" : "Hide guides", {}};
   edit.toggles_guides = document.shows_guides() != shown;
@@ -47,21 +60,12 @@ Result<Edit> guide_edit(const Document& document, const GuidesEvent& event) {
   switch (event.what) {
     case GuideDo::kAdd:
       return added_guide(document, event.guide);
-    case GuideDo::kChange: {
-      Edit edit{"Change guide", {}};
-      if (*present == event.guide) return edit;
-      edit.guides.push_back({event.id, present, std::make_shared<const DrawingGuide>(event.guide)});
-      return edit;
-    }
+    case GuideDo::kChange:
+      return changed_guide(present, event);
     case GuideDo::kRemove:
       return Edit{"Remove guide", {}, {}, {}, {{event.id, present, nullptr}}};
-    case GuideDo::kClear: {
-      Edit edit{"Remove guides", {}};
-      for (const auto& [id, guide] : document.guides()) {
-        edit.guides.push_back({id, guide, nullptr});
-      }
-      return edit;
-    }
+    case GuideDo::kClear:
+      return without_guides(document);
     case GuideDo::kShow:
     case GuideDo::kHide:
       return shown_guides(document, event.what == GuideDo::kShow);

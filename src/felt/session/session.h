@@ -95,7 +95,7 @@ class Session {
   /// failure nothing has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
-  Result<void> sample(const PenSample& sample);
+  Result<void> sample(const PenSample& reported);
   /// Handles an ImportEvent: adds the strokes of its file on top of the current layer, as one undo
   /// step. The pieces of the fills name the strokes by their numbers, from 1 (VisibleInk).
   Result<void> import(std::int64_t time_ns, const ImportEvent& event,

@@ -40,6 +40,12 @@ Loss loss_of(const StrokeChange& c, const std::vector<const StrokeChange*>& adde
   return has_parts || is_piece_of(*c.after, *c.before) ? Loss::kPart : Loss::kNone;
 }
 
+/// Returns true if the ink that a stroke lost can be in another stroke.
+bool may_join(const StrokeChange& from, Loss loss, const StrokeChange& into) {
+  if (loss == Loss::kPart && into.before) return false;  // a transform, for example
+  return into.after->bounds().intersects(from.before->bounds());
+}
+
 }  // namespace
 
 bool is_piece_of(const Stroke& part, const Stroke& whole) {
@@ -58,14 +64,12 @@ bool is_piece_of(const Stroke& part, const Stroke& whole) {
 }
 
 std::vector<StrokeJoin> stroke_joins(const Edit& edit) {
+  const bool only_reshapes = std::all_of(edit.changes.begin(), edit.changes.end(),
+                                         [](const StrokeChange& c) { return c.before && c.after; });
+  if (only_reshapes) return {};
   std::vector<const StrokeChange*> added, gaining;
-  bool removes = false;
   for (const StrokeChange& c : edit.changes) {
-    removes = removes || !c.after;
     if (!c.before && c.after) added.push_back(&c);
-  }
-  if (!removes && added.empty()) return {};  // only moves or reshapes
-  for (const StrokeChange& c : edit.changes) {
     if (gains_ink(c, edit)) gaining.push_back(&c);
   }
   std::vector<StrokeJoin> joins;
@@ -74,9 +78,7 @@ std::vector<StrokeJoin> stroke_joins(const Edit& edit) {
     const Loss loss = loss_of(c, added);
     if (loss == Loss::kNone) continue;
     for (const StrokeChange* into : gaining) {
-      if (loss == Loss::kPart && into->before) continue;  // a transform, for example
-      if (!into->after->bounds().intersects(c.before->bounds())) continue;
-      joins.push_back({c.id, into->id});
+      if (may_join(c, loss, *into)) joins.push_back({c.id, into->id});
     }
   }
   return joins;

@@ -20,7 +20,7 @@ tl::unexpected<Error> unknown_version(int version) {
 
 /// Reads the next row of a table. Returns false at the end.
 Result<bool> next(const Statement& row, const char* kind, int last_column) {
-  const Result<bool> more = row.step();
+  Result<bool> more = row.step();
   if (!more || !*more) return more;
   if (!is_id(row.integer(0)) || !row.is_blob(last_column - 1) || !row.is_integer(last_column)) {
     return invalid_data(std::string(kind) + " " + std::to_string(row.integer(0)) +
@@ -123,29 +123,35 @@ Result<SymmetryPtr> read_symmetry_blob(std::string_view bytes) {
   return std::make_shared<const SymmetryGroup>(std::move(group));
 }
 
-Result<void> write_guides(Database& database, const Document& document) {
+namespace {
+
+Result<void> write_guide_table(Database& database, const Document& document) {
+  if (document.guides().empty()) return {};
+  if (auto ok = database.run(std::string(kGuideTable).c_str()); !ok) return ok;
+  const auto row = database.prepare("INSERT INTO guide VALUES(?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  const std::int64_t shown = document.shows_guides() ? 1 : 0;
   std::string bytes;
-  if (!document.guides().empty()) {
-    if (auto ok = database.run(std::string(kGuideTable).c_str()); !ok) return ok;
-    const auto row = database.prepare("INSERT INTO guide VALUES(?,?,?,?)");
-    if (!row) return tl::unexpected(row.error());
-    const std::int64_t shown = document.shows_guides() ? 1 : 0;
-    for (const auto& [id, guide] : document.guides()) {
-      bytes.clear();
-      if (auto ok = append_guide_blob(bytes, *guide); !ok) return ok;
-      const auto number = static_cast<std::int64_t>(id.value);
-      row->bind(1, number);
-      row->bind(2, shown);
-      row->bind_blob(3, bytes);
-      row->bind(4, guide_checksum(number, shown, bytes));
-      if (auto done = row->step(); !done) return tl::unexpected(done.error());
-      row->reset();
-    }
+  for (const auto& [id, guide] : document.guides()) {
+    bytes.clear();
+    if (auto ok = append_guide_blob(bytes, *guide); !ok) return ok;
+    const auto number = static_cast<std::int64_t>(id.value);
+    row->bind(1, number);
+    row->bind(2, shown);
+    row->bind_blob(3, bytes);
+    row->bind(4, guide_checksum(number, shown, bytes));
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
   }
+  return {};
+}
+
+Result<void> write_symmetry_table(Database& database, const Document& document) {
   if (document.symmetries().empty()) return {};
   if (auto ok = database.run(std::string(kSymmetryTable).c_str()); !ok) return ok;
   const auto row = database.prepare("INSERT INTO symmetry VALUES(?,?,?)");
   if (!row) return tl::unexpected(row.error());
+  std::string bytes;
   for (const auto& [id, group] : document.symmetries()) {
     bytes.clear();
     if (auto ok = append_symmetry_blob(bytes, *group); !ok) return ok;
@@ -157,6 +163,27 @@ Result<void> write_guides(Database& database, const Document& document) {
     row->reset();
   }
   return {};
+}
+
+Result<DrawingGuidePtr> read_guide_row(const Statement& row) {
+  const std::string name = "guide " + std::to_string(row.integer(0));
+  if (!row.is_integer(1) || (row.integer(1) | 1) != 1) {
+    return invalid_data(name + " contains an invalid value");
+  }
+  if (row.integer(3) != guide_checksum(row.integer(0), row.integer(1), row.blob(2))) {
+    return damaged(name);
+  }
+  Result<DrawingGuidePtr> guide = read_guide_blob(row.blob(2));
+  if (!guide) return tl::unexpected(with_context(guide.error(), name));
+  return guide;
+}
+
+}  // namespace
+
+Result<void> write_guides(Database& database, const Document& document) {
+  return write_guide_table(database, document).and_then([&] {
+    return write_symmetry_table(database, document);
+  });
 }
 
 std::string too_many_guides(std::size_t count) {
@@ -177,15 +204,8 @@ Result<void> read_guides(const Database& database, Edit& edit, std::vector<std::
       return fail(ErrorCode::kLimitExceeded, "has more than 10000 guides");
     }
     if (count >= kMaxDrawingGuides) continue;
-    const std::string name = "guide " + std::to_string(row->integer(0));
-    if (!row->is_integer(1) || (row->integer(1) | 1) != 1) {
-      return invalid_data(name + " contains an invalid value");
-    }
-    if (row->integer(3) != guide_checksum(row->integer(0), row->integer(1), row->blob(2))) {
-      return damaged(name);
-    }
-    Result<DrawingGuidePtr> guide = read_guide_blob(row->blob(2));
-    if (!guide) return tl::unexpected(with_context(guide.error(), name));
+    Result<DrawingGuidePtr> guide = read_guide_row(*row);
+    if (!guide) return tl::unexpected(guide.error());
     edit.guides.push_back(
         {{static_cast<std::uint64_t>(row->integer(0))}, nullptr, *std::move(guide)});
     is_hidden = row->integer(1) == 0;

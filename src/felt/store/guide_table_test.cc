@@ -101,7 +101,9 @@ std::string with_too_many_guides(std::size_t count) {
   const std::string setup = "PRAGMA application_id=" + std::to_string(kFeltApplicationId) +
                             "; PRAGMA user_version=" + std::to_string(kFeltVersion);
   EXPECT_TRUE(database->run(setup.c_str()));
-  EXPECT_TRUE(write_tables(*database, with_guides(1), nullptr));
+  Drawing drawing = with_guides(1);
+  drawing.document.reserve_ids({2000}, {});
+  EXPECT_TRUE(write_tables(*database, drawing, nullptr));
   const Result<Statement> row = database->prepare("INSERT INTO guide VALUES(?,1,?,?)");
   EXPECT_TRUE(row);
   for (std::size_t i = 1; i < count; ++i) {

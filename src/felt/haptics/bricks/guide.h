@@ -126,7 +126,7 @@ class Guide {
  private:
   /// The path as seen from the pen.
   struct Near {
-    double distance_mm;           // D
+    double distance_mm = 0.0;     // D
     Vec offset{};                 // pen - q
     Vec along{};                  // mean direction of the path; shorter than 1 in corners
     double speed_mm_per_s = 0.0;  // of the teacher
