@@ -62,6 +62,7 @@ Result<Edit> read_layers(ByteReader& in, const Document& document) {
     return invalid_data("the list of layers is incomplete");
   const Layer& first = document.layers().front();
   Edit edit;
+  PicturesInBytes pictures;
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
   for (std::uint32_t i = 0; i < count; ++i) {
     LayerChange change{{in.u64()}, std::nullopt, LayerState{}, 0, i};
@@ -70,7 +71,7 @@ Result<Edit> read_layers(ByteReader& in, const Document& document) {
     change.after->visible = (flags & kRowVisible) != 0;
     change.after->locked = (flags & kRowLocked) != 0;
     change.after->blend = blend_of_flags(flags);
-    if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr);
+    if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr, pictures);
     if (!is_id(static_cast<std::int64_t>(change.id.value))) {
       return invalid_data("a layer has an invalid id");
     }
@@ -138,6 +139,7 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
   out.u64(document.new_layer_id().value - 1);
   out.u64(drawing.layer.value);
   out.u32(static_cast<std::uint32_t>(document.layers().size()));
+  PicturesInBytes pictures;
   for (const Layer& layer : document.layers()) {
     const bool has_look = layer.opacity != 1.0 || layer.picture;
     out.u64(layer.id.value);
@@ -145,7 +147,7 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     out.u8(static_cast<std::uint8_t>((layer.own_visible ? kRowVisible : 0) |
                                      (layer.own_locked ? kRowLocked : 0) |
                                      (has_look ? kRowHasLook : 0) | flags_of_blend(layer.blend)));
-    if (has_look) append_layer_look(out, layer.state(), nullptr);
+    if (has_look) append_layer_look(out, layer.state(), nullptr, pictures);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
   // Groups and guides are last, because programs from before them ignore what follows the page.

@@ -100,7 +100,7 @@ bool has_guides_part(const Edit& edit) noexcept {
   return edit.toggles_guides || !edit.guides.empty() || !edit.symmetries.empty();
 }
 
-void write_layer(ByteWriter& out, const LayerChange& c) {
+void write_layer(ByteWriter& out, const LayerChange& c, PicturesInBytes& pictures) {
   out.u64(c.id.value);
   if (!c.after) {
     out.u8(0);
@@ -113,7 +113,8 @@ void write_layer(ByteWriter& out, const LayerChange& c) {
   out.u64(c.after_index);
   out.text(utf8_prefix(c.after->name, kMaxLayerNameBytes));
   const LayerPicture* before = c.before ? c.before->picture.get() : nullptr;
-  if (has_look) append_layer_look(out, *c.after, before ? before->data.get() : nullptr);
+  if (!has_look) return;
+  append_layer_look(out, *c.after, before ? before->data.get() : nullptr, pictures);
 }
 
 Result<StrokeChange> read_stroke(ByteReader& in) {
@@ -144,7 +145,7 @@ Result<FillChange> read_fill(ByteReader& in) {
   return c;
 }
 
-LayerChange read_layer(ByteReader& in, const Document& document) {
+LayerChange read_layer(ByteReader& in, const Document& document, PicturesInBytes& pictures) {
   LayerChange c;
   c.id = {in.u64()};
   const std::uint8_t flags = in.u8();
@@ -155,7 +156,8 @@ LayerChange read_layer(ByteReader& in, const Document& document) {
   c.after->blend = blend_of_flags(flags);
   if ((flags & kHasLook) == 0) return c;
   const Layer* before = document.layer(c.id);
-  read_layer_look(in, *c.after, before && before->picture ? before->picture->data : nullptr);
+  read_layer_look(in, *c.after, before && before->picture ? before->picture->data : nullptr,
+                  pictures);
   return c;
 }
 
@@ -226,7 +228,8 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
                           : kVersion);
   writer.text(utf8_prefix(edit.label, kMaxLabelBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
-  for (const LayerChange& c : edit.layers) write_layer(writer, c);
+  PicturesInBytes pictures;
+  for (const LayerChange& c : edit.layers) write_layer(writer, c, pictures);
   writer.u32(static_cast<std::uint32_t>(edit.changes.size()));
   for (const StrokeChange& c : edit.changes) {
     if (auto ok = write_stroke(writer, c); !ok) return ok;
@@ -256,7 +259,10 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
   edit.label = std::string(in.text(kMaxLabelBytes));
   const std::uint32_t layers = in.u32();
   if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is incomplete");
-  for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in, document));
+  PicturesInBytes pictures;
+  for (std::uint32_t i = 0; i < layers; ++i) {
+    edit.layers.push_back(read_layer(in, document, pictures));
+  }
   const std::uint32_t strokes = in.u32();
   if (!in.has(strokes, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   edit.changes.reserve(strokes);

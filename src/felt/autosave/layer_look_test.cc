@@ -48,6 +48,34 @@ TEST(AutosaveLook, ABaseHoldsTheLooksOfItsLayers) {
   EXPECT_TRUE(back.document == drawing.document);
 }
 
+TEST(AutosaveLook, APictureOfManyLayersIsWrittenOnce) {
+  Document document = with_picture();
+  Edit edit;
+  for (std::uint64_t i = 2; i <= 4; ++i) {
+    LayerState state{"Copy"};
+    state.picture = testing::red_blue_picture(static_cast<double>(i), 4.0);
+    edit.layers.push_back({{i}, std::nullopt, state, 0, i - 1});
+  }
+  const auto pictures_in = [](const std::string& bytes) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = bytes.find("\x89PNG", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  std::string bytes;
+  ASSERT_TRUE(append_edit_blob(bytes, edit));
+  EXPECT_EQ(pictures_in(bytes), 1U);
+  EXPECT_EQ(read_edit_blob(bytes, document).value(), edit);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(read_edit_blob(bytes.substr(0, size), document)) << size;
+  }
+  ASSERT_TRUE(document.apply(edit));
+  Drawing drawing;
+  drawing.document = document;
+  bytes = base_head_bytes(drawing).value();
+  EXPECT_EQ(pictures_in(bytes), 1U);
+  EXPECT_TRUE(read_base_head(bytes).value().document == document);
+}
+
 /// Returns a document of a multiplying layer, which is in a group, and a normal one.
 Document with_group() {
   Document document;

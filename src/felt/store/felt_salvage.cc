@@ -80,10 +80,12 @@ class Findings {
   std::map<std::int64_t, Found<Stroke>> strokes;
   std::map<std::int64_t, Found<Fill>> fills;
   std::map<std::int64_t, FoundLayer> layers;
-  std::map<std::int64_t, double> opacities;          // by layer
-  std::map<std::int64_t, LayerPicturePtr> pictures;  // by layer
-  std::map<std::int64_t, BlendMode> blends;          // by layer
-  std::map<std::int64_t, LayerGroupPtr> groups;      // by layer
+  std::map<std::int64_t, double> opacities;                                  // by layer
+  std::map<std::int64_t, LayerPicturePtr> pictures;                          // by layer
+  std::map<std::int64_t, std::shared_ptr<const PictureData>> picture_files;  // by row
+  std::vector<std::pair<std::int64_t, PictureRow>> repeats;  // layers and rows without a file
+  std::map<std::int64_t, BlendMode> blends;                  // by layer
+  std::map<std::int64_t, LayerGroupPtr> groups;              // by layer
   std::map<std::int64_t, DrawingGuidePtr> guides;
   std::map<std::int64_t, SymmetryPtr> symmetries;
   bool hides_guides = false;
@@ -202,18 +204,26 @@ class Findings {
   }
   bool take_picture(const ScannedRow& row) {
     const auto& v = row.values;
-    if (v.size() != 11 || !whole(v[1]) || !is_id(*whole(v[1])) || !whole(v[8]) || !blob(v[9]) ||
-        !whole(v[10])) {
-      return false;
-    }
-    std::array<double, 6> place{};
-    for (std::size_t i = 0; i < place.size(); ++i) {
+    const bool has_types = v.size() == 11 && whole(v[1]) && is_id(*whole(v[1])) && whole(v[8]) &&
+                           (blob(v[9]) || whole(v[9])) && whole(v[10]);
+    if (!has_types) return false;
+    PictureRow values{.exported = *whole(v[8]), .data = nullptr, .checksum = *whole(v[10])};
+    for (std::size_t i = 0; i < values.place.size(); ++i) {
       if (!number(v[i + 2])) return false;
-      place[i] = *number(v[i + 2]);
+      values.place[i] = *number(v[i + 2]);
     }
-    LayerPicturePtr picture = picture_of_row(place, *whole(v[8]), *blob(v[9]), *whole(v[10]));
+    if (whole(v[9])) {
+      values.same_as = *whole(v[9]);
+      if (repeats.size() < kMaxLayers) repeats.emplace_back(*whole(v[1]), std::move(values));
+      return true;
+    }
+    values.data = make_picture_data(*blob(v[9])).value_or(nullptr);
+    LayerPicturePtr picture = picture_of_row(values);
     if (!picture) return false;
-    if (pictures.size() < kMaxLayers) pictures.try_emplace(*whole(v[1]), std::move(picture));
+    if (pictures.size() < kMaxLayers) {
+      picture_files.try_emplace(row.id, values.data);
+      pictures.try_emplace(*whole(v[1]), std::move(picture));
+    }
     return true;
   }
   bool take_blend(const ScannedRow& row) {
@@ -279,6 +289,7 @@ class Assembly {
     }
     out_.problems.push_back("The file " + why + ".");
     take_head();
+    take_repeated_pictures();
     name_lost_layers();
     set_layer_looks();
     if (auto ok = fill(); !ok) return tl::unexpected(ok.error());
@@ -295,6 +306,20 @@ class Assembly {
     out_.problems.emplace_back(
         "The page size, the paper colour, the surface and the colour of new ink are lost; the "
         "defaults of a new drawing were used.");
+  }
+
+  /// Gives the rows that only name the row of their picture its file, if that was found.
+  void take_repeated_pictures() {
+    for (auto& [layer, row] : found_.repeats) {
+      const auto file = found_.picture_files.find(row.same_as);
+      if (file != found_.picture_files.end()) row.data = file->second;
+      const LayerPicturePtr picture = picture_of_row(row);
+      if (picture && found_.pictures.size() < kMaxLayers) {
+        found_.pictures.try_emplace(layer, picture);
+      } else {
+        ++found_.others;
+      }
+    }
   }
 
   void name_lost_layers() {
