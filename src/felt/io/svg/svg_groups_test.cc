@@ -70,12 +70,9 @@ TEST(SvgGroups, PartsThatDoNotOverlapNeedNoLayer) {
 // the drawing is taken: AddressSanitizer found that.
 TEST(SvgGroups, AGroupAtTheEndOfTheFileIsReadBeforeTheFileIsFreed) {
   const std::string id(300, 'n');
-  const Imported imported =
-      read("<g opacity='.5'><path id='" + id +
-           "' d='M5 5h9' stroke='#000' stroke-width='2' fill='none' stroke-linecap='square'/></g>");
-  EXPECT_THAT(opacities(imported), ::testing::ElementsAre(1.0));
-  EXPECT_EQ(picture_of(imported).at(8, 5).a, 128);
-  EXPECT_THAT(notice_lines(imported), ::testing::AnyOf(IsEmpty(), HasSubstr(id)));
+  const Imported imported = read("<g opacity='.5'><svg width='9' height='9'><path id='" + id +
+                                 "' d='M50 50h9' stroke='#000' fill='none'/></svg></g>");
+  EXPECT_THAT(notice_lines(imported), HasSubstr("path '" + id.substr(0, 100)));
 }
 
 TEST(SvgGroups, AFillAndItsLineAreTransparentTogether) {
