@@ -78,7 +78,8 @@ Edit copy_of(const Document& document, const Layer& layer) {
   LayerState state = layer.state();
   state.name = copied_name(state.name);
   Edit edit{label_of(Do::kDuplicate), {}, {}};
-  add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1, edit);
+  add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1,
+           copied_strokes(document, {&layer, 1}), edit);
   return edit;
 }
 
@@ -229,26 +230,35 @@ void keep_one_open(const Document& document, Edit& edit) {
   if (!other_is_open) edit.layers.push_back(new_layer(document, {}, count));
 }
 
+CopiedStrokes copied_strokes(const Document& document, std::span<const Layer> layers) {
+  CopiedStrokes copies;
+  std::size_t made = 0;
+  for (const Layer& layer : layers) {
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+      copies.emplace(layer.strokes[i], document.new_id(made + i));
+    }
+    made += layer.strokes.size() + layer.fills.size();
+  }
+  return copies;
+}
+
 void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
-              Edit& edit) {
+              const CopiedStrokes& copies, Edit& edit) {
   const LayerId id = document.new_layer_id(edit.layers.size());
   const std::size_t made = edit.changes.size() + edit.fills.size();
   edit.layers.push_back({id, std::nullopt, std::move(state), 0, index});
   for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
-    edit.changes.push_back(
-        {document.new_id(made + i), nullptr, document.find(layer.strokes[i]), {}, {id, i}});
+    const StrokeId stroke = layer.strokes[i];
+    edit.changes.push_back({copies.at(stroke), nullptr, document.find(stroke), {}, {id, i}});
   }
-  // Lets the pieces of the copied fills name the copies of the strokes of the layer.
-  const auto name_copies = [&](FillLoop& loop) {
-    for (FillPiece& piece : loop.pieces) {
-      const auto at = std::find(layer.strokes.begin(), layer.strokes.end(), piece.stroke);
-      if (at == layer.strokes.end()) continue;
-      piece.stroke = document.new_id(made + static_cast<std::size_t>(at - layer.strokes.begin()));
-    }
-  };
   for (std::size_t i = 0; i < layer.fills.size(); ++i) {
     Fill fill = *document.find_fill(layer.fills[i]);
-    for (FillLoop& loop : fill.loops) name_copies(loop);
+    for (FillLoop& loop : fill.loops) {
+      for (FillPiece& piece : loop.pieces) {
+        const auto copy = copies.find(piece.stroke);
+        if (copy != copies.end()) piece.stroke = copy->second;
+      }
+    }
     const FillId copy = document.new_fill_id(made + layer.strokes.size() + i);
     edit.fills.push_back(
         {copy, nullptr, std::make_shared<const Fill>(std::move(fill)), {}, {id, i}});
