@@ -97,7 +97,7 @@ std::string pdf_page_object(const Rect& area, const PdfResources& resources) {
   // With this group, transparent colours are blended in the device's RGB space. It is close to
   // sRGB, in which Feltline blends everywhere else.
   return out + "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> /Resources " +
-         resources.text() + " >>";
+         std::to_string(resources.object()) + " 0 R >>";
 }
 
 std::string pdf_form_object(const Rect& area, const PdfForm& form, const PdfResources& resources) {
@@ -107,8 +107,8 @@ std::string pdf_form_object(const Rect& area, const PdfForm& form, const PdfReso
     append_pdf_number(out, kPdfStepsPerMm * v);
   }
   return out + "] /Group << /S /Transparency /CS /DeviceRGB /I true >> /Resources " +
-         resources.text() + " /Filter /FlateDecode /Length " + std::to_string(packed.size()) +
-         " >>\nstream\n" + packed + "\nendstream";
+         std::to_string(resources.object()) + " 0 R /Filter /FlateDecode /Length " +
+         std::to_string(packed.size()) + " >>\nstream\n" + packed + "\nendstream";
 }
 
 }  // namespace felt

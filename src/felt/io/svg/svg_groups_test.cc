@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,21 @@ TEST(SvgGroups, ManyGroupsEndWithANotice) {
   const Imported imported = read(text);
   EXPECT_THAT(notice_lines(imported), HasSubstr("is in a transparent group"));
   EXPECT_LE(imported.drawing.document.layers().size(), 500U);
+}
+
+TEST(SvgGroups, ManyBlendedGroupsEndWithANotice) {
+  std::string text;
+  for (int i = 0; i < 230; ++i) {
+    text += "<g style='mix-blend-mode:multiply' opacity='.5'>" + std::string(kTwoRects) + "</g>";
+  }
+  const Imported imported = read(text + "<g style='mix-blend-mode:multiply'/>");
+  EXPECT_THAT(notice_lines(imported), HasSubstr("more than 200 such groups"));
+  const std::span<const Layer> layers = imported.drawing.document.layers();
+  EXPECT_EQ(std::count_if(layers.begin(), layers.end(),
+                          [](const Layer& l) { return l.blend == BlendMode::kMultiply; }),
+            200);
+  EXPECT_EQ(imported.drawing.document.fill_count(), 460U);
+  EXPECT_EQ(layers.back().opacity, 0.5) << "the other groups are still translucent";
 }
 
 TEST(SvgGroups, ARotatedFrameCutsFills) {
