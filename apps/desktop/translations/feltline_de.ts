@@ -4533,6 +4533,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Drucken</translation>
     </message>
     <message>
+        <source>“%1” was not printed</source>
+        <translation>„%1“ wurde nicht gedruckt</translation>
+    </message>
+    <message>
         <source>Print preview</source>
         <translation>Druckvorschau</translation>
     </message>

@@ -4533,6 +4533,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Afdrukken</translation>
     </message>
     <message>
+        <source>“%1” was not printed</source>
+        <translation>‘%1’ is niet afgedrukt</translation>
+    </message>
+    <message>
         <source>Print preview</source>
         <translation>Afdrukvoorbeeld</translation>
     </message>
