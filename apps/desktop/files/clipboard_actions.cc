@@ -151,7 +151,7 @@ void ClipboardActions::cut() {
 }
 
 /// Returns the drawing on the clipboard, or nullopt, with a message to the user, if it has no
-/// strokes.
+/// strokes or fills.
 std::optional<Imported> ClipboardActions::pasted() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
   Result<Imported> pasted = data ? drawing_of(*data) : Imported();
@@ -160,7 +160,7 @@ std::optional<Imported> ClipboardActions::pasted() {
                         QString::fromStdString(pasted.error().message));
     return std::nullopt;
   }
-  const bool is_empty = visible_strokes(pasted->drawing.document).empty();
+  const bool is_empty = ink_bounds(pasted->drawing.document).empty();
   if (is_empty && data && data->hasImage()) {
     pictures_.add_image(tr("Picture"), qvariant_cast<QImage>(data->imageData()));
     return std::nullopt;
@@ -189,10 +189,7 @@ void ClipboardActions::paste_in_place() {
 void ClipboardActions::paste_at(Point middle) {
   std::optional<Imported> pasted = this->pasted();
   if (!pasted) return;
-  Rect box;
-  for (const StrokePtr& stroke : visible_strokes(pasted->drawing.document)) {
-    box.extend(stroke->bounds());
-  }
+  const Rect box = ink_bounds(pasted->drawing.document);
   const Point from{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
   add(*std::move(pasted), middle - from);
 }
