@@ -123,7 +123,7 @@ void OutputActions::preview() {
   connect(&dialog, &QPrintPreviewDialog::paintRequested, this, [&](QPrinter* target) {
     if (has_failed || print_to(*target, drawing)) return;
     has_failed = true;  // the message is shown once, instead of an empty preview
-    QMetaObject::invokeMethod(&dialog, &QDialog::reject, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&dialog, "reject", Qt::QueuedConnection);
   });
   dialog.exec();
 }

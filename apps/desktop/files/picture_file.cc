@@ -83,7 +83,7 @@ Result<ReadPicture> read_pdf_page(const QString& path, int page) {
   return picture;
 }
 
-Result<std::string> png_of(QImage image) {
+Result<std::string> png_of(const QImage& image) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);

@@ -101,6 +101,46 @@ void paint_picture(QPainter& painter, const LayerPicture& picture) {
   painter.restore();
 }
 
+/// Paints layers as vector shapes.
+class VectorPainter {
+ public:
+  VectorPainter(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain)
+      : painter_(painter), document_(drawing.document), grain_(grain) {
+    painter.setPen(Qt::NoPen);
+    // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
+    // painted without grain, so that all strokes look alike.
+    const Rect area = drawing.page.area();
+    const auto dpi = GrainMasks::dpi_for_all(visible_strokes(document_), area, kPrintGrainDpi);
+    if (grain && dpi) masks_.emplace(GrainPrint{*grain, *dpi}, area);
+  }
+
+  void paint(const Layer& layer) {
+    if (const LayerPicture* picture = exported_picture(layer, PictureChoice::kMarked)) {
+      paint_picture(painter_, *picture);
+    }
+    for (const FillId id : layer.fills) {
+      const FillPtr fill = document_.find_fill(id);
+      painter_.setBrush(color_of(fill->color));
+      painter_.drawPath(path_of(*fill));
+    }
+    for (const StrokeId id : layer.strokes) paint(*document_.find(id));
+  }
+
+ private:
+  void paint(const Stroke& stroke) {
+    const auto mask = masks_ ? masks_->of(stroke).value_or(std::nullopt) : std::nullopt;
+    if (mask && paint_grained(painter_, stroke, *grain_, *mask, rasterizer_)) return;
+    painter_.setBrush(color_of(stroke.color()));
+    painter_.drawPath(path_of(stroke));
+  }
+
+  QPainter& painter_;
+  const Document& document_;
+  const std::optional<Grain>& grain_;
+  std::optional<GrainMasks> masks_;
+  Rasterizer rasterizer_;
+};
+
 /// Returns true if the drawing has what printers cannot paint layer by layer: a blend mode, or a
 /// group of layers that is translucent as a whole.
 bool needs_one_picture(const Document& document) {
@@ -251,39 +291,15 @@ void PrintedPage::paint(QPainter& painter, double dpi) const {
 }
 
 void PrintedPage::paint_layers(QPainter& painter) const {
-  const Document& document = drawing_.document;
-  painter.setPen(Qt::NoPen);
-  const std::vector<StrokePtr> strokes = visible_strokes(document);
-  std::optional<GrainMasks> masks;
-  // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
-  // painted without grain, so that all strokes look alike.
-  const Rect area = drawing_.page.area();
-  const auto grain_dpi = GrainMasks::dpi_for_all(strokes, area, kPrintGrainDpi);
-  if (grain_ && grain_dpi) masks.emplace(GrainPrint{*grain_, *grain_dpi}, area);
-  Rasterizer rasterizer;
-  for (const Layer& layer : document.layers()) {
+  VectorPainter vectors(painter, drawing_, grain_);
+  for (const Layer& layer : drawing_.document.layers()) {
     if (!layer.visible) continue;
     painter.setOpacity(layer.opacity);
-    if (const auto part = parts_.find(layer.id); part != parts_.end()) {
-      if (!part->second.image.isNull()) {
-        painter.drawImage(part->second.area_mm, part->second.image);
-      }
-      continue;
-    }
-    if (const LayerPicture* picture = exported_picture(layer, PictureChoice::kMarked)) {
-      paint_picture(painter, *picture);
-    }
-    for (const FillId id : layer.fills) {
-      const FillPtr fill = document.find_fill(id);
-      painter.setBrush(color_of(fill->color));
-      painter.drawPath(path_of(*fill));
-    }
-    for (const StrokeId id : layer.strokes) {
-      const StrokePtr stroke = document.find(id);
-      const auto mask = masks ? masks->of(*stroke).value_or(std::nullopt) : std::nullopt;
-      if (mask && paint_grained(painter, *stroke, *grain_, *mask, rasterizer)) continue;
-      painter.setBrush(color_of(stroke->color()));
-      painter.drawPath(path_of(*stroke));
+    const auto part = parts_.find(layer.id);
+    if (part == parts_.end()) {
+      vectors.paint(layer);
+    } else if (!part->second.image.isNull()) {
+      painter.drawImage(part->second.area_mm, part->second.image);
     }
   }
 }

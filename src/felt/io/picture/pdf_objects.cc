@@ -26,7 +26,7 @@ const char* pdf_name_of(BlendMode mode) noexcept {
 /// Appends a value with four decimals, without trailing zeros, and a space.
 void append_pdf_number(std::string& out, double value) {
   constexpr double kPlaces = 1e4;
-  std::array<char, 40> text;
+  std::array<char, 40> text{};
   const double rounded = std::round(value * kPlaces) / kPlaces;
   out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(),
                                         rounded == 0.0 ? 0.0 : rounded, std::chars_format::fixed)
