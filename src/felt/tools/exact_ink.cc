@@ -144,6 +144,15 @@ ExactEnds ends_on_lines(const Document& document, const Stroke& drawn, const Exa
   return ends;
 }
 
+/// Returns true if the exact curve ends on the middle of another line, as the drawn stroke does at
+/// a point.
+bool ends_on(const Stroke& other, Point drawn_end, const ExactOffer& offer) {
+  const std::optional<StrokeTip> own = tip_at(*offer.drawn, drawn_end);
+  if (!own || offer.exact->closed()) return false;
+  const Point end = tip_point(*offer.exact, *own);
+  return distance(nearest_point(other, end), end) <= kSharedPointMm;
+}
+
 /// Moves the end of another line that lies on the drawn stroke. Fails if it cannot move.
 Result<Stroke> with_end_on(const Stroke& other, StrokeTip tip, const ExactOffer& offer) {
   const Point from = tip_point(other, tip);
@@ -210,9 +219,8 @@ Edit exact_edit(const Document& document, const StrokeIndex& index, const ExactO
     StrokePtr& other =
         others.try_emplace(junction.other, document.find(junction.other)).first->second;
     const std::optional<StrokeTip> tip = tip_at(*other, junction.point);
-    if (!tip) {  // the stroke ends on the middle of the other one
-      const Point end = tip_point(*offer.exact, *tip_at(*offer.drawn, junction.point));
-      if (distance(nearest_point(*other, end), end) > kSharedPointMm) return {};
+    if (!tip) {
+      if (!ends_on(*other, junction.point, offer)) return {};
       continue;
     }
     Result<Stroke> moved = with_end_on(*other, *tip, offer);

@@ -187,8 +187,9 @@ std::vector<Point> guide_path(const DrawingGuide& g, const Document& document) {
   std::vector<Point> path{stroke->segment(0).p[0]};
   for (int i = 0; i < stroke->segment_count(); ++i) {
     const Cubic curve = stroke->segment(i);
-    const double count = std::clamp(std::ceil(control_length(curve) / step), 1.0, 1000.0);
-    for (double k = 1.0; k <= count; ++k) path.push_back(evaluate(curve, k / count));
+    const int count =
+        static_cast<int>(std::clamp(std::ceil(control_length(curve) / step), 1.0, 1000.0));
+    for (int k = 1; k <= count; ++k) path.push_back(evaluate(curve, double(k) / count));
     if (path.size() > kMaxTracePoints - 1000) break;
   }
   return path;

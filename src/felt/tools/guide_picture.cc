@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "felt/tools/guide_choice.h"
 #include "felt/tools/guide_shape.h"
 
 namespace felt {
@@ -157,20 +158,25 @@ class GuidePicture {
     }
     overlay_.outlines.push_back(std::move(outline));
   }
+  /// Returns the point of the edge of the page at a distance along it from its first corner.
+  [[nodiscard]] Point point_on_edge(double at_mm) const {
+    const double width = page_.width(), height = page_.height();
+    Point to{page_.x0, page_.y0};
+    for (const Vec side : {Vec{width, 0}, Vec{0, height}, Vec{-width, 0}, Vec{0, -height}}) {
+      const double length = norm(side);
+      const double part = std::min(at_mm, length);
+      if (length > 0.0) to = to + (part / length) * side;
+      at_mm -= part;
+    }
+    return to;
+  }
   /// Adds the lines from each vanishing point to equally spaced points of the edge of the page, and
   /// the horizon.
   void perspective() {
     const double width = page_.width(), height = page_.height();
     for (const Point from : guide_.points) {
       for (int i = 0; i < kFanLines; ++i) {
-        double at = 2.0 * (width + height) * i / kFanLines;
-        Point to{page_.x0, page_.y0};
-        for (const Vec side : {Vec{width, 0}, Vec{0, height}, Vec{-width, 0}, Vec{0, -height}}) {
-          const double length = norm(side);
-          const double part = std::min(at, length);
-          if (length > 0.0) to = to + (part / length) * side;
-          at -= part;
-        }
+        const Point to = point_on_edge(2.0 * (width + height) * i / kFanLines);
         const double far = distance(from, to);
         if (far > 0.0) fan_line(from, (1.0 / far) * (to - from));
       }
@@ -201,9 +207,10 @@ class GuidePicture {
       high = is_first ? at : std::max(high, at);
       is_first = false;
     }
+    constexpr int kDenseLines = kMaxGuideLines / 3;
     double step = 1.0;
     for (const double coarser : {2.0, 5.0, 10.0, 100.0, 1000.0, 1e5}) {
-      if ((high - low) / step <= kMaxGuideLines / 3) break;
+      if ((high - low) / step <= kDenseLines) break;
       step = coarser;
     }
     if (!((high - low) / step <= kMaxGuideLines)) return;  // a page of kilometres

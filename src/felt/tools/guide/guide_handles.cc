@@ -87,6 +87,16 @@ double to_line(Point p, Point through, Vec d) noexcept {
   return std::abs(dot(p - through, Vec{-d.y, d.x}));
 }
 
+double to_axes(const DrawingGuide& guide, Point p) noexcept {
+  double nearest_mm = kFar;
+  for (int i = 0; i < guide.axes; ++i) {
+    const double angle_rad = guide.angle_rad + 0.5 * kTau * i / guide.axes;
+    nearest_mm =
+        std::min(nearest_mm, to_line(p, guide.origin, {std::cos(angle_rad), std::sin(angle_rad)}));
+  }
+  return nearest_mm;
+}
+
 double to_ellipse(const DrawingGuide& guide, Point p) {
   constexpr int kSteps = 180;
   double nearest_mm = kFar;
@@ -204,15 +214,8 @@ double distance_to_guide(const DrawingGuide& guide, const Document& document, Po
     case HandleKind::kEllipse:
     case HandleKind::kEllipses:
       return to_ellipse(guide, p);
-    case HandleKind::kSymmetry: {
-      double nearest_mm = kFar;
-      for (int i = 0; i < guide.axes; ++i) {
-        const double angle_rad = guide.angle_rad + 0.5 * kTau * i / guide.axes;
-        nearest_mm = std::min(nearest_mm,
-                              to_line(p, guide.origin, {std::cos(angle_rad), std::sin(angle_rad)}));
-      }
-      return nearest_mm;
-    }
+    case HandleKind::kSymmetry:
+      return to_axes(guide, p);
     case HandleKind::kTrace: {
       const StrokePtr stroke = document.find(guide.stroke);
       return stroke ? to_stroke(*stroke, p) : kFar;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -73,8 +74,8 @@ struct GuideToolSettings {
 inline GuideToolSettings guide_tool_settings(const OptionValues& values) {
   using Row = GuideToolOption;
   return {static_cast<DrawingGuideKind>(values.choice(Row::kKind)),
-          static_cast<int>(values.number(Row::kAxes) + 0.5),
-          static_cast<int>(values.number(Row::kPoints) + 0.5), values.number(Row::kHold),
+          static_cast<int>(std::lround(values.number(Row::kAxes))),
+          static_cast<int>(std::lround(values.number(Row::kPoints))), values.number(Row::kHold),
           values.number(Row::kStrength)};
 }
 
