@@ -272,25 +272,26 @@ TEST(StrokeGuide, TheForceOfTheNextGuideGrowsFromZero) {
 }
 
 TEST(StrokeGuide, AGuideAfterAnotherNeedsTheWholeTimeToGrow) {
-  Pen pen({.kind = Kind::kLine});
-  pen.set_document(with_stroke());
-  const Point at{0.0, 1.0};
-  pen.touch({0.0, 0.2});
-  for (const double x : {0.0, 30.0, 50.0}) {
-    pen.go({x, 20.0});
-    pen.go({x, 1.0});
-    pen.rest({x, 1.0}, 300);
-  }
-  pen.lift();
-  for (const DrawingGuide& next :
-       {DrawingGuide{.kind = Kind::kTrace, .stroke = {1}}, DrawingGuide{.kind = Kind::kLine},
-        DrawingGuide{.kind = Kind::kParallels, .origin = {0.0, 5.0}}}) {
-    pen.use(next);
-    pen.move(at, 2.0);
-    const double early = norm(pen.rest(at, 20));
-    const double late = norm(pen.rest(at, 300));
-    EXPECT_LE(early, 0.2 * std::max(late, 0.1)) << "20 of 150 ms";
+  const DrawingGuide line{.kind = Kind::kLine}, trace{.kind = Kind::kTrace, .stroke = {1}},
+      parallels{.kind = Kind::kParallels, .origin = {0.0, 5.0}};
+  for (int returns = 0; returns < 4; ++returns) {
+    Pen pen(line);
+    pen.set_document(with_stroke());
+    pen.touch({0.0, 0.2});
+    for (int i = 1; i <= returns; ++i) {
+      pen.rest({25.0 * i, 20.0}, 3);
+      pen.rest({25.0 * i, 1.0}, 300);
+    }
     pen.lift();
+    for (const DrawingGuide& next : {line, trace, line, parallels, trace, line}) {
+      pen.use(next);
+      const Point at{0.0, 1.0};
+      pen.move(at, 2.0);
+      const double early = norm(pen.rest(at, 20));
+      const double late = norm(pen.rest(at, 300));
+      EXPECT_LE(early, 0.2 * std::max(late, 0.1)) << "20 of 150 ms, after " << returns;
+      pen.lift();
+    }
   }
 }
 
