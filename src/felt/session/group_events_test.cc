@@ -33,7 +33,7 @@ struct GroupFixture {
     }
   }
 
-  std::string apply(const decltype(Event::what)& what) {
+  std::string apply(const decltype(Event::what)& what) const {
     const Result<void> done = session->apply({0, what});
     return done ? "" : done.error().message;
   }

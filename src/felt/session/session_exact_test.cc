@@ -102,26 +102,26 @@ TEST(DrawingGuides, HoldThePencilUnlessAStudyGuidesIt) {
   EXPECT_EQ(guide_force(fixture.session, {20.5, 51.0}), Vec{}) << "only the pencil is guided";
 }
 
+/// Returns the force of the friction after a pen that touched at (20, y) has moved by 0.05 mm.
+double friction_n(const DrawingGuide& guide, double y) {
+  Fixture fixture(guide);
+  fixture.pen({20.0, y}, 5.0);
+  fixture.pen({20.0, y}, -1.0);
+  const ForceModel model = fixture.session.force();
+  ForceMemory memory;
+  for (int i = 0; i < 100; ++i) {
+    memory.begin_tick(0.001);
+    PenSample sample;
+    sample.position = {i < 50 ? 20.0 : 20.05, y, -1.0};
+    static_cast<void>(model(sample, memory));
+  }
+  for (const ForceTerms::Term& term : memory.terms) {
+    if (std::string_view(term.name) == "friction") return norm(term.force);
+  }
+  return 0.0;
+}
+
 TEST(DrawingGuides, AGuideFarAwayDoesNotSoftenTheFriction) {
-  // The force of the friction after the pen has moved by 0.05 mm.
-  const auto friction_n = [](const DrawingGuide& guide, double y) {
-    Fixture fixture(guide);
-    fixture.pen({20.0, y}, 5.0);
-    fixture.pen({20.0, y}, -1.0);
-    const ForceModel model = fixture.session.force();
-    ForceMemory memory;
-    double force_n = 0.0;
-    for (int i = 0; i < 100; ++i) {
-      memory.begin_tick(0.001);
-      PenSample sample;
-      sample.position = {i < 50 ? 20.0 : 20.05, y, -1.0};
-      static_cast<void>(model(sample, memory));
-      for (const ForceTerms::Term& term : memory.terms) {
-        if (std::string_view(term.name) == "friction") force_n = norm(term.force);
-      }
-    }
-    return force_n;
-  };
   const DrawingGuide none{.kind = DrawingGuideKind::kTrace, .stroke = {99}};
   const double plain_n = friction_n(none, 90.0);
   EXPECT_GT(plain_n, 0.01);
@@ -275,8 +275,8 @@ TEST(DrawingGuides, AnArcOfACompassBecomesExact) {
   fixture.draw({{90.0, 60.0}, {89.9, 62.4}, {89.5, 65.2}, {88.8, 68.3}, {87.7, 71.5}});
   ASSERT_TRUE(fixture.session.exact_offer());
   fixture.must(ExactEvent{});
-  for (double u = 0.0; u <= fixture.ink()->segment_count(); u += 0.1) {
-    EXPECT_NEAR(distance(fixture.ink()->position(u), {60.0, 60.0}), 30.0, 3e-5);
+  for (int i = 0; i <= 10 * fixture.ink()->segment_count(); ++i) {
+    EXPECT_NEAR(distance(fixture.ink()->position(0.1 * i), {60.0, 60.0}), 30.0, 3e-5);
   }
 }
 
