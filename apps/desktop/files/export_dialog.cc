@@ -78,6 +78,11 @@ QPixmap on_squares(const QImage& picture, double ratio) {
   return pixmap;
 }
 
+/// Returns true if the picture can show the grain of the surface.
+bool can_grain(const ExportOptions& chosen) {
+  return traits_of(chosen.format).picture && !chosen.compact && !chosen.swell;
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, QWidget* parent)
@@ -235,18 +240,12 @@ const Document& ExportDialog::shown_document(const ExportOptions& chosen) {
   return whole;
 }
 
-void ExportDialog::show_result() {
-  const ExportOptions chosen = options();
+void ExportDialog::enable_options(const ExportOptions& chosen) {
   const bool is_picture = traits_of(chosen.format).picture;
-  kept_->setText(chosen.compact
-                     ? tr("The picture, for browsers. Feltline does not read the lines back.")
-                     : format_kept(chosen.format));
-  if (chosen.swell) kept_->setText(tr("Black lines and textures that rise on swell paper."));
   const bool is_png = chosen.format == FileFormat::kPng;
   scale_->setEnabled(is_png);
-  const bool can_grain = is_picture && !chosen.compact && !chosen.swell;
-  dpi_->setEnabled(is_png || (can_grain && chosen.grain));
-  grain_->setEnabled(can_grain && surface_grain_);
+  dpi_->setEnabled(is_png || (can_grain(chosen) && chosen.grain));
+  grain_->setEnabled(can_grain(chosen) && surface_grain_);
   compact_->setEnabled(chosen.format == FileFormat::kSvg && !chosen.swell);
   swell_->setEnabled(can_swell(chosen.format));
   pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection && is_picture &&
@@ -254,12 +253,21 @@ void ExportDialog::show_result() {
   area_->setEnabled(is_picture || selected_.stroke_count() > 0);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0 || chosen.swell) background_->setEnabled(false);
+}
+
+void ExportDialog::show_result() {
+  const ExportOptions chosen = options();
+  kept_->setText(chosen.compact
+                     ? tr("The picture, for browsers. Feltline does not read the lines back.")
+                     : format_kept(chosen.format));
+  if (chosen.swell) kept_->setText(tr("Black lines and textures that rise on swell paper."));
+  enable_options(chosen);
   const Document& document = shown_document(chosen);
   format_->setAccessibleDescription(kept_->text());
   const Rect area = export_area(ink_bounds(document), page_, chosen);
   const Rgba paper = chosen.background && !chosen.swell ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
-  const bool is_grained = can_grain && chosen.grain && surface_grain_;
+  const bool is_grained = can_grain(chosen) && chosen.grain && surface_grain_;
   const QImage picture = page_thumbnail(
       document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : Grain(),
       chosen.pictures ? PictureChoice::kAll : PictureChoice::kMarked);

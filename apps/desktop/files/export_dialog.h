@@ -33,6 +33,7 @@ class ExportDialog : public QDialog {
   QWidget* resolution_row();
   void follow_choices();
   void show_result();
+  void enable_options(const ExportOptions& chosen);
   void show_size(const ExportOptions& chosen, const Rect& area);
   const Document& shown_document(const ExportOptions& chosen);
 
