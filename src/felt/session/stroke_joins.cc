@@ -46,6 +46,14 @@ bool may_join(const StrokeChange& from, Loss loss, const StrokeChange& into) {
   return into.after->bounds().intersects(from.before->bounds());
 }
 
+void add_joins(const StrokeChange& from, Loss loss, const std::vector<const StrokeChange*>& gaining,
+               std::vector<StrokeJoin>& joins) {
+  if (loss == Loss::kNone) return;
+  for (const StrokeChange* into : gaining) {
+    if (may_join(from, loss, *into)) joins.push_back({from.id, into->id});
+  }
+}
+
 }  // namespace
 
 bool is_piece_of(const Stroke& part, const Stroke& whole) {
@@ -73,13 +81,8 @@ std::vector<StrokeJoin> stroke_joins(const Edit& edit) {
     if (gains_ink(c, edit)) gaining.push_back(&c);
   }
   std::vector<StrokeJoin> joins;
-  if (gaining.empty()) return joins;
-  for (const StrokeChange& c : edit.changes) {
-    const Loss loss = loss_of(c, added);
-    if (loss == Loss::kNone) continue;
-    for (const StrokeChange* into : gaining) {
-      if (may_join(c, loss, *into)) joins.push_back({c.id, into->id});
-    }
+  if (!gaining.empty()) {
+    for (const StrokeChange& c : edit.changes) add_joins(c, loss_of(c, added), gaining, joins);
   }
   return joins;
 }
