@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QFile>
+#include <QKeyEvent>
 #include <QPixmap>
 #include <QThread>
 #include <QToolButton>
@@ -19,6 +20,7 @@
 #include "desktop/pens/steady_dialog.h"
 #include "desktop/window/main_window.h"
 #include "desktop/window/preferences.h"
+#include "desktop/window/ring_menu.h"
 #include "desktop/window/theme.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
@@ -109,6 +111,14 @@ QWidget* open_materials(MainWindow& window, const QString& id) {
   return &editor;
 }
 
+/// Opens the ring of tools in the middle of the page, and chooses the tool on the right.
+void open_ring(MainWindow& window) {
+  auto* ring = window.findChild<RingMenu*>();
+  ring->open(RingContent::kTools, QRectF(window.canvas().rect()).center(), RingMenu::By::kKey);
+  QKeyEvent key(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier);
+  for (int i = 0; i < 2; ++i) QApplication::sendEvent(ring, &key);
+}
+
 QWidget* open_dialog(MainWindow& window, const QString& name) {
   const QString what = name.section(QLatin1Char('/'), 0, 0),
                 part = name.section(QLatin1Char('/'), 1);
@@ -165,7 +175,8 @@ int make_picture(const PictureRequest& request) {
     }
   }
   QWidget* seen = &window;
-  if (!request.dialog.isEmpty()) {
+  const bool shows_ring = request.dialog == QStringLiteral("ring");
+  if (!request.dialog.isEmpty() && !shows_ring) {
     seen = open_dialog(window, request.dialog);
     if (!seen) return complain(QStringLiteral("there is no dialog \"%1\"").arg(request.dialog));
     seen->show();
@@ -176,6 +187,7 @@ int make_picture(const PictureRequest& request) {
   wait_for_pictures(window);
   settle();
   lay_out_lists(*seen);
+  if (shows_ring) open_ring(window);
   return seen->grab().save(request.path) ? 0
                                          : complain(request.path + QStringLiteral(": not written"));
 }
