@@ -10,6 +10,7 @@
 
 #include "felt/document/drawing_guide.h"
 #include "felt/document/edit.h"
+#include "felt/geometry/rect.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/guide_line.h"
@@ -253,6 +254,15 @@ struct GuidesEvent {
   friend bool operator==(const GuidesEvent&, const GuidesEvent&) = default;
 };
 
+/// Chooses the edges that are felt as soft ridges: those of the page, and those of the box around
+/// the selection. At first neither is. Forces change, but the ink depends only on the pen samples.
+/// {"event":"edges","page":[0,0,210,297],"selection":true}
+struct UseEdges {
+  Rect page = {};  ///< x0, y0, x1, y1 in mm; an empty one is not felt
+  bool selection = false;
+  friend bool operator==(const UseEdges&, const UseEdges&) = default;
+};
+
 /// Replaces the last stroke by the exact line or arc of the guide of the drawing that it kept to,
 /// as one undo step. Does nothing if no exact curve is offered (Session::exact_offer).
 /// {"event":"exact"}
@@ -267,7 +277,7 @@ struct Event {
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer, GuidesEvent, ExactEvent>
+               ChooseOffer, GuidesEvent, ExactEvent, UseEdges>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -19,6 +19,7 @@
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/edge_ridges.h"
 #include "felt/tools/exact_ink.h"
 #include "felt/tools/guide_picture.h"
 #include "felt/tools/guide_track.h"
@@ -123,6 +124,7 @@ struct Session::Apply {
   Result<void> operator()(const ChooseOffer& e) const { return session.choose(e.what); }
   Result<void> operator()(const GuidesEvent& e) const { return session.change_guides(e); }
   Result<void> operator()(const ExactEvent&) const { return session.make_exact(); }
+  Result<void> operator()(const UseEdges& e) const { return session.use_edges(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -170,10 +172,6 @@ Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
-ForceModel Session::force() const {
-  return tool().force(scene());
-}
-
 const SurfaceMaterial& Session::surface() const noexcept {
   return parts_->surface.material();
 }
@@ -210,6 +208,7 @@ Result<void> Session::sample(const PenSample& reported) {
   }
 
   if (parts_->guide) parts_->guide->update(sample);
+  follow_edges(sample);
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
   const Contact::Change contact = parts_->contact.update(sample);
   if (must_lift_ && parts_->contact.is_down()) return {};
@@ -326,6 +325,12 @@ Result<void> Session::use_guide(const UseGuide& event) {
   if (event.line.kind != GuideKind::kNone)
     parts_->guide.emplace(event.line, ++parts_->guide_number);
   return {};
+}
+
+void Session::follow_edges(const PenSample& sample) {
+  if (!edge_ridges_) return;
+  edge_ridges_->set(edges_.page, edges_.selection ? parts_->selection_view.box() : Rect{});
+  edge_ridges_->update(sample);
 }
 
 const GuideLine* Session::guide() const noexcept {

@@ -20,6 +20,7 @@
 namespace felt {
 
 class DocumentMap;
+class EdgeRidges;
 class StrokeGuide;
 struct ExactOffer;
 
@@ -138,6 +139,8 @@ class Session {
   [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
+  /// Returns the edges that are felt (UseEdges).
+  [[nodiscard]] const UseEdges& edges() const noexcept { return edges_; }
   /// Returns the line or arc that the last stroke would become by an ExactEvent, or null. It is
   /// offered from the end of a stroke that kept to a guide of the drawing until the next touch or
   /// until the stroke changes; draw() shows it.
@@ -184,6 +187,7 @@ class Session {
   Result<void> use_defaults(int version);
   Result<void> use_material(const UseMaterial& event);
   Result<void> use_guide(const UseGuide& event);
+  Result<void> use_edges(const UseEdges& event);
   /// If an option names a material that is not built in, records the material before the option,
   /// but each material only once.
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
@@ -212,6 +216,7 @@ class Session {
   Result<void> make_exact();
   void offer_exact(const Edit& drawn);
   void follow_stroke_guide(const PenSample& sample);
+  void follow_edges(const PenSample& sample);
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
@@ -267,7 +272,9 @@ class Session {
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::unique_ptr<StrokeGuide> stroke_guide_;
-  std::unique_ptr<ExactOffer> exact_;  // null: no offer
+  UseEdges edges_;
+  std::unique_ptr<EdgeRidges> edge_ridges_;  // null until an edge is felt
+  std::unique_ptr<ExactOffer> exact_;        // null: no offer
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;
   std::uint64_t selections_ = 0;

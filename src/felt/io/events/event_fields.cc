@@ -433,6 +433,9 @@ constexpr std::array kGuidesFields = {
                }},
 };
 
+constexpr std::array kEdgesFields = {kEvent, kTime, EventField{"page", false, parse_edges_page},
+                                     EventField{"selection", false, parse_edges_selection}};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -462,6 +465,7 @@ constexpr NamedEvent kEvents[] = {
     {"guide", EventName::kGuide, kGuideFields},
     {"choose", EventName::kChoose, kChooseFields},
     {"guides", EventName::kGuides, kGuidesFields},
+    {"edges", EventName::kEdges, kEdgesFields},
 };
 
 }  // namespace

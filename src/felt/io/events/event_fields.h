@@ -49,6 +49,7 @@ struct EventFields {
   OfferKind offer{};
   GuidesEvent guides;
   bool has_kind = false;  ///< of guides
+  UseEdges edges;
 };
 
 /// The kinds of events, by their name in the file.
@@ -75,7 +76,8 @@ enum class EventName {
   kMaterial,
   kGuide,
   kChoose,
-  kGuides
+  kGuides,
+  kEdges
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

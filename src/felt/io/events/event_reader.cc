@@ -88,6 +88,8 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return std::move(fields.guides);
     case EventName::kGuide:
       return UseGuide{std::move(fields.guide)};
+    case EventName::kEdges:
+      return fields.edges;
     case EventName::kChoose:
       break;
   }

@@ -164,6 +164,19 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   }
 }
 
+TEST(EventReader, ReadsEdges) {
+  EXPECT_EQ(event_of(R"({"event":"edges","t_ms":0})"), (Event{0, UseEdges{}}));
+  EXPECT_EQ(event_of(R"({"event":"edges","page":[0,-1,210,297.5],"selection":true,"t_ms":0})"),
+            (Event{0, UseEdges{{0, -1, 210, 297.5}, true}}));
+  const auto error = [](const std::string& keys) {
+    return error_of(R"({"event":"edges","t_ms":0,)" + keys + "}");
+  };
+  EXPECT_EQ(error(R"("page":[0,0,210])"), "page: has fewer than four numbers");
+  EXPECT_EQ(error(R"("page":[0,0,-1,5])"), "page: is not a rectangle");
+  EXPECT_NE(error(R"("page":[0,0,1,5,7])").find("only four numbers"), std::string::npos);
+  EXPECT_EQ(error(R"("selection":1)"), "selection: 1 is not true or false");
+}
+
 TEST(EventReader, ReadsGuides) {
   const DrawingGuide ruler{DrawingGuideKind::kRuler, {20, 30.5}, 0.25};
   EXPECT_EQ(event_of(R"({"event":"guides","do":"add","kind":"ruler","x":20,"y":30.5,)"
@@ -257,7 +270,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
       "exact, import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-      "material, guide, choose, guides");
+      "material, guide, choose, guides, edges");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

@@ -179,6 +179,17 @@ struct AddWhat {
       add_guide(out, e.guide);
     }
   }
+  void operator()(const UseEdges& e) const {
+    kind("edges");
+    if (!e.page.empty()) {
+      std::vector<std::string> numbers;
+      for (const double mm : {e.page.x0, e.page.y0, e.page.x1, e.page.y1}) {
+        numbers.push_back(json_number(mm));
+      }
+      out.add_raw("page", json_array(numbers));
+    }
+    if (e.selection) out.add_bool("selection", true);
+  }
   void operator()(const ChooseOffer& e) const {
     kind("choose");
     out.add_text("what", json::word_of(e.what));

@@ -40,6 +40,9 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, UndoEvent{}}), "{\"t_ms\":0,\"event\":\"undo\"}\n");
   EXPECT_EQ(line_of({0, RedoEvent{}}), "{\"t_ms\":0,\"event\":\"redo\"}\n");
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
+  EXPECT_EQ(line_of({0, UseEdges{}}), "{\"t_ms\":0,\"event\":\"edges\"}\n");
+  EXPECT_EQ(line_of({0, UseEdges{{0, 1, 2.5, 3}, true}}),
+            "{\"t_ms\":0,\"event\":\"edges\",\"page\":[0,1,2.5,3],\"selection\":true}\n");
   EXPECT_EQ(line_of({0, ExactEvent{}}), "{\"t_ms\":0,\"event\":\"exact\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
@@ -197,7 +200,7 @@ GuidesEvent any_guides_event() {
 
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 19)) {
+  switch (*rc::gen::inRange(0, 20)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -250,6 +253,10 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 17:
       event.what = any_guides_event();
+      break;
+    case 18:
+      event.what =
+          UseEdges{{0.1, -7.0, *rc::gen::inRange(1, 900) * 0.7, 8.5}, *rc::gen::arbitrary<bool>()};
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};

@@ -107,4 +107,26 @@ Result<void> parse_closed_guide(Value& value, EventFields& out) {
   return {};
 }
 
+Result<void> parse_edges_page(Value& value, EventFields& out) {
+  std::array<double, 4> page{};
+  std::size_t count = 0;
+  const auto add = [&](Value& item) -> Result<void> {
+    const std::string_view token = token_of(item);
+    if (count == page.size()) return bad("a page has only four numbers");
+    if (read_number(item, kCoordinateLimit, page[count++])) return {};
+    return tl::unexpected(number_error(token, kCoordinateLimit));
+  };
+  if (Result<void> read = for_each_element(value, "page", add); !read) return read;
+  if (count < page.size()) return bad("page: has fewer than four numbers");
+  out.edges.page = {page[0], page[1], page[2], page[3]};
+  return out.edges.page.empty() ? bad("page: is not a rectangle") : Result<void>();
+}
+
+Result<void> parse_edges_selection(Value& value, EventFields& out) {
+  const Result<bool> is_felt = read_bool(value);
+  if (!is_felt) return tl::unexpected(with_context(is_felt.error(), "selection"));
+  out.edges.selection = *is_felt;
+  return {};
+}
+
 }  // namespace felt::json

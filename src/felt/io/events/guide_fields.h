@@ -23,5 +23,8 @@ Result<void> parse_guide_stroke(Value& value, EventFields& out);
 Result<GuidesEvent> guides_event(EventFields&& fields);
 /// Parses `closed`.
 Result<void> parse_closed_guide(Value& value, EventFields& out);
+/// Of an edges event.
+Result<void> parse_edges_page(Value& value, EventFields& out);
+Result<void> parse_edges_selection(Value& value, EventFields& out);
 
 }  // namespace felt::json
