@@ -109,6 +109,10 @@
         <source>Open the palette at the pointer</source>
         <translation>Palette am Zeiger öffnen</translation>
     </message>
+    <message>
+        <source>Open the ring of tools; release to choose</source>
+        <translation>Ring der Werkzeuge öffnen; Loslassen wählt</translation>
+    </message>
 </context>
 <context>
     <name>CanvasPopup</name>
@@ -453,6 +457,22 @@
     <message>
         <source>S&amp;ound of drawing</source>
         <translation>&amp;Ton beim Zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Edge of the page as a ridge</source>
+        <translation>Seiten&amp;rand als Erhebung</translation>
+    </message>
+    <message>
+        <source>Feel where the page ends, while the pen touches</source>
+        <translation>Fühlen, wo die Seite endet, während der Stift aufliegt</translation>
+    </message>
+    <message>
+        <source>Box of the se&amp;lection as a ridge</source>
+        <translation>Rahmen der &amp;Auswahl als Erhebung</translation>
+    </message>
+    <message>
+        <source>Feel where the box around the selected lines ends</source>
+        <translation>Fühlen, wo der Rahmen um die ausgewählten Linien endet</translation>
     </message>
 </context>
 <context>
@@ -5138,6 +5158,61 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Saved</source>
         <translation>Gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::RingMenu</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Ring of tools at the pen</source>
+        <translation>&amp;Ring der Werkzeuge am Stift</translation>
+    </message>
+    <message>
+        <source>Eight tools around the pen, each in its own direction. Hold the key, move in the direction, and release the key.</source>
+        <translation>Acht Werkzeuge um den Stift, jedes in seiner Richtung. Taste halten, in die Richtung bewegen und Taste loslassen.</translation>
+    </message>
+    <message>
+        <source>Ring of &amp;media at the pen</source>
+        <translation>Ring der &amp;Zeichenmittel am Stift</translation>
+    </message>
+    <message>
+        <source>Eight media around the pen.</source>
+        <translation>Acht Zeichenmittel um den Stift.</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>Ring of si&amp;zes at the pen</source>
+        <translation>Ring der &amp;Größen am Stift</translation>
+    </message>
+    <message>
+        <source>Eight sizes around the pen: widths of new lines, or sizes of the current tool. They grow clockwise.</source>
+        <translation>Acht Größen um den Stift: Breiten neuer Linien oder Größen des aktuellen Werkzeugs. Sie wachsen im Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ring of tools</source>
+        <translation>Ring der Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Ring of media</source>
+        <translation>Ring der Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>Ring of sizes</source>
+        <translation>Ring der Größen</translation>
     </message>
 </context>
 <context>

@@ -109,6 +109,10 @@
         <source>Open the palette at the pointer</source>
         <translation>Palet bij de aanwijzer openen</translation>
     </message>
+    <message>
+        <source>Open the ring of tools; release to choose</source>
+        <translation>Ring met gereedschappen openen; loslaten kiest</translation>
+    </message>
 </context>
 <context>
     <name>CanvasPopup</name>
@@ -453,6 +457,22 @@
     <message>
         <source>S&amp;ound of drawing</source>
         <translation>&amp;Geluid bij het tekenen</translation>
+    </message>
+    <message>
+        <source>&amp;Edge of the page as a ridge</source>
+        <translation>&amp;Rand van de pagina als richel</translation>
+    </message>
+    <message>
+        <source>Feel where the page ends, while the pen touches</source>
+        <translation>Voelen waar de pagina eindigt, terwijl de pen het oppervlak raakt</translation>
+    </message>
+    <message>
+        <source>Box of the se&amp;lection as a ridge</source>
+        <translation>&amp;Kader van de selectie als richel</translation>
+    </message>
+    <message>
+        <source>Feel where the box around the selected lines ends</source>
+        <translation>Voelen waar het kader rond de geselecteerde lijnen eindigt</translation>
     </message>
 </context>
 <context>
@@ -5138,6 +5158,61 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Saved</source>
         <translation>Opgeslagen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::RingMenu</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Ring of tools at the pen</source>
+        <translation>&amp;Ring met gereedschappen bij de pen</translation>
+    </message>
+    <message>
+        <source>Eight tools around the pen, each in its own direction. Hold the key, move in the direction, and release the key.</source>
+        <translation>Acht gereedschappen rond de pen, elk in een eigen richting. Houd de toets ingedrukt, beweeg in de richting en laat de toets los.</translation>
+    </message>
+    <message>
+        <source>Ring of &amp;media at the pen</source>
+        <translation>Ring met &amp;tekenmiddelen bij de pen</translation>
+    </message>
+    <message>
+        <source>Eight media around the pen.</source>
+        <translation>Acht tekenmiddelen rond de pen.</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>Tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Ring of si&amp;zes at the pen</source>
+        <translation>Ring met &amp;grootten bij de pen</translation>
+    </message>
+    <message>
+        <source>Eight sizes around the pen: widths of new lines, or sizes of the current tool. They grow clockwise.</source>
+        <translation>Acht grootten rond de pen: breedten van nieuwe lijnen of grootten van het huidige gereedschap. Ze nemen met de klok mee toe.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ring of tools</source>
+        <translation>Ring met gereedschappen</translation>
+    </message>
+    <message>
+        <source>Ring of media</source>
+        <translation>Ring met tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Ring of sizes</source>
+        <translation>Ring met grootten</translation>
     </message>
 </context>
 <context>

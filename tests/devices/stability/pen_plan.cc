@@ -57,7 +57,7 @@ double guide_pull_n(Trial trial, double way_mm) noexcept {
 Side guide_side(Trial trial, const GuideLaw& law, double t_s) noexcept {
   const bool is_small = trial == Trial::kRay || trial == Trial::kNode;
   const double rest_mm = is_small ? 0.5 : 1.0;
-  const double far_mm = is_small ? 3.0 : 2.9;
+  const double far_mm = is_small ? 3.0 : trial == Trial::kRing ? 7.0 : 2.9;
   Side side;
   side.way_mm = rest_mm + (far_mm - rest_mm) * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
   side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
@@ -66,7 +66,8 @@ Side guide_side(Trial trial, const GuideLaw& law, double t_s) noexcept {
     side.way_mm -= 2.0 * (1.0 - smooth(kLandedS, kMoveS, t_s));
     reach_mm = std::max(0.0, side.way_mm + GuideLaw::kEdgeMm);
   }
-  if (t_s >= kLandedS) side.pull_n = law.well.force_at_n(reach_mm);
+  const double sign = law.pushes_away ? -1.0 : 1.0;
+  if (t_s >= kLandedS) side.pull_n = sign * law.well.force_at_n(reach_mm - law.dead_mm);
   return side;
 }
 

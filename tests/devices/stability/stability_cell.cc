@@ -14,6 +14,7 @@
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
+#include "felt/tools/choice_ring.h"
 #include "felt/tools/fill/fill_force.h"
 #include "felt/tools/gather/gather_force.h"
 #include "felt/tools/guided_feel.h"
@@ -63,6 +64,8 @@ constexpr double kTeacherMmPerS = 40.0;
 // Returns the law of a guide of a drawing on a device.
 GuideLaw law_of(Trial trial, const Capabilities& device) {
   if (trial == Trial::kRay || trial == Trial::kNode) return GuideLaw::tick(1.0, GuideLaw::kTickMm);
+  if (trial == Trial::kRing) return ring_law(kRingMm);
+  if (trial == Trial::kEdge) return GuideLaw::error_amplifying(1.0);
   GuideLaw law = GuideLaw::line(1.0, guide_spring_for(device));
   law.is_edge = trial == Trial::kRuler;
   if (trial == Trial::kPerspective) law.click_n = 0.2;
@@ -100,6 +103,7 @@ GuidePiece guide_path_of(Trial trial) {
 Medium scaled_tool(const StabilityCell& cell) {
   if (cell.trial == Trial::kRidge) return scaled_medium(*cell.tool, kFillGlide, kFillGlide);
   if (cell.trial == Trial::kBundle) return scaled_medium(*cell.tool, kGatherGlide, kGatherGlide);
+  if (cell.trial == Trial::kEdge) return *cell.tool;
   if (is_guide_of_drawing(cell.trial)) return guided_medium(*cell.tool);
   return *cell.tool;
 }
@@ -115,6 +119,13 @@ ForceModel bundle_model(const StabilityCell& cell, const Medium& tool, const Cap
 ForceModel read_model(const StabilityCell& cell, const Capabilities& device) {
   const Guide groove(GuideLaw::groove(kReadGrooveShare), straight_path());
   return read_feel(*cell.surface, device, 1.0, &groove, &kTrialPlace);
+}
+
+// Returns the force of a ring whose well on the right is at kTrialPlace.
+ForceModel ring_model(const StabilityCell& cell, const Capabilities& device) {
+  ChoiceRing ring(kTrialPlace - Vec{kRingMm, 0.0}, {0.0, -kRingMm}, {kRingMm, 0.0});
+  ring.choose(2);
+  return ring_force(ring, *cell.surface, device);
 }
 
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
@@ -139,6 +150,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, SnapWells(kTrialPlace, hold_shape(1.0))));
     case Trial::kRead:
       return read_model(cell, device);
+    case Trial::kRing:
+      return ring_model(cell, device);
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -280,6 +293,10 @@ std::string_view name_of(Trial trial) noexcept {
       return "trace";
     case Trial::kTeacher:
       return "teacher";
+    case Trial::kRing:
+      return "ring";
+    case Trial::kEdge:
+      return "edge";
   }
   return "";
 }
@@ -322,6 +339,7 @@ StabilityResult run_trial(const StabilityCell& cell) {
   if (cell.trial == Trial::kBundle) {
     ground.friction += std::min(BundleFeel::kMaxN / ground.press_n, BundleFeel::kMaxFactor);
   }
+  if (cell.trial == Trial::kRing) ground.friction = 0.0;
   if (is_guide_of_drawing(cell.trial)) ground.guide = law_of(cell.trial, device.capabilities);
   const TrialTimes times = times_of(cell.trial, lets_go);
   Meter meter(times, cell.trial == Trial::kTap, 1e-9 * static_cast<double>(cell.period_ns));

@@ -33,11 +33,14 @@ enum class Trial : std::uint8_t {
   kNode,         ///< a node of a grid; the pen crosses it
   kTrace,        ///< a wavy stroke
   kTeacher,      ///< a teacher who draws with 40 mm/s
+  kRing,  ///< a well of the ring of tools, without friction; the pen leaves it and comes back
+  kEdge,  ///< the ridge at the edge of the page, with the friction of a pencil
 };
 /// The trials of guides of a drawing.
 inline constexpr Trial kGuideTrials[] = {Trial::kRuler,   Trial::kLine,        Trial::kCompass,
                                          Trial::kEllipse, Trial::kPerspective, Trial::kRay,
-                                         Trial::kNode,    Trial::kTrace,       Trial::kTeacher};
+                                         Trial::kNode,    Trial::kTrace,       Trial::kTeacher,
+                                         Trial::kRing,    Trial::kEdge};
 inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit,  Trial::kGuide, Trial::kRidge, Trial::kBundle,
                                     Trial::kShake, Trial::kHold,  Trial::kRead};

@@ -111,8 +111,10 @@ all nine simulated devices (a mouse and a tablet have no force), with the fricti
 while such a guide acts. *ruler*: the pen comes from the free side and is pushed beyond the edge.
 *line*: also one of parallels or a leg of a set square. *ellipse*: its narrow end, with a radius of
 5 mm. *perspective*: begins with a click. *ray* and *node*: the pen crosses the well of 0.3 N.
-*teacher*: leads with up to 0.2 N. Paper, pencil, 1 kHz with delays of 0, 1 and 2 ticks, and 5 kHz
-with 1 tick.
+*teacher*: leads with up to 0.2 N. *ring*: a well of a [ring](design/forces.md#rings), without
+friction; the pen leaves it and comes back. *edge*: the ridge at the [edge of the
+page](design/forces.md#edges), with the whole friction. Paper, pencil, 1 kHz with delays of 0, 1 and
+2 ticks, and 5 kHz with 1 tick.
 
 )";
 
