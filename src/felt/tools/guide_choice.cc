@@ -83,6 +83,7 @@ double own_distance(const DrawingGuidePtr& guide, const Document& document, Poin
                     double limit_mm, GuideBounds& bounds) {
   if (const auto shape = guide_shape(*guide, p)) return distance_from(*shape, p);
   if (distance_squared(bounds.of(guide, document), p) >= limit_mm * limit_mm) return kInf;
+  bounds.count_search();
   if (guide->kind == Kind::kTrace) {
     const StrokePtr stroke = document.find(guide->stroke);
     return stroke ? distance_below(*stroke, p, limit_mm) : kInf;
@@ -128,16 +129,22 @@ std::optional<std::size_t> choose_guide(std::span<const DrawingGuidePtr> guides,
                                         const Document& document, Point touch,
                                         GuideBounds& bounds) {
   std::optional<std::size_t> own, everywhere;
-  double nearest_mm = kInf;
+  std::vector<std::pair<double, std::size_t>> candidates;  // at least so far away, and index
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (!guides[i] || !is_sound(*guides[i]) || guides[i]->kind == Kind::kSymmetry) continue;
-    const DrawingGuide& guide = *guides[i];
-    if (!has_own_shape(guide.kind)) {
-      if (acts_at(guide, touch)) everywhere = i;
-      continue;
+    if (has_own_shape(guides[i]->kind)) {
+      candidates.emplace_back(distance_squared(bounds.of(guides[i], document), touch), i);
+    } else if (acts_at(*guides[i], touch)) {
+      everywhere = i;
     }
+  }
+  // The nearest bounds first, so that few paths are searched.
+  std::sort(candidates.begin(), candidates.end());
+  double nearest_mm = kInf;
+  for (const auto& [least_squared, i] : candidates) {
     const double away_mm = own_distance(guides[i], document, touch, nearest_mm, bounds);
-    if (away_mm < nearest_mm) {
+    const bool is_first = away_mm == nearest_mm && own && i < *own;
+    if (away_mm < nearest_mm || is_first) {
       nearest_mm = away_mm;
       own = i;
     }

@@ -28,8 +28,13 @@ class GuideBounds {
   /// for a stroke that does not exist.
   Rect of(const DrawingGuidePtr& guide, const Document& document);
 
+  /// Counts a search for the nearest point of a path, which takes time linear in its length.
+  void count_search() noexcept { ++searches_; }
+  [[nodiscard]] std::size_t searches() const noexcept { return searches_; }
+
  private:
   std::map<std::shared_ptr<const void>, Rect> known_;
+  std::size_t searches_ = 0;
 };
 
 /// Returns the index of the guide that holds a pen that touches at a point, or nullopt:
