@@ -22,23 +22,25 @@ constexpr double kGapUnits = 8.0;
 constexpr double kCaptionUnits = 16.0;
 constexpr double kCaptionSize = 7.5;
 
+/// Returns the area of what a layer of `from` has, but `other` has not.
+Rect area_only_in(const Layer& layer, const Document& from, const Document& other) {
+  Rect box;
+  for (const StrokeId id : layer.strokes) {
+    const StrokePtr stroke = from.find(id), its = other.find(id);
+    if (!its || *its != *stroke) box.extend(stroke->bounds());
+  }
+  for (const FillId id : layer.fills) {
+    const FillPtr area = from.find_fill(id), its = other.find_fill(id);
+    if (!its || !(*its == *area)) box.extend(fill_bounds(*area));
+  }
+  return box;
+}
+
 /// Returns the area in which two documents differ.
 Rect difference(const Document& a, const Document& b) {
   Rect box;
-  const auto add = [&box](const Document& from, const Document& other) {
-    for (const Layer& layer : from.layers()) {
-      for (const StrokeId id : layer.strokes) {
-        const StrokePtr stroke = from.find(id), its = other.find(id);
-        if (!its || *its != *stroke) box.extend(stroke->bounds());
-      }
-      for (const FillId id : layer.fills) {
-        const FillPtr area = from.find_fill(id), its = other.find_fill(id);
-        if (!its || !(*its == *area)) box.extend(fill_bounds(*area));
-      }
-    }
-  };
-  add(a, b);
-  add(b, a);
+  for (const Layer& layer : a.layers()) box.extend(area_only_in(layer, a, b));
+  for (const Layer& layer : b.layers()) box.extend(area_only_in(layer, b, a));
   return box;
 }
 
@@ -64,7 +66,9 @@ void copy(Image& from, Image& to, int x0, int y0) {
 
 }  // namespace
 
-ActPictures::ActPictures(std::string_view act) : tool_(act.substr(act.find('-') + 1)) {}
+ActPictures::ActPictures(std::string_view act) : tool_(act.substr(act.find('-') + 1)) {
+  tool_.resize(std::min(tool_.size(), tool_.find('-')));
+}
 
 void ActPictures::see(const Session& session, const PenSample& pen) {
   if (is_over_ || session.tool().info().id != tool_) return;
@@ -101,7 +105,7 @@ Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   if (!whole) return whole;
   fill(whole->pixels(), whole->pixels().rect(), kGround);
   for (int i = 0; i < 3; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
+    const auto k = static_cast<std::size_t>(i);
     Result<Image> panel = draw_view(views[k], picture, px_per_unit * 150.0 / picture.dpi);
     if (!panel) return panel;
     copy(*panel, *whole, i * step_px, 0);

@@ -17,7 +17,8 @@ namespace felt::cli {
 /// progress" shows the last moment of the gesture that begins with this touch.
 class ActPictures {
  public:
-  /// `act` is a name like "2-pull", for an act with the tool "pull".
+  /// `act` is a name like "2-pull" or "13-pencil-gestures", for an act with the tool "pull" or
+  /// "pencil".
   explicit ActPictures(std::string_view act);
 
   /// Call it every few milliseconds while the act is played.

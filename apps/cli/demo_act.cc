@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/samples/sample_sets.h"
 #include "felt/io/events/event_writer.h"
 
@@ -56,6 +57,10 @@ void DemoAct::set(const char* id, const OptionValue& value) {
   say(SetOption{.id = id, .value = value});
 }
 
+void DemoAct::choose(OfferKind what) {
+  say(ChooseOffer{what});
+}
+
 void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int& count) {
   SampleSet set{"", {}};
   for (const Gesture& gesture : gestures) {
@@ -72,10 +77,11 @@ void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int&
 
 void DemoAct::aim(const Vec3& target) {
   hand_ = target;
-  say(HandEvent{
-      .target = {rounded(target.x, 0.01), rounded(target.y, 0.01), rounded(target.z, 0.01)},
-      .pressure = {},
-      .buttons = 0});
+  const Vec off = std::sin(kTau * shake_hz_ * now_s_) * shake_mm_;
+  say(HandEvent{.target = {rounded(target.x + off.x, 0.01), rounded(target.y + off.y, 0.01),
+                           rounded(target.z, 0.01)},
+                .pressure = {},
+                .buttons = 0});
 }
 
 void DemoAct::go(const Vec3& target, double seconds) {

@@ -30,6 +30,13 @@ class DemoAct {
   void along(const std::vector<Point>& via, double mm_per_s = 30.0);
   void wait(double seconds);
   void lift();
+  /// From now on, the hand shakes to both sides of its aim by `amplitude_mm`; 0 stops it.
+  void shake(Vec amplitude_mm, double hz) noexcept {
+    shake_mm_ = amplitude_mm;
+    shake_hz_ = hz;
+  }
+  /// Adds the choice of what a stroke means.
+  void choose(OfferKind what);
   /// Adds a short touch at this point.
   void tap(Point at);
   /// Adds a whole gesture: the pen touches at the first point, moves along the others, rests for a
@@ -48,6 +55,8 @@ class DemoAct {
   double drawing_s_ = 0.0;  // time needed to draw the strokes that draw() added
   Vec3 hand_{};
   bool is_there_ = false;
+  Vec shake_mm_{};
+  double shake_hz_ = 0.0;
 };
 
 }  // namespace felt

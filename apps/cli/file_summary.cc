@@ -103,6 +103,11 @@ std::string layers_text(const Imported& opened) {
     if (group) text += fmt::format(", in group {}", group->id.value);
     text += '\n';
   }
+  const Document& document = opened.drawing.document;
+  if (!document.guides().empty()) {
+    text += fmt::format("{:16}{}{}\n", "guides", document.guides().size(),
+                        document.shows_guides() ? "" : ", hidden");
+  }
   return text;
 }
 

@@ -33,7 +33,7 @@ std::vector<Gesture> ball_of_wool() {
   constexpr double kRadius = 10.2;
   std::vector<Gesture> ball;
   ball.push_back(arc(center, kRadius, 0.75, 1.0 - 1.5 / (2.0 * std::numbers::pi * kRadius), 0.6));
-  const auto thread = [&](std::vector<Vec> offsets) {
+  const auto thread = [&](const std::vector<Vec>& offsets) {
     Gesture gesture{.via = {}, .pressure = 0.32, .end_pressure = 0.3};
     for (const Vec& offset : offsets) gesture.via.push_back(center + offset);
     ball.push_back(std::move(gesture));
@@ -77,7 +77,7 @@ std::vector<Gesture> shaky_line() {
 std::vector<Gesture> fish() {
   const Vec at{2.0, 74.0};
   std::vector<Gesture> fish;
-  const auto line = [&](std::vector<Vec> offsets, double pressure) {
+  const auto line = [&](const std::vector<Vec>& offsets, double pressure) {
     Gesture gesture{.via = {}, .pressure = pressure, .end_pressure = 0.4};
     for (const Vec& offset : offsets) gesture.via.push_back(Point{} + at + offset);
     fish.push_back(std::move(gesture));
@@ -280,15 +280,106 @@ std::string fill_act() {
   return act.text();
 }
 
+/// Returns the act in which a held ring becomes a circle, and a scribble deletes the moon.
+std::string gestures_act() {
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.set("ink.color", std::string("#23262d"));
+  act.set("pencil.shapes", true);
+  act.set("pencil.scratch_out", true);
+  std::vector<Point> ring;
+  for (const Point& at : arc({13.0, 52.0}, 8.0, 0.75, 0.97, 0.5).via) ring.push_back(at);
+  act.hover(ring.front());
+  act.press();
+  act.wait(0.15);
+  act.along({ring.begin() + 1, ring.end()}, 25.0);
+  act.wait(0.8);  // the circle is offered
+  act.press(3.5);
+  act.wait(0.3);
+  act.lift();
+  act.hover({8.5, 10.5});
+  act.press();
+  std::vector<Point> scribble;
+  for (int i = 1; i <= 9; ++i) scribble.push_back({i % 2 == 0 ? 8.5 : 21.5, 10.5 + 1.3 * i});
+  act.along(scribble, 90.0);
+  act.wait(0.1);
+  act.lift();
+  act.wait(1.0);  // it is asked
+  act.choose(OfferKind::kDelete);
+  act.wait(0.6);
+  act.set("pencil.shapes", false);
+  act.set("pencil.scratch_out", false);
+  return act.text();
+}
+
+/// Returns the act in which a hand that shakes draws the same line without and with the steady
+/// hand.
+std::string steady_act() {
+  constexpr double kHz = 5.5;
+  const auto line = [](double y) {
+    return std::vector<Point>{{4.0, y}, {12.0, y - 1.0}, {22.0, y + 1.0}, {33.0, y}};
+  };
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.shake({0.3, 1.0}, kHz);
+  act.gesture(line(91.0), 18.0);
+  act.set("pencil.steady_hz", kHz);
+  act.set("pencil.steady_mm", 1.0);
+  act.set("pencil.steady_axis_deg", 73.0);
+  act.set("pencil.steady", true);
+  act.gesture(line(96.5), 18.0);
+  act.set("pencil.steady", false);
+  return act.text();
+}
+
+/// Returns the act in which the eraser is pressed until it clicks, and erases a whole line.
+std::string press_act() {
+  DemoAct act;
+  act.tool("eraser");
+  act.set("eraser.mode", std::string("touched"));
+  act.set("eraser.radius_mm", 1.5);
+  act.set("eraser.press_through", true);
+  act.hover({20.0, 94.0});
+  act.press(2.0);
+  act.along({{20.0, 90.5}}, 15.0);
+  act.wait(0.5);
+  act.press(5.0);
+  act.wait(0.5);
+  act.lift();
+  act.set("eraser.press_through", false);
+  return act.text();
+}
+
+/// Returns the act in which the pen follows a line to its end.
+std::string read_act() {
+  DemoAct act;
+  act.tool("read");
+  act.gesture({{6.0, 98.0}, {13.0, 97.2}, {22.0, 98.4}, {32.6, 97.0}}, 14.0);
+  return act.text();
+}
+
 struct Act {
   const char* name;
   std::string (*script)();
 };
-constexpr Act kActs[] = {
-    {"1-pencil", pencil_act},       {"2-pull", pull_act},       {"3-smooth", smooth_act},
-    {"4-width", width_act},         {"5-eraser", eraser_act},   {"6-lasso", lasso_act},
-    {"7-transform", transform_act}, {"8-connect", connect_act}, {"9-recolor", recolor_act},
-    {"10-shape", shape_act},        {"11-gather", gather_act},  {"12-fill", fill_act}};
+constexpr Act kActs[] = {{"1-pencil", pencil_act},
+                         {"2-pull", pull_act},
+                         {"3-smooth", smooth_act},
+                         {"4-width", width_act},
+                         {"5-eraser", eraser_act},
+                         {"6-lasso", lasso_act},
+                         {"7-transform", transform_act},
+                         {"8-connect", connect_act},
+                         {"9-recolor", recolor_act},
+                         {"10-shape", shape_act},
+                         {"11-gather", gather_act},
+                         {"12-fill", fill_act},
+                         {"13-pencil-gestures", gestures_act},
+                         {"14-pencil-steady", steady_act},
+                         {"15-eraser-press", press_act},
+                         {"16-read", read_act}};
 
 }  // namespace
 }  // namespace felt
@@ -299,8 +390,11 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const felt::Act& act : felt::kActs) {
-    const std::string name = act.name, tool = name.substr(name.find('-') + 1);
-    const std::string path = std::string(argv[1]) + "/" + tool + "/" + name + ".ndjson";
+    // N-TOOL or N-TOOL-NAME
+    const std::string name = act.name, rest = name.substr(name.find('-') + 1),
+                      tool = rest.substr(0, rest.find('-'));
+    std::string path = argv[1];
+    path.append("/").append(tool).append("/").append(name).append(".ndjson");
     std::ofstream out(path, std::ios::binary);
     out << act.script();
     if (out.flush()) continue;

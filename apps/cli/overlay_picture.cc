@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/render/page_painter.h"
 #include "felt/render/plot.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/render/raster.h"
+#include "felt/tools/guide_picture.h"
 #include "felt/tools/overlay_look.h"
 
 namespace felt::cli {
@@ -172,8 +174,10 @@ class OverlayPen {
 };
 
 /// Draws each segment of wet ink as a stroke of its own, which is good enough for a picture.
-void draw_wet_ink(const Overlay& overlay, const View& view, Pixels pixels, Rasterizer& rasterizer) {
-  for (const Overlay::InkSegment& wet : overlay.ink) {
+void draw_wet_ink(const Overlay& overlay, const Affine& image, const View& view, Pixels pixels,
+                  Rasterizer& rasterizer) {
+  for (const Overlay::InkSegment& original : overlay.ink) {
+    const Overlay::InkSegment wet = mapped(original, image);
     StrokeData data;
     data.points.assign(wet.curve.p.begin(), wet.curve.p.end());
     data.widths = {{0.0, std::max(wet.start_width_mm, kMinWidthMm), wet.start_tone},
@@ -199,13 +203,21 @@ SessionView view_of(const Session& session, std::optional<Point> pen) {
 
 Rect bounds_of(const SessionView& view) {
   Rect box = ink_bounds(view.document);
-  for (const auto& wet : view.overlay.ink) box.extend(bounds(wet.curve));
+  for (const auto& wet : view.overlay.ink) {
+    box.extend(bounds(wet.curve));
+    for (const Affine& image : view.overlay.ink_images)
+      box.extend(bounds(mapped(wet, image).curve));
+  }
   for (const auto& ring : view.overlay.rings) {
     box.extend(
         Rect{ring.center.x, ring.center.y, ring.center.x, ring.center.y}.inflated(ring.radius_mm));
   }
   for (const auto& outline : view.overlay.outlines) {
     for (const Point& p : outline.points) box.extend(p);
+  }
+  for (const DrawingGuidePtr& guide : view.document.visible_guides()) {
+    const Rect extent = guide_extent(*guide);
+    if (!extent.empty()) box.extend(extent);
   }
   if (view.pen) box.extend(*view.pen);
   return box;
@@ -230,7 +242,13 @@ Result<Image> draw_view(const SessionView& view, const PictureOptions& options, 
     return tl::unexpected(drawn.error());
   }
   Rasterizer rasterizer;
-  draw_wet_ink(view.overlay, painter->view(), pixels, rasterizer);
+  draw_wet_ink(view.overlay, {}, painter->view(), pixels, rasterizer);
+  for (const Affine& image : view.overlay.ink_images) {
+    draw_wet_ink(view.overlay, image, painter->view(), pixels, rasterizer);
+  }
+  Overlay guides;
+  add_guide_pictures(guides, view.document, nullptr, *page.area);
+  pen.marks(guides);
   pen.marks(view.overlay);
   if (view.pen) pen.pen(*view.pen);
   return std::move(painter->image());

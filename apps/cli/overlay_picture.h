@@ -28,7 +28,8 @@ Rect bounds_of(const SessionView& view);
 /// colour.
 Rgba role_color(Overlay::Role role) noexcept;
 
-/// Draws a view: marked spans as broad bands below the ink; rings, tethers, vectors (with an arrow
+/// Draws a view: marked spans as broad bands below the ink; the guides of the document, cut at the
+/// edges of the picture, above it, and then rings, tethers, vectors (with an arrow
 /// head), outlines, dots and labels above it; the pen on top. The width of overlay lines is a
 /// multiple of `scale` / 150 inch and does not depend on how much of the page is shown. Labels are
 /// ASCII; a degree sign becomes "deg". Fails like render_page().

@@ -31,7 +31,9 @@ constexpr const char* kEdits[] = {
     QT_TRANSLATE_NOOP("edits", "Merge layers"),     QT_TRANSLATE_NOOP("edits", "Add picture"),
     QT_TRANSLATE_NOOP("edits", "Place picture"),    QT_TRANSLATE_NOOP("edits", "Export picture"),
     QT_TRANSLATE_NOOP("edits", "Layer blend mode"), QT_TRANSLATE_NOOP("edits", "Group layers"),
-    QT_TRANSLATE_NOOP("edits", "Ungroup layers"),
+    QT_TRANSLATE_NOOP("edits", "Ungroup layers"),   QT_TRANSLATE_NOOP("edits", "Remove guides"),
+    QT_TRANSLATE_NOOP("edits", "Show guides"),      QT_TRANSLATE_NOOP("edits", "Hide guides"),
+    QT_TRANSLATE_NOOP("edits", "Unlink"),           QT_TRANSLATE_NOOP("edits", "Make exact"),
 };
 
 /// The set of texts of one translation context.
@@ -56,6 +58,10 @@ void add_tool(Texts& texts, const ToolInfo& tool) {
   add(texts, tool.help);
   add(texts, tool.act.title);
   add(texts, tool.act.caption);
+  for (const ToolAct& act : tool.more_acts) {
+    add(texts, act.title);
+    add(texts, act.caption);
+  }
   for (const ToolUse& use : tool.uses) {
     for (const std::string_view text : {use.hint, use.first_modifier, use.second_modifier}) {
       add(texts, text);

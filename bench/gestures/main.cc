@@ -1,7 +1,7 @@
 // Measures the gestures of the pencil: how often real strokes count as gestures, and how often
 // the gestures that simulated people mean are found (README.md).
-//   bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER] [--people N]
-//                  [--seed N] [--each yes]
+//   bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER] [--notes FOLDER]
+//                  [--people N] [--seed N] [--each yes]
 // Exits with 1 if a bar is missed: at most 1 false gesture in 10,000 strokes, at least 95 % found.
 #include <fmt/core.h>
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kMaxFalse = 1e-4, kMinFound = 0.95;
 
 struct Options {
-  std::string strokes, drawings;
+  std::string strokes, drawings, notes;
   double mm_per_unit = 25.4 / 96.0;
   std::size_t people = 40;
   std::uint64_t seed = 1;
@@ -34,6 +34,8 @@ std::optional<Options> options_of(int argc, char** argv) {
       options.strokes = value;
     } else if (name == "--drawings") {
       options.drawings = value;
+    } else if (name == "--notes") {
+      options.notes = value;
     } else if (name == "--mm-per-unit") {
       options.mm_per_unit = std::strtod(value.c_str(), nullptr);
     } else if (name == "--people") {
@@ -72,7 +74,7 @@ bool check_real(const Options& options) {
     all.accepted_shapes += f.accepted_shapes;
     all.rests += f.rests;
   };
-  if (options.strokes.empty() && options.drawings.empty()) return true;
+  if (options.strokes.empty() && options.drawings.empty() && options.notes.empty()) return true;
   fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", "real strokes", "n", "scratch-out",
              "double loop", "shape accepted", "rests");
   if (!options.drawings.empty()) {
@@ -85,6 +87,7 @@ bool check_real(const Options& options) {
     add("pen strokes, piled up (not counted)",
         read_pen_strokes(options.strokes, options.mm_per_unit, Placing::kPiled), false);
   }
+  if (!options.notes.empty()) add("notes (.xopp)", read_notes(options.notes), true);
   fmt::print("false gestures: {} of {} strokes\n\n", all.wrong(), all.strokes);
   return static_cast<double>(all.wrong()) <= kMaxFalse * static_cast<double>(all.strokes);
 }
@@ -118,7 +121,7 @@ int main(int argc, char** argv) {
     fmt::print(
         stderr,
         "usage: bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER]\n"
-        "                      [--people N] [--seed N] [--each yes]\n");
+        "                      [--notes FOLDER] [--people N] [--seed N] [--each yes]\n");
     return 2;
   }
   const bool is_real_met = felt::bench::check_real(*options);

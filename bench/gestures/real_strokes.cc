@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "felt/gather/testing/labelled_drawing.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/io/xopp/xopp_import.h"
 #include "felt/session/session.h"
 
 namespace felt::bench {
@@ -75,6 +77,27 @@ class Drawer {
   std::int64_t now_ns_ = 0;
 };
 
+/// Returns samples of a stroke without times, 8 ms apart.
+std::vector<InkSample> samples_of(const Stroke& line) {
+  constexpr int kSamplesInSegment = 4;
+  std::vector<InkSample> stroke;
+  for (int k = 0; k <= kSamplesInSegment * line.segment_count(); ++k) {
+    InkSample s;
+    s.position = line.position(static_cast<double>(k) / kSamplesInSegment);
+    s.time_ns = k * kUnknownStepNs;
+    stroke.push_back(s);
+  }
+  return stroke;
+}
+
+std::vector<std::vector<InkSample>> strokes_of(const Document& document) {
+  std::vector<std::vector<InkSample>> strokes;
+  for (const Layer& layer : document.layers()) {
+    for (const StrokeId id : layer.strokes) strokes.push_back(samples_of(*document.find(id)));
+  }
+  return strokes;
+}
+
 bool offers(const OfferView& offer, OfferKind kind) {
   return std::any_of(offer.rows.begin(), offer.rows.end(),
                      [kind](const OfferRow& row) { return row.kind == kind; });
@@ -132,6 +155,23 @@ Result<std::vector<RealPage>> read_drawings(const std::string& folder, double di
       if (!stroke.empty()) page.strokes.push_back(std::move(stroke));
     }
     pages.push_back(std::move(page));
+  }
+  return pages;
+}
+
+Result<std::vector<RealPage>> read_notes(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".xopp") paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<RealPage> pages;
+  for (const std::string& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const Result<Imported> notes = import_xopp(bytes);
+    if (!notes) return fail(ErrorCode::kInvalidData, path + ": " + notes.error().message);
+    pages.push_back({path, strokes_of(notes->drawing.document)});
   }
   return pages;
 }

@@ -23,6 +23,9 @@ Result<std::vector<RealPage>> read_pen_strokes(const std::string& path, double m
 /// Reads drawings (.scap) and scales them to this diagonal. The samples are 8 ms apart.
 Result<std::vector<RealPage>> read_drawings(const std::string& folder, double diagonal_mm);
 
+/// Reads the notes (.xopp) of a folder. The files have no times: the samples are 8 ms apart.
+Result<std::vector<RealPage>> read_notes(const std::string& folder);
+
 /// Offers that real strokes got.
 struct FalseOffers {
   std::size_t strokes = 0, scratch_outs = 0, double_loops = 0, accepted_shapes = 0, rests = 0;

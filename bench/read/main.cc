@@ -1,10 +1,11 @@
-// bench_read [--tries N] [--device NAME] [--forces off] [--line NAME] [--trace TRY]
+// bench_read [--tries N] [--device NAME] [--forces off] [--sound off] [--line NAME] [--trace TRY]
 // Simulated people without eyes (felt/devices/simulated/blind_hand.h) follow lines of 200 mm with
 // the tool Read: straight, curved, wavy, and with corners. A try is successful if the pen visits
 // the whole line, each 5 mm of it in order and within 3 mm, and comes within 2 mm of the far end
 // within 60 s. Prints the successes; fails if they are fewer than 95 %. With --forces off, the
-// people feel nothing, which shows that the hand does not know the line otherwise. With --trace,
-// prints the path of one try as lines of x, y and the distance from the line.
+// people feel nothing, which shows that the hand does not know the line otherwise; with --sound
+// off, they do not hear whether the pen is on a line or at an end. With --trace, prints the path of
+// one try as lines of x, y and the distance from the line.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,6 +25,7 @@
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
 #include "felt/session/session.h"
+#include "felt/tools/reading.h"
 
 namespace felt::bench {
 namespace {
@@ -39,7 +41,7 @@ constexpr std::array<const char*, 4> kShapes{"straight", "curved", "wavy", "corn
 struct Options {
   std::size_t tries = 500;
   std::string device = "premium";
-  bool forces = true;
+  bool forces = true, sound = true;
   std::optional<std::size_t> trace;
   std::string line;  ///< only this kind of line, or "" for all
 };
@@ -117,6 +119,15 @@ struct TryResult {
   bool thought_end = false;
 };
 
+/// Returns true if the tone of Read is steady: the pen is on a line, its end or a crossing.
+bool is_on_line(const Reading& reading) {
+  return reading.kind != Reading::Kind::kNothing && reading.kind != Reading::Kind::kFill;
+}
+
+bool is_at_end(const Reading& reading) {
+  return reading.kind == Reading::Kind::kEnd;
+}
+
 /// Lets one person follow one line.
 TryResult follow_line(const Options& options, std::size_t number) {
   Random random(number + 1);
@@ -145,6 +156,8 @@ TryResult follow_line(const Options& options, std::size_t number) {
     hand.step();
     const TickReport& tick = clock.tick();
     static_cast<void>(session.sample(tick.sample));
+    const Reading* reading = session.tool().reading();
+    if (options.sound && reading) hand.hear(is_on_line(*reading), is_at_end(*reading));
     if (++ticks % kPublishTicks == 0) servo->publish(session.force());
     const Vec3& body = hand.device().stylus().body().position();
     const PolylineNearest near = nearest_on_polyline(line, on_page(body));
@@ -205,9 +218,10 @@ int run(const Options& options) {
       static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, tries));
   fmt::print(
       "\n{} of {} tries from end to end ({:.1f} %; the goal is {:.0f} %). Simulated {}, forces "
-      "{}.\n"
+      "{}, sound {}.\n"
       "gave up: the person believed that the line ended earlier.\n",
-      done, tries, 100.0 * share, 100.0 * kGoal, options.device, options.forces ? "on" : "off");
+      done, tries, 100.0 * share, 100.0 * kGoal, options.device, options.forces ? "on" : "off",
+      options.sound ? "on" : "off");
   return share >= kGoal || !options.forces ? 0 : 1;
 }
 
@@ -217,14 +231,15 @@ int run_arguments(int argc, char** argv) {
     const std::string name = argv[i], value = argv[i + 1];
     if (name == "--tries") options.tries = std::strtoull(value.c_str(), nullptr, 10);
     if (name == "--device") options.device = value;
+    if (name == "--sound") options.sound = value != "off";
     if (name == "--forces") options.forces = value != "off";
     if (name == "--line") options.line = value;
     if (name == "--trace") options.trace = std::strtoull(value.c_str(), nullptr, 10);
   }
   if (argc % 2 == 0 || options.tries == 0 || !find_stylus_preset(options.device)) {
     fmt::print(stderr,
-               "usage: bench_read [--tries N] [--device NAME] [--forces off] [--line NAME] "
-               "[--trace TRY]\n");
+               "usage: bench_read [--tries N] [--device NAME] [--forces off] [--sound off]\n"
+               "                  [--line NAME] [--trace TRY]\n");
     return 2;
   }
   if (options.trace) {

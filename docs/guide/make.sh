@@ -12,3 +12,8 @@ trap 'rm -rf "$scratch"' EXIT
 for act in "$here"/../../src/felt/tools/*/[0-9]*-*.ndjson; do
   cp "$scratch/$(basename "$act" .ndjson).png" "$here/"
 done
+
+# The pictures of guides.md: a simulated hand plays the scripts.
+for picture in guides symmetry; do
+  "$feltline" replay "$here/$picture.ndjson" --overlay --dpi 110 -o "$here/$picture.png"
+done

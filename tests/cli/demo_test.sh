@@ -36,7 +36,8 @@ lines cat.ndjson "$(grep -c '"points"' "$tools/pencil/1-pencil.ndjson")"
 run 0 "$feltline" info cat.ndjson
 has out "closed          2"  # the ball of wool, and the cat's nose
 changes() { # ACT WHAT: plays ACT and checks that the output of --stats contains WHAT
-  run 0 "$feltline" replay "$tools/${1#*-}/$1.ndjson" --on cat.ndjson --stats json
+  local tool=${1#*-}
+  run 0 "$feltline" replay "$tools/${tool%%-*}/$1.ndjson" --on "${3:-cat.ndjson}" --stats json
   has out "$2"
   has out '"hard_faults":0,'
 }
@@ -51,6 +52,12 @@ changes 9-recolor '"edits":1,'
 changes 10-shape '"edits":2,'
 changes 11-gather '"edits":5,'
 changes 12-fill '"edits":1,'
+changes 13-pencil-gestures '"edits":2,'  # a circle, and a scribble: the moon is not on this drawing
+changes 14-pencil-steady '"edits":2,'
+changes 16-read '"edits":0,'
+run 0 "$feltline" replay "$tools/pencil/14-pencil-steady.ndjson" -o lines.ndjson
+changes 15-eraser-press '"edits":1,' lines.ndjson
+has out '"strokes":1,'
 run 0 "$feltline" info one/sketch.ndjson
 has out "closed          5"
 

@@ -47,6 +47,7 @@ struct CheckWhat {
   void operator()(const UndoEvent&) const {}
   void operator()(const RedoEvent&) const {}
   void operator()(const CancelEvent&) const {}
+  void operator()(const ExactEvent&) const {}
   void operator()(const ImportEvent& e) const { check_text(e.path); }
   void operator()(const SelectStrokes& e) const {
     FELT_CHECK(e.what <= SelectStrokes::What::kInvert);
@@ -102,7 +103,15 @@ struct CheckWhat {
     FELT_CHECK(!e.text.empty() && e.text.size() <= kMaxMaterialBytes);
   }
   void operator()(const UseGuide& e) const { FELT_CHECK(check_guide(e.line).has_value()); }
+  void operator()(const UseEdges& e) const {
+    FELT_CHECK(e.page == Rect{} || !e.page.empty());
+    if (e.page.empty()) return;
+    for (const double mm : {e.page.x0, e.page.y0, e.page.x1, e.page.y1}) check_number(mm);
+  }
   void operator()(const ChooseOffer& e) const { FELT_CHECK(e.what <= OfferKind::kPolygon); }
+  void operator()(const GuidesEvent& e) const {
+    FELT_CHECK(e.what != GuidesEvent::Do::kAdd || check_drawing_guide(e.guide).has_value());
+  }
 };
 
 void check_round_trip(const std::vector<Event>& events) {

@@ -1,19 +1,23 @@
 // Any bytes must give an error with a message, or a drawing that is equal after writing it as SVG
 // and reading it. Half of the mutations follow the grammar of SVG: they copy, move, wrap and repeat
 // elements, and give attributes values of the right kind (path data, transforms, colours, lengths,
-// style sheets, Feltline's own attributes).
+// style sheets, Feltline's own attributes). Pictures may be in the file, or in one of two files
+// next to it; JPEG pictures are "converted".
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <pugixml.hpp>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "felt/base/atomic_file.h"
+#include "felt/base/base64.h"
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_writer.h"
 
@@ -25,6 +29,46 @@ namespace {
 
 void must(bool condition) {
   if (!condition) std::abort();
+}
+
+/// A PNG picture of 2 x 1 pixels.
+constexpr const char* kPng =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR42mP4z8AAQv8BD/kD/"
+    "Zh51wAAAAAASUVORK5C"
+    "YII=";
+
+/// A folder with the pictures "a.png" and "b/a.jpg". It is removed when the program ends.
+class PictureFolder {
+ public:
+  PictureFolder() {
+    must(::mkdtemp(path_.data()) != nullptr);
+    std::filesystem::create_directory(path_ + "/b");
+    must(felt::write_file(path_ + "/a.png", felt::base64_bytes(kPng).value()).has_value());
+    must(felt::write_file(path_ + "/b/a.jpg", "\xff\xd8\xff").has_value());
+  }
+  ~PictureFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_ = (std::filesystem::temp_directory_path() / "felt-fuzz-XXXXXX").string();
+};
+
+/// Returns options to import a file of the folder, as a program with a window sets them.
+const felt::ImportOptions& import_options() {
+  static const PictureFolder folder;
+  static const felt::ImportOptions options{
+      .folder = folder.path(),
+      .to_png = [](std::string_view, std::int64_t max_pixels) -> felt::Result<std::string> {
+        if (max_pixels < 2) return felt::fail(felt::ErrorCode::kLimitExceeded, "too large");
+        return felt::base64_bytes(kPng).value();
+      }};
+  return options;
 }
 
 /// Returns true if the document is so small that its outlines are computed quickly.
@@ -126,6 +170,22 @@ std::string fill_pieces(Random& random) {
   return text;
 }
 
+std::string picture_name(Random& random) {
+  constexpr std::array<const char*, 8> kNames{
+      "a.png",   "./a.png",  "%61.png",  "b/../a.png",
+      "b/a.jpg", "none.png", "../a.png", "data:image/jpeg;base64,/9j/4AAQSkZJRg=="};
+  if (random() % 2 == 0) return std::string("data:image/png;base64,") + kPng;
+  return one_of(kNames, random);
+}
+
+std::string style(Random& random) {
+  std::string text;
+  if (random() % 2 == 0) text += "mix-blend-mode:multiply;";
+  if (random() % 2 == 0) text += "opacity:0.5;";
+  if (random() % 2 == 0) text += "fill:" + color(random) + ";stroke-width:" + length(random);
+  return text;
+}
+
 /// Returns a random value of the kind that the attribute `name` needs.
 std::string value_for(const std::string& name, Random& random) {
   constexpr std::array<const char*, 4> kIds{"a", "b", "c", ""};
@@ -138,17 +198,15 @@ std::string value_for(const std::string& name, Random& random) {
   if (name == "transform") return transform(random);
   if (name == "fill" || name == "stroke" || name == "color") return color(random);
   if (name == "id" || name == "class") return one_of(kIds, random);
-  if (name == "href" && random() % 2 == 0) {
-    return std::string("data:image/png;base64,") +
-           "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADklEQVR42mP4z8AAQv8BD/kD/"
-           "Zh51wAAAAAASUVORK5C"
-           "YII=";
-  }
+  if (name == "href" && random() % 2 == 0) return picture_name(random);
   if (name == "preserveAspectRatio") return random() % 2 == 0 ? "none" : "xMinYMax slice";
   if (name == "href" || name == "inkscape:path-effect") {
     return std::string("#") + one_of(kIds, random);
   }
-  if (name == "style") return "fill:" + color(random) + ";stroke-width:" + length(random);
+  if (name == "style") return style(random);
+  if (name == "mix-blend-mode") return random() % 4 == 0 ? "screen" : "multiply";
+  if (name == "opacity" && random() % 2 == 0) return "0.5";
+  if (name == "inkscape:groupmode" && random() % 4 != 0) return "layer";
   if (name == "felt:fill") return fill_pieces(random);
   if (name == "fill-rule") return random() % 2 == 0 ? "evenodd" : "nonzero";
   if (name == "offset_points" || name == "felt:widths") return knots(random);
@@ -164,7 +222,7 @@ constexpr std::array<const char*, 18> kElements{"g",        "path",
                                                 "switch",   "linearGradient",
                                                 "stop",     "inkscape:path-effect",
                                                 "style",    "image"};
-constexpr std::array<const char*, 44> kAttributes{"d",
+constexpr std::array<const char*, 46> kAttributes{"d",
                                                   "points",
                                                   "x",
                                                   "y",
@@ -207,7 +265,9 @@ constexpr std::array<const char*, 44> kAttributes{"d",
                                                   "fill-rule",
                                                   "fill-opacity",
                                                   "opacity",
-                                                  "preserveAspectRatio"};
+                                                  "preserveAspectRatio",
+                                                  "mix-blend-mode",
+                                                  "inkscape:groupmode"};
 
 std::vector<pugi::xml_node> elements_of(const pugi::xml_document& document) {
   std::vector<pugi::xml_node> open{document.document_element()}, all;
@@ -227,6 +287,11 @@ void set_attribute(pugi::xml_node node, Random& random) {
   pugi::xml_attribute attribute = node.attribute(name.c_str());
   if (!attribute) attribute = node.append_attribute(name.c_str());
   attribute.set_value(value_for(name, random).c_str());
+  pugi::xml_node root = node.root().find_child(
+      [](pugi::xml_node child) { return child.type() == pugi::node_element; });
+  if (name.starts_with("inkscape:") && !root.attribute("xmlns:inkscape")) {
+    root.append_attribute("xmlns:inkscape") = "http://www.inkscape.org/namespaces/inkscape";
+  }
 }
 
 void mutate(pugi::xml_document& document, Random& random) {
@@ -262,7 +327,7 @@ void mutate(pugi::xml_document& document, Random& random) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const felt::Result<felt::Imported> read = felt::import_svg(bytes);
+  const felt::Result<felt::Imported> read = felt::import_svg(bytes, import_options());
   if (!read) {
     must(!read.error().message.empty());
     return 0;

@@ -10,6 +10,7 @@
 #include "desktop/engine/settings.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/session/session_medium.h"
+#include "felt/tools/guide_picture.h"
 
 namespace felt::desktop {
 namespace {
@@ -258,6 +259,10 @@ void Canvas::refresh() {
   const Session& session = studio_.session();
   ink_.show(session.preview_with_fills());
   session.draw(s.overlay);
+  // The user of a mouse or tablet does not feel the force of the simulated stylus.
+  if (session.device().has_force() && studio_.loop().device().hand()) {
+    session.draw_guide_spring(s.overlay);
+  }
   // Removes the size ring, because the line itself shows its width.
   if (in_contact(studio_.pen().sample)) s.size_ring.stop();
   if (s.size_ring.isActive()) add_size_ring();
@@ -281,6 +286,12 @@ void Canvas::refresh() {
 void Canvas::list_marks() {
   Shown& s = *shown_;
   s.next.clear();
+  const Session& session = studio_.session();
+  s.guides.clear();
+  const std::optional<Edit>& preview = session.preview_with_fills();
+  add_guide_pictures(s.guides, session.document(), preview ? &*preview : nullptr,
+                     studio_.page().area());
+  list_overlay(s.guides, view_, font(), s.next);
   list_overlay(s.notes, view_, font(), s.next);
   list_overlay(s.overlay, view_, font(), s.next);
   const PenState& pen = studio_.pen();

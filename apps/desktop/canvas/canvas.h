@@ -89,6 +89,8 @@ class Canvas : public QWidget {
   /// The user clicked with the right button, or pressed a button with the role kPopup, at this
   /// pixel.
   void popup_wanted(QPointF px);
+  /// The user holds the right button still, or a button with the role kRing, at this pixel.
+  void ring_wanted(QPointF px);
 
  protected:
   bool event(QEvent* event) override;

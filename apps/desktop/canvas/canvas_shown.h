@@ -7,7 +7,7 @@
 #include "desktop/canvas/desk.h"
 #include "desktop/canvas/first_minute.h"
 #include "desktop/canvas/marks.h"
-#include "desktop/canvas/wet_ink_view.h"
+#include "desktop/canvas/mirrored_ink_view.h"
 #include "felt/devices/simulated/pseudo_cursor.h"
 
 namespace felt::desktop {
@@ -16,11 +16,12 @@ namespace felt::desktop {
 /// state.
 struct Canvas::Shown {
   Overlay overlay;
-  Overlay notes;  // marks that do not come from the tool
+  Overlay notes;   // marks that do not come from the tool
+  Overlay guides;  // of the drawing
   Desk desk;
   MarkLook look{Qt::white};
   BandView bands;
-  WetInkView wet;
+  MirroredInkView wet;
   Marks marks, next;
   InkBrush brush;
   FirstMinute first_minute;

@@ -33,10 +33,10 @@ QPen role_pen(const Mark& mark, const MarkLook& look) {
   return pen;
 }
 
-/// Paints an arrow with its head at `to`.
-void paint_arrow(QPainter& painter, QPointF from, QPointF to, QPen pen, const MarkLook& look,
+/// Paints an arrow with its head at the end of `way`.
+void paint_arrow(QPainter& painter, const QLineF& way, QPen pen, const MarkLook& look,
                  double head_px) {
-  const QLineF way(from, to);
+  const QPointF to = way.p2();
   QPolygonF head;
   if (way.length() > 3.0) {
     const double back = std::min(head_px, 0.6 * way.length());
@@ -56,8 +56,10 @@ void paint_arrow(QPainter& painter, QPointF from, QPointF to, QPen pen, const Ma
 
 void paint_ring(QPainter& painter, const Mark& mark, const MarkLook& look) {
   const RoleLook role = look_of(mark.role);
-  painter.setPen(halo_pen(role.width, look));
-  painter.drawEllipse(mark.points[0], mark.size, mark.size);
+  if (role.has_halo) {
+    painter.setPen(halo_pen(role.width, look));
+    painter.drawEllipse(mark.points[0], mark.size, mark.size);
+  }
   painter.setPen(role_pen(mark, look));
   painter.drawEllipse(mark.points[0], mark.size, mark.size);
 }
@@ -126,7 +128,7 @@ QColor mixed(QColor a, QColor b, double share_of_b) {
   return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
-MarkLook::MarkLook(QColor paper) : paper_(std::move(paper)) {
+MarkLook::MarkLook(QColor paper) : paper_(paper) {
   const QColor over = mixed(Qt::white, paper_, static_cast<double>(paper_.alphaF()));
   paper_ = over;
   on_dark_ = qGray(over.rgb()) < 110;
@@ -157,15 +159,18 @@ void paint_mark(QPainter& painter, const Mark& mark, const MarkLook& look, const
   painter.setBrush(Qt::NoBrush);
   switch (mark.kind) {
     case Kind::kLines:
-      painter.setPen(halo_pen(look_of(mark.role).width, look));
-      painter.drawPolyline(mark.points);
+      if (look_of(mark.role).has_halo) {
+        painter.setPen(halo_pen(look_of(mark.role).width, look));
+        painter.drawPolyline(mark.points);
+      }
       painter.setPen(role_pen(mark, look));
       painter.drawPolyline(mark.points);
       return;
     case Kind::kArrow:
-      return paint_arrow(painter, mark.points[0], mark.points[1], role_pen(mark, look), look, 9.0);
+      return paint_arrow(painter, {mark.points[0], mark.points[1]}, role_pen(mark, look), look,
+                         9.0);
     case Kind::kForce:
-      return paint_arrow(painter, mark.points[0], mark.points[1], QPen(look.force(), 2.0), look,
+      return paint_arrow(painter, {mark.points[0], mark.points[1]}, QPen(look.force(), 2.0), look,
                          8.0);
     case Kind::kRing:
       return paint_ring(painter, mark, look);

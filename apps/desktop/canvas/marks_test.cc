@@ -98,12 +98,31 @@ TEST(Marks, EveryRoleIsSeenOnLightAndOnDarkPaper) {
       return std::abs(c.red() - ground.red()) + std::abs(c.green() - ground.green()) +
              std::abs(c.blue() - ground.blue());
     };
-    for (int role = 0; role <= static_cast<int>(Overlay::Role::kCut); ++role) {
+    for (int role = 0; role <= static_cast<int>(Overlay::Role::kAxis); ++role) {
       EXPECT_GT(far_from_ground(look.color(static_cast<Overlay::Role>(role))), 120) << role;
       EXPECT_GT(far_from_ground(look.band(static_cast<Overlay::Role>(role))), 50) << role;
     }
     EXPECT_GT(std::abs(qGray(look.text().rgb()) - qGray(look.plate().rgb())), 150);
   }
+}
+
+/// Paints a mark, and checks that something was painted, and only within the box of the mark.
+void expect_within_box(const Mark& mark) {
+  QImage image(400, 300, QImage::Format_RGB32);
+  image.fill(Qt::gray);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paint_mark(painter, mark, MarkLook(Qt::white), QFont());
+  painter.end();
+  bool any = false;
+  for (int y = 0; y < 300; ++y) {
+    for (int x = 0; x < 400; ++x) {
+      if (image.pixel(x, y) == QColor(Qt::gray).rgb()) continue;
+      any = true;
+      ASSERT_TRUE(mark.box.contains(x, y)) << "kind " << static_cast<int>(mark.kind);
+    }
+  }
+  EXPECT_TRUE(any);
 }
 
 /// A mark paints only within its box; otherwise a partial repaint would leave remains.
@@ -120,23 +139,7 @@ TEST(Marks, KeepToTheirBoxes) {
     PenMark pen{{300, 200}, {320.5, 210.2}, 9.0, {-1.2, 0.7}, 0.8};
     list_pen(pen, marks);
     EXPECT_EQ(marks.size(), 9u);
-    for (const Mark& mark : marks) {
-      QImage image(400, 300, QImage::Format_RGB32);
-      image.fill(Qt::gray);
-      QPainter painter(&image);
-      painter.setRenderHint(QPainter::Antialiasing);
-      paint_mark(painter, mark, MarkLook(Qt::white), QFont());
-      painter.end();
-      bool any = false;
-      for (int y = 0; y < 300; ++y) {
-        for (int x = 0; x < 400; ++x) {
-          if (image.pixel(x, y) == QColor(Qt::gray).rgb()) continue;
-          any = true;
-          ASSERT_TRUE(mark.box.contains(x, y)) << "kind " << static_cast<int>(mark.kind);
-        }
-      }
-      EXPECT_TRUE(any);
-    }
+    for (const Mark& mark : marks) expect_within_box(mark);
   }
 }
 

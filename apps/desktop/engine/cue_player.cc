@@ -71,6 +71,7 @@ void remove_cue_driver(int number) {
 CuePlayer::CuePlayer(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
   connect(&studio_.loop(), &HapticLoop::ticked, this, &CuePlayer::take);
   connect(&studio_, &Studio::edited, this, [this] { watch_.edited(); });
+  connect(&studio_, &Studio::tick_wanted, this, [this] { law_.report(CueEvent::kTook); });
   connect(&studio_, &Studio::refused, this, [this] { law_.report(CueEvent::kRefused); });
   connect(&studio_.loop(), &HapticLoop::device_changed, this, &CuePlayer::fall_silent);
   idle_.setSingleShot(true);

@@ -36,9 +36,12 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   const bool snapped = is_in_snap_ring(overlay_, at, snaps_ ? kLetGo : 1.0) && is_down;
   const bool is_new_snap = snapped && !std::exchange(snaps_, snapped);
   snaps_ = snapped;
-  const bool found = !is_down && nearest_handle(overlay_, at) <= (found_ ? kLetGo : 1.0) * kFoundMm;
-  const bool is_new_find = found && !found_;
-  found_ = found;
+  const double reach_mm = (found_ ? kLetGo : 1.0) * kFoundMm;
+  const bool found = !is_down && nearest_handle(overlay_, at) <= reach_mm;
+  const bool is_new_find = !std::exchange(found_, found) && found;
+
+  const std::uint64_t ticks = session.guide_ticks();
+  const bool is_new_tick = std::exchange(guide_ticks_, ticks) != ticks;
 
   if (is_down && !was_down) came_to_something_ = false;
   const bool is_first_change =
@@ -46,7 +49,7 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   if (is_first_change) came_to_something_ = true;
   if (was_down && !is_down && takes && !came_to_something_) return CueEvent::kRefused;
   if (is_new_snap) return CueEvent::kSnapped;
-  if (is_first_change) return CueEvent::kTook;
+  if (is_first_change || is_new_tick) return CueEvent::kTook;
   if (is_new_find) return CueEvent::kFound;
   return std::nullopt;
 }

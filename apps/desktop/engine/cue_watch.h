@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "felt/haptics/cue_law.h"
@@ -8,9 +9,9 @@
 namespace felt::desktop {
 
 /// Detects the events of a session that the hand should feel. The events are: a tool grabbed
-/// something; a gesture ended without grabbing anything; the end of a line came so close to a point
-/// that it would snap to it; a hovering pen reached a handle. Uses only the session's overlay and
-/// preview. Not thread-safe, but usable in any thread.
+/// something; a guide of the drawing ticked; a gesture ended without grabbing anything; the end of
+/// a line came so close to a point that it would snap to it; a hovering pen reached a handle. Uses
+/// only the session's overlay and preview. Not thread-safe, but usable in any thread.
 class CueWatch {
  public:
   /// A handle counts as reached when its distance to the pen is at most `kFoundMm`, and until the
@@ -29,6 +30,7 @@ class CueWatch {
   bool came_to_something_ = false;  // the document was edited since the pen touched
   bool snaps_ = false;
   bool found_ = false;
+  std::uint64_t guide_ticks_ = 0;  // Session::guide_ticks()
 };
 
 }  // namespace felt::desktop

@@ -287,14 +287,31 @@ void Studio::deselect_for_drawing(const PenSample& sample) {
   static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
 }
 
+void Studio::set_menu_force(const std::optional<ForceModel>& force) {
+  menu_force_ = force;
+  loop_.wake();
+  publish();
+}
+
+/// Lifts the pen of a sample while a menu is open, and until a touch that began meanwhile ends.
+void Studio::lift_for_menu(PenSample& sample) {
+  constexpr double kLiftedMm = 1.0;
+  touches_for_menu_ = (menu_force_ || touches_for_menu_) && in_contact(sample);
+  if (!touches_for_menu_) return;
+  sample.position.z = std::max(sample.position.z, kLiftedMm);
+  if (sample.pressure) sample.pressure = 0.0;
+}
+
 void Studio::handle_sample(PenSample& sample) {
   sample.time_ns = last_event_ns_ = std::max(last_event_ns_, sample.time_ns);
+  const PenSample as_read = sample;
+  lift_for_menu(sample);
   deselect_for_drawing(sample);
   if (const Result<void> done = session_->sample(sample); !done) {
     Q_EMIT refused(text_of(done.error()));
   }
   pen_.is_known = has_news_ = true;
-  pen_.sample = sample;
+  pen_.sample = as_read;
   pen_.asked = loop_.tick().asked;
   pen_.sent = loop_.tick().sent;
   if (!loop_.is_pointed()) pen_.hand = {sample.position.x, sample.position.y};

@@ -141,6 +141,43 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
                    });
 }
 
+/// Adds switches for the edges that are felt as soft ridges, and tells the session where the page
+/// ends.
+void add_edges(Actions& actions, Studio& studio) {
+  const auto follow = [&studio] {
+    const Settings& settings = Settings::the();
+    UseEdges edges;
+    if (settings.flag(feel_keys::kPageEdge, false)) edges.page = studio.page().area();
+    edges.selection = settings.flag(feel_keys::kSelectionEdge, false);
+    if (edges != studio.session().edges()) studio.apply(edges);
+  };
+  const auto add = [&](const char* name, const char* setting, const QString& text,
+                       const QString& tip) {
+    const QString key = QString::fromLatin1(setting);
+    QAction* action = actions.add_switch(QString::fromLatin1(name), text, {}, tip,
+                                         Settings::the().flag(key, false),
+                                         [key](bool on) { Settings::the().set(key, on); });
+    QObject::connect(&Settings::the(), &Settings::changed, action,
+                     [action, key, follow](const QString& which) {
+                       if (which != key) return;
+                       action->setChecked(Settings::the().flag(key, false));
+                       follow();
+                     });
+    return action;
+  };
+  QAction* page = add("feel.page_edge", feel_keys::kPageEdge,
+                      QCoreApplication::translate("FeelActions", "&Edge of the page as a ridge"),
+                      QCoreApplication::translate(
+                          "FeelActions", "Feel where the page ends, while the pen touches"));
+  add("feel.selection_edge", feel_keys::kSelectionEdge,
+      QCoreApplication::translate("FeelActions", "Box of the se&lection as a ridge"),
+      QCoreApplication::translate("FeelActions",
+                                  "Feel where the box around the selected lines ends"));
+  QObject::connect(&studio, &Studio::opened, page, follow);
+  QObject::connect(&studio, &Studio::page_changed, page, follow);
+  follow();
+}
+
 /// Plays cues on a haptic pen, mouse or touchpad, if the user has chosen one.
 void add_cues(Studio& studio, QWidget* window) {
   auto* cues = new CuePlayer(studio, window);
@@ -166,6 +203,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
   add_strength(actions, studio);
   add_materials(actions, studio, window);
   add_own_surfaces(actions, studio, window);
+  add_edges(actions, studio);
   add_sound(actions, studio, window);
   add_cues(studio, window);
   watch_faults(studio, window);

@@ -44,6 +44,30 @@ void forget_settings() {
   }
 }
 
+TEST(FeelActions, EdgesFollowTheSettingsAndThePage) {
+  Window window;
+  const Session& session = window.studio.session();
+  EXPECT_EQ(session.edges(), UseEdges{}) << "off at first";
+  window.actions.find(QStringLiteral("feel.page_edge"))->trigger();
+  EXPECT_EQ(session.edges().page, window.studio.page().area());
+  EXPECT_FALSE(session.edges().selection);
+  Page page = window.studio.page();
+  page.width_mm += 10.0;
+  window.studio.set_page(page);
+  EXPECT_EQ(session.edges().page, page.area());
+  window.actions.find(QStringLiteral("feel.selection_edge"))->trigger();
+  EXPECT_TRUE(session.edges().selection);
+  window.studio.open(Document{}, Page{});
+  EXPECT_EQ(window.studio.session().edges(), (UseEdges{Page{}.area(), true}));
+  Window other;
+  EXPECT_TRUE(other.studio.session().edges().selection) << "kept";
+  for (const char* key : {feel_keys::kPageEdge, feel_keys::kSelectionEdge}) {
+    Settings::the().set(QString::fromLatin1(key), false);
+  }
+  EXPECT_EQ(window.studio.session().edges(), UseEdges{});
+  EXPECT_FALSE(other.actions.find(QStringLiteral("feel.page_edge"))->isChecked());
+}
+
 TEST(FeelPanel, EscapeTwiceSwitchesForcesOffAndOnlyThePanelSwitchesThemOn) {
   forget_settings();
   Window window;

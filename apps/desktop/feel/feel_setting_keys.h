@@ -16,5 +16,8 @@ inline constexpr bool kSoundDefault = false;
 /// Volume, 0..1.
 inline constexpr auto kSoundVolume = "feel/sound_volume";
 inline constexpr double kSoundVolumeDefault = 0.7;
+/// True if the edge of the page, or of the box of the selection, is felt as a ridge. Off at first.
+inline constexpr auto kPageEdge = "feel/page_edge";
+inline constexpr auto kSelectionEdge = "feel/selection_edge";
 
 }  // namespace felt::desktop::feel_keys

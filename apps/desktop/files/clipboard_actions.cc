@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QCryptographicHash>
 #include <QGuiApplication>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -49,6 +50,18 @@ VisibleInk moved(VisibleInk ink, Vec by_mm) {
     f = std::make_shared<const Fill>(std::move(fill));
   }
   return ink;
+}
+
+/// Adds the fills of visible layers for which `goes_along` is true to a layer of a new drawing.
+void add_fills(const Document& document, const std::function<bool(const Fill&)>& goes_along,
+               std::size_t to, DrawingBuilder& builder) {
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const FillId id : layer.fills) {
+      const FillPtr fill = document.find_fill(id);
+      if (goes_along(*fill)) builder.add_fill(to, fill, fill_name(id));
+    }
+  }
 }
 
 }  // namespace
@@ -108,19 +121,11 @@ Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep
   }
   // If all strokes are copied, fills without strokes are, too.
   const bool is_all = studio_.session().selection().empty();
-  const auto is_kept = [&](StrokeId id) { return kept_ids.contains(id); };
-  const auto has_strokes = [](const Fill& fill) {
-    return goes_with_strokes(fill, [](StrokeId) { return true; });
+  const auto goes_along = [&](const Fill& fill) {
+    return goes_with_strokes(fill, [&](StrokeId id) { return kept_ids.contains(id); }) ||
+           (is_all && !goes_with_strokes(fill, [](StrokeId) { return true; }));
   };
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const FillId id : layer.fills) {
-      const FillPtr fill = document.find_fill(id);
-      if (goes_with_strokes(*fill, is_kept) || (is_all && !has_strokes(*fill))) {
-        builder.add_fill(kept, fill, fill_name(id));
-      }
-    }
-  }
+  add_fills(document, goes_along, kept, builder);
   const std::vector<std::string> ids(media.begin(), media.end());
   builder.drawing().materials = texts_of_used(Document(), {}, studio_.session().materials(), ids);
   return std::move(builder).build();
@@ -151,7 +156,7 @@ void ClipboardActions::cut() {
 }
 
 /// Returns the drawing on the clipboard, or nullopt, with a message to the user, if it has no
-/// strokes.
+/// strokes or fills.
 std::optional<Imported> ClipboardActions::pasted() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
   Result<Imported> pasted = data ? drawing_of(*data) : Imported();
@@ -160,7 +165,7 @@ std::optional<Imported> ClipboardActions::pasted() {
                         QString::fromStdString(pasted.error().message));
     return std::nullopt;
   }
-  const bool is_empty = visible_strokes(pasted->drawing.document).empty();
+  const bool is_empty = ink_bounds(pasted->drawing.document).empty();
   if (is_empty && data && data->hasImage()) {
     pictures_.add_image(tr("Picture"), qvariant_cast<QImage>(data->imageData()));
     return std::nullopt;
@@ -189,10 +194,7 @@ void ClipboardActions::paste_in_place() {
 void ClipboardActions::paste_at(Point middle) {
   std::optional<Imported> pasted = this->pasted();
   if (!pasted) return;
-  Rect box;
-  for (const StrokePtr& stroke : visible_strokes(pasted->drawing.document)) {
-    box.extend(stroke->bounds());
-  }
+  const Rect box = ink_bounds(pasted->drawing.document);
   const Point from{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
   add(*std::move(pasted), middle - from);
 }

@@ -177,6 +177,30 @@ TEST(Clipboard, FillsAreCopiedWithAllTheirLines) {
   EXPECT_EQ(copied_fills(), 3u) << "nothing is selected, so everything is copied";
 }
 
+TEST(Clipboard, FillsWithoutLinesArePastedAsFills) {
+  StudioFixture fixture;
+  fixture.draw_filled_squares();
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  trigger(fixture, "edit.copy");
+  // Only the fill without lines remains.
+  fixture.studio.apply(DeleteEvent{});
+  ASSERT_EQ(fixture.document().stroke_count(), 0u);
+  ASSERT_EQ(fixture.document().fill_count(), 1u);
+  trigger(fixture, "edit.copy");
+  StudioFixture other;
+  trigger(other, "edit.paste_in_place");
+  ASSERT_EQ(other.document().fill_count(), 1u);
+  const auto box_of_last = [&other] {
+    const FillId id = other.document().layers().front().fills.back();
+    return fill_bounds(*other.document().find_fill(id));
+  };
+  EXPECT_EQ(box_of_last(), (Rect{10, 10, 40, 40}));
+  for (const Layer& layer : other.document().layers()) EXPECT_EQ(layer.picture, nullptr);
+  other.files->clipboard().paste_at({100, 50});
+  ASSERT_EQ(other.document().fill_count(), 2u);
+  EXPECT_EQ(box_of_last(), (Rect{85, 35, 115, 65}));
+}
+
 TEST(Clipboard, PastesAtThePointerOrInPlace) {
   StudioFixture fixture;
   fixture.studio.import(QStringLiteral("test"),

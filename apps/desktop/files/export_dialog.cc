@@ -17,6 +17,7 @@
 
 #include "desktop/engine/grain_setting.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 #include "desktop/files/files_setting_keys.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/page_picture.h"
@@ -50,14 +51,14 @@ bool can_swell(FileFormat format) {
   return format == FileFormat::kSvg || format == FileFormat::kPdf;
 }
 
-/// Returns the drawing as it is exported for swell paper, for the preview; unchanged if it cannot
-/// be.
-Document black_document(const Document& document) {
+/// Returns the drawing as it is exported for swell paper, for the preview.
+Result<Document> black_document(const Document& document) {
   Drawing drawing;
   drawing.document = document;
   SwellReport report;
   Result<Drawing> black = prepare_for_swell_paper(drawing, report);
-  return black ? std::move(black->document) : document;
+  if (!black) return tl::unexpected(black.error());
+  return std::move(black->document);
 }
 
 /// Paints the picture over chequered squares, which show where it is transparent.
@@ -75,6 +76,11 @@ QPixmap on_squares(const QImage& picture, double ratio) {
   painter.end();
   pixmap.setDevicePixelRatio(ratio);
   return pixmap;
+}
+
+/// Returns true if the picture can show the grain of the surface.
+bool can_grain(const ExportOptions& chosen) {
+  return traits_of(chosen.format).picture && !chosen.compact && !chosen.swell;
 }
 
 }  // namespace
@@ -120,7 +126,6 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   compact_->setChecked(settings.flag(files_keys::kExportCompact, false));
   compact_->setToolTip(
       tr("Only the visible ink, which other programs show but cannot edit as lines"));
-  swell_->setChecked(settings.flag(files_keys::kExportSwell, false));
   swell_->setToolTip(
       tr("Black at true size, with lines at least 1 mm wide and textures instead of "
          "colours, for drawings that are read with the fingers"));
@@ -152,8 +157,8 @@ void ExportDialog::build() {
   columns->addWidget(picture_);
   columns->addLayout(form_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  QPushButton* go = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-  go->setDefault(true);
+  go_ = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+  go_->setDefault(true);
   connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* all = new QVBoxLayout(this);
@@ -217,9 +222,6 @@ void ExportDialog::accept() {
   if (options().format == FileFormat::kSvg) {
     settings.set(files_keys::kExportCompact, compact_->isChecked());
   }
-  if (can_swell(options().format)) {
-    settings.set(files_keys::kExportSwell, swell_->isChecked());
-  }
   settings.set(files_keys::kExportDpi, dpi_->value());
   settings.set(files_keys::kExportBackground, background_->isChecked());
   QDialog::accept();
@@ -228,25 +230,22 @@ void ExportDialog::accept() {
 const Document& ExportDialog::shown_document(const ExportOptions& chosen) {
   const bool is_part = chosen.part == ExportPart::kSelection;
   const Document& whole = is_part ? selected_ : document_;
+  go_->setEnabled(true);
   if (!chosen.swell) return whole;
-  std::optional<Document>& black = is_part ? swell_selected_ : swell_document_;
+  std::optional<Result<Document>>& black = is_part ? swell_selected_ : swell_document_;
   if (!black) black = black_document(whole);
-  return *black;
+  if (*black) return **black;
+  kept_->setText(tr("It cannot be made for swell paper: %1.").arg(text_of(black->error())));
+  go_->setEnabled(false);
+  return whole;
 }
 
-void ExportDialog::show_result() {
-  const ExportOptions chosen = options();
+void ExportDialog::enable_options(const ExportOptions& chosen) {
   const bool is_picture = traits_of(chosen.format).picture;
-  kept_->setText(chosen.compact
-                     ? tr("The picture, for browsers. Feltline does not read the lines back.")
-                     : format_kept(chosen.format));
-  format_->setAccessibleDescription(kept_->text());
-  if (chosen.swell) kept_->setText(tr("Black lines and textures that rise on swell paper."));
   const bool is_png = chosen.format == FileFormat::kPng;
   scale_->setEnabled(is_png);
-  const bool can_grain = is_picture && !chosen.compact && !chosen.swell;
-  dpi_->setEnabled(is_png || (can_grain && chosen.grain));
-  grain_->setEnabled(can_grain && surface_grain_);
+  dpi_->setEnabled(is_png || (can_grain(chosen) && chosen.grain));
+  grain_->setEnabled(can_grain(chosen) && surface_grain_);
   compact_->setEnabled(chosen.format == FileFormat::kSvg && !chosen.swell);
   swell_->setEnabled(can_swell(chosen.format));
   pictures_->setEnabled(has_pictures_ && chosen.part != ExportPart::kSelection && is_picture &&
@@ -254,27 +253,41 @@ void ExportDialog::show_result() {
   area_->setEnabled(is_picture || selected_.stroke_count() > 0);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0 || chosen.swell) background_->setEnabled(false);
-  const bool is_part = chosen.part == ExportPart::kSelection;
+}
+
+void ExportDialog::show_result() {
+  const ExportOptions chosen = options();
+  kept_->setText(chosen.compact
+                     ? tr("The picture, for browsers. Feltline does not read the lines back.")
+                     : format_kept(chosen.format));
+  if (chosen.swell) kept_->setText(tr("Black lines and textures that rise on swell paper."));
+  enable_options(chosen);
   const Document& document = shown_document(chosen);
+  format_->setAccessibleDescription(kept_->text());
   const Rect area = export_area(ink_bounds(document), page_, chosen);
   const Rgba paper = chosen.background && !chosen.swell ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
-  const bool is_grained = can_grain && chosen.grain && surface_grain_;
+  const bool is_grained = can_grain(chosen) && chosen.grain && surface_grain_;
   const QImage picture = page_thumbnail(
       document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : Grain(),
       chosen.pictures ? PictureChoice::kAll : PictureChoice::kMarked);
   picture_->setPixmap(on_squares(picture, ratio));
+  show_size(chosen, area);
+}
+
+void ExportDialog::show_size(const ExportOptions& chosen, const Rect& area) {
   const QLocale locale;
   QString text =
       tr("%1 × %2 mm")
           .arg(locale.toString(area.width(), 'f', 1), locale.toString(area.height(), 'f', 1));
-  if (is_png) {
+  if (chosen.format == FileFormat::kPng) {
     const double scale = chosen.dpi / kMmPerInch;
     text += QLatin1Char('\n') + tr("%1 × %2 pixels")
                                     .arg(locale.toString(std::ceil(area.width() * scale), 'f', 0),
                                          locale.toString(std::ceil(area.height() * scale), 'f', 0));
   }
-  if (!is_picture && !traits_of(chosen.format).page) {
+  if (!traits_of(chosen.format).picture && !traits_of(chosen.format).page) {
+    const bool is_part = chosen.part == ExportPart::kSelection;
     text = is_part ? tr("The selected strokes, exactly") : tr("All strokes, exactly");
   }
   size_->setText(text);

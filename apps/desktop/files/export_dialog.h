@@ -12,6 +12,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 
 namespace felt::desktop {
 
@@ -32,11 +33,13 @@ class ExportDialog : public QDialog {
   QWidget* resolution_row();
   void follow_choices();
   void show_result();
+  void enable_options(const ExportOptions& chosen);
+  void show_size(const ExportOptions& chosen, const Rect& area);
   const Document& shown_document(const ExportOptions& chosen);
 
   Document document_;  // with the newest strokes, for the preview
   Document selected_;
-  std::optional<Document> swell_document_, swell_selected_;  // the same for swell paper
+  std::optional<Result<Document>> swell_document_, swell_selected_;  // the same for swell paper
   Page page_;
   bool has_pictures_ = false;
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
@@ -50,6 +53,7 @@ class ExportDialog : public QDialog {
   QCheckBox* compact_;
   QCheckBox* pictures_;
   QCheckBox* swell_;
+  QPushButton* go_ = nullptr;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

@@ -20,7 +20,5 @@ inline constexpr double kExportDpiDefault = 300.0;
 inline const QString kExportBackground = QStringLiteral("files/export_background");
 inline const QString kExportInkOnly = QStringLiteral("files/export_ink_only");
 inline const QString kExportCompact = QStringLiteral("files/export_compact");
-/// True if an .svg or .pdf is made for swell paper.
-inline const QString kExportSwell = QStringLiteral("files/export_swell");
 
 }  // namespace felt::desktop::files_keys

@@ -14,14 +14,13 @@
 
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/format_texts.h"
-#include "desktop/files/output_actions.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/page_picture.h"
+#include "desktop/files/printed_page.h"
 #include "desktop/files/swell_words.h"
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/base/read_file.h"
 #include "felt/document/edit_builder.h"
-#include "felt/document/testing/small_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -201,79 +200,6 @@ TEST(PageSetup, PresetsAndOrientationAgreeWithTheSides) {
   EXPECT_EQ(preset->currentText(), QStringLiteral("A2"));
 }
 
-TEST(Print, ThePageIsPaintedAtItsTrueSize) {
-  StudioFixture fixture;
-  fixture.draw(3, 6);
-  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
-  const Drawing drawing = fixture.files->drawing();
-  constexpr double kDpi = 254.0;  // ten pixels per mm
-  QImage painted(600, 400, QImage::Format_RGBA8888_Premultiplied);
-  painted.fill(Qt::white);
-  QPainter painter(&painted);
-  paint_page(painter, drawing, kDpi);
-  painter.end();
-  const QImage ours =
-      page_picture(drawing.document, drawing.page.area(), 10.0, {255, 255, 255, 255});
-  ASSERT_EQ(ours.size(), painted.size());
-  double sum = 0.0;
-  for (int y = 0; y < ours.height(); ++y) {
-    for (int x = 0; x < ours.width(); ++x) {
-      sum += std::abs(ours.pixelColor(x, y).green() - painted.pixelColor(x, y).green());
-    }
-  }
-  EXPECT_LT(sum / (600 * 400), 1.0);
-}
-
-TEST(Print, FillsLieBelowTheLinesOfTheirLayer) {
-  StudioFixture fixture;
-  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
-  Drawing drawing = fixture.files->drawing();
-  FillLoop loop{{{10, 10}}, {}};
-  for (const Point to : {Point{50, 10}, Point{50, 30}, Point{10, 30}, Point{10, 10}}) {
-    loop.points.insert(loop.points.end(), {loop.points.back(), to, to});
-  }
-  EditBuilder builder(drawing.document);
-  const LayerId layer = drawing.document.layers()[0].id;
-  builder.add_fill(layer, std::make_shared<const Fill>(Fill{{loop}, {200, 40, 0, 255}, 0.0}));
-  Stroke line = testing::straight_stroke({5, 20}, {55, 20}, 2.0, 2.0);
-  builder.add(layer, std::make_shared<const Stroke>(std::move(line)));
-  ASSERT_TRUE(drawing.document.apply(std::move(builder).build("Fill")));
-  QImage painted(60, 40, QImage::Format_RGBA8888_Premultiplied);
-  painted.fill(Qt::white);
-  QPainter painter(&painted);
-  paint_page(painter, drawing, 25.4);
-  painter.end();
-  EXPECT_EQ(painted.pixelColor(30, 15), QColor(200, 40, 0));
-  EXPECT_NE(painted.pixelColor(30, 20), QColor(200, 40, 0)) << "the line is above";
-  EXPECT_EQ(painted.pixelColor(5, 5), QColor(Qt::white));
-}
-
-TEST(Print, ShowsThePicturesThatAreMarkedForExport) {
-  StudioFixture fixture;
-  fixture.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
-  Drawing drawing = fixture.files->drawing();
-  const Layer& layer = drawing.document.layers()[0];
-  const auto printed_at_12_5 = [&](bool exported) {
-    LayerState state = layer.state();
-    state.picture = std::make_shared<const LayerPicture>(
-        LayerPicture{testing::picture_data(), {10, 0, 0, 10, 10, 0}, exported});
-    Edit edit{"Picture", {}, {{layer.id, layer.state(), state, 0, 0}}};
-    Document document = drawing.document;
-    EXPECT_TRUE(document.apply(edit));
-    Drawing with_picture = drawing;
-    with_picture.document = document;
-    QImage painted(60, 40, QImage::Format_RGBA8888_Premultiplied);
-    painted.fill(Qt::white);
-    QPainter painter(&painted);
-    paint_page(painter, with_picture, 25.4);
-    painter.end();
-    EXPECT_EQ(painted.pixelColor(5, 5), QColor(Qt::white));
-    return painted.pixelColor(12, 5);
-  };
-  EXPECT_EQ(printed_at_12_5(true), QColor(255, 0, 0));
-  EXPECT_EQ(printed_at_12_5(false), QColor(Qt::white));
-}
-
 /// The clipboard, recovery, recent files and the preview of an export show this picture.
 TEST(PagePicture, ShowsFillsAndTheNewestStrokes) {
   Document document;
@@ -324,7 +250,7 @@ TEST(Export, GrainIsThatOfTheSurface) {
   QImage painted(ours.size(), QImage::Format_RGBA8888_Premultiplied);
   painted.fill(Qt::white);
   QPainter painter(&painted);
-  paint_page(painter, drawing, kDpi, grain);
+  PrintedPage::create(drawing, kDpi, grain).value().paint(painter, kDpi);
   painter.end();
   double sum = 0.0;
   for (int y = 0; y < ours.height(); ++y) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QBuffer>
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
@@ -64,8 +65,19 @@ TEST(PictureFile, AJpegInAnSvgIsRead) {
   const Drawing drawing = read_drawing(fixture.at("a.svg")).value();
   ASSERT_TRUE(drawing.document.layers()[0].picture);
   EXPECT_EQ(drawing.document.layers()[0].picture->data->width_px, 30);
-  EXPECT_FALSE(png_of_picture("<svg xmlns='http://www.w3.org/2000/svg'/>"));
-  EXPECT_FALSE(png_of_picture(""));
+  EXPECT_FALSE(png_of_picture("<svg xmlns='http://www.w3.org/2000/svg'/>", 1 << 20));
+  EXPECT_FALSE(png_of_picture("", 1 << 20));
+}
+
+TEST(PictureActions, APictureWithTooManyPixelsIsNotConverted) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  ASSERT_TRUE(red_image(30, 20).save(&buffer, "BMP"));
+  EXPECT_TRUE(png_of_picture(bytes.toStdString(), 600));
+  const Result<std::string> refused = png_of_picture(bytes.toStdString(), 599);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kLimitExceeded);
 }
 
 TEST(PictureActions, TheMenuAsksForAFile) {

@@ -83,7 +83,7 @@ Result<ReadPicture> read_pdf_page(const QString& path, int page) {
   return picture;
 }
 
-Result<std::string> png_of(QImage image) {
+Result<std::string> png_of(const QImage& image) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -146,7 +146,7 @@ Result<ReadPicture> read_picture(const QString& path, int page) {
                 : QStringLiteral("is not a picture, or is damaged: ") + reader.errorString());
 }
 
-Result<std::string> png_of_picture(std::string_view bytes) {
+Result<std::string> png_of_picture(std::string_view bytes, std::int64_t max_pixels) {
   QByteArray copy(bytes.data(), static_cast<qsizetype>(bytes.size()));
   QBuffer buffer(&copy);
   buffer.open(QIODevice::ReadOnly);
@@ -160,6 +160,9 @@ Result<std::string> png_of_picture(std::string_view bytes) {
   const int longest = std::max(size.width(), size.height());
   if (!is_known || longest < 1 || longest > kPictureFileSidePx) {
     return fail(ErrorCode::kUnsupported, "the picture cannot be read");
+  }
+  if (std::int64_t{size.width()} * size.height() > max_pixels) {
+    return fail(ErrorCode::kLimitExceeded, "the picture has too many pixels");
   }
   if (longest > kPictureSidePx) {
     reader.setScaledSize(

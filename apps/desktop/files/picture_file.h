@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QSizeF>
 #include <QString>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -38,9 +39,10 @@ struct ReadPicture {
 Result<ReadPicture> read_picture(const QString& path, int page = 1);
 
 /// Converts the bytes of a JPEG, WebP, GIF or BMP file to a PNG file at most kPictureSidePx pixels
-/// long (ImportOptions::to_png). Does not read SVG files, because they may refer to other files.
-/// Safe to call from any thread.
-Result<std::string> png_of_picture(std::string_view bytes);
+/// long (ImportOptions::to_png). Fails with ErrorCode::kLimitExceeded, before it decodes the
+/// picture, if the file has more than `max_pixels`. Does not read SVG files, because they may refer
+/// to other files. Safe to call from any thread.
+Result<std::string> png_of_picture(std::string_view bytes, std::int64_t max_pixels);
 
 /// Returns the number of pages of a PDF file; 1 for another file. Fails if the file is damaged, or
 /// if the program pdfinfo of poppler-utils is missing.

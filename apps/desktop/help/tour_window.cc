@@ -27,27 +27,41 @@ struct Act {
   ToolAct words;
 };
 
+/// Returns the texts of the act whose script is N-ID.ndjson or N-ID-NAME.ndjson; null if the tool
+/// has no such act.
+const ToolAct* find_act(const std::vector<std::unique_ptr<Tool>>& tools, const QString& script) {
+  const QString base = script.section(QLatin1Char('.'), 0, 0);
+  const std::string id = base.section(QLatin1Char('-'), 1, 1).toStdString(),
+                    name = base.section(QLatin1Char('-'), 2).toStdString();
+  const auto tool =
+      std::find_if(tools.begin(), tools.end(), [&](const auto& t) { return t->info().id == id; });
+  if (tool == tools.end()) return nullptr;
+  const ToolInfo& info = (*tool)->info();
+  if (name.empty()) return &info.act;
+  const auto act = std::find_if(info.more_acts.begin(), info.more_acts.end(),
+                                [&](const ToolAct& a) { return a.name == name; });
+  return act == info.more_acts.end() ? nullptr : &*act;
+}
+
+std::vector<Act> find_acts() {
+  const std::vector<std::unique_ptr<Tool>> tools = make_tools();
+  std::vector<Act> all;
+  QStringList names = QDir(QStringLiteral(":/tour")).entryList(QDir::Files);
+  const auto number = [](const QString& name) {
+    return name.section(QLatin1Char('-'), 0, 0).toInt();
+  };
+  std::sort(names.begin(), names.end(),
+            [&](const QString& a, const QString& b) { return number(a) < number(b); });
+  for (const QString& name : names) {
+    const ToolAct* act = find_act(tools, name);
+    if (act) all.push_back({QStringLiteral(":/tour/") + name, *act});
+  }
+  return all;
+}
+
 /// Returns the acts in the sequence of their scripts: 1-pencil, 2-pull, ...
 const std::vector<Act>& acts() {
-  static const std::vector<Act> kActs = [] {
-    const std::vector<std::unique_ptr<Tool>> tools = make_tools();
-    std::vector<Act> all;
-    QStringList names = QDir(QStringLiteral(":/tour")).entryList(QDir::Files);
-    const auto number = [](const QString& name) {
-      return name.section(QLatin1Char('-'), 0, 0).toInt();
-    };
-    std::sort(names.begin(), names.end(),
-              [&](const QString& a, const QString& b) { return number(a) < number(b); });
-    for (const QString& name : names) {
-      const std::string id =
-          name.section(QLatin1Char('-'), 1).section(QLatin1Char('.'), 0, 0).toStdString();
-      const auto tool = std::find_if(tools.begin(), tools.end(),
-                                     [&](const auto& t) { return t->info().id == id; });
-      if (tool != tools.end())
-        all.push_back({QStringLiteral(":/tour/") + name, (*tool)->info().act});
-    }
-    return all;
-  }();
+  static const std::vector<Act> kActs = find_acts();
   return kActs;
 }
 

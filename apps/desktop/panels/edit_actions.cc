@@ -82,6 +82,12 @@ void add_history(Actions& actions, Studio& studio) {
           "EditActions", "Replaces the line of the steady hand by the line as it was drawn.")),
       [&studio] { studio.apply(AsDrawnEvent{}); });
   drawn->setAutoRepeat(false);
+  const auto follow_drawn = [drawn, &studio] {
+    drawn->setEnabled(studio.session().can_show_as_drawn());
+  };
+  QObject::connect(&studio, &Studio::shown, drawn, follow_drawn);
+  QObject::connect(&studio, &Studio::opened, drawn, follow_drawn);
+  follow_drawn();
   QAction* cancel =
       actions.add(QStringLiteral("edit.cancel"),
                   menu_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or clear selection")),
@@ -100,6 +106,20 @@ void add_history(Actions& actions, Studio& studio) {
                   });
   cancel->setIcon(icon_of("close"));
   cancel->setAutoRepeat(false);
+}
+
+void add_exact(Actions& actions, Studio& studio) {
+  QAction* exact = actions.add(
+      QStringLiteral("edit.exact"), menu_text(QT_TRANSLATE_NOOP("EditActions", "Make e&xact")),
+      {QKeySequence(Qt::CTRL | Qt::Key_E)},
+      menu_text(QT_TRANSLATE_NOOP(
+          "EditActions", "Replaces the line that was drawn along a guide by the exact curve.")),
+      [&studio] { studio.apply(ExactEvent{}); });
+  const auto follow = [exact, &studio] {
+    exact->setEnabled(studio.session().exact_offer() != nullptr);
+  };
+  QObject::connect(&studio, &Studio::shown, exact, follow);
+  follow();
 }
 
 void add_selected(Actions& actions, Studio& studio) {
@@ -178,6 +198,7 @@ void add_selecting(Actions& actions, Studio& studio) {
 
 void add_edit_actions(Actions& actions, Studio& studio) {
   add_history(actions, studio);
+  add_exact(actions, studio);
   add_selected(actions, studio);
   add_selecting(actions, studio);
 }

@@ -26,11 +26,6 @@ QString look_text(const State& state) {
   return text;
 }
 
-QString group_name(const LayerGroup& group) {
-  return numbered(QString::fromStdString(group.name), QLatin1String("Group "),
-                  LayersModel::tr("Group %1"));
-}
-
 }  // namespace
 
 LayersModel::LayersModel(Studio& studio, QObject* parent)
@@ -104,20 +99,26 @@ QString LayersModel::shown_name(const Layer& layer) {
   return numbered(QString::fromStdString(layer.name), QLatin1String("Layer "), tr("Layer %1"));
 }
 
+QString LayersModel::shown_name(const LayerGroup& group) {
+  return numbered(QString::fromStdString(group.name), QLatin1String("Group "), tr("Group %1"));
+}
+
 QString LayersModel::spoken(const Layer& layer) const {
   QString text = tr("%1, %2, %3")
                      .arg(shown_name(layer), layer.own_visible ? tr("visible") : tr("hidden"),
                           layer.own_locked ? tr("locked") : tr("unlocked"));
   if (layer.picture) text += tr(", picture");
   text += look_text(layer.state());
-  if (layer.group) text += tr(", in the group %1").arg(group_name(*layer.group));
+  if (layer.group) text += tr(", in the group %1").arg(shown_name(*layer.group));
+  if (layer.own_visible && !layer.visible) text += tr(", hidden by its group");
+  if (!layer.own_locked && layer.locked) text += tr(", locked by its group");
   if (layer.id == studio_.session().layer()) text += tr(", current");
   return text;
 }
 
 QString LayersModel::spoken(const LayerGroup& group) const {
   return tr("%1 (group), %2, %3, %4")
-             .arg(group_name(group), group.visible ? tr("visible") : tr("hidden"),
+             .arg(shown_name(group), group.visible ? tr("visible") : tr("hidden"),
                   group.locked ? tr("locked") : tr("unlocked"),
                   is_collapsed(group.id) ? tr("collapsed") : tr("expanded")) +
          look_text(group);
@@ -164,7 +165,7 @@ QVariant LayersModel::group_data(const LayerGroup& group, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return group_name(group);
+      return shown_name(group);
     case Qt::AccessibleTextRole:
       return spoken(group);
     case Qt::ToolTipRole:

@@ -43,6 +43,7 @@ class LayersModel : public QAbstractListModel {
   [[nodiscard]] bool is_collapsed(GroupId group) const { return collapsed_.contains(group); }
 
   [[nodiscard]] static QString shown_name(const Layer& layer);
+  [[nodiscard]] static QString shown_name(const LayerGroup& group);
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   /// Renames a layer or a group as a step of undo. Ignores an empty name.

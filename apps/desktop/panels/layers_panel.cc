@@ -53,7 +53,7 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
     connect(made, &QToolButton::clicked, this, [this, what] { apply(what); });
     return made;
   };
-  add("layer-add", tr("Add a layer"), tr("A new layer above this one"), Do::kAdd);
+  add("layer-add", tr("Add a layer"), tr("A new layer above the current one"), Do::kAdd);
   add("layer-duplicate", tr("Duplicate the layer"), tr("A copy of this layer above it"),
       Do::kDuplicate);
   merge_ = add("layer-merge", tr("Merge the layer with the one below"),
@@ -61,7 +61,7 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
   row->addStretch(1);
   raise_ = add("raise", tr("Raise the layer"), tr("Moves the layer up by one"), Do::kRaise);
   lower_ = add("lower", tr("Lower the layer"), tr("Moves the layer down by one"), Do::kLower);
-  add("delete", tr("Remove the layer"), tr("Removes the layer and its lines"), Do::kRemove);
+  remove_ = add("delete", tr("Remove the layer"), {}, Do::kRemove);
   lines->addLayout(row);
   connect_list(*delegate);
   follow_model();
@@ -127,6 +127,8 @@ void LayersPanel::add_blend(QVBoxLayout& lines) {
   blend_->addItem(tr("Normal"));
   blend_->addItem(tr("Multiply"));  // in the order of BlendMode
   blend_->setAccessibleName(tr("Blend mode of the layer"));
+  blend_->setFocusPolicy(Qt::StrongFocus);
+  blend_->installEventFilter(this);
   blend_->setToolTip(tr("Multiply makes what is below darker, for shading on line art"));
   row->addWidget(label);
   row->addWidget(blend_, 1);
@@ -288,13 +290,14 @@ void LayersPanel::apply(const LayerEvent& event) {
   if (!studio_.apply(event) || adds || count() <= before) return;
   const Layer* added = studio_.session().document().layer(studio_.session().layer());
   Q_EMIT studio_.refused(tr("All layers were hidden or locked, so “%1” was added to draw on.")
-                             .arg(model_->shown_name(*added)));
+                             .arg(LayersModel::shown_name(*added)));
 }
 
 void LayersPanel::toggle_visible(LayerId id) {
   const Document& document = studio_.session().document();
   if (const LayerGroupPtr group = id ? nullptr : document.group(chosen_group())) {
-    return apply(event_of(group->visible ? Do::kHide : Do::kShow));
+    apply(event_of(group->visible ? Do::kHide : Do::kShow));
+    return choose_group(group->id);  // another layer may have become current
   }
   const Layer* layer = document.layer(id ? id : chosen());
   if (layer) apply(LayerEvent{layer->own_visible ? Do::kHide : Do::kShow, layer->id});
@@ -303,7 +306,8 @@ void LayersPanel::toggle_visible(LayerId id) {
 void LayersPanel::toggle_locked(LayerId id) {
   const Document& document = studio_.session().document();
   if (const LayerGroupPtr group = id ? nullptr : document.group(chosen_group())) {
-    return apply(event_of(group->locked ? Do::kUnlock : Do::kLock));
+    apply(event_of(group->locked ? Do::kUnlock : Do::kLock));
+    return choose_group(group->id);
   }
   const Layer* layer = document.layer(id ? id : chosen());
   if (layer) apply(LayerEvent{layer->own_locked ? Do::kUnlock : Do::kLock, layer->id});
@@ -342,6 +346,8 @@ void LayersPanel::follow_chosen() {
   merge_->setEnabled(can_merge());
   const Layer* layer = studio_.session().document().layer(kept_);
   const LayerGroupPtr group = studio_.session().document().group(kept_group_);
+  remove_->setToolTip(group ? tr("Removes the group, its layers and their lines")
+                            : tr("Removes the layer and its lines"));
   const QSignalBlocker blocker(opacity_);
   const double opacity = group ? group->opacity : layer ? layer->opacity : 1.0;
   if (!opacity_->isSliderDown()) opacity_->setValue(qRound(100.0 * opacity));
@@ -367,13 +373,25 @@ void LayersPanel::use_clicked() {
   if (chosen_group()) return;
   const Layer* layer = studio_.session().document().layer(chosen());
   if (!layer || is_open(*layer)) return use_chosen();
-  const QString name = model_->shown_name(*layer);
-  Q_EMIT studio_.refused(layer->locked ? tr("“%1” is locked. Unlock it to draw there.").arg(name)
-                                       : tr("“%1” is hidden. Show it to draw there.").arg(name));
+  Q_EMIT studio_.refused(why_not_open(*layer));
   choose(studio_.session().layer());
 }
 
+/// Returns why a layer that is hidden or locked, itself or by its group, does not become current.
+QString LayersPanel::why_not_open(const Layer& layer) const {
+  const bool by_group = layer.locked ? !layer.own_locked : layer.own_visible;
+  const QString name = by_group ? tr("The group “%1”").arg(LayersModel::shown_name(*layer.group))
+                                : tr("“%1”", "a layer").arg(LayersModel::shown_name(layer));
+  return layer.locked ? tr("%1 is locked. Unlock it to draw there.").arg(name)
+                      : tr("%1 is hidden. Show it to draw there.").arg(name);
+}
+
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
+  // Scrolling over the box must not change the drawing.
+  if (watched == blend_ && event->type() == QEvent::Wheel && !blend_->hasFocus()) {
+    event->ignore();
+    return true;
+  }
   if (watched == list_ && event->type() == QEvent::KeyPress) {
     switch (static_cast<QKeyEvent*>(event)->key()) {
       case Qt::Key_Space:

@@ -88,6 +88,7 @@ class LayersPanel : public QWidget {
   void follow_chosen();
   void use_chosen();
   void use_clicked();
+  [[nodiscard]] QString why_not_open(const Layer& layer) const;
   void apply(const LayerEvent& event);
 
   Studio& studio_;
@@ -98,6 +99,7 @@ class LayersPanel : public QWidget {
   QToolButton* raise_ = nullptr;
   QToolButton* lower_ = nullptr;
   QToolButton* merge_ = nullptr;
+  QToolButton* remove_ = nullptr;
   bool was_icon_ = false;                     // the current click was on an eye or a lock
   std::optional<std::size_t> dragged_steps_;  // steps of undo after the last value of a drag
   LayerId kept_;        // layer that was highlighted before the list was rebuilt

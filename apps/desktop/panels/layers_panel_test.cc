@@ -384,8 +384,12 @@ TEST(LayerActions, GroupAndUngroup) {
   EXPECT_EQ(rows(fixture), "Ink (Group 1) b c |");
   find("layer.show")->trigger();
   EXPECT_FALSE(fixture.layer(2)->visible);
-  fixture.studio.apply(UndoEvent{});
-  fixture.panel.choose_group({1});
+  // The group stays highlighted although the layer Ink became current.
+  find("layer.show")->trigger();
+  EXPECT_TRUE(fixture.layer(2)->visible);
+  find("layer.lock")->trigger();
+  find("layer.lock")->trigger();
+  EXPECT_FALSE(fixture.layer(2)->locked);
   find("layer.ungroup")->trigger();
   EXPECT_EQ(rows(fixture), "Ink b c ");
 }

@@ -156,6 +156,7 @@ void TactilePanel::take(Result<std::vector<TactileFault>> faults) {
 
 void TactilePanel::show_faults() {
   const std::size_t shown = std::min(faults_.size(), kMaxRows);
+  const int row = list_->currentRow();
   list_->clear();
   Overlay marks;
   for (std::size_t i = 0; i < shown; ++i) {
@@ -165,6 +166,8 @@ void TactilePanel::show_faults() {
     marks.rings.push_back({fault.at, kRingMm, Overlay::Role::kCut});
     marks.labels.push_back({fault.at, name.toStdString()});
   }
+  // Someone who corrects one fault after another stays at the same place of the list.
+  list_->setCurrentRow(std::min(row, list_->count() - 1));
   if (faults_.empty()) {
     summary_->setText(tr("No faults."));
   } else if (shown < faults_.size()) {

@@ -11,7 +11,7 @@ struct Row {
   const char* label;
 };
 /// The sequence is that of ButtonRole.
-constexpr std::array<Row, 9> kRows = {{
+constexpr std::array<Row, 10> kRows = {{
     {"none", QT_TRANSLATE_NOOP("ButtonRole", "Nothing")},
     {"eraser", QT_TRANSLATE_NOOP("ButtonRole", "Erase while held")},
     {"pull", QT_TRANSLATE_NOOP("ButtonRole", "Pull while held")},
@@ -19,13 +19,14 @@ constexpr std::array<Row, 9> kRows = {{
     {"pan", QT_TRANSLATE_NOOP("ButtonRole", "Move the view while held")},
     {"undo", QT_TRANSLATE_NOOP("ButtonRole", "Undo")},
     {"popup", QT_TRANSLATE_NOOP("ButtonRole", "Open the palette at the pointer")},
+    {"ring", QT_TRANSLATE_NOOP("ButtonRole", "Open the ring of tools; release to choose")},
     {"modifier-1", QT_TRANSLATE_NOOP("ButtonRole", "The tool's first modifier (Shift)")},
     {"modifier-2", QT_TRANSLATE_NOOP("ButtonRole", "The tool's second modifier (Ctrl)")},
 }};
 constexpr std::array kRoles = {
-    ButtonRole::kNone,  ButtonRole::kEraser,        ButtonRole::kPull,
-    ButtonRole::kLasso, ButtonRole::kPan,           ButtonRole::kUndo,
-    ButtonRole::kPopup, ButtonRole::kFirstModifier, ButtonRole::kSecondModifier,
+    ButtonRole::kNone,          ButtonRole::kEraser,         ButtonRole::kPull,  ButtonRole::kLasso,
+    ButtonRole::kPan,           ButtonRole::kUndo,           ButtonRole::kPopup, ButtonRole::kRing,
+    ButtonRole::kFirstModifier, ButtonRole::kSecondModifier,
 };
 static_assert(kRoles.size() == kRows.size());
 

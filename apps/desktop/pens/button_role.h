@@ -15,6 +15,7 @@ enum class ButtonRole : std::uint8_t {
   kPan,    ///< moving the pen pans the view
   kUndo,   ///< undoes one step when the button is pressed
   kPopup,  ///< opens the palette at the pointer (Canvas::popup_wanted)
+  kRing,   ///< opens the ring of tools at the pointer (Canvas::ring_wanted)
   kFirstModifier,
   kSecondModifier,
 };

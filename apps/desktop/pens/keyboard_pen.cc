@@ -39,7 +39,9 @@ bool KeyboardPen::wants(const QKeyEvent& event) const {
   }
   if (event.key() == Qt::Key_Escape) return hand_.is_down(PenHand::Source::kKeys);
   if (direction_of(event.key())) return true;
-  return is_touch_key(event.key()) && may_touch();
+  // Ctrl+Enter takes an offer (OfferPopup).
+  const bool ctrl = event.modifiers().testFlag(Qt::ControlModifier);
+  return is_touch_key(event.key()) && !ctrl && may_touch();
 }
 
 bool KeyboardPen::may_touch() const {

@@ -30,8 +30,13 @@ QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
 
 /// Returns true if a button with this role acts when it is pressed, so that it cannot be clicked.
 bool acts_at_once(ButtonRole role) {
-  return role == ButtonRole::kUndo || role == ButtonRole::kFirstModifier ||
-         role == ButtonRole::kSecondModifier;
+  return role == ButtonRole::kUndo || role == ButtonRole::kRing ||
+         role == ButtonRole::kFirstModifier || role == ButtonRole::kSecondModifier;
+}
+
+/// Returns true if a button with this role opens a menu, which handles the release.
+bool opens_menu(ButtonRole role) {
+  return role == ButtonRole::kPopup || role == ButtonRole::kRing;
 }
 
 /// Returns true if the pen draws while a button with this role is held, with a borrowed tool.
@@ -42,7 +47,16 @@ bool draws(ButtonRole role) {
 }  // namespace
 
 MouseInput::MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings)
-    : canvas_(canvas), hand_(hand), drag_(drag), settings_(settings) {}
+    : canvas_(canvas), hand_(hand), drag_(drag), settings_(settings) {
+  hold_.setSingleShot(true);
+  hold_.setInterval(kHoldMs);
+  connect(&hold_, &QTimer::timeout, this, [this] {
+    if (!click_) return;
+    const QPointF at = *click_;
+    release_all();
+    Q_EMIT canvas_.ring_wanted(at);
+  });
+}
 
 /// Returns true if the event moves the view.
 bool MouseInput::drags(const QMouseEvent& event) {
@@ -71,10 +85,17 @@ void MouseInput::take(const QMouseEvent& event) {
   const bool left = event.buttons().testFlag(Qt::LeftButton);
   const bool presses =
       event.type() != QEvent::MouseMove && event.type() != QEvent::MouseButtonRelease;
-  if (presses && event.button() == Qt::RightButton && !hand_.is_down() &&
-      !acts_at_once(settings_.right)) {
-    click_ = at;
+  if (presses && event.button() == Qt::RightButton && !hand_.is_down()) {
+    if (settings_.right == ButtonRole::kRing) {
+      if (std::exchange(ring_press_, event.timestamp()) == event.timestamp()) return;
+      return Q_EMIT canvas_.ring_wanted(at);
+    }
+    if (!acts_at_once(settings_.right)) {
+      click_ = at;
+      hold_.start();
+    }
   }
+  if (!right) ring_press_.reset();
   const bool clicks = click_ && !right;
   if (click_ && (left || QLineF(*click_, at).length() > kClickPx)) hold_right(time_ns);
   if (clicks) click_.reset();
@@ -83,7 +104,7 @@ void MouseInput::take(const QMouseEvent& event) {
     return;
   }
   if (right && !click_ && right_held_ == ButtonRole::kNone && !hand_.is_down()) {
-    right_held_ = settings_.right == ButtonRole::kPopup ? ButtonRole::kNone : settings_.right;
+    right_held_ = opens_menu(settings_.right) ? ButtonRole::kNone : settings_.right;
     hand_.press(right_held_);
   }
   const bool touching = left || (right && draws(right_held_));
@@ -96,7 +117,7 @@ void MouseInput::take(const QMouseEvent& event) {
 /// pressed.
 void MouseInput::hold_right(std::int64_t time_ns) {
   const QPointF from = *std::exchange(click_, std::nullopt);
-  if (settings_.right == ButtonRole::kPopup || settings_.right == ButtonRole::kPan) return;
+  if (opens_menu(settings_.right) || settings_.right == ButtonRole::kPan) return;
   right_held_ = settings_.right;
   hand_.press(right_held_);
   if (draws(right_held_)) {

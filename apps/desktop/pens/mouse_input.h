@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QObject>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include "desktop/pens/device_clock.h"
@@ -15,8 +16,9 @@ namespace felt::desktop {
 /// Moves the hand with the mouse. The left button puts the pen down, the middle button moves the
 /// view, and the right button may draw with a borrowed tool; the wheel zooms at the pointer. A
 /// click of the right button, without a motion of more than kClickPx, opens the palette at the
-/// pointer, unless the button acts when it is pressed (undo, modifiers). The arguments of the
-/// constructor must outlive this object.
+/// pointer, unless the button acts when it is pressed (undo, modifiers, ring). If the button is
+/// held still for kHoldMs, the ring of tools opens instead. The arguments of the constructor must
+/// outlive this object.
 ///
 ///   wheel                  zoom           Shift + wheel          move sideways
 ///   Ctrl + wheel           zoom, finely   Ctrl + Shift + wheel   turn
@@ -26,6 +28,7 @@ class MouseInput : public QObject {
 
  public:
   static constexpr double kClickPx = 4.0;
+  static constexpr int kHoldMs = 400;
 
   MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
 
@@ -49,6 +52,9 @@ class MouseInput : public QObject {
   Qt::MouseButton dragging_ = Qt::NoButton;    // the button that moves the view
   ButtonRole right_held_ = ButtonRole::kNone;  // the role of the right button while it is held
   std::optional<QPointF> click_;  // position of a press of the right button that may be a click
+  // Time of the press that opened a ring; PenInput reports a press twice.
+  std::optional<quint64> ring_press_;
+  QTimer hold_;  // while that button may be held still
 };
 
 }  // namespace felt::desktop

@@ -98,6 +98,7 @@ void PenHand::press(ButtonRole role) {
   }
   if (role == ButtonRole::kUndo) studio_.apply(UndoEvent{});
   if (role == ButtonRole::kPopup) Q_EMIT canvas_.popup_wanted(canvas_.view().to_px(place_mm()));
+  if (role == ButtonRole::kRing) Q_EMIT canvas_.ring_wanted(canvas_.view().to_px(place_mm()));
   const Tool* tool = tool_of(role, studio_.session());
   if (!tool || (borrowing_ & bit_of(role))) return;
   give_back(true);

@@ -314,6 +314,38 @@ TEST_F(PenInputTest, AClickOfTheRightButtonWantsThePalette) {
   hover({200, 120});
 }
 
+// The right button held still opens the ring; a button with this role opens it when it is pressed.
+TEST_F(PenInputTest, AButtonThatIsHeldStillWantsTheRing) {
+  QSignalSpy ring(&canvas_, &Canvas::ring_wanted), palette(&canvas_, &Canvas::popup_wanted);
+  hover({300, 100});
+  for (const char* role : {"eraser", "none", "pan"}) {
+    set(pen_keys::kRightButton, QString::fromLatin1(role));
+    mouse(QEvent::MouseButtonPress, {300, 100}, Qt::RightButton, Qt::RightButton);
+    QTest::qWait(MouseInput::kHoldMs + 100);
+    ASSERT_EQ(ring.count(), 1) << role;
+    EXPECT_EQ(ring.takeFirst().at(0).toPointF(), QPointF(300, 100));
+    mouse(QEvent::MouseButtonRelease, {300, 100}, Qt::RightButton, Qt::NoButton);
+    EXPECT_EQ(palette.count(), 0) << "no click";
+    EXPECT_EQ(tool(), "pencil");
+  }
+  mouse_line({300, 20}, {300, 180}, Qt::RightButton);
+  QTest::qWait(MouseInput::kHoldMs + 100);
+  EXPECT_EQ(ring.count(), 0) << "a drag is no rest";
+  set(pen_keys::kRightButton, QStringLiteral("ring"));
+  mouse(QEvent::MouseButtonPress, {200, 100}, Qt::RightButton, Qt::RightButton);
+  EXPECT_EQ(ring.count(), 1);
+  // The ring gets the release; the next press opens a ring again.
+  mouse(QEvent::MouseMove, {201, 100}, Qt::NoButton, Qt::NoButton);
+  mouse(QEvent::MouseButtonPress, {200, 100}, Qt::RightButton, Qt::RightButton);
+  EXPECT_EQ(ring.count(), 2);
+  mouse(QEvent::MouseButtonRelease, {200, 100}, Qt::RightButton, Qt::NoButton);
+  set(pen_keys::kLowerButton, QStringLiteral("ring"));
+  hover({200, 120});
+  hover({200, 120}, Qt::RightButton);
+  EXPECT_EQ(ring.count(), 3) << "a button of the pen";
+  hover({200, 120});
+}
+
 TEST_F(PenInputTest, ArrowsMoveTheSelectedLines) {
   mouse_line({100, 100}, {500, 100});
   const auto start = [this] { return studio_.session().document().find({1})->position(0); };

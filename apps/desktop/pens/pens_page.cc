@@ -190,6 +190,11 @@ QWidget* PensPage::make_buttons() {
       tr("Two fingers move, zoom and turn the view. While the pen is near, touch is ignored."));
   form->addRow(tr("One f&inger:"), touch);
   form->addRow(make_touch_taps());
+  const auto follow_touch = [this, touch] {
+    touch_taps_->setEnabled(touch->currentData() != name_of(TouchMode::kOff));
+  };
+  connect(touch, &QComboBox::currentIndexChanged, this, follow_touch);
+  follow_touch();
   return group;
 }
 

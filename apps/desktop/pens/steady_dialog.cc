@@ -23,8 +23,9 @@ double number_of(const Session& session, const char* id, double fallback) {
 
 /// Returns why nothing was found, in the language of the program.
 QString why_not(const SpiralArea& area) {
-  if (area.drawn_s() < kMinSpiralS) {
-    return SteadyDialog::tr("That was too short. Draw slowly, for about ten seconds.");
+  if (spiral_s(area.samples()) < kMinSpiralS) {
+    return SteadyDialog::tr(
+        "That was too short. Draw slowly, for about ten seconds, without lifting the pen.");
   }
   if (static_cast<double>(area.samples().size()) < kMinSpiralHz * area.drawn_s()) {
     return SteadyDialog::tr("This pen reports its position too rarely to measure a shaking.");

@@ -109,6 +109,10 @@
         <source>Open the palette at the pointer</source>
         <translation>Palette am Zeiger öffnen</translation>
     </message>
+    <message>
+        <source>Open the ring of tools; release to choose</source>
+        <translation>Ring der Werkzeuge öffnen; Loslassen wählt</translation>
+    </message>
 </context>
 <context>
     <name>CanvasPopup</name>
@@ -233,6 +237,14 @@
 </context>
 <context>
     <name>EditActions</name>
+    <message>
+        <source>Make e&amp;xact</source>
+        <translation>&amp;Exakt machen</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Ersetzt die Linie, die an einer Hilfslinie gezeichnet wurde, durch die exakte Kurve.</translation>
+    </message>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
@@ -446,6 +458,22 @@
         <source>S&amp;ound of drawing</source>
         <translation>&amp;Ton beim Zeichnen</translation>
     </message>
+    <message>
+        <source>&amp;Edge of the page as a ridge</source>
+        <translation>Seiten&amp;rand als Erhebung</translation>
+    </message>
+    <message>
+        <source>Feel where the page ends, while the pen touches</source>
+        <translation>Fühlen, wo die Seite endet, während der Stift aufliegt</translation>
+    </message>
+    <message>
+        <source>Box of the se&amp;lection as a ridge</source>
+        <translation>Rahmen der &amp;Auswahl als Erhebung</translation>
+    </message>
+    <message>
+        <source>Feel where the box around the selected lines ends</source>
+        <translation>Fühlen, wo der Rahmen um die ausgewählten Linien endet</translation>
+    </message>
 </context>
 <context>
     <name>FirstMinute</name>
@@ -460,6 +488,137 @@
     <message>
         <source>%1 undoes a step. The Help menu has a two-minute tour.</source>
         <translation>%1 macht einen Schritt rückgängig. Im Hilfe-Menü finden Sie eine zweiminütige Tour.</translation>
+    </message>
+</context>
+<context>
+    <name>GuideActions</name>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>&amp;Lineal</translation>
+    </message>
+    <message>
+        <source>Adds a straight edge with millimetres.</source>
+        <translation>Fügt eine gerade Kante mit Millimetern hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Gerade</translation>
+    </message>
+    <message>
+        <source>Adds a straight line across the page.</source>
+        <translation>Fügt eine Gerade über die ganze Seite hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Parallels</source>
+        <translation>&amp;Parallelen</translation>
+    </message>
+    <message>
+        <source>Adds all lines of one direction.</source>
+        <translation>Fügt alle Linien einer Richtung hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Set square</source>
+        <translation>Geo&amp;dreieck</translation>
+    </message>
+    <message>
+        <source>Adds a right angle with millimetres.</source>
+        <translation>Fügt einen rechten Winkel mit Millimetern hinzu.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otractor</source>
+        <translation>&amp;Winkelmesser</translation>
+    </message>
+    <message>
+        <source>Adds rays in steps of 15 degrees.</source>
+        <translation>Fügt Strahlen in Schritten von 15 Grad hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Zirkel</translation>
+    </message>
+    <message>
+        <source>Adds the centre of circles.</source>
+        <translation>Fügt den Mittelpunkt von Kreisen hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Adds one ellipse.</source>
+        <translation>Fügt eine Ellipse hinzu.</translation>
+    </message>
+    <message>
+        <source>Co&amp;ncentric ellipses</source>
+        <translation>Ko&amp;nzentrische Ellipsen</translation>
+    </message>
+    <message>
+        <source>Adds ellipses around one centre.</source>
+        <translation>Fügt Ellipsen um einen Mittelpunkt hinzu.</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspekti&amp;ve</translation>
+    </message>
+    <message>
+        <source>Adds two vanishing points.</source>
+        <translation>Fügt zwei Fluchtpunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of squares.</source>
+        <translation>Fügt ein Raster aus Quadraten hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric grid</source>
+        <translation>&amp;Isometrisches Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of triangles.</source>
+        <translation>Fügt ein Raster aus Dreiecken hinzu.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Adds a mirror axis. New lines get mirror images.</source>
+        <translation>Fügt eine Spiegelachse hinzu. Neue Linien bekommen Spiegelbilder.</translation>
+    </message>
+    <message>
+        <source>&amp;Trace of selected lines</source>
+        <translation>&amp;Spur ausgewählter Linien</translation>
+    </message>
+    <message>
+        <source>Makes each selected line a guide.</source>
+        <translation>Macht jede ausgewählte Linie zu einer Hilfslinie.</translation>
+    </message>
+    <message>
+        <source>&amp;Show guides</source>
+        <translation>&amp;Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the guides. Hidden guides have no effect.</source>
+        <translation>Zeigt oder verbirgt die Hilfslinien. Verborgene wirken nicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink mirrored lines</source>
+        <translation>Gespiegelte Linien &amp;trennen</translation>
+    </message>
+    <message>
+        <source>The selected lines no longer follow their mirror images.</source>
+        <translation>Die ausgewählten Linien folgen ihren Spiegelbildern nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all guides</source>
+        <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the guides. Lines stay.</source>
+        <translation>Entfernt die Hilfslinien. Linien bleiben.</translation>
     </message>
 </context>
 <context>
@@ -845,6 +1004,10 @@
 </context>
 <context>
     <name>Menus</name>
+    <message>
+        <source>&amp;Guides</source>
+        <translation>&amp;Hilfslinien</translation>
+    </message>
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
@@ -1788,6 +1951,38 @@
 </context>
 <context>
     <name>edits</name>
+    <message>
+        <source>Make exact</source>
+        <translation>Exakt machen</translation>
+    </message>
+    <message>
+        <source>Add guide</source>
+        <translation>Hilfslinie hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change guide</source>
+        <translation>Hilfslinie ändern</translation>
+    </message>
+    <message>
+        <source>Remove guide</source>
+        <translation>Hilfslinie entfernen</translation>
+    </message>
+    <message>
+        <source>Remove guides</source>
+        <translation>Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>Hide guides</source>
+        <translation>Hilfslinien verbergen</translation>
+    </message>
+    <message>
+        <source>Unlink</source>
+        <translation>Trennen</translation>
+    </message>
     <message>
         <source>Add layer</source>
         <translation>Ebene hinzufügen</translation>
@@ -2779,6 +2974,10 @@
         <source>Black lines and textures that rise on swell paper.</source>
         <translation>Schwarze Linien und Muster, die auf Schwellpapier hochkommen.</translation>
     </message>
+    <message>
+        <source>It cannot be made for swell paper: %1.</source>
+        <translation>Die Zeichnung kann nicht für Schwellpapier ausgegeben werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -3614,6 +3813,14 @@ Double-click to rename, drag to move, drag layers into it</source>
         <translation>%1
 Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</translation>
     </message>
+    <message>
+        <source>, hidden by its group</source>
+        <translation>, durch ihre Gruppe ausgeblendet</translation>
+    </message>
+    <message>
+        <source>, locked by its group</source>
+        <translation>, durch ihre Gruppe gesperrt</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3624,10 +3831,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Add a layer</source>
         <translation>Eine Ebene hinzufügen</translation>
-    </message>
-    <message>
-        <source>A new layer above this one</source>
-        <translation>Eine neue Ebene über dieser</translation>
     </message>
     <message>
         <source>Raise the layer</source>
@@ -3656,14 +3859,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>All layers were hidden or locked, so “%1” was added to draw on.</source>
         <translation>Alle Ebenen waren ausgeblendet oder gesperrt, daher wurde „%1“ zum Zeichnen hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>“%1” is locked. Unlock it to draw there.</source>
-        <translation>„%1“ ist gesperrt. Entsperren Sie die Ebene, um darauf zu zeichnen.</translation>
-    </message>
-    <message>
-        <source>“%1” is hidden. Show it to draw there.</source>
-        <translation>„%1“ ist ausgeblendet. Blenden Sie die Ebene ein, um darauf zu zeichnen.</translation>
     </message>
     <message>
         <source>Duplicate the layer</source>
@@ -3708,6 +3903,31 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Multiply makes what is below darker, for shading on line art</source>
         <translation>Multiplizieren macht dunkler, was darunter liegt: zum Schattieren von Linien</translation>
+    </message>
+    <message>
+        <source>A new layer above the current one</source>
+        <translation>Eine neue Ebene über der aktuellen</translation>
+    </message>
+    <message>
+        <source>Removes the group, its layers and their lines</source>
+        <translation>Entfernt die Gruppe, ihre Ebenen und deren Linien</translation>
+    </message>
+    <message>
+        <source>The group “%1”</source>
+        <translation>Die Gruppe „%1“</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <comment>a layer</comment>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it to draw there.</source>
+        <translation>%1 ist gesperrt. Entsperren Sie sie, um dort zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Show it to draw there.</source>
+        <translation>%1 ist ausgeblendet. Blenden Sie sie ein, um dort zu zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -4236,16 +4456,16 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 <context>
     <name>felt::desktop::OfferPopup</name>
     <message>
-        <source>Press harder; with a mouse, stay:</source>
-        <translation>Fester drücken; mit der Maus stehen bleiben:</translation>
-    </message>
-    <message>
         <source>Key: %1</source>
         <translation>Taste: %1</translation>
     </message>
     <message>
         <source>This stroke can be: %1</source>
         <translation>Dieser Strich kann sein: %1</translation>
+    </message>
+    <message>
+        <source>Press harder, or hold the mouse still:</source>
+        <translation>Fester drücken oder die Maus stillhalten:</translation>
     </message>
 </context>
 <context>
@@ -4331,6 +4551,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Print</source>
         <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>“%1” was not printed</source>
+        <translation>„%1“ wurde nicht gedruckt</translation>
     </message>
     <message>
         <source>Print preview</source>
@@ -4937,6 +5161,61 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::RingMenu</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Ring of tools at the pen</source>
+        <translation>&amp;Ring der Werkzeuge am Stift</translation>
+    </message>
+    <message>
+        <source>Eight tools around the pen, each in its own direction. Hold the key, move in the direction, and release the key.</source>
+        <translation>Acht Werkzeuge um den Stift, jedes in seiner Richtung. Taste halten, in die Richtung bewegen und Taste loslassen.</translation>
+    </message>
+    <message>
+        <source>Ring of &amp;media at the pen</source>
+        <translation>Ring der &amp;Zeichenmittel am Stift</translation>
+    </message>
+    <message>
+        <source>Eight media around the pen.</source>
+        <translation>Acht Zeichenmittel um den Stift.</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>Ring of si&amp;zes at the pen</source>
+        <translation>Ring der &amp;Größen am Stift</translation>
+    </message>
+    <message>
+        <source>Eight sizes around the pen: widths of new lines, or sizes of the current tool. They grow clockwise.</source>
+        <translation>Acht Größen um den Stift: Breiten neuer Linien oder Größen des aktuellen Werkzeugs. Sie wachsen im Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ring of tools</source>
+        <translation>Ring der Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Ring of media</source>
+        <translation>Ring der Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>Ring of sizes</source>
+        <translation>Ring der Größen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ShadeField</name>
     <message>
         <source>Saturation and brightness</source>
@@ -5143,10 +5422,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 <context>
     <name>felt::desktop::SteadyDialog</name>
     <message>
-        <source>That was too short. Draw slowly, for about ten seconds.</source>
-        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang.</translation>
-    </message>
-    <message>
         <source>This pen reports its position too rarely to measure a shaking.</source>
         <translation>Dieser Stift meldet seine Position zu selten, um ein Zittern zu messen.</translation>
     </message>
@@ -5181,6 +5456,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>The hand shakes %1.</source>
         <translation>Die Hand zittert %1.</translation>
+    </message>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds, without lifting the pen.</source>
+        <translation>Das war zu kurz. Zeichnen Sie langsam, etwa zehn Sekunden lang, ohne den Stift abzuheben.</translation>
     </message>
 </context>
 <context>
@@ -5625,6 +5904,98 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 </context>
 <context>
     <name>tools</name>
+    <message>
+        <source>Guide</source>
+        <translation>Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Places rulers, grids, mirror axes and other guides, and moves and turns them.</source>
+        <translation>Setzt Lineale, Raster, Spiegelachsen und andere Hilfslinien, verschiebt und dreht sie.</translation>
+    </message>
+    <message>
+        <source>Drag to place a guide, or drag a guide by a handle or a line.</source>
+        <translation>Ziehen setzt eine Hilfslinie; an einem Griff oder einer Linie ziehen verändert sie.</translation>
+    </message>
+    <message>
+        <source>removes the guide</source>
+        <translation>entfernt die Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>The guide that a drag on a free part of the page places.</source>
+        <translation>Die Hilfslinie, die ein Ziehen auf freier Seite setzt.</translation>
+    </message>
+    <message>
+        <source>Mirror axes</source>
+        <translation>Spiegelachsen</translation>
+    </message>
+    <message>
+        <source>How many axes a new symmetry has. Each stroke gets twice as many images.</source>
+        <translation>Wie viele Achsen eine neue Symmetrie hat. Jede Linie hat doppelt so viele Bilder.</translation>
+    </message>
+    <message>
+        <source>Vanishing points</source>
+        <translation>Fluchtpunkte</translation>
+    </message>
+    <message>
+        <source>How many vanishing points a new perspective has.</source>
+        <translation>Wie viele Fluchtpunkte eine neue Perspektive hat.</translation>
+    </message>
+    <message>
+        <source>How strongly a new guide holds the pen of the pencil.</source>
+        <translation>Wie stark eine neue Hilfslinie den Stift hält.</translation>
+    </message>
+    <message>
+        <source>ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>parallels</source>
+        <translation>Parallelen</translation>
+    </message>
+    <message>
+        <source>set-square</source>
+        <translation>Geodreieck</translation>
+    </message>
+    <message>
+        <source>protractor</source>
+        <translation>Winkelmesser</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>Zirkel</translation>
+    </message>
+    <message>
+        <source>ellipses</source>
+        <translation>Ellipsen</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>isometric-grid</source>
+        <translation>isometrisches Raster</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
+        <source>steps of 15°</source>
+        <translation>Schritte von 15°</translation>
+    </message>
     <message>
         <source>Draw a line around the selection, or a rectangle from corner to corner.</source>
         <translation>Die Auswahl mit einer Linie umfahren oder ein Rechteck von Ecke zu Ecke aufziehen.</translation>
@@ -7056,6 +7427,30 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Widths in steps</source>
         <translation>Breiten in Stufen</translation>
+    </message>
+    <message>
+        <source>A drawing can be read without eyes: lines hold the pen, ends and crossings click, and what is under the pen is spoken.</source>
+        <translation>Eine Zeichnung lässt sich ohne Augen lesen: Linien halten den Stift, Enden und Kreuzungen klicken, und was unter dem Stift ist, wird gesprochen.</translation>
+    </message>
+    <message>
+        <source>Felt steps</source>
+        <translation>Fühlbare Stufen</translation>
+    </message>
+    <message>
+        <source>Gestures</source>
+        <translation>Gesten</translation>
+    </message>
+    <message>
+        <source>Hold the pen at the end of a line and press: the line becomes the shape. Scribble over lines, and you are asked whether to delete them.</source>
+        <translation>Am Ende einer Linie stehen bleiben und drücken: Die Linie wird zur Form. Über Linien kritzeln: Feltline fragt, ob sie gelöscht werden sollen.</translation>
+    </message>
+    <message>
+        <source>If your hand shakes, lines can be calm: the shaking is measured once and removed while you draw.</source>
+        <translation>Auch wenn die Hand zittert, können Linien ruhig sein: Das Zittern wird einmal gemessen und beim Zeichnen entfernt.</translation>
+    </message>
+    <message>
+        <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
+        <translation>Den Radierer drücken, bis er klickt: Die ganze Linie verschwindet. Auch der Bleistift hat solche Stufen; sie halten die Breite einer Linie.</translation>
     </message>
 </context>
 </TS>

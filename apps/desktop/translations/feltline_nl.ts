@@ -109,6 +109,10 @@
         <source>Open the palette at the pointer</source>
         <translation>Palet bij de aanwijzer openen</translation>
     </message>
+    <message>
+        <source>Open the ring of tools; release to choose</source>
+        <translation>Ring met gereedschappen openen; loslaten kiest</translation>
+    </message>
 </context>
 <context>
     <name>CanvasPopup</name>
@@ -233,6 +237,14 @@
 </context>
 <context>
     <name>EditActions</name>
+    <message>
+        <source>Make e&amp;xact</source>
+        <translation>E&amp;xact maken</translation>
+    </message>
+    <message>
+        <source>Replaces the line that was drawn along a guide by the exact curve.</source>
+        <translation>Vervangt de lijn die langs een hulplijn is getekend door de exacte kromme.</translation>
+    </message>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Ongedaan maken</translation>
@@ -446,6 +458,22 @@
         <source>S&amp;ound of drawing</source>
         <translation>&amp;Geluid bij het tekenen</translation>
     </message>
+    <message>
+        <source>&amp;Edge of the page as a ridge</source>
+        <translation>&amp;Rand van de pagina als richel</translation>
+    </message>
+    <message>
+        <source>Feel where the page ends, while the pen touches</source>
+        <translation>Voelen waar de pagina eindigt, terwijl de pen het oppervlak raakt</translation>
+    </message>
+    <message>
+        <source>Box of the se&amp;lection as a ridge</source>
+        <translation>&amp;Kader van de selectie als richel</translation>
+    </message>
+    <message>
+        <source>Feel where the box around the selected lines ends</source>
+        <translation>Voelen waar het kader rond de geselecteerde lijnen eindigt</translation>
+    </message>
 </context>
 <context>
     <name>FirstMinute</name>
@@ -460,6 +488,137 @@
     <message>
         <source>%1 undoes a step. The Help menu has a two-minute tour.</source>
         <translation>%1 maakt een stap ongedaan. In het menu Help staat een rondleiding van twee minuten.</translation>
+    </message>
+</context>
+<context>
+    <name>GuideActions</name>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>Lin&amp;iaal</translation>
+    </message>
+    <message>
+        <source>Adds a straight edge with millimetres.</source>
+        <translation>Voegt een rechte rand met millimeters toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Line</source>
+        <translation>&amp;Lijn</translation>
+    </message>
+    <message>
+        <source>Adds a straight line across the page.</source>
+        <translation>Voegt een rechte lijn over de hele pagina toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Parallels</source>
+        <translation>&amp;Parallellen</translation>
+    </message>
+    <message>
+        <source>Adds all lines of one direction.</source>
+        <translation>Voegt alle lijnen van één richting toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Set square</source>
+        <translation>&amp;Geodriehoek</translation>
+    </message>
+    <message>
+        <source>Adds a right angle with millimetres.</source>
+        <translation>Voegt een rechte hoek met millimeters toe.</translation>
+    </message>
+    <message>
+        <source>Pr&amp;otractor</source>
+        <translation>Grad&amp;enboog</translation>
+    </message>
+    <message>
+        <source>Adds rays in steps of 15 degrees.</source>
+        <translation>Voegt stralen in stappen van 15 graden toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Passer</translation>
+    </message>
+    <message>
+        <source>Adds the centre of circles.</source>
+        <translation>Voegt het middelpunt van cirkels toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellips</translation>
+    </message>
+    <message>
+        <source>Adds one ellipse.</source>
+        <translation>Voegt één ellips toe.</translation>
+    </message>
+    <message>
+        <source>Co&amp;ncentric ellipses</source>
+        <translation>Co&amp;ncentrische ellipsen</translation>
+    </message>
+    <message>
+        <source>Adds ellipses around one centre.</source>
+        <translation>Voegt ellipsen rond één middelpunt toe.</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspectie&amp;f</translation>
+    </message>
+    <message>
+        <source>Adds two vanishing points.</source>
+        <translation>Voegt twee verdwijnpunten toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of squares.</source>
+        <translation>Voegt een raster van vierkanten toe.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric grid</source>
+        <translation>&amp;Isometrisch raster</translation>
+    </message>
+    <message>
+        <source>Adds a grid of triangles.</source>
+        <translation>Voegt een raster van driehoeken toe.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Adds a mirror axis. New lines get mirror images.</source>
+        <translation>Voegt een spiegelas toe. Nieuwe lijnen krijgen spiegelbeelden.</translation>
+    </message>
+    <message>
+        <source>&amp;Trace of selected lines</source>
+        <translation>&amp;Spoor van geselecteerde lijnen</translation>
+    </message>
+    <message>
+        <source>Makes each selected line a guide.</source>
+        <translation>Maakt van elke geselecteerde lijn een hulplijn.</translation>
+    </message>
+    <message>
+        <source>&amp;Show guides</source>
+        <translation>&amp;Hulplijnen tonen</translation>
+    </message>
+    <message>
+        <source>Shows or hides the guides. Hidden guides have no effect.</source>
+        <translation>Toont of verbergt de hulplijnen. Verborgen hulplijnen doen niets.</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink mirrored lines</source>
+        <translation>Gespiegelde lijnen &amp;losmaken</translation>
+    </message>
+    <message>
+        <source>The selected lines no longer follow their mirror images.</source>
+        <translation>De geselecteerde lijnen volgen hun spiegelbeelden niet meer.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all guides</source>
+        <translation>&amp;Alle hulplijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Removes the guides. Lines stay.</source>
+        <translation>Verwijdert de hulplijnen. Lijnen blijven.</translation>
     </message>
 </context>
 <context>
@@ -845,6 +1004,10 @@
 </context>
 <context>
     <name>Menus</name>
+    <message>
+        <source>&amp;Guides</source>
+        <translation>H&amp;ulplijnen</translation>
+    </message>
     <message>
         <source>&amp;File</source>
         <translation>&amp;Bestand</translation>
@@ -1788,6 +1951,38 @@
 </context>
 <context>
     <name>edits</name>
+    <message>
+        <source>Make exact</source>
+        <translation>Exact maken</translation>
+    </message>
+    <message>
+        <source>Add guide</source>
+        <translation>Hulplijn toevoegen</translation>
+    </message>
+    <message>
+        <source>Change guide</source>
+        <translation>Hulplijn wijzigen</translation>
+    </message>
+    <message>
+        <source>Remove guide</source>
+        <translation>Hulplijn verwijderen</translation>
+    </message>
+    <message>
+        <source>Remove guides</source>
+        <translation>Hulplijnen verwijderen</translation>
+    </message>
+    <message>
+        <source>Show guides</source>
+        <translation>Hulplijnen tonen</translation>
+    </message>
+    <message>
+        <source>Hide guides</source>
+        <translation>Hulplijnen verbergen</translation>
+    </message>
+    <message>
+        <source>Unlink</source>
+        <translation>Losmaken</translation>
+    </message>
     <message>
         <source>Add layer</source>
         <translation>Laag toevoegen</translation>
@@ -2779,6 +2974,10 @@
         <source>Black lines and textures that rise on swell paper.</source>
         <translation>Zwarte lijnen en patronen die op zwelpapier omhoog komen.</translation>
     </message>
+    <message>
+        <source>It cannot be made for swell paper: %1.</source>
+        <translation>De tekening kan niet voor zwelpapier worden gemaakt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::Eyedropper</name>
@@ -3614,6 +3813,14 @@ Double-click to rename, drag to move, drag layers into it</source>
         <translation>%1
 Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translation>
     </message>
+    <message>
+        <source>, hidden by its group</source>
+        <translation>, verborgen door zijn groep</translation>
+    </message>
+    <message>
+        <source>, locked by its group</source>
+        <translation>, vergrendeld door zijn groep</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3624,10 +3831,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Add a layer</source>
         <translation>Een laag toevoegen</translation>
-    </message>
-    <message>
-        <source>A new layer above this one</source>
-        <translation>Een nieuwe laag boven deze</translation>
     </message>
     <message>
         <source>Raise the layer</source>
@@ -3656,14 +3859,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>All layers were hidden or locked, so “%1” was added to draw on.</source>
         <translation>Alle lagen waren verborgen of vergrendeld, daarom is ‘%1’ toegevoegd om op te tekenen.</translation>
-    </message>
-    <message>
-        <source>“%1” is locked. Unlock it to draw there.</source>
-        <translation>‘%1’ is vergrendeld. Ontgrendel de laag om erop te tekenen.</translation>
-    </message>
-    <message>
-        <source>“%1” is hidden. Show it to draw there.</source>
-        <translation>‘%1’ is verborgen. Maak de laag zichtbaar om erop te tekenen.</translation>
     </message>
     <message>
         <source>Duplicate the layer</source>
@@ -3708,6 +3903,31 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Multiply makes what is below darker, for shading on line art</source>
         <translation>Vermenigvuldigen maakt donkerder wat eronder ligt: voor schaduw op lijnen</translation>
+    </message>
+    <message>
+        <source>A new layer above the current one</source>
+        <translation>Een nieuwe laag boven de huidige</translation>
+    </message>
+    <message>
+        <source>Removes the group, its layers and their lines</source>
+        <translation>Verwijdert de groep, de lagen erin en hun lijnen</translation>
+    </message>
+    <message>
+        <source>The group “%1”</source>
+        <translation>De groep ‘%1’</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <comment>a layer</comment>
+        <translation>‘%1’</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it to draw there.</source>
+        <translation>%1 is vergrendeld. Ontgrendel hem om daar te tekenen.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Show it to draw there.</source>
+        <translation>%1 is verborgen. Maak hem zichtbaar om daar te tekenen.</translation>
     </message>
 </context>
 <context>
@@ -4236,16 +4456,16 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 <context>
     <name>felt::desktop::OfferPopup</name>
     <message>
-        <source>Press harder; with a mouse, stay:</source>
-        <translation>Druk harder; met de muis stilhouden:</translation>
-    </message>
-    <message>
         <source>Key: %1</source>
         <translation>Toets: %1</translation>
     </message>
     <message>
         <source>This stroke can be: %1</source>
         <translation>Deze haal kan zijn: %1</translation>
+    </message>
+    <message>
+        <source>Press harder, or hold the mouse still:</source>
+        <translation>Druk harder, of houd de muis stil:</translation>
     </message>
 </context>
 <context>
@@ -4331,6 +4551,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Print</source>
         <translation>Afdrukken</translation>
+    </message>
+    <message>
+        <source>“%1” was not printed</source>
+        <translation>‘%1’ is niet afgedrukt</translation>
     </message>
     <message>
         <source>Print preview</source>
@@ -4937,6 +5161,61 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::RingMenu</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Ring of tools at the pen</source>
+        <translation>&amp;Ring met gereedschappen bij de pen</translation>
+    </message>
+    <message>
+        <source>Eight tools around the pen, each in its own direction. Hold the key, move in the direction, and release the key.</source>
+        <translation>Acht gereedschappen rond de pen, elk in een eigen richting. Houd de toets ingedrukt, beweeg in de richting en laat de toets los.</translation>
+    </message>
+    <message>
+        <source>Ring of &amp;media at the pen</source>
+        <translation>Ring met &amp;tekenmiddelen bij de pen</translation>
+    </message>
+    <message>
+        <source>Eight media around the pen.</source>
+        <translation>Acht tekenmiddelen rond de pen.</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>Tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Ring of si&amp;zes at the pen</source>
+        <translation>Ring met &amp;grootten bij de pen</translation>
+    </message>
+    <message>
+        <source>Eight sizes around the pen: widths of new lines, or sizes of the current tool. They grow clockwise.</source>
+        <translation>Acht grootten rond de pen: breedten van nieuwe lijnen of grootten van het huidige gereedschap. Ze nemen met de klok mee toe.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ring of tools</source>
+        <translation>Ring met gereedschappen</translation>
+    </message>
+    <message>
+        <source>Ring of media</source>
+        <translation>Ring met tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Ring of sizes</source>
+        <translation>Ring met grootten</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ShadeField</name>
     <message>
         <source>Saturation and brightness</source>
@@ -5143,10 +5422,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 <context>
     <name>felt::desktop::SteadyDialog</name>
     <message>
-        <source>That was too short. Draw slowly, for about ten seconds.</source>
-        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang.</translation>
-    </message>
-    <message>
         <source>This pen reports its position too rarely to measure a shaking.</source>
         <translation>Deze pen meldt zijn positie te weinig om beven te meten.</translation>
     </message>
@@ -5181,6 +5456,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>The hand shakes %1.</source>
         <translation>De hand beeft %1.</translation>
+    </message>
+    <message>
+        <source>That was too short. Draw slowly, for about ten seconds, without lifting the pen.</source>
+        <translation>Dat was te kort. Teken langzaam, ongeveer tien seconden lang, zonder de pen op te tillen.</translation>
     </message>
 </context>
 <context>
@@ -5625,6 +5904,98 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 </context>
 <context>
     <name>tools</name>
+    <message>
+        <source>Guide</source>
+        <translation>Hulplijn</translation>
+    </message>
+    <message>
+        <source>Places rulers, grids, mirror axes and other guides, and moves and turns them.</source>
+        <translation>Plaatst linialen, rasters, spiegelassen en andere hulplijnen, en verplaatst en draait ze.</translation>
+    </message>
+    <message>
+        <source>Drag to place a guide, or drag a guide by a handle or a line.</source>
+        <translation>Sleep om een hulplijn te plaatsen, of sleep er een aan een greep of lijn.</translation>
+    </message>
+    <message>
+        <source>removes the guide</source>
+        <translation>verwijdert de hulplijn</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Soort</translation>
+    </message>
+    <message>
+        <source>The guide that a drag on a free part of the page places.</source>
+        <translation>De hulplijn die slepen op een vrij deel van de pagina plaatst.</translation>
+    </message>
+    <message>
+        <source>Mirror axes</source>
+        <translation>Spiegelassen</translation>
+    </message>
+    <message>
+        <source>How many axes a new symmetry has. Each stroke gets twice as many images.</source>
+        <translation>Hoeveel assen een nieuwe symmetrie heeft. Elke lijn krijgt twee keer zoveel beelden.</translation>
+    </message>
+    <message>
+        <source>Vanishing points</source>
+        <translation>Verdwijnpunten</translation>
+    </message>
+    <message>
+        <source>How many vanishing points a new perspective has.</source>
+        <translation>Hoeveel verdwijnpunten een nieuw perspectief heeft.</translation>
+    </message>
+    <message>
+        <source>How strongly a new guide holds the pen of the pencil.</source>
+        <translation>Hoe sterk een nieuwe hulplijn de pen vasthoudt.</translation>
+    </message>
+    <message>
+        <source>ruler</source>
+        <translation>liniaal</translation>
+    </message>
+    <message>
+        <source>parallels</source>
+        <translation>parallellen</translation>
+    </message>
+    <message>
+        <source>set-square</source>
+        <translation>geodriehoek</translation>
+    </message>
+    <message>
+        <source>protractor</source>
+        <translation>gradenboog</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>passer</translation>
+    </message>
+    <message>
+        <source>ellipses</source>
+        <translation>ellipsen</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>perspectief</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>raster</translation>
+    </message>
+    <message>
+        <source>isometric-grid</source>
+        <translation>isometrisch raster</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>symmetrie</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>spoor</translation>
+    </message>
+    <message>
+        <source>steps of 15°</source>
+        <translation>stappen van 15°</translation>
+    </message>
     <message>
         <source>Draw a line around the selection, or a rectangle from corner to corner.</source>
         <translation>Teken een lijn om de selectie, of een rechthoek van hoek tot hoek.</translation>
@@ -7056,6 +7427,30 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Widths in steps</source>
         <translation>Breedtes in stappen</translation>
+    </message>
+    <message>
+        <source>A drawing can be read without eyes: lines hold the pen, ends and crossings click, and what is under the pen is spoken.</source>
+        <translation>Een tekening kan zonder ogen gelezen worden: lijnen houden de pen vast, einden en kruisingen klikken, en wat onder de pen ligt, wordt uitgesproken.</translation>
+    </message>
+    <message>
+        <source>Felt steps</source>
+        <translation>Voelbare stappen</translation>
+    </message>
+    <message>
+        <source>Gestures</source>
+        <translation>Gebaren</translation>
+    </message>
+    <message>
+        <source>Hold the pen at the end of a line and press: the line becomes the shape. Scribble over lines, and you are asked whether to delete them.</source>
+        <translation>Blijf aan het einde van een lijn staan en druk: de lijn wordt de vorm. Kras over lijnen, en Feltline vraagt of ze weg mogen.</translation>
+    </message>
+    <message>
+        <source>If your hand shakes, lines can be calm: the shaking is measured once and removed while you draw.</source>
+        <translation>Ook als je hand beeft, kunnen lijnen rustig zijn: het beven wordt één keer gemeten en tijdens het tekenen verwijderd.</translation>
+    </message>
+    <message>
+        <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
+        <translation>Druk de gum in tot hij klikt: de hele lijn verdwijnt. Ook het potlood heeft zulke stappen; ze houden de breedte van een lijn vast.</translation>
     </message>
 </context>
 </TS>

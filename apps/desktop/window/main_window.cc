@@ -21,6 +21,7 @@
 #include "desktop/materials/media_picker.h"
 #include "desktop/panels/colors_panel.h"
 #include "desktop/panels/edit_actions.h"
+#include "desktop/panels/guide_actions.h"
 #include "desktop/panels/history_panel.h"
 #include "desktop/panels/layers_panel.h"
 #include "desktop/panels/options_panel.h"
@@ -36,6 +37,7 @@
 #include "desktop/window/offer_popup.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/preset_menu.h"
+#include "desktop/window/ring_menu.h"
 #include "desktop/window/status_line.h"
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/top_bar.h"
@@ -196,6 +198,7 @@ void MainWindow::make_panels() {
   auto* layers = new LayersPanel(*studio_);
   add_panel(QStringLiteral("layers"), tr("Layers"), layers);
   add_layer_actions(*actions_, *studio_, *layers);
+  add_guide_actions(*actions_, *studio_);
   auto* colors = new ColorsPanel(*studio_);
   add_panel(QStringLiteral("colors"), tr("Colours"), scrolled(colors, tr("Colours")));
   add_color_actions(*actions_, *colors);
@@ -204,7 +207,10 @@ void MainWindow::make_panels() {
   auto* tactile = new TactilePanel(*studio_);
   add_panel(QStringLiteral("tactile"), tr("Tactile check"), tactile);
   connect(actions_->find(QStringLiteral("view.panel_tactile")), &QAction::toggled, tactile,
-          &TactilePanel::set_on);
+          [this, tactile](bool on) {
+            // The marks stay while all panels are hidden.
+            if (hidden_.isEmpty()) tactile->set_on(on);
+          });
   connect(tactile, &TactilePanel::marks_changed, canvas_, &Canvas::set_notes);
   connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);
   // The panel scrolls on a small screen, because its text may need many lines.
@@ -264,6 +270,7 @@ bool MainWindow::show_panel(const QString& name) {
 }
 
 void MainWindow::add_window_actions() {
+  add_ring_menu(*actions_, *canvas_, *media_pictures_, this);
   add_offer_popup(*actions_, *canvas_);
   actions_->add_switch(QStringLiteral("view.hide_panels"), tr("&Hide all panels"),
                        {QKeySequence(Qt::Key_Tab)}, tr("Shows only the drawing area"), false,

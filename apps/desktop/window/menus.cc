@@ -34,9 +34,8 @@ constexpr std::array kMenus{
             "file.quit"},
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
-        "edit.undo edit.redo edit.as_drawn - edit.cut edit.copy edit.copy* edit.paste "
-        "edit.paste_in_place "
-        "edit.duplicate "
+        "edit.undo edit.redo edit.as_drawn edit.exact - edit.cut edit.copy edit.copy* edit.paste "
+        "edit.paste_in_place edit.duplicate "
         "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.pick_color "
         "edit.pick_all edit.broader edit.thinner edit.to_front edit.to_back - edit.palette_* - "
         "edit.* - edit.cancel - edit.preferences"},
@@ -50,10 +49,12 @@ constexpr std::array kMenus{
             "layer.add layer.duplicate layer.merge layer.rename layer.remove - layer.show "
             "layer.lock layer.export_picture - layer.raise layer.lower - layer.group "
             "layer.ungroup layer.leave_group - layer.*"},
+    MenuRow{"guide", QT_TRANSLATE_NOOP("Menus", "&Guides"),
+            "guide.show - guide.add_* - guide.unlink guide.clear - guide.*"},
     MenuRow{
         "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
         "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "
-        "feel.sound - feel.*"},
+        "feel.sound - feel.page_edge feel.selection_edge - feel.*"},
     MenuRow{"help", QT_TRANSLATE_NOOP("Menus", "&Help"),
             "help.guide help.tour help.shortcuts - help.example* - help.* - help.about"},
 };

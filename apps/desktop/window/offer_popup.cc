@@ -1,11 +1,9 @@
 #include "desktop/window/offer_popup.h"
 
-#include <QAccessible>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTabletEvent>
-#include <QToolButton>
 #include <QTouchEvent>
 #include <algorithm>
 
@@ -107,6 +105,7 @@ void OfferPopup::follow() {
   is_live_ = is_live;
   if (!shown_) {
     hide();
+    canvas_.setAccessibleDescription(Canvas::tr("The area to draw on"));
     if (had_focus) canvas_.setFocus();
     return;
   }
@@ -114,8 +113,9 @@ void OfferPopup::follow() {
   move_to(shown_->at);
   show();
   raise();
-  QAccessibleEvent alert(this, QAccessible::Alert);
-  QAccessible::updateAccessibility(&alert);
+  // Screen readers read a new description of the widget that has the focus. Qt on Linux does not
+  // forward alerts.
+  canvas_.setAccessibleDescription(accessibleName());
 }
 
 void OfferPopup::rebuild(const OfferView& offer) {
@@ -127,7 +127,7 @@ void OfferPopup::rebuild(const OfferView& offer) {
     delete item;
   }
   const bool waits = is_live_ && offer.rows[offer.chosen].kind == OfferKind::kInk;
-  hint_->setText(tr("Press harder; with a mouse, stay:"));
+  hint_->setText(tr("Press harder, or hold the mouse still:"));
   hint_->setVisible(waits);
   QStringList names;
   int others_shown = 0;
@@ -153,26 +153,40 @@ void OfferPopup::rebuild(const OfferView& offer) {
   setAccessibleName(tr("This stroke can be: %1").arg(names.join(QStringLiteral(", "))));
 }
 
-/// Shows the popup below and to the right of the pen, but inside the canvas.
+/// Shows the popup below and to the right of the pen. Where it does not fit, it is above or to the
+/// left, so that it never lies under the pen.
 void OfferPopup::move_to(Point at) {
   adjustSize();
-  const QPointF wanted = canvas_.view().to_px(at) + kBesidePenPx;
-  const int x = std::clamp(int(wanted.x()), 0, std::max(0, canvas_.width() - width()));
-  const int y = std::clamp(int(wanted.y()), 0, std::max(0, canvas_.height() - height()));
-  move(x, y);
+  const auto place = [](double pen, double beside, int length, int room) {
+    const double after = pen + beside, before = pen - beside - length;
+    const double wanted = after + length <= room || before < 0.0 ? after : before;
+    return std::clamp(int(wanted), 0, std::max(0, room - length));
+  };
+  const QPointF pen = canvas_.view().to_px(at);
+  move(place(pen.x(), kBesidePenPx.x(), width(), canvas_.width()),
+       place(pen.y(), kBesidePenPx.y(), height(), canvas_.height()));
 }
 
-void OfferPopup::press_at(QPointF global) {
-  auto* button = qobject_cast<QToolButton*>(childAt(mapFromGlobal(global).toPoint()));
-  if (button) button->click();
+QToolButton* OfferPopup::button_at(QPointF global) const {
+  return qobject_cast<QToolButton*>(childAt(mapFromGlobal(global).toPoint()));
+}
+
+/// Clicks the button under a pen or finger that is lifted, if it was put down on the same one.
+void OfferPopup::release_at(QPointF global) {
+  QToolButton* button = button_at(global);
+  if (button && button == pressed_) button->click();
+  pressed_ = nullptr;
 }
 
 bool OfferPopup::event(QEvent* event) {
   switch (event->type()) {
     case QEvent::TabletRelease:
-      press_at(static_cast<QTabletEvent*>(event)->globalPosition());
-      [[fallthrough]];
+      release_at(static_cast<QTabletEvent*>(event)->globalPosition());
+      event->accept();
+      return true;
     case QEvent::TabletPress:
+      pressed_ = button_at(static_cast<QTabletEvent*>(event)->globalPosition());
+      [[fallthrough]];
     case QEvent::TabletMove:
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:
@@ -182,11 +196,14 @@ bool OfferPopup::event(QEvent* event) {
       return true;
     case QEvent::TouchEnd: {
       const auto& points = static_cast<QTouchEvent*>(event)->points();
-      if (points.size() == 1) press_at(points.constFirst().globalPosition());
+      if (points.size() == 1) release_at(points.constFirst().globalPosition());
       event->accept();
       return true;
     }
     case QEvent::TouchBegin:
+      pressed_ =
+          button_at(static_cast<QTouchEvent*>(event)->points().constFirst().globalPosition());
+      [[fallthrough]];
     case QEvent::TouchUpdate:
     case QEvent::TouchCancel:
       event->accept();

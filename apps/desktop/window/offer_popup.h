@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
+#include <QToolButton>
 #include <optional>
 
 #include "desktop/canvas/canvas.h"
@@ -14,8 +16,8 @@ namespace felt::desktop {
 
 /// The choice at the pen: what the last stroke could mean, or the stroke in progress while the pen
 /// rests (Session::offered). One button for each meaning; the one that applies is checked. It does
-/// not get the focus; the commands of add_offer_popup() have keys, which its tool tips name. Screen
-/// readers announce it. It disappears when the offer ends.
+/// not get the focus; the commands of add_offer_popup() have keys, which its tool tips name. The
+/// accessible description of the canvas names the meanings. It disappears when the offer ends.
 class OfferPopup : public QFrame {
   Q_OBJECT
 
@@ -32,7 +34,8 @@ class OfferPopup : public QFrame {
   void follow();
   void rebuild(const OfferView& offer);
   void move_to(Point at);
-  void press_at(QPointF global);
+  [[nodiscard]] QToolButton* button_at(QPointF global) const;
+  void release_at(QPointF global);
 
   const Actions& actions_;
   Canvas& canvas_;
@@ -40,7 +43,8 @@ class OfferPopup : public QFrame {
   QHBoxLayout* row_;
   QLabel* hint_;
   std::optional<OfferView> shown_;
-  bool is_live_ = false;  // the stroke is in progress
+  bool is_live_ = false;           // the stroke is in progress
+  QPointer<QToolButton> pressed_;  // where a pen or finger was put down
 };
 
 /// Returns the text of one meaning: "Delete 3 lines", "Circle".

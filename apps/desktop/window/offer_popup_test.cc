@@ -98,6 +98,37 @@ TEST_F(OfferPopupTest, KeysChooseAndEscapeKeepsTheInk) {
   EXPECT_EQ(lines(), 0U);
 }
 
+TEST_F(OfferPopupTest, TheKeysOfAnOfferAreNotThoseOfThePen) {
+  auto* canvas = window_.findChild<Canvas*>();
+  QTest::keyClick(canvas, Qt::Key_Right);  // from now on, Enter moves the pen down and up
+  const auto is_for_pen = [canvas](Qt::KeyboardModifiers modifiers) {
+    QKeyEvent event(QEvent::ShortcutOverride, Qt::Key_Return, modifiers);
+    event.ignore();
+    QApplication::sendEvent(canvas, &event);
+    return event.isAccepted();
+  };
+  EXPECT_TRUE(is_for_pen(Qt::NoModifier));
+  EXPECT_FALSE(is_for_pen(Qt::ControlModifier));
+  EXPECT_FALSE(is_for_pen(Qt::ControlModifier | Qt::ShiftModifier));
+}
+
+TEST_F(OfferPopupTest, ItIsNeverUnderThePenAndDescribesTheCanvas) {
+  auto* canvas = window_.findChild<Canvas*>();
+  line();
+  const QString before = canvas->accessibleDescription();
+  CanvasView view = canvas->view();
+  view.pan(QPointF(canvas->width() - 8.0, canvas->height() - 8.0) - view.to_px({63.0, 66.0}));
+  canvas->set_view(view);
+  scratch();
+  ASSERT_TRUE(popup_->isVisible());
+  EXPECT_TRUE(canvas->rect().contains(popup_->geometry()));
+  EXPECT_FALSE(
+      popup_->geometry().contains(canvas->view().to_px(session().offered()->at).toPoint()));
+  EXPECT_TRUE(canvas->accessibleDescription().contains(QStringLiteral("Delete 1 line")));
+  window_.actions().find(QStringLiteral("edit.cancel"))->trigger();
+  EXPECT_EQ(canvas->accessibleDescription(), before);
+}
+
 TEST_F(OfferPopupTest, DrawingOnKeepsTheInk) {
   line();
   scratch();

@@ -1,8 +1,10 @@
 #include "desktop/window/picture.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QDialog>
 #include <QFile>
+#include <QKeyEvent>
 #include <QPixmap>
 #include <QThread>
 #include <QToolButton>
@@ -14,9 +16,11 @@
 #include "desktop/help/examples.h"
 #include "desktop/help/script_player.h"
 #include "desktop/help/tour_window.h"
+#include "desktop/panels/tactile_panel.h"
 #include "desktop/pens/steady_dialog.h"
 #include "desktop/window/main_window.h"
 #include "desktop/window/preferences.h"
+#include "desktop/window/ring_menu.h"
 #include "desktop/window/theme.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
@@ -58,12 +62,25 @@ bool lacks_pictures(const MainWindow& window) {
   return false;
 }
 
-/// Waits until other threads have finished the pictures of surfaces and media.
+/// Waits until other threads have finished the pictures of surfaces and media, and the check of a
+/// tactile drawing if its panel is shown.
 void wait_for_pictures(const MainWindow& window) {
   constexpr int kMaxWaits = 500, kWaitMs = 20;
-  for (int i = 0; i < kMaxWaits && lacks_pictures(window); ++i) {
+  const auto* tactile = window.findChild<TactilePanel*>();
+  const auto checks = [tactile] {
+    return tactile && tactile->isVisible() && !tactile->is_up_to_date();
+  };
+  for (int i = 0; i < kMaxWaits && (lacks_pictures(window) || checks()); ++i) {
     QThread::msleep(kWaitMs);
     settle();
+  }
+}
+
+/// Lays out the rows of all lists. Lists that changed a moment ago do so by a timer, and would be
+/// empty in the picture.
+void lay_out_lists(const QWidget& seen) {
+  for (auto* list : seen.findChildren<QAbstractItemView*>()) {
+    if (list->isVisible()) list->doItemsLayout();
   }
 }
 
@@ -92,6 +109,14 @@ QWidget* open_materials(MainWindow& window, const QString& id) {
     settle();
   } while (editor.probe().is_busy());
   return &editor;
+}
+
+/// Opens the ring of tools in the middle of the page, and chooses the tool on the right.
+void open_ring(MainWindow& window) {
+  auto* ring = window.findChild<RingMenu*>();
+  ring->open(RingContent::kTools, QRectF(window.canvas().rect()).center(), RingMenu::By::kKey);
+  QKeyEvent key(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier);
+  for (int i = 0; i < 2; ++i) QApplication::sendEvent(ring, &key);
 }
 
 QWidget* open_dialog(MainWindow& window, const QString& name) {
@@ -150,7 +175,8 @@ int make_picture(const PictureRequest& request) {
     }
   }
   QWidget* seen = &window;
-  if (!request.dialog.isEmpty()) {
+  const bool shows_ring = request.dialog == QStringLiteral("ring");
+  if (!request.dialog.isEmpty() && !shows_ring) {
     seen = open_dialog(window, request.dialog);
     if (!seen) return complain(QStringLiteral("there is no dialog \"%1\"").arg(request.dialog));
     seen->show();
@@ -160,6 +186,8 @@ int make_picture(const PictureRequest& request) {
   window.canvas().ink().finish();
   wait_for_pictures(window);
   settle();
+  lay_out_lists(*seen);
+  if (shows_ring) open_ring(window);
   return seen->grab().save(request.path) ? 0
                                          : complain(request.path + QStringLiteral(": not written"));
 }

@@ -7,9 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "felt/autosave/edit_blob.h"
 #include "felt/autosave/layer_look.h"
+#include "felt/base/utf8.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/stroke_blob.h"
@@ -36,6 +39,22 @@ Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
   return {};
 }
 
+/// Appends the guides and symmetry groups of a base, as the bytes of an edit that adds them.
+/// Appends nothing if there are none.
+Result<void> append_guides(ByteWriter& out, const Document& document) {
+  Edit edit;
+  for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, nullptr, guide});
+  for (const auto& [id, group] : document.symmetries()) {
+    edit.symmetries.push_back({id, nullptr, group});
+  }
+  edit.toggles_guides = !document.shows_guides();
+  if (edit.empty()) return {};
+  std::string bytes;
+  if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
+  out.text(bytes);
+  return {};
+}
+
 /// Reads the layers of a base as an edit of a new document.
 Result<Edit> read_layers(ByteReader& in, const Document& document) {
   const std::uint32_t count = in.u32();
@@ -43,15 +62,22 @@ Result<Edit> read_layers(ByteReader& in, const Document& document) {
     return invalid_data("the list of layers is incomplete");
   const Layer& first = document.layers().front();
   Edit edit;
+  PicturesInBytes pictures;
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
   for (std::uint32_t i = 0; i < count; ++i) {
     LayerChange change{{in.u64()}, std::nullopt, LayerState{}, 0, i};
-    change.after->name = std::string(in.text(kMaxTextBytes));
+    change.after->name = std::string(utf8_prefix(in.text(kMaxTextBytes), kMaxLayerNameBytes));
     const std::uint8_t flags = in.u8();
     change.after->visible = (flags & kRowVisible) != 0;
     change.after->locked = (flags & kRowLocked) != 0;
     change.after->blend = blend_of_flags(flags);
-    if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr);
+    if ((flags & kRowHasLook) != 0) read_layer_look(in, *change.after, nullptr, pictures);
+    if (!is_id(static_cast<std::int64_t>(change.id.value))) {
+      return invalid_data("a layer has an invalid id");
+    }
+    if (change.id == first.id && edit.layers.front().after) {
+      return invalid_data("layer " + std::to_string(first.id.value) + " is listed twice");
+    }
     if (change.id == first.id) {
       edit.layers.front().after = std::move(change.after);
       edit.layers.front().after_index = i;
@@ -113,18 +139,20 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
   out.u64(document.new_layer_id().value - 1);
   out.u64(drawing.layer.value);
   out.u32(static_cast<std::uint32_t>(document.layers().size()));
+  PicturesInBytes pictures;
   for (const Layer& layer : document.layers()) {
     const bool has_look = layer.opacity != 1.0 || layer.picture;
     out.u64(layer.id.value);
-    out.text(std::string_view(layer.name).substr(0, kMaxTextBytes));
+    out.text(utf8_prefix(layer.name, kMaxLayerNameBytes));
     out.u8(static_cast<std::uint8_t>((layer.own_visible ? kRowVisible : 0) |
                                      (layer.own_locked ? kRowLocked : 0) |
                                      (has_look ? kRowHasLook : 0) | flags_of_blend(layer.blend)));
-    if (has_look) append_layer_look(out, layer.state(), nullptr);
+    if (has_look) append_layer_look(out, layer.state(), nullptr, pictures);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
-  // The groups are last, because programs from before groups ignore what follows the page.
+  // Groups and guides are last, because programs from before them ignore what follows the page.
   for (const Layer& layer : document.layers()) append_layer_group(out, layer.group);
+  if (auto ok = append_guides(out, document); !ok) return tl::unexpected(ok.error());
   return bytes;
 }
 
@@ -140,6 +168,11 @@ Result<Drawing> read_base_head(std::string_view bytes) {
   read_groups(in, *layers);
   if (auto ok = document.apply(*layers); !ok) return tl::unexpected(ok.error());
   document.reserve_ids(last_stroke, last_layer);
+  if (in.left() > 0) {
+    const Result<Edit> guides = read_edit_blob(in.text(kMaxHeadBytes), document);
+    if (!guides) return tl::unexpected(guides.error());
+    if (auto ok = document.apply(*guides); !ok) return tl::unexpected(ok.error());
+  }
   drawing->document = std::move(document);
   drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};
   return drawing;

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "felt/autosave/layer_look.h"
+#include "felt/base/utf8.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/fill_blob.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -16,7 +18,9 @@ namespace {
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kVersionWithFills = 2;
 constexpr std::uint8_t kVersionWithGroups = 3;  // has the groups of all changed layers at its end
-constexpr std::size_t kMaxNameBytes = 4096;
+constexpr std::uint8_t kVersionWithGuides = 4;  // has groups as in 3, and then guides
+constexpr std::size_t kMaxGuideBlobBytes = std::size_t{1} << 20;
+constexpr std::size_t kMaxLabelBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
 
@@ -44,7 +48,59 @@ Result<void> write_fill(ByteWriter& out, const FillChange& c) {
   return {};
 }
 
-void write_layer(ByteWriter& out, const LayerChange& c) {
+/// Writes the changes of guides or of symmetry groups.
+template <class Change, class Append>
+Result<void> write_unplaced(ByteWriter& out, const std::vector<Change>& changes, Append append) {
+  out.u32(static_cast<std::uint32_t>(changes.size()));
+  for (const Change& c : changes) {
+    out.u64(c.id.value);
+    std::string bytes;
+    if (c.after) {
+      if (auto ok = append(bytes, *c.after); !ok) return ok;
+    }
+    out.text(bytes);  // empty: removed
+  }
+  return {};
+}
+
+template <class Change, class Read>
+Result<void> read_unplaced(ByteReader& in, std::vector<Change>& changes, Read read) {
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kMinChangeBytes)) return invalid_data("the edit is incomplete");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Change c;
+    c.id = {in.u64()};
+    const std::string_view bytes = in.text(kMaxGuideBlobBytes);
+    if (!in.ok()) return invalid_data("the edit ends in the middle of a guide");
+    if (!bytes.empty()) {
+      auto after = read(bytes);
+      if (!after) return tl::unexpected(with_context(after.error(), "guide"));
+      c.after = *std::move(after);
+    }
+    changes.push_back(std::move(c));
+  }
+  return {};
+}
+
+Result<void> write_guides_part(ByteWriter& out, const Edit& edit) {
+  out.u8(edit.toggles_guides ? 1 : 0);
+  return write_unplaced(out, edit.guides, append_guide_blob).and_then([&] {
+    return write_unplaced(out, edit.symmetries, append_symmetry_blob);
+  });
+}
+
+Result<void> read_guides_part(ByteReader& in, Edit& edit) {
+  edit.toggles_guides = in.u8() != 0;
+  return read_unplaced(in, edit.guides, read_guide_blob).and_then([&] {
+    return read_unplaced(in, edit.symmetries, read_symmetry_blob);
+  });
+}
+
+bool has_guides_part(const Edit& edit) noexcept {
+  return edit.toggles_guides || !edit.guides.empty() || !edit.symmetries.empty();
+}
+
+void write_layer(ByteWriter& out, const LayerChange& c, PicturesInBytes& pictures) {
   out.u64(c.id.value);
   if (!c.after) {
     out.u8(0);
@@ -55,9 +111,10 @@ void write_layer(ByteWriter& out, const LayerChange& c) {
                                    (c.after->locked ? kLocked : 0) | (has_look ? kHasLook : 0) |
                                    flags_of_blend(c.after->blend)));
   out.u64(c.after_index);
-  out.text(c.after->name);
+  out.text(utf8_prefix(c.after->name, kMaxLayerNameBytes));
   const LayerPicture* before = c.before ? c.before->picture.get() : nullptr;
-  if (has_look) append_layer_look(out, *c.after, before ? before->data.get() : nullptr);
+  if (!has_look) return;
+  append_layer_look(out, *c.after, before ? before->data.get() : nullptr, pictures);
 }
 
 Result<StrokeChange> read_stroke(ByteReader& in) {
@@ -88,18 +145,19 @@ Result<FillChange> read_fill(ByteReader& in) {
   return c;
 }
 
-LayerChange read_layer(ByteReader& in, const Document& document) {
+LayerChange read_layer(ByteReader& in, const Document& document, PicturesInBytes& pictures) {
   LayerChange c;
   c.id = {in.u64()};
   const std::uint8_t flags = in.u8();
   if (flags == 0) return c;
   c.after_index = in.u64();
-  c.after = LayerState{std::string(in.text(kMaxNameBytes)), (flags & kVisible) != 0,
+  c.after = LayerState{std::string(in.text(kMaxLayerNameBytes)), (flags & kVisible) != 0,
                        (flags & kLocked) != 0};
   c.after->blend = blend_of_flags(flags);
   if ((flags & kHasLook) == 0) return c;
   const Layer* before = document.layer(c.id);
-  read_layer_look(in, *c.after, before && before->picture ? before->picture->data : nullptr);
+  read_layer_look(in, *c.after, before && before->picture ? before->picture->data : nullptr,
+                  pictures);
   return c;
 }
 
@@ -161,12 +219,17 @@ bool has_groups(const Edit& edit) {
 
 Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   ByteWriter writer(out);
-  const bool with_groups = has_groups(edit);
+  const bool with_guides = has_guides_part(edit);
+  const bool with_groups = with_guides || has_groups(edit);
   const bool with_fills = with_groups || !edit.fills.empty();
-  writer.u8(with_groups ? kVersionWithGroups : with_fills ? kVersionWithFills : kVersion);
-  writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
+  writer.u8(with_guides   ? kVersionWithGuides
+            : with_groups ? kVersionWithGroups
+            : with_fills  ? kVersionWithFills
+                          : kVersion);
+  writer.text(utf8_prefix(edit.label, kMaxLabelBytes));
   writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
-  for (const LayerChange& c : edit.layers) write_layer(writer, c);
+  PicturesInBytes pictures;
+  for (const LayerChange& c : edit.layers) write_layer(writer, c, pictures);
   writer.u32(static_cast<std::uint32_t>(edit.changes.size()));
   for (const StrokeChange& c : edit.changes) {
     if (auto ok = write_stroke(writer, c); !ok) return ok;
@@ -180,7 +243,7 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     append_layer_group(writer, c.after ? c.after->group : nullptr);
   }
-  return {};
+  return with_guides ? write_guides_part(writer, edit) : Result<void>();
 }
 
 namespace {
@@ -190,13 +253,16 @@ namespace {
 Result<Edit> parse(std::string_view bytes, const Document& document) {
   ByteReader in(bytes);
   const std::uint8_t version = in.u8();
-  if (version < kVersion || version > kVersionWithGroups)
+  if (version < kVersion || version > kVersionWithGuides)
     return invalid_data("the edit has an unknown version");
   Edit edit;
-  edit.label = std::string(in.text(kMaxNameBytes));
+  edit.label = std::string(in.text(kMaxLabelBytes));
   const std::uint32_t layers = in.u32();
   if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is incomplete");
-  for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in, document));
+  PicturesInBytes pictures;
+  for (std::uint32_t i = 0; i < layers; ++i) {
+    edit.layers.push_back(read_layer(in, document, pictures));
+  }
   const std::uint32_t strokes = in.u32();
   if (!in.has(strokes, kMinChangeBytes)) return invalid_data("the edit is incomplete");
   edit.changes.reserve(strokes);
@@ -212,9 +278,12 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
     if (!change) return tl::unexpected(change.error());
     edit.fills.push_back(*std::move(change));
   }
-  for (std::size_t i = 0; version == kVersionWithGroups && i < edit.layers.size(); ++i) {
+  for (std::size_t i = 0; version >= kVersionWithGroups && i < edit.layers.size(); ++i) {
     const LayerGroupPtr group = read_layer_group(in);
     if (edit.layers[i].after) edit.layers[i].after->group = group;
+  }
+  if (version == kVersionWithGuides) {
+    if (auto ok = read_guides_part(in, edit); !ok) return tl::unexpected(ok.error());
   }
   if (!in.ok() || in.left() > 0)
     return invalid_data("the edit does not have the length that it states");
@@ -254,6 +323,33 @@ void force(FillChange change, Document& document) {
   static_cast<void>(document.apply(edit));
 }
 
+/// Applies the changes of guides and symmetry groups as far as they fit.
+void force_guides(const Edit& blob, Document& document) {
+  Edit edit;
+  edit.toggles_guides = blob.toggles_guides;
+  for (GuideChange c : blob.guides) {
+    c.before = document.find_guide(c.id);
+    if (c.before || c.after) edit.guides.push_back(std::move(c));
+  }
+  for (SymmetryChange c : blob.symmetries) {
+    c.before = document.find_symmetry(c.id);
+    if (c.before || c.after) edit.symmetries.push_back(std::move(c));
+  }
+  static_cast<void>(document.apply(edit));
+}
+
+/// Fills in the guides and symmetry groups before the edit.
+Result<void> find_guides(const Document& document, Edit& edit) {
+  for (GuideChange& c : edit.guides) c.before = document.find_guide(c.id);
+  for (SymmetryChange& c : edit.symmetries) c.before = document.find_symmetry(c.id);
+  const auto is_unknown = [](const auto& c) { return !c.before && !c.after; };
+  if (std::any_of(edit.guides.begin(), edit.guides.end(), is_unknown) ||
+      std::any_of(edit.symmetries.begin(), edit.symmetries.end(), is_unknown)) {
+    return invalid_data("the edit removes a guide that does not exist");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
@@ -262,6 +358,7 @@ Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
   if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_fills(document, edit->fills); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_guides(document, *edit); !ok) return tl::unexpected(ok.error());
   return edit;
 }
 
@@ -277,6 +374,7 @@ Result<void> apply_what_fits(std::string_view bytes, Document& document) {
   }
   for (StrokeChange& change : edit->changes) force(std::move(change), document);
   for (FillChange& change : edit->fills) force(std::move(change), document);
+  force_guides(*edit, document);
   return {};
 }
 

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
 
+#include "felt/autosave/autosave_rows.h"
+#include "felt/document/drawing_guide.h"
+#include "felt/document/symmetry_group.h"
 #include "felt/document/testing/random_document.h"
 
 namespace felt::edit_blob_test {
@@ -31,6 +35,64 @@ TEST(EditBlob, ARowOfEditsGivesTheSameDocument) {
       ASSERT_TRUE(copy == document) << "seed " << seed << ", edit " << i;
     }
   }
+}
+
+/// Returns an edit that adds a layer in a group, a guide and a symmetry group.
+Edit everything_at_once(const Document& document) {
+  const auto group = std::make_shared<const LayerGroup>(LayerGroup{{1}, "Trees"});
+  LayerState state{"Leaves"};
+  state.group = group;
+  Edit edit{"Import", {}};
+  edit.layers.push_back({document.new_layer_id(), std::nullopt, state, 0, 1});
+  edit.guides.push_back({document.new_guide_id(), nullptr, std::make_shared<const DrawingGuide>()});
+  edit.symmetries.push_back({document.new_symmetry_id(1), nullptr,
+                             std::make_shared<const SymmetryGroup>(
+                                 SymmetryGroup{{10, 20}, 0.5, 1, {{{7}, 0}, {{8}, 1}}})});
+  edit.toggles_guides = true;
+  return edit;
+}
+
+TEST(EditBlob, GroupsOfLayersAndGuidesFitIntoOneEdit) {
+  Document document, copy;
+  const Edit edit = everything_at_once(document);
+  ASSERT_TRUE(document.apply(edit));
+  std::string bytes;
+  ASSERT_TRUE(append_edit_blob(bytes, edit));
+  const Result<Edit> read = read_edit_blob(bytes, copy);
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(copy.apply(*read));
+  EXPECT_TRUE(copy == document);
+  EXPECT_TRUE(equal_groups(copy.layers().back().group, edit.layers.front().after->group));
+  EXPECT_EQ(copy.guides().size(), 1u);
+  EXPECT_EQ(copy.symmetries().size(), 1u);
+  EXPECT_FALSE(copy.shows_guides());
+}
+
+// Programs from before guides must still read the edits that have none.
+TEST(EditBlob, OnlyEditsWithGuidesHaveTheVersionOfGuides) {
+  const Document document;
+  Edit edit = everything_at_once(document);
+  std::string with, without;
+  ASSERT_TRUE(append_edit_blob(with, edit));
+  edit.guides.clear();
+  edit.symmetries.clear();
+  edit.toggles_guides = false;
+  ASSERT_TRUE(append_edit_blob(without, edit));
+  EXPECT_EQ(with[0], 4);
+  EXPECT_EQ(without[0], 3);
+}
+
+TEST(EditBlob, ABaseHasTheGuidesAfterTheGroups) {
+  Drawing drawing;
+  ASSERT_TRUE(drawing.document.apply(everything_at_once(drawing.document)));
+  const Result<std::string> head = base_head_bytes(drawing);
+  ASSERT_TRUE(head);
+  const Result<Drawing> read = read_base_head(*head);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_TRUE(read->document == drawing.document);
+  EXPECT_TRUE(read->document.layers().back().group);
+  EXPECT_EQ(read->document.guides().size(), 1u);
+  EXPECT_FALSE(read->document.shows_guides());
 }
 
 TEST(EditBlob, DamageIsAnErrorOrAnEdit) {

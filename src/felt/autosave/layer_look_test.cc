@@ -48,6 +48,34 @@ TEST(AutosaveLook, ABaseHoldsTheLooksOfItsLayers) {
   EXPECT_TRUE(back.document == drawing.document);
 }
 
+TEST(AutosaveLook, APictureOfManyLayersIsWrittenOnce) {
+  Document document = with_picture();
+  Edit edit;
+  for (std::uint64_t i = 2; i <= 4; ++i) {
+    LayerState state{"Copy"};
+    state.picture = testing::red_blue_picture(static_cast<double>(i), 4.0);
+    edit.layers.push_back({{i}, std::nullopt, state, 0, i - 1});
+  }
+  const auto pictures_in = [](const std::string& bytes) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = bytes.find("\x89PNG", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  std::string bytes;
+  ASSERT_TRUE(append_edit_blob(bytes, edit));
+  EXPECT_EQ(pictures_in(bytes), 1U);
+  EXPECT_EQ(read_edit_blob(bytes, document).value(), edit);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(read_edit_blob(bytes.substr(0, size), document)) << size;
+  }
+  ASSERT_TRUE(document.apply(edit));
+  Drawing drawing;
+  drawing.document = document;
+  bytes = base_head_bytes(drawing).value();
+  EXPECT_EQ(pictures_in(bytes), 1U);
+  EXPECT_TRUE(read_base_head(bytes).value().document == document);
+}
+
 /// Returns a document of a multiplying layer, which is in a group, and a normal one.
 Document with_group() {
   Document document;
@@ -114,6 +142,48 @@ TEST(AutosaveLook, EditsAndBasesHoldGroups) {
   const Drawing old = read_base_head(head.substr(0, head.size() - group_bytes.size())).value();
   EXPECT_FALSE(old.document.layers()[0].group);
   EXPECT_EQ(old.document.layers()[0].blend, BlendMode::kMultiply);
+}
+
+TEST(AutosaveLook, ABaseThatListsALayerTwiceIsRefused) {
+  Document document = with_group();
+  Drawing drawing;
+  drawing.document = document;
+  std::string head = base_head_bytes(drawing).value();
+  // The list begins after three ids and its count: id, name, flags of each layer.
+  const std::size_t second = head.find("Top") - 12;
+  ASSERT_EQ(head[second], 2);
+  ASSERT_TRUE(read_base_head(head));
+  head[second] = 1;
+  const Result<Drawing> read = read_base_head(head);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "layer 1 is listed twice");
+  head[second] = 2;
+  head[second + 7] = '\x7f';
+  EXPECT_EQ(read_base_head(head).error().message, "a layer has an invalid id");
+}
+
+TEST(AutosaveLook, AGroupWithAnImpossibleIdIsLeftOut) {
+  const LayerGroupPtr group = with_group().layers()[0].group;
+  std::string bytes;
+  ByteWriter out(bytes);
+  append_layer_group(out, group);
+  ByteReader whole(bytes);
+  EXPECT_EQ(*read_layer_group(whole), *group);
+  bytes[7] = '\x7f';
+  ByteReader impossible(bytes);
+  EXPECT_FALSE(read_layer_group(impossible));
+  EXPECT_EQ(impossible.left(), 0U) << "what follows can be read";
+}
+
+TEST(AutosaveLook, ALongNameIsCutBetweenTwoCodePoints) {
+  Document document = with_group();
+  LayerGroup group = *document.layers()[0].group;
+  group.name = std::string(kMaxLayerNameBytes - 1, 'n') + "\u00fc";
+  std::string bytes;
+  ByteWriter out(bytes);
+  append_layer_group(out, std::make_shared<const LayerGroup>(group));
+  ByteReader in(bytes);
+  EXPECT_EQ(read_layer_group(in)->name, std::string(kMaxLayerNameBytes - 1, 'n'));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "felt/base/utf8.h"
 
 #include <array>
-#include <cstddef>
 
 namespace felt {
 
@@ -31,6 +30,14 @@ bool is_utf8(std::string_view text) noexcept {
     if (!next_code_point(text, code)) return false;
   }
   return true;
+}
+
+std::string_view utf8_prefix(std::string_view text, std::size_t max_bytes) noexcept {
+  if (text.size() <= max_bytes) return text;
+  std::size_t end = max_bytes;
+  // The bytes of a code point after its first are 10xxxxxx.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) >> 6) == 0x02) --end;
+  return text.substr(0, end);
 }
 
 }  // namespace felt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -12,5 +13,9 @@ bool next_code_point(std::string_view& text, std::uint32_t& code) noexcept;
 
 /// Returns true if the text is well-formed UTF-8. Empty text is well-formed.
 bool is_utf8(std::string_view text) noexcept;
+
+/// Returns the beginning of `text`, of at most `max_bytes` bytes, without half a code point at its
+/// end.
+std::string_view utf8_prefix(std::string_view text, std::size_t max_bytes) noexcept;
 
 }  // namespace felt

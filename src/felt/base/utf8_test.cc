@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 namespace felt::utf8_test {
@@ -40,6 +41,16 @@ TEST(Utf8, NoOtherFormIsTaken) {
   EXPECT_FALSE(is_utf8("\xc0\xaf"));          // overlong
   EXPECT_FALSE(is_utf8("\xf4\x90\x80\x80"));  // beyond U+10FFFF
   EXPECT_FALSE(is_utf8("\xff"));
+}
+
+TEST(Utf8, APrefixEndsBetweenTwoCodePoints) {
+  const std::string text = "a\u00fc\u270e\U0001f58b";  // 1, 2, 3 and 4 bytes
+  const std::array<std::size_t, 11> sizes{0, 1, 1, 3, 3, 3, 6, 6, 6, 6, 10};
+  for (std::size_t max = 0; max < sizes.size(); ++max) {
+    EXPECT_EQ(utf8_prefix(text, max), text.substr(0, sizes[max])) << max;
+  }
+  EXPECT_EQ(utf8_prefix(text, 99), text);
+  EXPECT_EQ(utf8_prefix("\x80\x80\x80", 2), "") << "malformed";
 }
 
 }  // namespace

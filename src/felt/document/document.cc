@@ -16,6 +16,12 @@ std::string name_of(StrokeId id) {
 std::string name_of(FillId id) {
   return "fill " + std::to_string(id.value);
 }
+std::string name_of(GuideId id) {
+  return "guide " + std::to_string(id.value);
+}
+std::string name_of(SymmetryId id) {
+  return "symmetry " + std::to_string(id.value);
+}
 std::string name_of(LayerId id) {
   return "layer " + std::to_string(id.value);
 }
@@ -65,6 +71,11 @@ class Document::Plan {
     return check_ids(edit_.changes)
         .and_then([&] { return check_ids(edit_.layers); })
         .and_then([&] { return check_ids(edit_.fills); })
+        .and_then([&] { return check_ids(edit_.guides); })
+        .and_then([&] { return check_ids(edit_.symmetries); })
+        .and_then([&] { return check_unplaced(edit_.guides, document_.guides_); })
+        .and_then([&] { return check_guide_count(); })
+        .and_then([&] { return check_unplaced(edit_.symmetries, document_.symmetries_); })
         .and_then([&] { return prepare_layers(); })
         .and_then([&] { return prepare_objects(edit_.changes, document_.strokes_, orders_); })
         .and_then([&] { return prepare_objects(edit_.fills, document_.fills_, fill_orders_); })
@@ -80,32 +91,65 @@ class Document::Plan {
     if (!edit_.layers.empty()) arrange_layers();
     for (const StrokeChange& c : edit_.changes) change_object(c, document_.strokes_);
     for (const FillChange& c : edit_.fills) change_object(c, document_.fills_);
+    for (const GuideChange& c : edit_.guides) change_unplaced(c, document_.guides_);
+    change_symmetries();
+    document_.shows_guides_ = document_.shows_guides_ != edit_.toggles_guides;
   }
 
  private:
   Layer* layer(LayerId id) { return const_cast<Layer*>(document_.layer(id)); }
 
+  /// Checks the changes of objects that are in no layer.
+  template <class Change, class Table>
+  static Result<void> check_unplaced(const std::vector<Change>& changes, const Table& table) {
+    for (const Change& c : changes) {
+      const auto found = table.find(c.id);
+      if (c.before && found == table.end()) return misfit(name_of(c.id) + " does not exist");
+      if (!c.before && found != table.end()) return misfit(name_of(c.id) + " already exists");
+      if (c.before && found->second != c.before && *found->second != *c.before) {
+        return misfit(name_of(c.id) + " has changed in the meantime");
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] Result<void> check_guide_count() const {
+    std::size_t count = document_.guides_.size();
+    for (const GuideChange& c : edit_.guides) {
+      count += c.after ? 1 : 0;
+      count -= c.before ? 1 : 0;
+    }
+    if (count <= kMaxDrawingGuides) return {};
+    return misfit("a drawing has at most " + std::to_string(kMaxDrawingGuides) + " guides");
+  }
+
+  /// Checks that the document has a layer as it was before a change.
+  [[nodiscard]] Result<void> check_layer(const LayerChange& c) const {
+    const Layer* present = document_.layer(c.id);
+    if (!c.before) {
+      return present ? Result<void>(misfit(name_of(c.id) + " already exists")) : Result<void>();
+    }
+    if (!present) return misfit(name_of(c.id) + " does not exist");
+    const auto& all = document_.layers_;
+    if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
+      return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_index));
+    }
+    if (present->state() != *c.before)
+      return misfit(name_of(c.id) + " has changed in the meantime");
+    return {};
+  }
+
   Result<void> prepare_layers() {
     Moves<LayerId> moves;
     for (const LayerChange& c : edit_.layers) {
-      const Layer* present = document_.layer(c.id);
-      if (!c.before && present) return misfit(name_of(c.id) + " already exists");
-      if (c.before) {
-        if (!present) return misfit(name_of(c.id) + " does not exist");
-        const auto& all = document_.layers_;
-        if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
-          return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_index));
-        }
-        if (present->state() != *c.before)
-          return misfit(name_of(c.id) + " has changed in the meantime");
-        moves.remove(c.before_index);
-      }
+      if (Result<void> fits = check_layer(c); !fits) return fits;
+      if (c.before) moves.remove(c.before_index);
       if (c.after) moves.add(c.after_index, c.id);
     }
     std::vector<LayerId> ids;
     for (const Layer& l : document_.layers_) ids.push_back(l.id);
     return moves.reorder<LayerId>(ids)
-        .map([&](Reordered<LayerId> order) {
+        .map([&](const Reordered<LayerId>& order) {
           order.apply_to(ids);
           layer_order_ = std::move(ids);
         })
@@ -132,12 +176,30 @@ class Document::Plan {
         last = group;
       }
       if (!group) continue;
-      const std::string name = "group " + std::to_string(group->id.value);
-      if (!group->id) return misfit("a group without an id");
-      if (done.contains(group->id)) return misfit("the layers of " + name + " are not neighbours");
-      if (!equal_groups(group, last)) return misfit("the layers of " + name + " differ in it");
+      if (Result<void> fits = check_group(group, last, done); !fits) return fits;
     }
     return {};
+  }
+
+  /// Checks the group of a layer; `last` is the group of the lowest layer of its block, and `done`
+  /// are the groups below.
+  static Result<void> check_group(const LayerGroupPtr& group, const LayerGroupPtr& last,
+                                  const std::set<GroupId>& done) {
+    const std::string name = "group " + std::to_string(group->id.value);
+    if (!group->id) return misfit("a group without an id");
+    if (done.contains(group->id)) return misfit("the layers of " + name + " are not neighbours");
+    if (!equal_groups(group, last)) return misfit("the layers of " + name + " differ in it");
+    return {};
+  }
+
+  template <class Change, class Id>
+  static void note_moves(const Change& c, std::map<LayerId, Moves<Id>>& moves) {
+    if (c.before && c.after && c.before_place == c.after_place) {
+      moves[c.before_place.layer].keep(c.before_place.index, c.id);
+      return;
+    }
+    if (c.before) moves[c.before_place.layer].remove(c.before_place.index);
+    if (c.after) moves[c.after_place.layer].add(c.after_place.index, c.id);
   }
 
   /// Checks the changes of strokes or of fills, and computes the new orders in their layers.
@@ -150,12 +212,7 @@ class Document::Plan {
       if (c.after && !is_kept(c.after_place.layer)) {
         return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " does not exist");
       }
-      if (c.before && c.after && c.before_place == c.after_place) {
-        moves[c.before_place.layer].keep(c.before_place.index, c.id);
-        continue;
-      }
-      if (c.before) moves[c.before_place.layer].remove(c.before_place.index);
-      if (c.after) moves[c.after_place.layer].add(c.after_place.index, c.id);
+      note_moves(c, moves);
     }
     for (auto& [id, m] : moves) {
       const Layer* present = document_.layer(id);
@@ -260,6 +317,32 @@ class Document::Plan {
     document_.last_id_ = std::max(document_.last_id_, c.id.value);
   }
 
+  template <class Change, class Table>
+  void change_unplaced(const Change& c, Table& table) {
+    if (c.after) {
+      table.insert_or_assign(c.id, c.after);
+    } else {
+      table.erase(c.id);
+    }
+    document_.last_id_ = std::max(document_.last_id_, c.id.value);
+  }
+
+  void change_symmetries() {
+    std::map<StrokeId, SymmetryId>& of = document_.symmetry_of_;
+    for (const SymmetryChange& c : edit_.symmetries) {
+      change_unplaced(c, document_.symmetries_);
+      if (!c.before) continue;
+      for (const SymmetryImage& image : c.before->images) {
+        const auto found = of.find(image.stroke);
+        if (found != of.end() && found->second == c.id) of.erase(found);
+      }
+    }
+    for (const SymmetryChange& c : edit_.symmetries) {
+      if (!c.after) continue;
+      for (const SymmetryImage& image : c.after->images) of.try_emplace(image.stroke, c.id);
+    }
+  }
+
   Document& document_;
   const Edit& edit_;
   std::vector<LayerId> layer_order_;
@@ -342,12 +425,14 @@ const Layer* Document::layer(LayerId id) const noexcept {
   return found == layers_.end() ? nullptr : &*found;
 }
 
-GroupId Document::new_group_id() const noexcept {
-  GroupId last;
+GroupId Document::new_group_id() const {
+  std::set<GroupId> taken;
   for (const Layer& l : layers_) {
-    if (l.group) last = std::max(last, l.group->id);
+    if (l.group) taken.insert(l.group->id);
   }
-  return {last.value + 1};
+  GroupId id{1};
+  while (taken.contains(id)) ++id.value;
+  return id;
 }
 
 LayerGroupPtr Document::group(GroupId id) const noexcept {
@@ -362,8 +447,16 @@ void Document::reserve_ids(StrokeId stroke, LayerId layer) noexcept {
 }
 
 bool operator==(const Document& a, const Document& b) {
+  const auto equal = [](const auto& x, const auto& y) {
+    return x.first == y.first && (x.second == y.second || *x.second == *y.second);
+  };
   return a.layers_ == b.layers_ && equal_tables(a.strokes_, b.strokes_) &&
-         equal_tables(a.fills_, b.fills_);
+         equal_tables(a.fills_, b.fills_) &&
+         (a.shows_guides_ == b.shows_guides_ || a.guides_.empty()) &&
+         std::equal(a.guides_.begin(), a.guides_.end(), b.guides_.begin(), b.guides_.end(),
+                    equal) &&
+         std::equal(a.symmetries_.begin(), a.symmetries_.end(), b.symmetries_.begin(),
+                    b.symmetries_.end(), equal);
 }
 
 }  // namespace felt

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "felt/document/drawing_guide.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_document.h"
 
@@ -89,6 +90,21 @@ TEST(Document, RefusesWhatDoesNotFitAndSaysWhy) {
   // Only the last change is invalid. The changes before it must not remain.
   EXPECT_THAT(error_of(d, {"", {{{9}, nullptr, s, {}, {{1}, 3}}, {{7}, s, nullptr, {{1}, 0}, {}}}}),
               HasSubstr("stroke 7 does not exist"));
+}
+
+TEST(Document, HasAtMost256Guides) {
+  Document d;
+  Edit many{"Add", {}}, one{"Add", {}}, swapped{"Add", {}};
+  const auto guide = std::make_shared<const DrawingGuide>();
+  for (std::uint64_t i = 1; i <= kMaxDrawingGuides; ++i)
+    many.guides.push_back({{i}, nullptr, guide});
+  ASSERT_TRUE(d.apply(many));
+  const Document full = d;
+  one.guides.push_back({{1000}, nullptr, guide});
+  EXPECT_THAT(error_of(d, one), HasSubstr("at most 256 guides"));
+  EXPECT_EQ(d, full);
+  swapped.guides = {{{1}, guide, nullptr}, {{1000}, nullptr, guide}};
+  EXPECT_TRUE(d.apply(swapped));
 }
 
 TEST(Document, RefusesLayersThatDoNotFit) {

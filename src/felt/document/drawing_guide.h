@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <string_view>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/document/edit.h"
 #include "felt/geometry/point.h"
 
@@ -11,6 +13,8 @@ namespace felt {
 
 /// The kinds of guides that a drawing can have. For each kind, the comment names the fields of
 /// DrawingGuide that it uses besides `origin` and `strength`; angles count from +x towards +y.
+/// `axes` counts mirror axes: one axis gives two images (a mirror), n axes give 2n images, as the
+/// dihedral group of that order. (Krita and Procreate name the numbers of images or segments.)
 enum class DrawingGuideKind : std::uint8_t {
   kRuler,        ///< a straight edge from `origin`: `angle_rad`, `size_mm` (length)
   kLine,         ///< one infinite line through `origin`: `angle_rad`
@@ -32,7 +36,14 @@ enum class DrawingGuideKind : std::uint8_t {
 /// the user pulls harder (docs/design/forces.md#guides). Guides are not ink: exported files leave
 /// them out. Immutable, like a stroke.
 struct DrawingGuide {
-  static constexpr int kMinAxes = 2, kMaxAxes = 16;
+  static constexpr int kMinAxes = 1, kMaxAxes = 16;
+  static constexpr double kMaxCoordinateMm = 1e6;
+  static constexpr double kMaxAngleRad = 1e3;
+  static constexpr double kMinSizeMm = 0.5, kMaxSizeMm = 1e5;
+  static constexpr double kMinStepRad = 0.017453292519943295;  ///< 1 degree
+  static constexpr double kMaxStepRad = 1.5707963267948966;    ///< 90 degrees
+  static constexpr std::size_t kMaxVanishingPoints = 3;
+  static constexpr std::size_t kMaxTeacherPoints = 20'000;
 
   DrawingGuideKind kind = DrawingGuideKind::kRuler;
   Point origin{};
@@ -49,7 +60,19 @@ struct DrawingGuide {
   friend bool operator==(const DrawingGuide&, const DrawingGuide&) = default;
 };
 
-using GuideId = Id<struct GuideTag>;
-using DrawingGuidePtr = std::shared_ptr<const DrawingGuide>;
+inline constexpr std::size_t kDrawingGuideKinds = 14;
+/// Largest number of guides of a drawing, because each touch looks at all of them.
+inline constexpr std::size_t kMaxDrawingGuides = 256;
+
+/// Returns the name of a kind in events: "ruler", "isometric-grid".
+std::string_view guide_kind_name(DrawingGuideKind kind) noexcept;
+
+/// Checks the invariants of a guide: every number is finite and within the limits above, `strength`
+/// is 0 to 1; only kPerspective has vanishing points, one to three of them; only kTeacher has a
+/// path, of 2 to kMaxTeacherPoints points with one time each, which start at 0 or later and do not
+/// decrease; and only kTrace names a stroke. Whether the document has this stroke is not checked: a
+/// trace of a missing stroke has no effect. All readers call this. The message starts with the key
+/// of the event (docs/formats/events.md).
+Result<void> check_drawing_guide(const DrawingGuide& guide);
 
 }  // namespace felt

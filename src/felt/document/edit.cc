@@ -14,6 +14,8 @@ Edit Edit::inverse() const {
     std::swap(c.before, c.after);
     std::swap(c.before_place, c.after_place);
   }
+  for (GuideChange& c : result.guides) std::swap(c.before, c.after);
+  for (SymmetryChange& c : result.symmetries) std::swap(c.before, c.after);
   for (LayerChange& c : result.layers) {
     std::swap(c.before, c.after);
     std::swap(c.before_index, c.after_index);

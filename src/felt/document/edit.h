@@ -17,6 +17,10 @@ namespace felt {
 using StrokePtr = std::shared_ptr<const Stroke>;
 struct Fill;  // fill.h
 using FillPtr = std::shared_ptr<const Fill>;
+struct DrawingGuide;  // drawing_guide.h
+using DrawingGuidePtr = std::shared_ptr<const DrawingGuide>;
+struct SymmetryGroup;  // symmetry_group.h
+using SymmetryPtr = std::shared_ptr<const SymmetryGroup>;
 
 /// The position of a stroke or fill: its layer, and its index in that layer's list of strokes or of
 /// fills (0 is the lowest).
@@ -52,6 +56,28 @@ struct FillChange {
 
   friend bool operator==(const FillChange&, const FillChange&) = default;
 };
+
+/// The change of one guide: added, removed, or replaced. Guides are above all layers, and their
+/// order is that of their ids.
+struct GuideChange {
+  GuideId id;
+  DrawingGuidePtr before;
+  DrawingGuidePtr after;
+
+  friend bool operator==(const GuideChange&, const GuideChange&) = default;
+};
+
+/// The change of one symmetry group: added, removed, or replaced.
+struct SymmetryChange {
+  SymmetryId id;
+  SymmetryPtr before;
+  SymmetryPtr after;
+
+  friend bool operator==(const SymmetryChange&, const SymmetryChange&) = default;
+};
+
+/// Longest name of a layer or of a group of layers, in bytes of UTF-8. Files have no longer ones.
+inline constexpr std::size_t kMaxLayerNameBytes = 4096;
 
 /// Everything about a layer except its strokes, its fills and its position.
 struct LayerState {
@@ -94,15 +120,19 @@ struct LayerChange {
 };
 
 /// The only way to change a document: a label for the undo menu, and the changes of strokes,
-/// layers and fills. One gesture is one edit.
+/// layers, fills, guides and symmetry groups. One gesture is one edit.
 struct Edit {
   std::string label;  ///< shown to the user: "Draw", "Pull"
   std::vector<StrokeChange> changes;
   std::vector<LayerChange> layers = {};
   std::vector<FillChange> fills = {};
+  std::vector<GuideChange> guides = {};
+  std::vector<SymmetryChange> symmetries = {};
+  bool toggles_guides = false;  ///< hides the guides if they were shown, shows them if hidden
 
   [[nodiscard]] bool empty() const noexcept {
-    return changes.empty() && layers.empty() && fills.empty();
+    return changes.empty() && layers.empty() && fills.empty() && guides.empty() &&
+           symmetries.empty() && !toggles_guides;
   }
   /// Returns the edit that undoes this edit: `before` and `after` are swapped. The inverse of the
   /// result is this edit.

@@ -24,6 +24,16 @@ std::size_t memory_of(const FillPtr& fill) noexcept {
   return bytes;
 }
 
+std::size_t memory_of(const DrawingGuidePtr& guide) noexcept {
+  if (!guide) return 0;
+  return sizeof(DrawingGuide) + guide->points.capacity() * sizeof(Point) +
+         guide->times_ms.capacity() * sizeof(double);
+}
+
+std::size_t memory_of(const SymmetryPtr& group) noexcept {
+  return group ? sizeof(SymmetryGroup) + group->images.capacity() * sizeof(SymmetryImage) : 0;
+}
+
 const PictureData* data_of(const std::optional<LayerState>& state) noexcept {
   return state && state->picture ? state->picture->data.get() : nullptr;
 }
@@ -48,14 +58,30 @@ bool extend_fills(std::vector<FillChange>& fills, const std::vector<FillChange>&
   return true;
 }
 
+/// Returns true if each change of a symmetry group continues the one of the edit before.
+bool continue_groups(const std::vector<SymmetryChange>& groups,
+                     const std::vector<SymmetryChange>& further) {
+  const auto continues = [](const SymmetryChange& first, const SymmetryChange& second) {
+    return first.id == second.id && first.before && first.after && second.after &&
+           (first.after == second.before || (second.before && *first.after == *second.before));
+  };
+  return std::equal(groups.begin(), groups.end(), further.begin(), further.end(), continues);
+}
+
 }  // namespace
 
 std::size_t memory_of(const Edit& edit) noexcept {
   std::size_t bytes =
       sizeof(Edit) + edit.label.capacity() + edit.changes.capacity() * sizeof(StrokeChange) +
-      edit.layers.capacity() * sizeof(LayerChange) + edit.fills.capacity() * sizeof(FillChange);
+      edit.layers.capacity() * sizeof(LayerChange) + edit.fills.capacity() * sizeof(FillChange) +
+      edit.guides.capacity() * sizeof(GuideChange) +
+      edit.symmetries.capacity() * sizeof(SymmetryChange);
   for (const StrokeChange& c : edit.changes) bytes += memory_of(c.before) + memory_of(c.after);
   for (const FillChange& c : edit.fills) bytes += memory_of(c.before) + memory_of(c.after);
+  for (const GuideChange& c : edit.guides) bytes += memory_of(c.before) + memory_of(c.after);
+  for (const SymmetryChange& c : edit.symmetries) {
+    bytes += memory_of(c.before) + memory_of(c.after);
+  }
   for (const LayerChange& c : edit.layers) {
     if (c.before) bytes += c.before->name.capacity();
     if (c.after) bytes += c.after->name.capacity();
@@ -87,21 +113,28 @@ void History::record(Edit edit) {
 }
 
 bool History::extend(const Edit& edit) {
-  if (done_ == 0 || can_redo() || !edit.layers.empty()) return false;
+  const auto has_more = [](const Edit& e) {
+    return !e.layers.empty() || !e.guides.empty() || e.toggles_guides;
+  };
+  if (done_ == 0 || can_redo() || has_more(edit)) return false;
   Step& step = steps_.back();
   const auto continues = [](const StrokeChange& first, const StrokeChange& second) {
     return first.id == second.id && first.before && first.after && first.after == second.before &&
            second.after && first.after_place == second.before_place;
   };
-  if (step.edit.label != edit.label || !step.edit.layers.empty() ||
+  if (step.edit.label != edit.label || has_more(step.edit) ||
       !std::equal(step.edit.changes.begin(), step.edit.changes.end(), edit.changes.begin(),
-                  edit.changes.end(), continues)) {
+                  edit.changes.end(), continues) ||
+      !continue_groups(step.edit.symmetries, edit.symmetries)) {
     return false;
   }
   if (!extend_fills(step.edit.fills, edit.fills)) return false;
   for (std::size_t i = 0; i < edit.changes.size(); ++i) {
     step.edit.changes[i].after = edit.changes[i].after;
     step.edit.changes[i].after_place = edit.changes[i].after_place;
+  }
+  for (std::size_t i = 0; i < edit.symmetries.size(); ++i) {
+    step.edit.symmetries[i].after = edit.symmetries[i].after;
   }
   bytes_ -= std::exchange(step.bytes, memory_of(step.edit));
   bytes_ += step.bytes;

@@ -100,6 +100,37 @@ TEST(History, AStepIsExtendedOnlyByAReplacementOfTheSameStrokes) {
   EXPECT_EQ(d, after);
 }
 
+/// A step that adds or removes pictures holds their bytes, also if the layers are in a group.
+TEST(History, TheBytesOfPicturesCount) {
+  auto data = std::make_shared<PictureData>();
+  data->png.assign(100'000, 'x');
+  const auto state_with = [&data](std::optional<double> x_mm) {
+    LayerState state{"Photo"};
+    if (x_mm) {
+      state.picture =
+          std::make_shared<const LayerPicture>(LayerPicture{data, {1, 0, 0, 1, *x_mm, 0}});
+    }
+    return state;
+  };
+  const auto memory = [](std::optional<LayerState> before, std::optional<LayerState> after) {
+    return memory_of(Edit{"Layer", {}, {{{2}, std::move(before), std::move(after), 0, 0}}});
+  };
+  EXPECT_GT(memory({}, state_with(0.0)), 100'000U);
+  EXPECT_GT(memory(state_with(0.0), {}), 100'000U);
+  EXPECT_GT(memory(state_with(0.0), state_with({})), 100'000U);
+  EXPECT_LT(memory(state_with(0.0), state_with(5.0)), 10'000U) << "the document has it, too";
+  History history(250'000);
+  Document document;
+  for (int i = 0; i < 6; ++i) {
+    const bool adds = i % 2 == 0;
+    Edit edit{"Layer", {}, {{{2}, std::nullopt, state_with(0.0), 0, 1}}};
+    if (!adds) edit = edit.inverse();
+    ASSERT_TRUE(document.apply(edit));
+    history.record(edit);
+  }
+  EXPECT_EQ(history.undo_count(), 2U);
+}
+
 TEST(History, R52_ThousandRandomStepsBackAndForth) {
   testing::RandomEdits random(7);
   testing::RandomStroke dice(8);

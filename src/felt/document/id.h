@@ -5,9 +5,9 @@
 
 namespace felt {
 
-/// A typed number that names a stroke, layer, fill or group of layers of a document. The id zero
-/// names nothing. Ids of strokes, fills and layers are never reused within a document, so such an
-/// id in an undo step always means the same object.
+/// A typed number that names a stroke, layer, fill, guide, symmetry group or group of layers of a
+/// document. The id zero names nothing. Ids are never reused within a document, except those of
+/// groups of layers, so an id in an undo step always means the same object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
@@ -20,6 +20,8 @@ struct Id {
 using StrokeId = Id<struct StrokeTag>;
 using LayerId = Id<struct LayerTag>;
 using FillId = Id<struct FillTag>;
+using GuideId = Id<struct GuideTag>;
+using SymmetryId = Id<struct SymmetryTag>;
 using GroupId = Id<struct GroupTag>;
 
 }  // namespace felt

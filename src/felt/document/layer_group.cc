@@ -14,13 +14,13 @@ bool same_group(const LayerGroupPtr& a, const LayerGroupPtr& b) noexcept {
 }
 
 void separate_groups(std::span<LayerGroupPtr* const> groups, GroupNumbers numbers) {
-  std::uint64_t last = 0;
+  GroupId last;
+  std::set<GroupId> kept, used;
   if (numbers == GroupNumbers::kKept) {
     for (const LayerGroupPtr* group : groups) {
-      if (*group) last = std::max(last, (*group)->id.value);
+      if (*group) kept.insert((*group)->id);
     }
   }
-  std::set<GroupId> used;
   for (std::size_t i = 0; i < groups.size();) {
     const LayerGroupPtr first = *groups[i];
     std::size_t end = i + 1;
@@ -29,7 +29,11 @@ void separate_groups(std::span<LayerGroupPtr* const> groups, GroupNumbers number
       const bool keeps_id =
           numbers == GroupNumbers::kKept && first->id && used.insert(first->id).second;
       LayerGroup group = *first;
-      if (!keeps_id) group.id = {++last};
+      if (!keeps_id) {
+        do ++last.value;
+        while (kept.contains(last));
+        group.id = last;
+      }
       const auto shared = keeps_id ? first : std::make_shared<const LayerGroup>(std::move(group));
       for (std::size_t k = i; k < end; ++k) *groups[k] = shared;
     }

@@ -42,7 +42,8 @@ using LayerGroupPtr = std::shared_ptr<const LayerGroup>;
 
 /// How separate_groups() numbers groups.
 enum class GroupNumbers {
-  kKept,     ///< a group keeps its id; only a part that is not next to the others gets a new one
+  kKept,     ///< a group keeps its id; a part that is not next to the others gets the smallest free
+             ///< one
   kFromOne,  ///< 1, 2 and so on, the lowest first
 };
 

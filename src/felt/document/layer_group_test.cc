@@ -68,8 +68,8 @@ TEST(LayerGroups, SeparateGroupsMakesAnyListValid) {
   EXPECT_EQ(*groups[0], *group(7));
   EXPECT_EQ(groups[1], groups[0]) << "the lowest decides";
   EXPECT_FALSE(groups[2]);
-  EXPECT_EQ(groups[3]->id, GroupId{8});
-  EXPECT_EQ(groups[4]->id, GroupId{9});
+  EXPECT_EQ(groups[3]->id, GroupId{1}) << "the smallest free id";
+  EXPECT_EQ(groups[4]->id, GroupId{2});
   EXPECT_EQ(groups[6]->id, GroupId{3});
   list.clear();
   for (LayerGroupPtr& g : numbered) list.push_back(&g);

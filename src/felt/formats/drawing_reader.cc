@@ -56,9 +56,11 @@ Result<Imported> import_foreign(std::string_view bytes, FileFormat format,
 /// Reads a .felt file. If it is damaged and `salvage` is set, recovers what is intact.
 Result<Imported> read_own(std::string_view bytes, bool salvage) {
   Imported result;
-  Result<Drawing> drawing = parse_felt(bytes);
-  result.is_exact = drawing.has_value();
+  std::vector<std::string> notices;
+  Result<Drawing> drawing = parse_felt(bytes, &notices);
+  result.is_exact = drawing.has_value() && notices.empty();
   if (drawing) {
+    for (std::string& notice : notices) result.report.add(0, {}, std::move(notice));
     result.drawing = *std::move(drawing);
     return result;
   }

@@ -44,16 +44,29 @@ class ForceModel {
 
   template <ForceFunctor F>
   requires(!std::same_as<F, ForceModel>) explicit ForceModel(const F& functor) noexcept
-      : call_([](const void* object, const PenSample& sample, ForceMemory& memory) noexcept {
-          return (*static_cast<const F*>(object))(sample, memory);
-        }),
-        slopes_(functor.slopes()) {
+      : call_(call_of<F>()), slopes_(functor.slopes()), size_(sizeof(F)) {
     ::new (static_cast<void*>(storage_.data())) F(functor);
+  }
+
+  /// Adds a force, which is evaluated after the others, for code that does not know the type of the
+  /// functor. Returns false and changes nothing if there is not enough space, or if a force was
+  /// added before.
+  template <ForceFunctor F>
+  [[nodiscard]] bool add(const F& functor) noexcept {
+    constexpr std::size_t kAlign = alignof(std::max_align_t);
+    const std::size_t at = (size_ + kAlign - 1) / kAlign * kAlign;
+    if (added_call_ || at + sizeof(F) > kForceFunctorBytes) return false;
+    ::new (static_cast<void*>(storage_.data() + at)) F(functor);
+    added_call_ = call_of<F>();
+    added_at_ = at;
+    slopes_ = slopes_ + functor.slopes();
+    return true;
   }
 
   /// Returns the force on the pen, in N, and adds its parts to memory.terms.
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-    return call_ ? call_(storage_.data(), sample, memory) : Force{};
+    const Force force = call_ ? call_(storage_.data(), sample, memory) : Force{};
+    return added_call_ ? force + added_call_(storage_.data() + added_at_, sample, memory) : force;
   }
   /// Returns the stiffness that the functor needs from the budget.
   [[nodiscard]] const Slopes& slopes() const noexcept { return slopes_; }
@@ -70,9 +83,19 @@ class ForceModel {
  private:
   using Call = Force (*)(const void*, const PenSample&, ForceMemory&) noexcept;
 
+  template <ForceFunctor F>
+  static constexpr Call call_of() noexcept {
+    return [](const void* object, const PenSample& sample, ForceMemory& memory) noexcept {
+      return (*static_cast<const F*>(object))(sample, memory);
+    };
+  }
+
   alignas(std::max_align_t) std::array<std::byte, kForceFunctorBytes> storage_{};
   Call call_ = nullptr;
+  Call added_call_ = nullptr;
   Slopes slopes_;
+  std::size_t size_ = 0;      // of the functor, bytes
+  std::size_t added_at_ = 0;  // position of the added functor
   std::uint32_t fade_id_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string_view>
 
 #include "felt/haptics/bricks/damping.h"
@@ -62,6 +63,35 @@ TEST(ForceModel, ForwardsToItsFunctorAlsoWhenCopied) {
     ASSERT_EQ(model(pen_on_its_way(i), b), direct);
     ASSERT_EQ(copy(pen_on_its_way(i), c), direct);
   }
+}
+
+TEST(ForceModel, AnAddedForceIsEvaluatedAfterTheOthers) {
+  const SurfaceMaterial& paper = surface_materials()[0];
+  const SurfaceForce surface = make_surface_force(paper, media()[0], {}, surface_grain(paper));
+  const SnapWells well(Point{1, 1});
+  const ForceModel whole(Compose(surface, well));
+  ForceModel model(surface);
+  ASSERT_TRUE(model.add(well));
+  EXPECT_EQ(model.slopes(), whole.slopes());
+  ForceMemory a, b;
+  for (int i = 0; i < 2000; ++i) {
+    a.begin_tick(0.001);
+    b.begin_tick(0.001);
+    const PenSample pen = pen_on_its_way(i);
+    ASSERT_EQ(model(pen, a), whole(pen, b)) << i;
+  }
+  EXPECT_FALSE(model.add(well)) << "only one";
+  struct Large {
+    std::array<char, kForceFunctorBytes - 100> bytes{};
+    Force operator()(const PenSample&, ForceMemory&) const noexcept { return {}; }
+    [[nodiscard]] Slopes slopes() const noexcept { return {1.0, 1.0}; }
+  };
+  ForceModel other(surface);
+  EXPECT_FALSE(other.add(Large{})) << "not enough space";
+  EXPECT_EQ(other.slopes(), surface.slopes());
+  ForceModel empty;
+  EXPECT_TRUE(empty.add(well));
+  EXPECT_EQ(empty.slopes(), well.slopes());
 }
 
 TEST(ForceModel, TheTermsSumToTheForce) {

@@ -73,8 +73,11 @@ inline InkFitOptions solid_fit(InkFitOptions fit) {
   return fit;
 }
 
-/// Converts the bytes of a picture, for example a JPEG file, to a PNG file.
-using PictureConverter = std::function<Result<std::string>(std::string_view bytes)>;
+/// Converts the bytes of a picture, for example a JPEG file, to a PNG file. Fails with
+/// ErrorCode::kLimitExceeded, before it decodes the picture, if the picture has more than
+/// `max_pixels`.
+using PictureConverter =
+    std::function<Result<std::string>(std::string_view bytes, std::int64_t max_pixels)>;
 
 /// Settings for readers of foreign formats.
 struct ImportOptions {

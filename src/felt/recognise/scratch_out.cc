@@ -121,10 +121,16 @@ ScratchFeatures features_of(const PassList& list) {
 }
 
 bool is_within_limits(const ScratchFeatures& f) noexcept {
-  return f.passes >= ScratchOut::kMinPasses && f.along >= ScratchOut::kMinAlong &&
-         f.evenness >= ScratchOut::kMinEvenness && f.straightness >= ScratchOut::kMinStraightness &&
-         f.overlap >= ScratchOut::kMinOverlap &&
-         f.path_per_diagonal >= ScratchOut::kMinPathPerDiagonal;
+  if (f.passes < ScratchOut::kMinPasses || f.along < ScratchOut::kMinAlong ||
+      f.path_per_diagonal < ScratchOut::kMinPathPerDiagonal) {
+    return false;
+  }
+  if (f.passes >= ScratchOut::kSurePasses) {
+    return f.evenness >= ScratchOut::kSureEvenness &&
+           f.straightness >= ScratchOut::kSureStraightness && f.overlap >= ScratchOut::kSureOverlap;
+  }
+  return f.evenness >= ScratchOut::kMinEvenness && f.straightness >= ScratchOut::kMinStraightness &&
+         f.overlap >= ScratchOut::kMinOverlap;
 }
 
 /// Returns true if p is inside the triangle or within `margin_mm` of its sides.
@@ -138,6 +144,16 @@ bool is_in_triangle(Point a, Point b, Point c, Point p, double margin_mm) noexce
   return nearest_on_line(a, b, p).distance_squared <= squared ||
          nearest_on_line(b, c, p).distance_squared <= squared ||
          nearest_on_line(c, a, p).distance_squared <= squared;
+}
+
+/// Returns true if the straight pass from a to b crosses a line.
+bool is_crossed(std::span<const Point> line, Point a, Point b) noexcept {
+  const auto side = [](Point from, Point to, Point p) { return cross(to - from, p - from); };
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Point c = line[k], d = line[k + 1];
+    if (side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) < 0.0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -172,6 +188,20 @@ double ScratchOut::covered_share(std::span<const Point> line) const {
   const auto inside =
       std::count_if(probes.begin(), probes.end(), [this](Point p) { return contains(p); });
   return static_cast<double>(inside) / static_cast<double>(kProbes);
+}
+
+int ScratchOut::crossings(std::span<const Point> line) const {
+  int count = 0;
+  for (std::size_t i = 0; i + 1 < turns_.size(); ++i) {
+    if (is_crossed(line, turns_[i], turns_[i + 1])) ++count;
+  }
+  return count;
+}
+
+bool ScratchOut::covers(std::span<const Point> line) const {
+  const double share = covered_share(line);
+  if (share >= kCoveredShare) return true;
+  return share >= kCrossedShare && crossings(line) >= kMinCrossings;
 }
 
 bool ScratchOut::is_about(const Rect& covered) const noexcept {

@@ -32,10 +32,18 @@ class ScratchOut {
   static constexpr int kMinPasses = 6;
   static constexpr double kMinAlong = 0.85, kMinEvenness = 0.35, kMinStraightness = 0.85;
   static constexpr double kMinOverlap = 0.5, kMinPathPerDiagonal = 2.5;
+  /// From this number of passes on, the limits of single passes are wider, because no letter has so
+  /// many: a small scribble of a trembling hand is uneven.
+  static constexpr int kSurePasses = 7;
+  static constexpr double kSureEvenness = 0.15, kSureStraightness = 0.75, kSureOverlap = 0.3;
   /// Smallest and largest length of the longest pass, in mm. A shorter scribble is a dot.
   static constexpr double kMinPassMm = 3.0, kMaxPassMm = 150.0;
   /// A line is covered if this share of its length is in the area between the passes.
   static constexpr double kCoveredShare = 0.75;
+  /// A line of which less is in the area is covered, too, if this number of passes cross it and
+  /// this share is in the area: a long line that is scribbled over at an angle.
+  static constexpr int kMinCrossings = 4;
+  static constexpr double kCrossedShare = 0.4;
   /// The covered lines together reach over at least this share of the length of the area: a user
   /// who shades a face does not cross out an eye.
   static constexpr double kMinReach = 0.45;
@@ -51,9 +59,10 @@ class ScratchOut {
   [[nodiscard]] bool contains(Point p) const noexcept;
   /// Returns the share of a line, given by points, that is in the area.
   [[nodiscard]] double covered_share(std::span<const Point> line) const;
-  [[nodiscard]] bool covers(std::span<const Point> line) const {
-    return covered_share(line) >= kCoveredShare;
-  }
+  /// Returns how many passes cross a line. Passes count as straight.
+  [[nodiscard]] int crossings(std::span<const Point> line) const;
+  /// Returns true if the path crosses out a line.
+  [[nodiscard]] bool covers(std::span<const Point> line) const;
   /// Returns true if lines with these bounds together reach over enough of the area.
   [[nodiscard]] bool is_about(const Rect& covered) const noexcept;
   [[nodiscard]] const Rect& bounds() const noexcept { return bounds_; }

@@ -66,6 +66,29 @@ TEST(ScratchOut, CoversOnlyWhatIsMostlyInside) {
   EXPECT_FALSE(found->is_about({14, 7, 15, 8})) << "an eye in a shaded face";
 }
 
+TEST(ScratchOut, CoversALongLineThatMostPassesCross) {
+  const auto found = ScratchOut::find(zigzag(8, 30, 4));  // 30 mm along x, down to 16 mm
+  ASSERT_TRUE(found);
+  const auto line = joined({{15, -10}, {16, 16}});  // two thirds of it are inside
+  EXPECT_LT(found->covered_share(line), ScratchOut::kCoveredShare);
+  EXPECT_GE(found->crossings(line), ScratchOut::kMinCrossings);
+  EXPECT_TRUE(found->covers(line));
+  const auto beside = joined({{3, -3}, {27, 3}});  // few passes cross it
+  EXPECT_LT(found->crossings(beside), ScratchOut::kMinCrossings);
+  EXPECT_FALSE(found->covers(beside));
+}
+
+TEST(ScratchOut, ManyPassesMayBeUneven) {
+  // The ends of the passes: the third and fourth are short.
+  const std::vector<Point> ends{{0, 0},  {12, 1}, {1, 2},  {12, 3}, {8, 4},
+                                {12, 5}, {0, 6},  {12, 7}, {1, 8}};
+  const auto features = ScratchOut::features(joined(ends));
+  EXPECT_LT(features.overlap, ScratchOut::kMinOverlap);
+  EXPECT_TRUE(ScratchOut::find(joined(ends)));
+  const std::vector<Point> few(ends.begin(), ends.begin() + ScratchOut::kMinPasses + 1);
+  EXPECT_FALSE(ScratchOut::find(joined(few))) << "six passes must be even";
+}
+
 TEST(ScratchOut, DegeneratePathsAreInk) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::vector<Point>& path : {std::vector<Point>{},

@@ -213,9 +213,19 @@ void InkScene::set_look(SceneLayer& layer, const LayerState& state) {
       layer.picture && state.picture &&
       (layer.picture->data == state.picture->data || *layer.picture->data == *state.picture->data);
   layer.picture = state.picture;
-  if (is_decoded) return;
-  layer.pixels =
-      layer.picture ? PicturePixels::decode(*layer.picture->data).value_or(nullptr) : nullptr;
+  if (!is_decoded) layer.pixels = pixels_of(layer);
+}
+
+/// Decodes the picture of a layer, or returns the pixels that another layer has of it.
+std::shared_ptr<const PicturePixels> InkScene::pixels_of(const SceneLayer& layer) const {
+  if (!layer.picture) return nullptr;
+  const PictureData& data = *layer.picture->data;
+  for (const auto& [id, other] : layers_) {
+    const bool is_same = other.id != layer.id && other.pixels && other.picture &&
+                         (other.picture->data.get() == &data || *other.picture->data == data);
+    if (is_same) return other.pixels;
+  }
+  return PicturePixels::decode(data).value_or(nullptr);
 }
 
 /// Adds the area of the layers that look different: all ink of those that are shown, hidden, moved

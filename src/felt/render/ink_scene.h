@@ -143,7 +143,8 @@ class InkScene {
   [[nodiscard]] Result<FillLists> new_fills(const Edit& edit) const;
   void change_fills(const Edit& edit);
   [[nodiscard]] Result<void> check_places(const Edit& edit) const;
-  static void set_look(SceneLayer& layer, const LayerState& state);
+  void set_look(SceneLayer& layer, const LayerState& state);
+  [[nodiscard]] std::shared_ptr<const PicturePixels> pixels_of(const SceneLayer& layer) const;
   void carry_out(const Edit& edit);
   [[nodiscard]] Result<std::vector<LayerId>> new_order(const Edit& edit) const;
   void replace(const Edit& edit);

@@ -353,5 +353,19 @@ TEST(LayerLook, ADamagedPictureIsAnErrorOnAPageAndInvisibleInTiles) {
   EXPECT_EQ(tile_of(InkScene(document)), tile_of(InkScene(cross(1.0))));
 }
 
+TEST(LayerLook, LayersWithTheSamePictureShareItsPixels) {
+  Document document = cross(1.0, testing::red_blue_picture(5.0, 5.0));
+  Edit edit;
+  LayerState state{"Copy"};
+  state.picture = testing::red_blue_picture(30.0, 5.0);
+  edit.layers.push_back({{2}, std::nullopt, state, 0, 1});
+  ASSERT_TRUE(document.apply(edit));
+  InkScene scene(document);
+  const std::vector<const SceneLayer*> layers = scene.special_layers();
+  ASSERT_EQ(layers.size(), 2U);
+  EXPECT_TRUE(layers[0]->pixels);
+  EXPECT_EQ(layers[0]->pixels, layers[1]->pixels);
+}
+
 }  // namespace
 }  // namespace felt::layer_look_test

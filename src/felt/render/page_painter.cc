@@ -108,9 +108,15 @@ Result<void> PagePainter::draw_layer(const Document& document, const Layer& laye
   }
   const Pixels pixels = whole ? whole->pixels() : target;
   if (picture) {
-    const auto decoded = PicturePixels::decode(*picture->data);
-    if (!decoded) return tl::unexpected(decoded.error());
-    (*decoded)->draw(picture->place, view_, pixels.rect(), is_whole ? 1.0 : layer.opacity, pixels);
+    if (!decoded_of_ || (decoded_of_ != picture->data && *decoded_of_ != *picture->data)) {
+      decoded_ = nullptr;
+      decoded_of_ = nullptr;
+      const auto decoded = PicturePixels::decode(*picture->data);
+      if (!decoded) return tl::unexpected(decoded.error());
+      decoded_of_ = picture->data;
+      decoded_ = *decoded;
+    }
+    decoded_->draw(picture->place, view_, pixels.rect(), is_whole ? 1.0 : layer.opacity, pixels);
   }
   for (const FillId id : layer.fills) {
     rasterizer_.draw_fill(*document.find_fill(id), view_, pixels.rect(), pixels);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "felt/document/document.h"
 #include "felt/render/grain.h"
 #include "felt/render/image.h"
+#include "felt/render/picture_pixels.h"
 #include "felt/render/raster.h"
 #include "felt/render/view.h"
 #include "felt/stroke/stroke.h"
@@ -53,13 +55,16 @@ class PagePainter {
                            PictureChoice pictures, Pixels target);
   Result<void> draw_layer(const Document& document, const Layer& layer, const LayerPicture* picture,
                           Pixels target);
-  PagePainter(Image image, const View& view, const Grain& grain)
-      : image_(std::move(image)), view_(view), grain_(grain) {}
+  PagePainter(Image image, const View& view, Grain grain)
+      : image_(std::move(image)), view_(view), grain_(std::move(grain)) {}
 
   Image image_;
   View view_;
   Grain grain_;
   Rasterizer rasterizer_;
+  // The picture that was drawn last, because many layers may show the same one.
+  std::shared_ptr<const PictureData> decoded_of_;
+  std::shared_ptr<const PicturePixels> decoded_;
 };
 
 /// Returns a picture of the visible layers of a document, with these pictures in them. Fails like

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "felt/render/ink_look.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/segments_in_area.h"
+#include "felt/render/stroke_measures.h"
 #include "felt/render/tip_travel.h"
 #include "felt/render/visit_map.h"
 #include "felt/render/wide_vectors.h"
@@ -67,9 +69,9 @@ Rect shown_by(PixelRect part, const View& view) noexcept {
   return view.area_mm({part.x0 - 2.0, part.y0 - 2.0}, {part.x1 + 2.0, part.y1 + 2.0});
 }
 
-/// Returns the pixels that a stroke may touch.
-PixelRect pixels_of(const Stroke& stroke, const View& view, PixelRect clip) noexcept {
-  const Rect area = view.area_px(rough_bounds(stroke));
+/// Returns the pixels that a stroke with these bounds may touch.
+PixelRect pixels_of(const Rect& bounds, const View& view, PixelRect clip) noexcept {
+  const Rect area = view.area_px(bounds);
   const Vec from{area.x0, area.y0}, to{area.x1, area.y1};
   const auto whole = [](double px, int smallest, int largest) {
     return static_cast<int>(
@@ -129,6 +131,7 @@ struct Rasterizer::State {
   /// the tip before and after it.
   struct Way {
     std::vector<TipAt> tips;
+    std::vector<std::size_t> ends;  // the last dab of each segment
     Vec into, out;
   };
 
@@ -140,7 +143,8 @@ struct Rasterizer::State {
   }
   /// Computes the path of the stroke's tip, in pixels, in the runs that trace_near() found last.
   void walk(const Stroke& stroke, const View& view);
-  /// Sets TipAt::travel of the paths of walk(), and `ring_travel`.
+  /// Sets TipAt::travel of the paths of walk(), and `ring_travel`. Its time depends only on these
+  /// paths, not on the whole stroke, if `measures` has kept the stroke.
   void measure(const Stroke& stroke, const View& view);
   /// Computes the push in a band of rows from the paths of walk(), and the visits if the look
   /// builds up.
@@ -158,9 +162,9 @@ struct Rasterizer::State {
   PressureMap pressure;
   VisitMap visits;
   std::vector<Way> ways;
-  std::vector<double> travels;  // at the start of each segment, and at the end
-  double ring_travel = 0.0;     // of a closed stroke
-  Grain grain;                  // the grain of the cached looks
+  StrokeMeasures measures;
+  double ring_travel = 0.0;  // of a closed stroke
+  Grain grain;               // the grain of the cached looks
   double looks_px_per_mm = 0.0;
   std::vector<std::pair<std::string, std::shared_ptr<const InkLook>>> looks;
 };
@@ -170,8 +174,8 @@ void Rasterizer::State::walk(const Stroke& stroke, const View& view) {
   ways.resize(count);
   for (std::size_t n = 0; n < count; ++n) {
     const SegmentRun& run = runs.runs()[n];
-    flatten(stroke, run.first, run.last, kWayTolerancePx / view.px_per_mm, dabs);
-    ways[n] = {std::move(ways[n].tips), {}, {}};
+    flatten(stroke, run.first, run.last, kWayTolerancePx / view.px_per_mm, dabs, ways[n].ends);
+    ways[n].into = ways[n].out = {};
     ways[n].tips.clear();
     for (const Dab& dab : dabs) {
       ways[n].tips.push_back({view.to_px(dab.center), view.px_per_mm * dab.radius_mm, dab.tone});
@@ -189,31 +193,17 @@ void Rasterizer::State::walk(const Stroke& stroke, const View& view) {
 }
 
 void Rasterizer::State::measure(const Stroke& stroke, const View& view) {
-  const auto radius = [&](int i) { return 0.5 * view.px_per_mm * stroke.width_mm(i); };
-  const int size = stroke.segment_count();
-  travels.assign(1, 0.0);
-  for (int i = 0; i < size; ++i) {
-    Cubic px;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Vec p = view.to_px(stroke.segment(i).p[k]);
-      px.p[k] = {p.x, p.y};
-    }
-    travels.push_back(travels.back() + segment_travel(px, radius(i), radius(i + 1)));
-  }
+  const std::span<const double> travels = measures.travels(stroke, view.px_per_mm);
   ring_travel = stroke.closed() ? travels.back() : 0.0;
   for (std::size_t n = 0; n < ways.size(); ++n) {
-    std::vector<TipAt>& tips = ways[n].tips;
-    int segment = runs.runs()[n].first;
+    const std::span<TipAt> tips = ways[n].tips;
+    auto segment = static_cast<std::size_t>(runs.runs()[n].first);
     std::size_t first = 0;
-    // A dab at the end of the segment ends its part of the path.
-    for (std::size_t i = 1; i < tips.size(); ++i) {
-      const bool is_last = i + 1 == tips.size();
-      if (!is_last && tips[i].center_px != view.to_px(stroke.segment(segment).p[3])) continue;
-      const auto s = static_cast<std::size_t>(segment);
-      set_travel(std::span(tips).subspan(first, i + 1 - first), travels[s],
-                 travels[s + 1] - travels[s]);
-      first = i;
-      segment = std::min(segment + 1, size - 1);
+    for (const std::size_t end : ways[n].ends) {
+      set_travel(tips.subspan(first, end + 1 - first), travels[segment],
+                 travels[segment + 1] - travels[segment]);
+      first = end;
+      ++segment;
     }
   }
 }
@@ -282,7 +272,8 @@ void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) 
 const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, const Rect& shown) {
   State& s = *state_;
   const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
-  s.runs.find(stroke, shown);
+  s.measures.use(stroke);
+  s.runs.find(s.measures.areas(), shown);
   if (s.runs.is_whole(stroke)) return s.outliner.trace(stroke, tolerance_mm);
   s.joined.clear();
   const auto& runs = s.runs.runs();
@@ -355,10 +346,11 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
                       Pixels target) {
   const InkLook* look = grain.is_plain() ? nullptr : look_of(stroke, view, grain);
   if (look == nullptr) return draw(stroke, view, clip, target);
-  const PixelRect part = pixels_of(stroke, view, clip.intersected(target.rect()));
+  const Rect bounds = rough_bounds(stroke);
+  const PixelRect part = pixels_of(bounds, view, clip.intersected(target.rect()));
   if (part.empty() || stroke.color().a == 0) return;
   const Rect shown = shown_by(part, view);
-  if (!shown.intersects(rough_bounds(stroke))) return;
+  if (!shown.intersects(bounds)) return;
   State& s = *state_;
   load(trace_near(stroke, view, shown), view, part);
   if (!s.cells.rewind_scanlines()) return;

@@ -75,6 +75,38 @@ void Scribble(benchmark::State& state) {
 }
 BENCHMARK(Scribble)->Unit(benchmark::kMillisecond);
 
+/// Draws one pencil stroke of many segments in tiles of 256 pixels, as a window does. The range is
+/// the number of segments.
+void LongStrokeInTiles(benchmark::State& state) {
+  static const HeightField relief(
+      {.wavelength_mm = 1.3, .rms_um = 11.0, .seed = 11, .character = HeightCharacter::kRough});
+  const Grain grain(&relief);
+  const auto count = static_cast<int>(state.range(0));
+  StrokeData data;
+  data.points = {{20, 20}};
+  for (int i = 1; i <= count; ++i) {
+    const Point from = data.points.back();
+    const Point to{20.0 + 400.0 * i / count, i % 2 == 0 ? 20.0 : 22.0};
+    data.points.insert(data.points.end(), {from + Vec{0.0, 0.5}, to - Vec{0.0, 0.5}, to});
+  }
+  data.joints.assign(static_cast<std::size_t>(count) - 1, JointKind::kCorner);
+  data.widths = {{0.0, 0.6, 0.5}, {1.0 * count, 1.2, 0.5}};
+  data.medium = "pencil";
+  const Stroke stroke = Stroke::create(std::move(data)).value();
+  constexpr int kSide = 256;
+  Image image = Image::create(kSide, kSide).value();
+  Rasterizer rasterizer;
+  for (auto _ : state) {
+    for (int x = 0; x < 5120; x += kSide) {
+      fill(image.pixels(), {0, 0, kSide, kSide}, {255, 255, 255, 255});
+      const View view = View::at_dpi({0, 0}, 300.0).from({1.0 * x, kSide});
+      rasterizer.draw(stroke, view, {0, 0, kSide, kSide}, grain, image.pixels());
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * 20);
+}
+BENCHMARK(LongStrokeInTiles)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
+
 /// Draws a dirty patch of 64 x 64 pixels. Checks for each stroke if it touches the patch.
 void DirtyPatch(benchmark::State& state) {
   const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));

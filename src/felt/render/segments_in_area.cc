@@ -19,10 +19,10 @@ Rect segment_area(const Stroke& stroke, int i) noexcept {
   return area.inflated(0.5 * widest);
 }
 
-void SegmentsInArea::find(const Stroke& stroke, const Rect& area) {
+void SegmentsInArea::find(std::span<const Rect> areas, const Rect& area) {
   runs_.clear();
-  for (int i = 0; i < stroke.segment_count(); ++i) {
-    if (!area.intersects(segment_area(stroke, i))) continue;
+  for (int i = 0; i < static_cast<int>(areas.size()); ++i) {
+    if (!area.intersects(areas[static_cast<std::size_t>(i)])) continue;
     if (runs_.empty() || runs_.back().last != i) runs_.push_back({i, i});
     runs_.back().last = i + 1;
   }

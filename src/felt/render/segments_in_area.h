@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "felt/stroke/stroke.h"
@@ -21,7 +22,8 @@ struct SegmentRun {
 /// Reuses its buffer.
 class SegmentsInArea {
  public:
-  void find(const Stroke& stroke, const Rect& area);
+  /// `areas` are the segment_area() of all segments of a stroke.
+  void find(std::span<const Rect> areas, const Rect& area);
   /// Returns the runs in the order of the stroke.
   [[nodiscard]] const std::vector<SegmentRun>& runs() const noexcept { return runs_; }
   /// Returns true if the runs cover all segments of the stroke.

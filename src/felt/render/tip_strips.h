@@ -34,16 +34,17 @@ inline constexpr double kSoftPx = 0.5;
 /// Positions are relative to the strip's start, so that the numbers do not depend on where the
 /// picture begins.
 struct TipStrip {
-  float dx, dy, len, per_length, low, high;
-  float r0, dr, tone0, dtone, taper;  // taper: change of radius per length
-  float travel0, dtravel;
-  float rest_x, rest_y, widest2;
-  int home_x, home_y;
+  float dx = 0.0F, dy = 0.0F, len = 0.0F, per_length = 0.0F, low = 0.0F, high = 0.0F;
+  float r0 = 0.0F, dr = 0.0F, tone0 = 0.0F, dtone = 0.0F;
+  float taper = 0.0F;  // change of radius per length
+  float travel0 = 0.0F, dtravel = 0.0F;
+  float rest_x = 0.0F, rest_y = 0.0F, widest2 = 0.0F;
+  int home_x = 0, home_y = 0;
   // Positions in x: the ends of the strip; its middle line at row 0, and the change of that per
   // row; half of the strip's extent in a row.
-  double from, to, cut_x, per_row, reach;
+  double from = 0.0, to = 0.0, cut_x = 0.0, per_row = 0.0, reach = 0.0;
   bool is_steep = false, tapers = false;
-  int y0, y1;
+  int y0 = 0, y1 = 0;
 };
 
 /// The pixels of a row that a strip may touch.

@@ -8,7 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "felt/document/drawing_guide.h"
 #include "felt/document/edit.h"
+#include "felt/geometry/rect.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/guide_line.h"
@@ -232,6 +234,42 @@ struct ChooseOffer {
   friend bool operator==(const ChooseOffer&, const ChooseOffer&) = default;
 };
 
+/// Adds, changes or removes guides of the drawing, shows or hides all of them, or unlinks mirrored
+/// strokes. Each is one undo step. (UseGuide is another kind of guide: the path of a study, which
+/// is not part of the drawing.)
+/// {"event":"guides","do":"add","kind":"ruler","x":20,"y":30,"angle_rad":0.5,"size_mm":100}
+struct GuidesEvent {
+  enum class Do : std::uint8_t {
+    kAdd,     ///< adds `guide`, and shows the guides if they were hidden
+    kChange,  ///< replaces the guide `id` by `guide`
+    kRemove,  ///< removes the guide `id`
+    kClear,   ///< removes all guides
+    kShow,
+    kHide,    ///< hidden guides do not act on the pen
+    kUnlink,  ///< ends the symmetry of the strokes that are wholly selected
+  };
+  Do what = Do::kAdd;
+  GuideId id{};
+  DrawingGuide guide{};
+  friend bool operator==(const GuidesEvent&, const GuidesEvent&) = default;
+};
+
+/// Chooses the edges that are felt as soft ridges: those of the page, and those of the box around
+/// the selection. At first neither is. Forces change, but the ink depends only on the pen samples.
+/// {"event":"edges","page":[0,0,210,297],"selection":true}
+struct UseEdges {
+  Rect page = {};  ///< x0, y0, x1, y1 in mm; an empty one is not felt
+  bool selection = false;
+  friend bool operator==(const UseEdges&, const UseEdges&) = default;
+};
+
+/// Replaces the last stroke by the exact line or arc of the guide of the drawing that it kept to,
+/// as one undo step. Does nothing if no exact curve is offered (Session::exact_offer).
+/// {"event":"exact"}
+struct ExactEvent {
+  friend bool operator==(const ExactEvent&, const ExactEvent&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
@@ -239,7 +277,7 @@ struct Event {
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer>
+               ChooseOffer, GuidesEvent, ExactEvent, UseEdges>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

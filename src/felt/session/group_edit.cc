@@ -193,14 +193,16 @@ Edit removed_group(const Document& document, LayerRange range) {
 Edit copied_group(const Document& document, LayerRange range) {
   LayerGroup group = *document.layers()[range.first].group;
   group.id = document.new_group_id();
-  group.name += " copy";
+  group.name = copied_name(group.name);
   const auto shared = std::make_shared<const LayerGroup>(std::move(group));
+  const CopiedStrokes copies =
+      copied_strokes(document, document.layers().subspan(range.first, range.size()));
   Edit edit{label_of(Do::kDuplicate), {}, {}};
   for (std::size_t i = range.first; i < range.last; ++i) {
     const Layer& layer = document.layers()[i];
     LayerState state = layer.state();
     state.group = shared;
-    add_copy(document, layer, std::move(state), i + range.size(), edit);
+    add_copy(document, layer, std::move(state), i + range.size(), copies, edit);
   }
   return edit;
 }

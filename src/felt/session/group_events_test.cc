@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "felt/document/testing/random_document.h"
+#include "felt/session/group_edit.h"
 #include "felt/session/session.h"
 #include "felt/session/testing/fake_tools.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -32,7 +33,7 @@ struct GroupFixture {
     }
   }
 
-  std::string apply(const decltype(Event::what)& what) {
+  std::string apply(const decltype(Event::what)& what) const {
     const Result<void> done = session->apply({0, what});
     return done ? "" : done.error().message;
   }
@@ -194,6 +195,47 @@ TEST(GroupEvents, AGroupIsCopiedDissolvedAndRemoved) {
             (LayerState{"Layer 2", false, false, 0.5, {}, BlendMode::kMultiply}));
 }
 
+/// A fill of one layer of a group may follow lines of another layer.
+TEST(GroupEvents, CopiedFillsFollowTheCopiedLinesInAllLayersOfTheGroup) {
+  GroupFixture f;
+  const std::vector<Point> corners{{10, 10}, {40, 10}, {40, 40}, {10, 10}};
+  std::vector<StrokePtr> strokes;
+  FillLoop loop{{corners[0]}, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    strokes.push_back(std::make_shared<const Stroke>(
+        testing::straight_stroke(corners[i], corners[i + 1], 1.0, 1.0)));
+    loop.points.insert(loop.points.end(), {corners[i], corners[i + 1], corners[i + 1]});
+    loop.pieces.push_back({StrokeId{i + 1}, 0.0, 1.0});
+  }
+  const auto fill = std::make_shared<const Fill>(Fill{{loop}, {200, 40, 0, 255}, 0.0});
+  ASSERT_EQ(f.apply(LayerEvent{Do::kUse, {3}}), "");
+  ASSERT_TRUE(f.session->import(0, ImportEvent{}, strokes, std::vector{fill}));
+  // The fill is now in layer 2 or 4, below or above the layer of its lines.
+  for (const std::uint64_t other : {2U, 4U}) {
+    Document document = f.document();
+    const FillId id = document.layer({3})->fills[0];
+    const FillPtr drawn = document.find_fill(id);
+    const Edit moved{"Move", {}, {}, {{id, drawn, drawn, {{3}, 0}, {{other}, 0}}}};
+    ASSERT_TRUE(document.apply(moved));
+    LayerEvent group{Do::kGroup, {}};
+    group.layers = {{2}, {3}, {4}};
+    ASSERT_TRUE(document.apply(group_edit(document, group).value()));
+    LayerEvent copy{Do::kDuplicate, {}};
+    copy.group = document.layer({3})->group->id;
+    ASSERT_TRUE(document.apply(group_edit(document, copy).value()));
+    const std::span<const Layer> layers = document.layers();
+    ASSERT_EQ(layers.size(), 7U);
+    ASSERT_TRUE(testing::is_consistent(document));
+    const Layer &lines = layers[5], &filled = layers[other == 2 ? 4 : 6];
+    ASSERT_EQ(filled.fills.size(), 1U);
+    const FillLoop copied = document.find_fill(filled.fills[0])->loops[0];
+    ASSERT_EQ(copied.pieces.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(copied.pieces[i].stroke, lines.strokes[lines.strokes.size() - 3 + i]);
+    }
+  }
+}
+
 TEST(GroupEvents, OneLayerStaysOpen) {
   GroupFixture f;
   ASSERT_EQ(f.group({{1}, {2}, {3}, {4}}), "");
@@ -244,6 +286,21 @@ RC_GTEST_PROP(GroupEvents, AnyEventsKeepTheInvariantsAndAreUndone, ()) {
     RC_ASSERT(f.apply(UndoEvent{}).empty());
     RC_ASSERT(f.document() == before.back());
   }
+}
+
+TEST(GroupEvents, NamesStayShortEnoughForFiles) {
+  GroupFixture f;
+  const std::string longest(kMaxLayerNameBytes - 3, 'n');
+  ASSERT_EQ(f.group({{2}, {3}}, longest + "\u270e"), "");
+  LayerEvent copy{Do::kDuplicate, {}};
+  copy.group = GroupId{1};
+  ASSERT_EQ(f.apply(copy), "");
+  const std::string name = f.document().group({2})->name;
+  EXPECT_EQ(name, longest.substr(0, kMaxLayerNameBytes - 5) + " copy");
+  EXPECT_THAT(f.group({{1}}, longest + "1234"), HasSubstr("longer than 4096 bytes"));
+  LayerEvent rename{Do::kRename, {}, longest + "1234"};
+  rename.group = GroupId{1};
+  EXPECT_THAT(f.apply(rename), HasSubstr("longer than 4096 bytes"));
 }
 
 }  // namespace

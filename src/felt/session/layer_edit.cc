@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "felt/base/utf8.h"
 #include "felt/document/edit_builder.h"
 #include "felt/session/group_edit.h"
 
@@ -75,9 +76,10 @@ Edit removal_of(const Document& document, const Layer& layer) {
 /// Returns an edit that adds a copy of the layer with all its strokes and fills above it.
 Edit copy_of(const Document& document, const Layer& layer) {
   LayerState state = layer.state();
-  state.name += " copy";
+  state.name = copied_name(state.name);
   Edit edit{label_of(Do::kDuplicate), {}, {}};
-  add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1, edit);
+  add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1,
+           copied_strokes(document, {&layer, 1}), edit);
   return edit;
 }
 
@@ -126,6 +128,12 @@ Result<void> check_merge(const Document& document, const Layer& layer) {
                               " differ in blend mode: make it equal before you merge them");
   }
   return {};
+}
+
+/// Files hold no longer names, so that the drawing could not be saved.
+Result<void> check_name(const std::string& name) {
+  if (name.size() <= kMaxLayerNameBytes) return {};
+  return fail(ErrorCode::kInvalidArgument, "name: is longer than 4096 bytes");
 }
 
 /// Returns an error if the event cannot be applied to the layer.
@@ -222,26 +230,35 @@ void keep_one_open(const Document& document, Edit& edit) {
   if (!other_is_open) edit.layers.push_back(new_layer(document, {}, count));
 }
 
+CopiedStrokes copied_strokes(const Document& document, std::span<const Layer> layers) {
+  CopiedStrokes copies;
+  std::size_t made = 0;
+  for (const Layer& layer : layers) {
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+      copies.emplace(layer.strokes[i], document.new_id(made + i));
+    }
+    made += layer.strokes.size() + layer.fills.size();
+  }
+  return copies;
+}
+
 void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
-              Edit& edit) {
+              const CopiedStrokes& copies, Edit& edit) {
   const LayerId id = document.new_layer_id(edit.layers.size());
   const std::size_t made = edit.changes.size() + edit.fills.size();
   edit.layers.push_back({id, std::nullopt, std::move(state), 0, index});
   for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
-    edit.changes.push_back(
-        {document.new_id(made + i), nullptr, document.find(layer.strokes[i]), {}, {id, i}});
+    const StrokeId stroke = layer.strokes[i];
+    edit.changes.push_back({copies.at(stroke), nullptr, document.find(stroke), {}, {id, i}});
   }
-  // Lets the pieces of the copied fills name the copies of the strokes of the layer.
-  const auto name_copies = [&](FillLoop& loop) {
-    for (FillPiece& piece : loop.pieces) {
-      const auto at = std::find(layer.strokes.begin(), layer.strokes.end(), piece.stroke);
-      if (at == layer.strokes.end()) continue;
-      piece.stroke = document.new_id(made + static_cast<std::size_t>(at - layer.strokes.begin()));
-    }
-  };
   for (std::size_t i = 0; i < layer.fills.size(); ++i) {
     Fill fill = *document.find_fill(layer.fills[i]);
-    for (FillLoop& loop : fill.loops) name_copies(loop);
+    for (FillLoop& loop : fill.loops) {
+      for (FillPiece& piece : loop.pieces) {
+        const auto copy = copies.find(piece.stroke);
+        if (copy != copies.end()) piece.stroke = copy->second;
+      }
+    }
     const FillId copy = document.new_fill_id(made + layer.strokes.size() + i);
     edit.fills.push_back(
         {copy, nullptr, std::make_shared<const Fill>(std::move(fill)), {}, {id, i}});
@@ -254,7 +271,13 @@ LayerId highest_open_layer(const Document& document) noexcept {
   return open == layers.rend() ? LayerId{} : open->id;
 }
 
+std::string copied_name(std::string_view name) {
+  constexpr std::string_view kEnd = " copy";
+  return std::string(utf8_prefix(name, kMaxLayerNameBytes - kEnd.size())).append(kEnd);
+}
+
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
+  if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (event.what == Do::kAdd) {
     const std::size_t above = std::min(index_of(document, in_use) + 1, document.layers().size());
     Edit edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
@@ -281,6 +304,7 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
 }
 
 Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use) {
+  if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (!event.data) return fail(ErrorCode::kInvalidArgument, "picture: has no data");
   if (!is_picture_place(event.place)) {
     return fail(ErrorCode::kInvalidArgument, "matrix: a picture cannot be placed like this");

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
 #include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/session/event.h"
@@ -24,9 +29,10 @@ LayerId highest_open_layer(const Document& document) noexcept;
 /// If the event is for a group, the edit is that of group_edit().
 ///
 /// Fails if the layer does not exist; if the event is kUse and the layer is not open; if a value is
-/// out of range; if the event changes a picture and the layer has none, or is locked; or if layers
-/// cannot be merged: both must be open, in the same group and have the same opacity and blend mode,
-/// and the upper one must have no picture. The message names the layer and the reason.
+/// out of range or a name longer than kMaxLayerNameBytes; if the event changes a picture and the
+/// layer has none, or is locked; or if layers cannot be merged: both must be open, in the same
+/// group and have the same opacity and blend mode, and the upper one must have no picture. The
+/// message names the layer and the reason.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
 
 /// Returns an edit that adds a layer with a picture below the layer `in_use`. Fails if the event
@@ -43,10 +49,22 @@ std::string label_of(LayerEvent::Do what);
 /// Completes an edit of layers: if no open layer would remain, the edit also adds one on top.
 void keep_one_open(const Document& document, Edit& edit);
 
+/// The ids of the copies of strokes.
+using CopiedStrokes = std::map<StrokeId, StrokeId>;
+
+/// Returns the ids that add_copy() gives to the strokes of these layers, if it is called for each
+/// of them in this order.
+CopiedStrokes copied_strokes(const Document& document, std::span<const Layer> layers);
+
 /// Adds a copy of a layer with all its strokes and fills to `edit`, at the position `index` and
-/// with this state. Requires that the edit contains only such copies.
+/// with this state. The pieces of the copied fills name the copies of the strokes, also of strokes
+/// in other layers that are copied. Requires that the edit contains only such copies, and that
+/// `copies` are the copied_strokes() of all of them.
 void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
-              Edit& edit);
+              const CopiedStrokes& copies, Edit& edit);
+
+/// Returns the name of a copy of a layer or group, of at most kMaxLayerNameBytes.
+std::string copied_name(std::string_view name);
 
 /// Returns an edit that adds an open layer on top.
 Edit add_layer_on_top(const Document& document);

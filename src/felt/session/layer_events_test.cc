@@ -149,5 +149,18 @@ TEST(LayerEvents, MergingIsRefusedWhereThePictureWouldChange) {
   EXPECT_TRUE(f.at(1).picture);
 }
 
+TEST(LayerEvents, NamesStayShortEnoughForFiles) {
+  LayerFixture f;
+  const std::string longest = std::string(kMaxLayerNameBytes - 8, 'n') + "\u270e\u270e";
+  ASSERT_EQ(f.apply(LayerEvent{Do::kRename, {1}, longest}), "");
+  ASSERT_EQ(f.layer(Do::kDuplicate, 1), "");
+  EXPECT_EQ(f.at(1).name, longest.substr(0, kMaxLayerNameBytes - 8) + "\u270e copy");
+  EXPECT_LE(f.at(1).name.size(), kMaxLayerNameBytes);
+  const std::string too_long(kMaxLayerNameBytes + 1, 'n');
+  EXPECT_THAT(f.apply(LayerEvent{Do::kRename, {1}, too_long}), HasSubstr("longer than 4096 bytes"));
+  EXPECT_THAT(f.apply(LayerEvent{Do::kAdd, {}, too_long}), HasSubstr("longer than 4096 bytes"));
+  EXPECT_EQ(f.at(0).name, longest);
+}
+
 }  // namespace
 }  // namespace felt::layer_events_test

@@ -19,8 +19,13 @@
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/edge_ridges.h"
+#include "felt/tools/exact_ink.h"
+#include "felt/tools/guide_picture.h"
 #include "felt/tools/guide_track.h"
+#include "felt/tools/guided_feel.h"
 #include "felt/tools/selection_view.h"
+#include "felt/tools/stroke_guide.h"
 
 namespace felt {
 namespace {
@@ -48,6 +53,13 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   const std::size_t dot = id.find('.');
   if (dot == std::string_view::npos) return {id, {}};
   return {id.substr(0, dot), id.substr(dot + 1)};
+}
+
+/// A guide of a study has priority over those of the drawing.
+ActiveGuide active_guide(const GuideTrack* study, const StrokeGuide& drawing) noexcept {
+  if (study) return {&study->guide(), study->number()};
+  if (drawing.force()) return {drawing.force(), drawing.number(), drawing.is_near()};
+  return {};
 }
 
 Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes,
@@ -110,6 +122,9 @@ struct Session::Apply {
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
   Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
   Result<void> operator()(const ChooseOffer& e) const { return session.choose(e.what); }
+  Result<void> operator()(const GuidesEvent& e) const { return session.change_guides(e); }
+  Result<void> operator()(const ExactEvent&) const { return session.make_exact(); }
+  Result<void> operator()(const UseEdges& e) const { return session.use_edges(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -123,6 +138,7 @@ struct Session::Parts {
   SurfaceOptions surface;
   Rgba ink_color;
   std::string ink_medium = "pencil";
+  std::vector<DrawingGuidePtr> visible_guides;  // of the document
   std::optional<GuideTrack> guide;
   std::uint32_t guide_number = 0;  // the last number that a guide has used
 };
@@ -133,8 +149,10 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       document_(std::move(options_.document)),
       parts_(std::make_unique<Parts>(document_)),
       selection_(std::move(options_.selection)),
-      history_(options_.history_limit_bytes) {
+      history_(options_.history_limit_bytes),
+      stroke_guide_(std::make_unique<StrokeGuide>()) {
   selection_.hold_to(document_);
+  parts_->visible_guides = document_.visible_guides();
   parts_->selection_view.look_at_all(document_, selection_);
   FELT_CHECK(!tools_.empty());
   const auto draws = [](const auto& tool) { return tool->info().kind == ToolKind::kDraws; };
@@ -153,10 +171,6 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
-
-ForceModel Session::force() const {
-  return tool().force(scene());
-}
 
 const SurfaceMaterial& Session::surface() const noexcept {
   return parts_->surface.material();
@@ -194,6 +208,7 @@ Result<void> Session::sample(const PenSample& reported) {
   }
 
   if (parts_->guide) parts_->guide->update(sample);
+  follow_edges(sample);
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
   const Contact::Change contact = parts_->contact.update(sample);
   if (must_lift_ && parts_->contact.is_down()) return {};
@@ -202,6 +217,8 @@ Result<void> Session::sample(const PenSample& reported) {
     gesture_is_open_ = true;
     offer_.reset();
   }
+  if (contact == Contact::Change::kTouched) exact_.reset();
+  follow_stroke_guide(sample);
   Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
   return taken;
@@ -223,6 +240,7 @@ Result<void> Session::finish() {
   offer_.reset();
   show({});
   gesture_is_open_ = false;
+  stroke_guide_->stop();
   // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
   // lifted first.
   const bool was_down = std::exchange(pen_is_down_, false);
@@ -309,8 +327,22 @@ Result<void> Session::use_guide(const UseGuide& event) {
   return {};
 }
 
+void Session::follow_edges(const PenSample& sample) {
+  if (!edge_ridges_) return;
+  edge_ridges_->set(edges_.page, edges_.selection ? parts_->selection_view.box() : Rect{});
+  edge_ridges_->update(sample);
+}
+
 const GuideLine* Session::guide() const noexcept {
   return parts_->guide ? &parts_->guide->line() : nullptr;
+}
+
+const DrawingGuide* Session::symmetry() const noexcept {
+  const auto& guides = parts_->visible_guides;
+  const auto found = std::find_if(guides.rbegin(), guides.rend(), [](const auto& guide) {
+    return guide->kind == DrawingGuideKind::kSymmetry;
+  });
+  return found == guides.rend() ? nullptr : found->get();
 }
 
 void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
@@ -328,59 +360,9 @@ void Session::report_material(std::int64_t time_ns, OpenChoice kind, const Optio
 void Session::cancel() {
   tools_[active_]->cancel();
   offer_.reset();
+  stroke_guide_->stop();
   show({});
   gesture_is_open_ = false;
-}
-
-Result<void> Session::take(ToolResult result) {
-  // A commit also replaces the preview, because a preview of the previous document is invalid.
-  if (result.preview || result.commit || !result.same_preview) show(std::move(result.preview));
-  Result<void> done;
-  if (!result.commit) result.offer.reset();  // an offer belongs to a step
-  if (result.commit) {
-    gesture_is_open_ = false;
-    done = commit(std::move(*result.commit));
-    as_drawn_.reset();
-    if (done && result.as_drawn) {
-      as_drawn_ = AsDrawn{std::move(*result.as_drawn), history_.position()};
-    }
-  }
-  if (done && result.selection) {
-    set_selection(std::move(*result.selection));
-  }
-  if (done && result.offer) {
-    offer_ = std::move(result.offer);
-    offer_edits_ = edits_;
-  }
-  if (!done) {
-    return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
-  }
-  return done;
-}
-
-void Session::show(std::optional<Edit> preview) {
-  // The preview of a gesture may remain for a while after the touch. The preview of a hovering pen
-  // begins without a touch.
-  preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
-  preview_ = std::move(preview);
-  shown_is_current_ = false;
-}
-
-Result<void> Session::commit(Edit edit) {
-  if (edit.empty()) return {};
-  let_fills_follow(edit);
-  if (Result<void> applied = document_.apply(edit); !applied) return applied;
-  follow(edit);
-  history_.record(std::move(edit));
-  return {};
-}
-
-Result<void> Session::commit_with_previous(Edit edit) {
-  let_fills_follow(edit);
-  if (Result<void> applied = document_.apply(edit); !applied) return applied;
-  follow(edit);
-  if (!history_.extend(edit)) history_.record(std::move(edit));
-  return {};
 }
 
 void Session::follow(const Edit& applied) {
@@ -395,6 +377,9 @@ void Session::follow(const Edit& applied) {
   ++selections_;
   if (is_selected) parts_->selection_view.look_at_all(document_, selection_);
   if (!applied.layers.empty()) keep_layer_open();
+  if (!applied.guides.empty() || applied.toggles_guides) {
+    parts_->visible_guides = document_.visible_guides();
+  }
   if (options_.on_edit) options_.on_edit(applied);
 }
 
@@ -416,6 +401,21 @@ void Session::draw(Overlay& overlay) const {
     parts_->selection_view.draw(overlay);
   tool().draw(overlay);
   draw_offer(overlay);
+  if (draws_ink()) {
+    if (const DrawingGuide* guide = symmetry()) add_ink_images(overlay, *guide);
+  }
+  stroke_guide_->draw(overlay);
+  if (!options_.device.has_force()) draw_guide_spring(overlay);
+  if (const StrokePtr exact = exact_offer()) draw_exact(*exact, overlay);
+}
+
+void Session::follow_stroke_guide(const PenSample& sample) {
+  const bool draws = tool().info().kind == ToolKind::kDraws && !parts_->guide;
+  if (!draws) stroke_guide_->stop();
+  stroke_guide_->update(sample, parts_->contact.is_down(),
+                        draws ? std::span<const DrawingGuidePtr>(parts_->visible_guides)
+                              : std::span<const DrawingGuidePtr>(),
+                        document_, guide_spring_for(options_.device));
 }
 
 std::vector<std::string> Session::option_ids() const {
@@ -465,9 +465,10 @@ Scene Session::scene() const {
           options_.device,
           ink_color(),
           options_.materials,
-          parts_->guide ? &*parts_->guide : nullptr,
+          active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_),
           parts_->ink_medium,
-          size ? size->mm : Scene::kUsualInkWidthMm};
+          size ? size->mm : Scene::kUsualInkWidthMm,
+          parts_->visible_guides};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

@@ -20,6 +20,9 @@
 namespace felt {
 
 class DocumentMap;
+class EdgeRidges;
+class StrokeGuide;
+struct ExactOffer;
 
 struct SessionOptions {
   /// The device that will output forces. A mouse or tablet has zero forces. UseDevice changes the
@@ -56,8 +59,8 @@ struct SessionOptions {
 ///   tool, import, device, finish   end it as if the pen had been lifted, so that no ink is lost
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
-///   redo, as-drawn, select, delete, duplicate, move, order, restyle, layer,
-///   picture                                            have no effect
+///   redo, as-drawn, exact, select, delete, duplicate, move, order, restyle, layer,
+///   picture, guides                                    have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
@@ -89,11 +92,11 @@ class Session {
   /// Handles an event. Fails if the tool, option, layer or medium does not exist; if the option
   /// does not accept the value, or the layer cannot be used; for a HandEvent, which is for the
   /// Player; for an ImportEvent, because the caller must read its file for import(); or if
-  /// read_material refuses the text of a material, or check_guide a guide. After a failure nothing
-  /// has changed, and the event is not recorded.
+  /// read_material refuses the text of a material, or check_guide or guide_edit a guide. After a
+  /// failure nothing has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
-  Result<void> sample(const PenSample& sample);
+  Result<void> sample(const PenSample& reported);
   /// Handles an ImportEvent: adds the strokes of its file on top of the current layer, as one undo
   /// step. The pieces of the fills name the strokes by their numbers, from 1 (VisibleInk).
   Result<void> import(std::int64_t time_ns, const ImportEvent& event,
@@ -106,12 +109,16 @@ class Session {
   [[nodiscard]] ForceModel force() const;
   /// Replaces the content of `overlay` with everything to show besides the document.
   void draw(Overlay& overlay) const;
+  /// Adds the spring that shows how a guide of the drawing pulls the pen. draw() does so, too, if
+  /// the device has no force; a program whose user does not feel the force of the device calls
+  /// this.
+  void draw_guide_spring(Overlay& overlay) const;
   /// Returns the preview, if there is one: an edit that the display shows as if it were applied to
   /// the document. It is the result so far of the gesture in progress, or the result of a gesture
   /// that would begin at the position of the pen.
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
-  /// Returns preview() with the fills that follow it. This may take longer than a sample does, so
-  /// it is meant for displays, once per frame.
+  /// Returns preview() with the mirror images and the fills that follow it. This may take longer
+  /// than a sample does, so it is meant for displays, once per frame.
   [[nodiscard]] const std::optional<Edit>& preview_with_fills() const;
 
   /// Returns what the gesture in progress or the last stroke offers, or nullopt.
@@ -127,8 +134,21 @@ class Session {
   /// Returns the known surfaces and media. A UseMaterial may invalidate references to them.
   [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
   [[nodiscard]] const SurfaceMaterial& surface() const noexcept;
+  /// Returns the symmetry whose mirror images new ink gets: the newest visible guide of this kind;
+  /// null if there is none.
+  [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
+  /// Returns the edges that are felt (UseEdges).
+  [[nodiscard]] const UseEdges& edges() const noexcept { return edges_; }
+  /// Returns the line or arc that the last stroke would become by an ExactEvent, or null. It is
+  /// offered from the end of a stroke that kept to a guide of the drawing until the next touch or
+  /// until the stroke changes; draw() shows it.
+  [[nodiscard]] StrokePtr exact_offer() const;
+  /// Returns true if the event `as-drawn` would replace the last line.
+  [[nodiscard]] bool can_show_as_drawn() const;
+  /// Returns a count of events of guides of the drawing that should be felt as a tick.
+  [[nodiscard]] std::uint64_t guide_ticks() const noexcept;
   /// Returns the colour of new ink (option "ink.color").
   [[nodiscard]] Rgba ink_color() const noexcept;
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
@@ -167,6 +187,7 @@ class Session {
   Result<void> use_defaults(int version);
   Result<void> use_material(const UseMaterial& event);
   Result<void> use_guide(const UseGuide& event);
+  Result<void> use_edges(const UseEdges& event);
   /// If an option names a material that is not built in, records the material before the option,
   /// but each material only once.
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
@@ -187,14 +208,27 @@ class Session {
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
   Result<void> add_picture(const AddPicture& event);
+  Result<void> change_guides(const GuidesEvent& event);
   Result<void> choose(OfferKind what);
   [[nodiscard]] bool has_offer() const noexcept { return offer_ && offer_edits_ == edits_; }
   /// Marks what the first other choice of the offer would change.
   void draw_offer(Overlay& overlay) const;
+  Result<void> make_exact();
+  void offer_exact(const Edit& drawn);
+  void follow_stroke_guide(const PenSample& sample);
+  void follow_edges(const PenSample& sample);
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
+  /// Completes an edit of a command and commits it.
   Result<void> commit(Edit edit);
+  Result<void> apply_and_record(Edit edit);
+  /// Returns true if the tool in use adds ink, which gets mirror images.
+  [[nodiscard]] bool draws_ink() const noexcept;
+  /// Adds what follows from an edit: the changes of linked strokes, of traces and of fills. If the
+  /// edit is of the tool in use, also the mirror images of new ink.
+  enum class Origin : std::uint8_t { kTool, kCommand };
+  void let_others_follow(Edit& edit, Origin origin) const;
   /// Adds the changes of fills whose boundary the edit changes.
   void let_fills_follow(Edit& edit) const;
   /// Commits an edit as a part of the previous undo step, if History::extend() allows it.
@@ -237,6 +271,10 @@ class Session {
   std::uint64_t offer_edits_ = 0;      // edits_ when it was made; it is over if this differs
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
+  std::unique_ptr<StrokeGuide> stroke_guide_;
+  UseEdges edges_;
+  std::unique_ptr<EdgeRidges> edge_ridges_;  // null until an edge is felt
+  std::unique_ptr<ExactOffer> exact_;        // null: no offer
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;
   std::uint64_t selections_ = 0;

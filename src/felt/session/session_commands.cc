@@ -1,9 +1,11 @@
 // The commands of a session: undo, redo, selection, layers. session.cc handles the samples.
 #include <utility>
 
+#include "felt/session/guide_edit.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
+#include "felt/session/symmetry_edit.h"
 
 namespace felt {
 
@@ -30,10 +32,14 @@ Result<void> Session::redo() {
   return {};
 }
 
+bool Session::can_show_as_drawn() const {
+  return as_drawn_ && as_drawn_->position == history_.position() && !gesture_in_progress();
+}
+
 Result<void> Session::show_as_drawn() {
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  if (!as_drawn_ || as_drawn_->position != history_.position()) return {};
+  if (!can_show_as_drawn()) return {};
   Edit edit = std::move(as_drawn_->edit);
   as_drawn_.reset();
   return commit(std::move(edit));
@@ -135,6 +141,17 @@ Result<void> Session::add_picture(const AddPicture& event) {
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
   layer_ = added;
   return {};
+}
+
+Result<void> Session::change_guides(const GuidesEvent& event) {
+  if (gesture_in_progress()) return {};
+  // Reports an error before anything changes.
+  if (Result<Edit> edit = guide_edit(document_, event); !edit) return tl::unexpected(edit.error());
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (event.what == GuidesEvent::Do::kUnlink) return commit(unlink_edit(document_, selection_));
+  Result<Edit> edit = guide_edit(document_, event);
+  if (!edit) return tl::unexpected(edit.error());
+  return commit(*std::move(edit));
 }
 
 void Session::keep_layer_open() {

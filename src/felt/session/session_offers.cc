@@ -36,7 +36,9 @@ Result<void> Session::choose(OfferKind what) {
     if (!undone) return tl::unexpected(undone.error());
     follow(*undone);
   }
-  if (Result<void> done = commit(std::move(wanted.edit)); !done) return done;
+  // Like the edit of the stroke, the new ink gets mirror images.
+  let_others_follow(wanted.edit, Origin::kTool);
+  if (Result<void> done = apply_and_record(std::move(wanted.edit)); !done) return done;
   if (wanted.selection) set_selection(std::move(*wanted.selection));
   return {};
 }

@@ -39,20 +39,24 @@ class CarriedFile {
   FeltSchema schema_;
 };
 
-/// Copies those rows of a table for which stays(row) is true. The table in `to` may have more
-/// columns.
-template <class Stays>
-Result<void> copy_rows(const Database& from, const Database& to, const FeltTable& table,
-                       Stays stays) {
+/// Returns the statement that inserts a row with all columns of a table.
+inline std::string insertion_into(const FeltTable& table) {
   std::string marks = "?", names;
   for (std::size_t i = 1; i < table.columns.size(); ++i) marks += ",?";
   for (const std::string& column : table.columns) {
     names += (names.empty() ? "\"" : ", \"") + column + "\"";
   }
+  return "INSERT INTO " + table.name + "(" + names + ") VALUES(" + marks + ")";
+}
+
+/// Copies those rows of a table for which stays(row) is true. The table in `to` may have more
+/// columns.
+template <class Stays>
+Result<void> copy_rows(const Database& from, const Database& to, const FeltTable& table,
+                       Stays stays) {
   const auto read = from.prepare(("SELECT * FROM " + table.name + " NOT INDEXED").c_str());
   if (!read) return tl::unexpected(read.error());
-  const auto write =
-      to.prepare(("INSERT INTO " + table.name + "(" + names + ") VALUES(" + marks + ")").c_str());
+  const auto write = to.prepare(insertion_into(table).c_str());
   if (!write) return tl::unexpected(write.error());
   for (;;) {
     const Result<bool> more = read->step();

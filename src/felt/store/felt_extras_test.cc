@@ -87,8 +87,8 @@ std::string of_a_newer_one() {
   db.run("UPDATE layer SET opacity = 0.25; UPDATE drawing SET title = 'Vögel'");
   db.run("CREATE TABLE note(id INTEGER PRIMARY KEY, stroke INTEGER, words TEXT, picture BLOB)");
   db.run("INSERT INTO note VALUES(5, 2, 'two', x'0001'), (6, 3, 'three', NULL), (9, NULL, '', 7)");
-  db.run("CREATE TABLE guide(x_mm REAL NOT NULL, on_layer INTEGER NOT NULL DEFAULT -1)");
-  db.run("INSERT INTO guide(x_mm) VALUES(3.5), (0.1)");
+  db.run("CREATE TABLE lamp(x_mm REAL NOT NULL, on_layer INTEGER NOT NULL DEFAULT -1)");
+  db.run("INSERT INTO lamp(x_mm) VALUES(3.5), (0.1)");
   db.run("CREATE VIEW glowing AS SELECT id FROM stroke WHERE glow > 0");
   db.run("CREATE INDEX note_stroke ON note(stroke)");
   return db.bytes();
@@ -104,7 +104,7 @@ TEST(FeltExtras, WhatANewerOneKeepsIsCarried) {
   EXPECT_EQ(db.all("SELECT title FROM drawing"), "Vögel");
   EXPECT_EQ(db.all("SELECT id, stroke, words, hex(picture), typeof(picture) FROM note"),
             "5|2|two|0001|blob;6|3|three||null;9|NULL||37|integer");
-  EXPECT_EQ(db.all("SELECT x_mm, on_layer FROM guide"), "3.5|-1;0.1|-1");
+  EXPECT_EQ(db.all("SELECT x_mm, on_layer FROM lamp"), "3.5|-1;0.1|-1");
   EXPECT_EQ(db.all("SELECT name FROM sqlite_schema WHERE type <> 'table'"), "");
   // Saving again gives the same bytes.
   const Drawing again = parse_felt(written).value();

@@ -62,7 +62,8 @@ Result<void> check_header(std::string_view bytes) {
 
 /// Parses a file. If the file has extras, they need the bytes: they keep `keep`, which owns the
 /// same bytes, or a copy if `keep` is null.
-Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
+Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep,
+                      std::vector<std::string>* notices = nullptr) {
   if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);
   if (!database) return tl::unexpected(with_context(database.error(), kDamaged));
@@ -71,7 +72,7 @@ Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string>
   if (auto ok = database->check_pages(); !ok) {
     return tl::unexpected(with_context(ok.error(), kDamaged));
   }
-  Result<Drawing> drawing = read_tables(*database, *schema);
+  Result<Drawing> drawing = read_tables(*database, *schema, notices);
   if (drawing && schema->has_extras()) {
     const auto extras = std::make_shared<FeltExtras>();
     extras->file = keep ? std::move(keep) : std::make_shared<const std::string>(bytes);
@@ -82,8 +83,8 @@ Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string>
 
 }  // namespace
 
-Result<Drawing> parse_felt(std::string_view bytes) {
-  return parse(bytes, nullptr);
+Result<Drawing> parse_felt(std::string_view bytes, std::vector<std::string>* notices) {
+  return parse(bytes, nullptr, notices);
 }
 
 Result<std::string> felt_bytes(const Drawing& drawing) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/drawing.h"
@@ -33,8 +34,9 @@ Result<Drawing> read_felt(const std::string& path);
 /// fails, the old file is unchanged, and the message names the path and the reason.
 Result<void> write_felt(const std::string& path, const Drawing& drawing);
 
-/// Do the same with bytes in memory. Messages do not begin with a path.
-Result<Drawing> parse_felt(std::string_view bytes);
+/// Do the same with bytes in memory. Messages do not begin with a path. If `notices` is not null, a
+/// notice for the user is added for content that a drawing cannot have, and was left out.
+Result<Drawing> parse_felt(std::string_view bytes, std::vector<std::string>* notices = nullptr);
 Result<std::string> felt_bytes(const Drawing& drawing);
 
 }  // namespace felt

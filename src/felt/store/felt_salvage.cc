@@ -15,6 +15,7 @@
 #include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -61,6 +62,7 @@ class Findings {
     if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) ||
         take_view(row))
       return;
+    if (take_guide(row) || take_symmetry(row)) return;
     if (take_material(row) || take_opacity(row) || take_picture(row)) return;
     if (take_blend(row) || take_group(row)) return;
     if (!take_color(row)) ++others;
@@ -78,10 +80,15 @@ class Findings {
   std::map<std::int64_t, Found<Stroke>> strokes;
   std::map<std::int64_t, Found<Fill>> fills;
   std::map<std::int64_t, FoundLayer> layers;
-  std::map<std::int64_t, double> opacities;          // by layer
-  std::map<std::int64_t, LayerPicturePtr> pictures;  // by layer
-  std::map<std::int64_t, BlendMode> blends;          // by layer
-  std::map<std::int64_t, LayerGroupPtr> groups;      // by layer
+  std::map<std::int64_t, double> opacities;                                  // by layer
+  std::map<std::int64_t, LayerPicturePtr> pictures;                          // by layer
+  std::map<std::int64_t, std::shared_ptr<const PictureData>> picture_files;  // by row
+  std::vector<std::pair<std::int64_t, PictureRow>> repeats;  // layers and rows without a file
+  std::map<std::int64_t, BlendMode> blends;                  // by layer
+  std::map<std::int64_t, LayerGroupPtr> groups;              // by layer
+  std::map<std::int64_t, DrawingGuidePtr> guides;
+  std::map<std::int64_t, SymmetryPtr> symmetries;
+  bool hides_guides = false;
   std::map<std::int64_t, NamedColor> colors;
   std::optional<Drawing> head;  // without the document and the palette's colours
   std::optional<Viewport> view;
@@ -197,18 +204,26 @@ class Findings {
   }
   bool take_picture(const ScannedRow& row) {
     const auto& v = row.values;
-    if (v.size() != 11 || !whole(v[1]) || !is_id(*whole(v[1])) || !whole(v[8]) || !blob(v[9]) ||
-        !whole(v[10])) {
-      return false;
-    }
-    std::array<double, 6> place{};
-    for (std::size_t i = 0; i < place.size(); ++i) {
+    const bool has_types = v.size() == 11 && whole(v[1]) && is_id(*whole(v[1])) && whole(v[8]) &&
+                           (blob(v[9]) || whole(v[9])) && whole(v[10]);
+    if (!has_types) return false;
+    PictureRow values{.exported = *whole(v[8]), .data = nullptr, .checksum = *whole(v[10])};
+    for (std::size_t i = 0; i < values.place.size(); ++i) {
       if (!number(v[i + 2])) return false;
-      place[i] = *number(v[i + 2]);
+      values.place[i] = *number(v[i + 2]);
     }
-    LayerPicturePtr picture = picture_of_row(place, *whole(v[8]), *blob(v[9]), *whole(v[10]));
+    if (whole(v[9])) {
+      values.same_as = *whole(v[9]);
+      if (repeats.size() < kMaxLayers) repeats.emplace_back(*whole(v[1]), std::move(values));
+      return true;
+    }
+    values.data = make_picture_data(*blob(v[9])).value_or(nullptr);
+    LayerPicturePtr picture = picture_of_row(values);
     if (!picture) return false;
-    if (pictures.size() < kMaxLayers) pictures.try_emplace(*whole(v[1]), std::move(picture));
+    if (pictures.size() < kMaxLayers) {
+      picture_files.try_emplace(row.id, values.data);
+      pictures.try_emplace(*whole(v[1]), std::move(picture));
+    }
     return true;
   }
   bool take_blend(const ScannedRow& row) {
@@ -228,6 +243,27 @@ class Findings {
                                              *number(v[6]), *text(v[7]));
     if (group && groups.size() < kMaxLayers) groups.try_emplace(*whole(v[1]), group);
     return group != nullptr;
+  }
+  bool take_guide(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 4 || !whole(v[1]) || !blob(v[2]) || !whole(v[3])) return false;
+    if (*whole(v[3]) != guide_checksum(row.id, *whole(v[1]), *blob(v[2]))) return false;
+    Result<DrawingGuidePtr> guide = read_guide_blob(*blob(v[2]));
+    if (!guide) return false;
+    hides_guides = *whole(v[1]) == 0;
+    if (guides.size() < kMaxStoredGuides) guides.try_emplace(row.id, *std::move(guide));
+    return true;
+  }
+  bool take_symmetry(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 3 || !blob(v[1]) || !whole(v[2])) return false;
+    if (*whole(v[2]) != guide_checksum(row.id, 0, *blob(v[1]))) return false;
+    Result<SymmetryPtr> group = read_symmetry_blob(*blob(v[1]));
+    if (!group) return false;
+    if (symmetries.size() < kMaxStoredSymmetries) {
+      symmetries.try_emplace(row.id, *std::move(group));
+    }
+    return true;
   }
   bool take_color(const ScannedRow& row) {
     const auto& v = row.values;
@@ -253,6 +289,7 @@ class Assembly {
     }
     out_.problems.push_back("The file " + why + ".");
     take_head();
+    take_repeated_pictures();
     name_lost_layers();
     set_layer_looks();
     if (auto ok = fill(); !ok) return tl::unexpected(ok.error());
@@ -269,6 +306,20 @@ class Assembly {
     out_.problems.emplace_back(
         "The page size, the paper colour, the surface and the colour of new ink are lost; the "
         "defaults of a new drawing were used.");
+  }
+
+  /// Gives the rows that only name the row of their picture its file, if that was found.
+  void take_repeated_pictures() {
+    for (auto& [layer, row] : found_.repeats) {
+      const auto file = found_.picture_files.find(row.same_as);
+      if (file != found_.picture_files.end()) row.data = file->second;
+      const LayerPicturePtr picture = picture_of_row(row);
+      if (picture && found_.pictures.size() < kMaxLayers) {
+        found_.pictures.try_emplace(layer, picture);
+      } else {
+        ++found_.others;
+      }
+    }
   }
 
   void name_lost_layers() {
@@ -331,6 +382,17 @@ class Assembly {
     separate_groups_of(edit);
     place(found_.strokes, edit.changes, " stroke");
     place(found_.fills, edit.fills, " fill");
+    for (const auto& [id, guide] : found_.guides) {
+      if (edit.guides.size() == kMaxDrawingGuides) {
+        out_.problems.push_back(too_many_guides(found_.guides.size()));
+        break;
+      }
+      edit.guides.push_back({{static_cast<std::uint64_t>(id)}, nullptr, guide});
+    }
+    for (const auto& [id, group] : found_.symmetries) {
+      edit.symmetries.push_back({{static_cast<std::uint64_t>(id)}, nullptr, group});
+    }
+    edit.toggles_guides = found_.hides_guides;
     return document.apply(edit);
   }
 

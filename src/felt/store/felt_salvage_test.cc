@@ -119,13 +119,14 @@ TEST(FeltSalvage, WithoutAHeadAllIsThere) {
 }
 
 /// Destroys each page in turn. Only the content of that page may be lost.
-/// Returns some_drawing() with looks of layers: one is translucent, and one has a picture.
+/// Returns some_drawing() with looks of layers: one is translucent, and two have the same picture.
 Drawing drawing_with_looks() {
   Drawing drawing = some_drawing();
   Edit edit;
   const auto layers = drawing.document.layers();
   LayerState birds = layers[1].state(), trees = layers[2].state();
   birds.opacity = 0.375;
+  birds.picture = testing::red_blue_picture(50.0, 7.0);
   trees.picture = testing::red_blue_picture(1.0 / 3.0, 7.0);
   trees.blend = BlendMode::kMultiply;
   birds.group = trees.group = std::make_shared<const LayerGroup>(
@@ -160,6 +161,7 @@ TEST(FeltSalvage, ADamagedPictureIsLeftOut) {
   const auto layers = salvaged.drawing.document.layers();
   ASSERT_EQ(layers.size(), 3U);
   EXPECT_EQ(layers[1].opacity, 0.375);
+  EXPECT_EQ(layers[1].picture, nullptr);
   EXPECT_EQ(layers[2].picture, nullptr);
   EXPECT_THAT(salvaged.problems.back(), HasSubstr("Other data"));
 }

@@ -6,6 +6,7 @@
 
 #include "felt/base/check.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -181,6 +182,8 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
   };
   for (const PlainTable& plain :
        {PlainTable{"material", kMaterialTable, schema.has_materials},
+        PlainTable{"guide", kGuideTable, schema.has_guides},
+        PlainTable{"symmetry", kSymmetryTable, schema.has_symmetries},
         PlainTable{"layer_look", kLayerLookTable, schema.has_layer_looks},
         PlainTable{"picture", kPictureTable, schema.has_pictures},
         PlainTable{"layer_blend", kLayerBlendTable, schema.has_layer_blends},

@@ -30,6 +30,8 @@ struct FeltSchema {
   FeltTable drawing, layer, palette, shown, stroke;
   bool has_materials = false;     ///< the table `material` (material_table.h)
   bool has_fills = false;         ///< the table `fill` (fill_table.h)
+  bool has_guides = false;        ///< the table `guide` (guide_table.h)
+  bool has_symmetries = false;    ///< the table `symmetry` (guide_table.h)
   bool has_layer_looks = false;   ///< the table `layer_look` (layer_look_table.h)
   bool has_pictures = false;      ///< the table `picture` (layer_look_table.h)
   bool has_layer_blends = false;  ///< the table `layer_blend` (layer_group_table.h)

@@ -8,6 +8,7 @@
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/fill_table.h"
+#include "felt/store/guide_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -106,19 +107,23 @@ Result<void> write_strokes(const Database& db, const Document& document) {
   const auto row = db.prepare("INSERT INTO stroke(id, layer, place, shape) VALUES(?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   std::string shape;
+  const auto write = [&](LayerId layer, StrokeId id, std::int64_t place) -> Result<void> {
+    shape.clear();
+    if (auto ok = append_stroke_blob(shape, *document.find(id)); !ok) {
+      return tl::unexpected(with_context(ok.error(), "stroke " + std::to_string(id.value)));
+    }
+    row->bind(1, static_cast<std::int64_t>(id.value));
+    row->bind(2, static_cast<std::int64_t>(layer.value));
+    row->bind(3, place);
+    row->bind_blob(4, shape);
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
+    return {};
+  };
   for (const Layer& layer : document.layers()) {
     std::int64_t place = 0;
     for (const StrokeId id : layer.strokes) {
-      shape.clear();
-      if (auto ok = append_stroke_blob(shape, *document.find(id)); !ok) {
-        return tl::unexpected(with_context(ok.error(), "stroke " + std::to_string(id.value)));
-      }
-      row->bind(1, static_cast<std::int64_t>(id.value));
-      row->bind(2, static_cast<std::int64_t>(layer.id.value));
-      row->bind(3, place++);
-      row->bind_blob(4, shape);
-      if (auto done = row->step(); !done) return tl::unexpected(done.error());
-      row->reset();
+      if (auto done = write(layer.id, id, place++); !done) return done;
     }
   }
   return {};
@@ -166,6 +171,15 @@ Result<Head> read_drawing_row(const Database& db, Drawing& d) {
   return head;
 }
 
+/// Returns true if a row of the table `layer` is valid and is for the layer at this place.
+bool is_layer_row(const Statement& row, std::size_t place) {
+  const auto is_switch = [&row](int column) {
+    return row.is_integer(column) && (row.integer(column) | 1) == 1;
+  };
+  return is_id(row.integer(0)) && row.is_text(1) && is_layer_name(row.text(1)) && is_switch(2) &&
+         is_switch(3) && row.is_integer(4) && row.integer(4) == static_cast<std::int64_t>(place);
+}
+
 /// Adds the layers to an edit of the empty document with which every drawing starts.
 Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) {
   const Layer& first = empty.layers().front();
@@ -179,12 +193,7 @@ Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) 
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
     if (place == kMaxLayers) return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
-    const auto is_switch = [&row](int column) {
-      return row->is_integer(column) && (row->integer(column) | 1) == 1;
-    };
-    if (!is_id(row->integer(0)) || !row->is_text(1) || !is_layer_name(row->text(1)) ||
-        !is_switch(2) || !is_switch(3) || !row->is_integer(4) ||
-        row->integer(4) != static_cast<std::int64_t>(place)) {
+    if (!is_layer_row(*row, place)) {
       return invalid_data("layer " + std::to_string(row->integer(0)) +
                           " contains an invalid value");
     }
@@ -240,23 +249,30 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_layer_groups(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
       .and_then([&] { return write_fills(database, drawing.document); })
+      .and_then([&] { return write_guides(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
       .and_then([&] { return write_materials(database, drawing); });
 }
 
-Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) {
+Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
+                            std::vector<std::string>* notices) {
   Drawing drawing;
   const Result<Head> head = read_drawing_row(database, drawing);
   if (!head) return tl::unexpected(head.error());
   Edit edit;
   edit.label = "Open";
   Result<void> done = read_layers(database, drawing.document, edit);
-  if (done && schema.has_layer_looks) done = read_layer_opacities(database, edit);
-  if (done && schema.has_pictures) done = read_pictures(database, edit);
-  if (done && schema.has_layer_blends) done = read_layer_blends(database, edit);
-  if (done && schema.has_layer_groups) done = read_layer_groups(database, edit);
-  if (done) done = read_strokes(database, edit);
-  if (done && schema.has_fills) done = read_fills(database, edit);
+  const auto then = [&](bool has_table, Result<void> (*read)(const Database&, Edit&)) {
+    if (done && has_table) done = read(database, edit);
+  };
+  then(schema.has_layer_looks, read_layer_opacities);
+  then(schema.has_pictures, read_pictures);
+  then(schema.has_layer_blends, read_layer_blends);
+  then(schema.has_layer_groups, read_layer_groups);
+  then(true, read_strokes);
+  then(schema.has_fills, read_fills);
+  if (done && schema.has_guides) done = read_guides(database, edit, notices);
+  then(schema.has_symmetries, read_symmetries);
   if (done) {
     done = drawing.document.apply(edit).and_then([&] { return read_page(database, drawing); });
   }

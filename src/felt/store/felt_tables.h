@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "felt/base/result.h"
 #include "felt/store/database.h"
 #include "felt/store/felt_file.h"
@@ -8,8 +11,6 @@
 namespace felt {
 
 inline constexpr std::size_t kMaxLayers = 10'000;
-/// Longest name of a layer or material, in bytes of UTF-8.
-inline constexpr std::size_t kMaxLayerNameBytes = 4096;
 inline constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
 
 /// Returns true if `value` may be the id of a layer or stroke.
@@ -26,6 +27,7 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
 /// Reads a drawing from an untrusted database whose schema was checked by read_schema(). Does not
 /// read extras. Fails if a row is not valid or not consistent with other rows; the message names
 /// the row and the reason.
-Result<Drawing> read_tables(const Database& database, const FeltSchema& schema);
+Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
+                            std::vector<std::string>* notices);
 
 }  // namespace felt

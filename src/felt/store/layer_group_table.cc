@@ -15,7 +15,7 @@ namespace felt {
 LayerGroupPtr group_of_row(std::int64_t number, std::string name, std::int64_t visible,
                            std::int64_t locked, double opacity, std::string_view mode) {
   const auto blend = blend_mode_of(mode);
-  if (number < 1 || (visible | 1) != 1 || (locked | 1) != 1 || !blend) return nullptr;
+  if (!is_id(number) || (visible | 1) != 1 || (locked | 1) != 1 || !blend) return nullptr;
   if (!(opacity >= 0.0 && opacity <= 1.0)) return nullptr;
   if (name.size() > kMaxLayerNameBytes || !is_utf8(name)) return nullptr;
   return std::make_shared<const LayerGroup>(LayerGroup{{static_cast<std::uint64_t>(number)},

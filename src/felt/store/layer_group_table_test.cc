@@ -64,6 +64,19 @@ TEST(LayerGroupTable, AFileWithoutThemHasNeitherTable) {
   EXPECT_THAT(plain, Not(HasSubstr("layer_group")));
 }
 
+TEST(LayerGroupTable, AFileWithTheLargestIdCanBeSavedAgain) {
+  const Drawing drawing = grouped_drawing();
+  const std::string largest = "UPDATE layer_group SET number=" + std::to_string(kMaxId);
+  Drawing read = parse_felt(changed(drawing, largest.c_str())).value();
+  EXPECT_EQ(read.document.new_group_id(), GroupId{1});
+  // Parts of a group that are not neighbours become two groups.
+  const std::string parts = largest + "; UPDATE layer_group SET layer=3 WHERE id=2";
+  read = parse_felt(changed(drawing, parts.c_str())).value();
+  EXPECT_TRUE(parse_felt(felt_bytes(read).value()).value() == read);
+  const std::string beyond = "UPDATE layer_group SET number=" + std::to_string(kMaxId + 1);
+  EXPECT_THAT(error_of(changed(drawing, beyond.c_str())), HasSubstr("layer_group"));
+}
+
 TEST(LayerGroupTable, BadValuesAreErrors) {
   const Drawing drawing = grouped_drawing();
   ASSERT_EQ(error_of(changed(drawing, "SELECT 1")), "");
@@ -105,7 +118,7 @@ TEST(LayerGroupTable, AGroupThatAnOlderProgramHasSplitBecomesTwo) {
   const auto layers = back.document.layers();
   EXPECT_EQ(layers[0].group->id, GroupId{7});
   EXPECT_FALSE(layers[1].group);
-  EXPECT_EQ(layers[2].group->id, GroupId{8});
+  EXPECT_EQ(layers[2].group->id, GroupId{1}) << "the smallest free id";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "felt/document/document.h"
 #include "felt/store/byte_writer.h"
@@ -17,14 +18,28 @@ namespace {
 // a recording, in base64.
 static_assert(PictureData::kMaxBytes / 3 * 4 + 10'000 < kMaxStrokeBlobBytes);
 
-/// Returns the checksum of a picture and its place.
-std::int64_t picture_checksum(const LayerPicture& picture) {
+/// Returns the checksum of a picture and its place. If another row has the bytes of the picture,
+/// `same_as` is its id, and the checksum covers that instead of the bytes.
+std::int64_t picture_checksum(const LayerPicture& picture, std::int64_t same_as) {
   std::string numbers;
   ByteWriter out(numbers);
   const Affine& m = picture.place;
   for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) out.f64(x);
   out.u8(picture.exported ? 1 : 0);
-  return static_cast<std::int64_t>(crc32c(picture.data->png, crc32c(numbers)));
+  if (same_as != 0) out.u64(static_cast<std::uint64_t>(same_as));
+  const std::string_view bytes = same_as == 0 ? picture.data->png : std::string_view();
+  return static_cast<std::int64_t>(crc32c(bytes, crc32c(numbers)));
+}
+
+/// Pictures by the id of the first row that has them.
+using PictureRows = std::vector<std::pair<std::int64_t, std::shared_ptr<const PictureData>>>;
+
+/// Returns the row with the same picture, or 0.
+std::int64_t row_of(const PictureRows& rows, const PictureData& data) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&data](const auto& row) {
+    return row.second.get() == &data || *row.second == data;
+  });
+  return found == rows.end() ? 0 : found->first;
 }
 
 Result<void> write_opacities(Database& database, const Document& document) {
@@ -48,42 +63,61 @@ Result<void> write_pictures(Database& database, const Document& document) {
   const auto row = database.prepare("INSERT INTO picture VALUES(?,?,?,?,?,?,?,?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   std::int64_t id = 0;
+  PictureRows stored;
   for (const Layer& layer : document.layers()) {
     if (!layer.picture) continue;
+    const std::int64_t same_as = row_of(stored, *layer.picture->data);
+    if (same_as == 0) stored.emplace_back(id + 1, layer.picture->data);
     const Affine& m = layer.picture->place;
     row->bind(1, ++id);
     row->bind(2, static_cast<std::int64_t>(layer.id.value));
     int column = 3;
     for (const double x : {m.a, m.b, m.c, m.d, m.e, m.f}) row->bind(column++, x);
     row->bind(9, std::int64_t{layer.picture->exported});
-    row->bind_blob(10, layer.picture->data->png);
-    row->bind(11, picture_checksum(*layer.picture));
+    if (same_as == 0) {
+      row->bind_blob(10, layer.picture->data->png);
+    } else {
+      row->bind(10, same_as);
+    }
+    row->bind(11, picture_checksum(*layer.picture, same_as));
     if (auto done = row->step(); !done) return tl::unexpected(done.error());
     row->reset();
   }
   return {};
 }
 
-bool read_picture(const Statement& row, LayerState& state) {
-  std::array<double, 6> m{};
+/// Reads a row. `read` has the pictures of the rows before it.
+bool read_picture(const Statement& row, PictureRows& read, LayerState& state) {
+  PictureRow values;
   for (int i = 0; i < 6; ++i) {
     if (!row.is_real(i + 1)) return false;
-    m[static_cast<std::size_t>(i)] = row.real(i + 1);
+    values.place[static_cast<std::size_t>(i)] = row.real(i + 1);
   }
-  if (!row.is_integer(7) || !row.is_blob(8) || !row.is_integer(9)) return false;
-  state.picture = picture_of_row(m, row.integer(7), std::string(row.blob(8)), row.integer(9));
+  if (!row.is_integer(7) || !row.is_integer(9) || !row.is_integer(10)) return false;
+  values.exported = row.integer(7);
+  values.checksum = row.integer(9);
+  if (row.is_integer(8)) {
+    values.same_as = row.integer(8);
+    const auto same = std::find_if(read.begin(), read.end(), [&values](const auto& known) {
+      return known.first == values.same_as;
+    });
+    if (same != read.end()) values.data = same->second;
+  } else if (row.is_blob(8)) {
+    values.data = make_picture_data(std::string(row.blob(8))).value_or(nullptr);
+    read.emplace_back(row.integer(10), values.data);
+  }
+  state.picture = picture_of_row(values);
   return state.picture != nullptr;
 }
 
 }  // namespace
 
-LayerPicturePtr picture_of_row(const std::array<double, 6>& m, std::int64_t exported,
-                               std::string png, std::int64_t checksum) {
-  if ((exported | 1) != 1) return nullptr;
-  auto data = make_picture_data(std::move(png));
-  if (!data) return nullptr;
-  LayerPicture picture{*std::move(data), {m[0], m[1], m[2], m[3], m[4], m[5]}, exported != 0};
-  if (!is_picture_place(picture.place) || picture_checksum(picture) != checksum) return nullptr;
+LayerPicturePtr picture_of_row(const PictureRow& row) {
+  if ((row.exported | 1) != 1 || !row.data) return nullptr;
+  const auto& m = row.place;
+  LayerPicture picture{row.data, {m[0], m[1], m[2], m[3], m[4], m[5]}, row.exported != 0};
+  if (!is_picture_place(picture.place)) return nullptr;
+  if (picture_checksum(picture, row.same_as) != row.checksum) return nullptr;
   return std::make_shared<const LayerPicture>(std::move(picture));
 }
 
@@ -108,9 +142,12 @@ Result<void> read_layer_opacities(const Database& database, Edit& edit) {
 }
 
 Result<void> read_pictures(const Database& database, Edit& edit) {
-  return for_each_layer_row(database,
-                            "SELECT layer, a, b, c, d, e, f, exported, png, checksum FROM picture",
-                            "picture", edit, read_picture);
+  PictureRows read;
+  return for_each_layer_row(
+      database,
+      "SELECT layer, a, b, c, d, e, f, exported, png, checksum, id FROM picture ORDER BY id",
+      "picture", edit,
+      [&read](const Statement& row, LayerState& state) { return read_picture(row, read, state); });
 }
 
 }  // namespace felt

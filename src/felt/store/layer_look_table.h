@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -23,10 +24,18 @@ inline constexpr std::string_view kPictureTable =
     "b REAL NOT NULL, c REAL NOT NULL, d REAL NOT NULL, e REAL NOT NULL, f REAL NOT NULL, "
     "exported INTEGER NOT NULL, png BLOB NOT NULL, checksum INTEGER NOT NULL)";
 
-/// Returns the picture of a row of the table `picture`, or null if a value is invalid or the
-/// checksum does not fit. `place` are the numbers a to f.
-LayerPicturePtr picture_of_row(const std::array<double, 6>& place, std::int64_t exported,
-                               std::string png, std::int64_t checksum);
+/// The values of a row of the table `picture`.
+struct PictureRow {
+  std::array<double, 6> place{};  ///< a to f
+  std::int64_t exported = 0;
+  std::shared_ptr<const PictureData> data;  ///< null: not read
+  std::int64_t same_as = 0;  ///< the row that has the bytes of the picture; 0: this one
+  std::int64_t checksum = 0;
+};
+
+/// Returns the picture of a row, or null if a value is invalid, the data are missing, or the
+/// checksum does not fit.
+LayerPicturePtr picture_of_row(const PictureRow& row);
 
 /// Creates and fills the tables that the document needs.
 Result<void> write_layer_looks(Database& database, const Document& document);

@@ -62,6 +62,36 @@ TEST(LayerLookTable, AFileWithoutLooksHasNeitherTable) {
   EXPECT_THAT(faded, Not(HasSubstr("picture")));
 }
 
+TEST(LayerLookTable, APictureOfManyLayersIsStoredOnce) {
+  Drawing drawing = drawing_with(1.0, testing::red_blue_picture(1.0, 2.0));
+  Edit edit;
+  for (std::uint64_t i = 3; i <= 6; ++i) {
+    LayerState state{"Copy"};
+    state.picture = testing::red_blue_picture(static_cast<double>(i), 2.0);  // data of its own
+    if (i == 5) {
+      state.picture = std::make_shared<const LayerPicture>(
+          LayerPicture{testing::picture_data(testing::kColorfulPng), {1, 0, 0, 1, 0, 0}});
+    }
+    edit.layers.push_back({{i}, std::nullopt, state, 0, i - 1});
+  }
+  ASSERT_TRUE(drawing.document.apply(edit));
+  const std::string bytes = felt_bytes(drawing).value();
+  const std::string& png = drawing.document.layers()[0].picture->data->png;
+  const std::size_t first = bytes.find(png);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(bytes.find(png, first + 1), std::string::npos);
+  const Drawing back = parse_felt(bytes).value();
+  EXPECT_TRUE(back == drawing);
+  EXPECT_EQ(back.document.layers()[5].picture->data, back.document.layers()[0].picture->data);
+  for (const char* sql :
+       {"UPDATE picture SET png=4 WHERE id=2", "UPDATE picture SET png=2 WHERE id=2",
+        "UPDATE picture SET png=99 WHERE id=2", "UPDATE picture SET e=9.0 WHERE id=2",
+        "DELETE FROM picture WHERE id=1"}) {
+    EXPECT_EQ(error_of(changed(bytes, sql)), "the table 'picture' contains an invalid value")
+        << sql;
+  }
+}
+
 TEST(LayerLookTable, BadValuesAreErrors) {
   const std::string bytes =
       felt_bytes(drawing_with(0.5, testing::red_blue_picture(1.0, 2.0))).value();

@@ -4,6 +4,7 @@
 #include "felt/tools/eraser/eraser_tool.h"
 #include "felt/tools/fill/fill_tool.h"
 #include "felt/tools/gather/gather_tool.h"
+#include "felt/tools/guide/guide_tool.h"
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/pull/pull_tool.h"
@@ -32,6 +33,7 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   tools.push_back(make_gather());
   tools.push_back(make_fill());
   tools.push_back(make_read());
+  tools.push_back(make_guide());
   return tools;
 }
 

@@ -36,7 +36,10 @@ GuideLaw law_of(const GuideLine& line) {
 }  // namespace
 
 GuideTrack::GuideTrack(GuideLine line, std::uint32_t number)
-    : line_(std::move(line)), number_(number), hold_(number) {
+    : GuideTrack(line, number, law_of(line)) {}
+
+GuideTrack::GuideTrack(GuideLine line, std::uint32_t number, const GuideLaw& law)
+    : line_(std::move(line)), number_(number), hold_(number), law_(law) {
   FELT_CHECK(line_.kind != GuideKind::kNone && check_guide(line_).has_value());
   resample();
   measure_teacher();
@@ -161,7 +164,8 @@ void GuideTrack::make_piece(double place_mm) {
   piece.gain = end_share(place_mm);
   if (line_.kind == GuideKind::kAsNeeded) piece.gain *= as_needed_.gain();
   piece.hold = hold_;
-  GuideLaw law = law_of(line_);
+  piece.free_side = free_side_;
+  GuideLaw law = law_;
   law.window_mm = std::min(law.window_mm, spacing_mm_ * static_cast<double>(half - 1));
   guide_ = Guide(law, piece);
 }

@@ -25,6 +25,11 @@ class GuideTrack {
   /// Requires check_guide(line). `number` is the first value of GuidePiece::hold; it must be
   /// greater than hold() of an earlier guide of the session.
   GuideTrack(GuideLine line, std::uint32_t number);
+  /// Makes a track with a force law that does not follow from the kind of the line.
+  GuideTrack(GuideLine line, std::uint32_t number, const GuideLaw& law);
+
+  /// For a law of an edge: sets GuidePiece::free_side, from the next sample on.
+  void set_free_side(double side) noexcept { free_side_ = side; }
 
   void update(const PenSample& sample);
 
@@ -57,6 +62,8 @@ class GuideTrack {
   double spacing_mm_ = GuidePiece::kSpacingMm;
   std::uint32_t number_;
   std::uint32_t hold_;
+  GuideLaw law_;
+  double free_side_ = 1.0;
   std::size_t at_ = 0;  // nearest point
   bool is_lost_ = true;
   std::int64_t last_ns_ = 0;

@@ -30,6 +30,12 @@ void Overlay::add_stable_ink(std::uint64_t stroke, std::span<const InkSegment> s
   ink_stable = is_first ? segments.size() : 0;
 }
 
+Overlay::InkSegment mapped(const Overlay::InkSegment& segment, const Affine& image) noexcept {
+  Overlay::InkSegment result = segment;
+  result.curve = apply(image, segment.curve);
+  return result;
+}
+
 void add_span(Overlay& overlay, const Stroke& stroke, double u0, double u1, Overlay::Role role) {
   const int n = stroke.segment_count();
   if (stroke.closed() && u1 <= u0) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "felt/geometry/affine.h"
 #include "felt/geometry/cubic.h"
 #include "felt/geometry/point.h"
 #include "felt/stroke/stroke.h"
@@ -35,6 +36,9 @@ struct Overlay {
     kSelected,  ///< selected, or about to be selected
     kHandle,    ///< a handle that can be grabbed
     kCut,       ///< ink that will be removed
+    kRule,      ///< a line of a guide of the drawing
+    kTick,      ///< a tick or an auxiliary line of such a guide
+    kAxis,      ///< a mirror axis
   };
   struct Ring {
     Point center;
@@ -77,6 +81,8 @@ struct Overlay {
   /// their segments are equal up to the smaller of the two numbers. add_stable_ink() sets this
   /// number.
   std::size_t ink_stable = 0;
+  /// The mappings at which `ink` is shown besides where it is: its mirror images.
+  std::vector<Affine> ink_images;
   std::vector<Ring> rings;
   std::vector<Line> lines;
   std::vector<Span> spans;
@@ -86,6 +92,7 @@ struct Overlay {
 
   void clear() noexcept {
     clear_ink();
+    ink_images.clear();
     rings.clear();
     lines.clear();
     spans.clear();
@@ -106,6 +113,9 @@ struct Overlay {
   std::uint64_t last_stroke_ = 0;
   std::size_t last_stable_ = 0;
 };
+
+/// Returns a segment as it is at one of Overlay::ink_images.
+Overlay::InkSegment mapped(const Overlay::InkSegment& segment, const Affine& image) noexcept;
 
 /// Adds marks for the part [u0, u1] of a stroke. On a closed stroke, u1 <= u0 means that the part
 /// crosses the seam.

@@ -11,6 +11,7 @@ struct RoleLook {
   std::size_t color = 6;  ///< index into the colour-blind-safe palette (plot_color)
   bool dashed = false;    ///< for bounds and hints
   double width = 1.3;     ///< line width, in picture units or device-independent pixels
+  bool has_halo = true;   ///< on the canvas: a light or dark seam, so that it shows on any ink
 };
 
 constexpr RoleLook look_of(Overlay::Role role) noexcept {
@@ -34,6 +35,12 @@ constexpr RoleLook look_of(Overlay::Role role) noexcept {
       return {3, false, 1.3};  // reddish purple
     case Role::kCut:
       return {1, false, 1.9};  // vermillion
+    case Role::kRule:
+      return {5, false, 1.1, false};  // sky blue
+    case Role::kTick:
+      return {5, false, 0.6, false};  // sky blue
+    case Role::kAxis:
+      return {4, true, 1.1, false};  // orange
   }
   return {};
 }

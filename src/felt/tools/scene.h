@@ -1,16 +1,28 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "felt/document/document.h"
+#include "felt/document/drawing_guide.h"
 #include "felt/document/selection.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/material/materials.h"
 
 namespace felt {
 
-class GuideTrack;
+class Guide;
 class StrokeIndex;
+
+/// The guide whose force acts on the pen while it draws.
+struct ActiveGuide {
+  const Guide* force = nullptr;  ///< near the last sample; null: no guide
+  std::uint32_t number = 0;      ///< changes when another guide acts
+  /// If true, the pencil's friction is softer, so that it and a guide of the drawing stay within
+  /// the stiffness budget.
+  bool softens_friction = false;
+};
 
 /// What a tool can read besides the pen samples: the document, the surface under the pen, and the
 /// device that renders forces. Does not change while a sample is handled.
@@ -26,9 +38,11 @@ struct Scene {
   Rgba color{};  ///< colour of new ink
   /// All materials of the session, by id. The first medium is the pencil.
   const Materials& materials = Materials::built_in();
-  const GuideTrack* guide = nullptr;       ///< guides the pen while it draws; null: no guide
+  ActiveGuide guide = {};                  ///< guides the pen while it draws
   std::string_view medium = "pencil";      ///< id of the medium of new ink
   double ink_width_mm = kUsualInkWidthMm;  ///< width of a line that a mouse draws in this medium
+  /// The guides of the document, by ascending id; none while guides are hidden.
+  std::span<const DrawingGuidePtr> guides = {};
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

@@ -38,6 +38,7 @@ enum class ToolKind : std::uint8_t {
   kTransforms,  ///< changes the strokes that are selected when the gesture begins; shows the
                 ///< selection
   kReads,       ///< changes nothing; reports what is under the pen (Tool::reading)
+  kGuides,      ///< adds, changes and removes guides of the drawing
 };
 
 /// The path of a typical gesture. Tests of devices and of the haptic loop perform it.
@@ -61,8 +62,10 @@ struct ToolUse {
 };
 
 /// The part of the demonstration that shows a tool. Its script is the file N-ID.ndjson in the
-/// tool's folder; N is the position of the act in the demonstration, ID the id of the tool.
+/// tool's folder; N is the position of the act in the demonstration, ID the id of the tool. The
+/// script of a further act of the same tool is N-ID-NAME.ndjson.
 struct ToolAct {
+  std::string_view name = {};     ///< NAME of a further act; "" for the first one
   std::string_view title = {};    ///< "Pull and push"; "" if the tool has no act
   std::string_view caption = {};  ///< one or two sentences
   double seconds = 0.0;           ///< longest duration on screen
@@ -79,6 +82,7 @@ struct ToolInfo {
   std::span<const ToolUse> uses = {};            ///< the first one that matches the mode applies
   std::span<const std::string_view> edits = {};  ///< labels of the edits that the tool makes
   ToolAct act = {};
+  std::span<const ToolAct> more_acts = {};
 };
 
 /// The current size of a tool and its range.

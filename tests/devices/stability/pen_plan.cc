@@ -8,6 +8,7 @@
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/tools/pencil/shape_hold.h"
+#include "felt/tools/read/read_force.h"
 
 namespace felt {
 namespace {
@@ -51,7 +52,32 @@ double guide_pull_n(Trial trial, double way_mm) noexcept {
   return -ridge.well.force_at_n(std::max(0.0, way_mm - ridge.dead_mm));
 }
 
-Side side_of(Trial trial, double t_s) noexcept {
+// The movement beside a guide of a drawing: a rest, then beyond the plateau and back. The pen lands
+// on the free side of a ruler. The wells of rays and nodes are crossed.
+Side guide_side(Trial trial, const GuideLaw& law, double t_s) noexcept {
+  const bool is_small = trial == Trial::kRay || trial == Trial::kNode;
+  const double rest_mm = is_small ? 0.5 : 1.0;
+  const double far_mm = is_small ? 3.0 : trial == Trial::kRing ? 7.0 : 2.9;
+  Side side;
+  side.way_mm = rest_mm + (far_mm - rest_mm) * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+  side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
+  double reach_mm = side.way_mm;
+  if (trial == Trial::kRuler) {
+    side.way_mm -= 2.0 * (1.0 - smooth(kLandedS, kMoveS, t_s));
+    reach_mm = std::max(0.0, side.way_mm + GuideLaw::kEdgeMm);
+  }
+  const double sign = law.pushes_away ? -1.0 : 1.0;
+  if (t_s >= kLandedS) side.pull_n = sign * law.well.force_at_n(reach_mm - law.dead_mm);
+  return side;
+}
+
+// The force of the tool Read at the end of a line: its groove and its notch.
+double read_pull_n(double way_mm) noexcept {
+  return GuideLaw::groove(kReadGrooveShare).well.force_at_n(way_mm) +
+         read_notch(1.0).force_at_n(way_mm);
+}
+
+Side side_of(Trial trial, const GuideLaw& law, double t_s) noexcept {
   Side side;
   switch (trial) {
     case Trial::kRest:
@@ -89,12 +115,21 @@ Side side_of(Trial trial, double t_s) noexcept {
       if (t_s >= kLandedS) side.pull_n = hold_shape(1.0).force_at_n(side.way_mm);
       side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
       break;
+    case Trial::kRead:
+      // From afar, as for the well: a notch attracts in the air, and forces engage only where the
+      // pen feels none.
+      side.way_mm = 10.0 - 9.0 * smooth(kArmedS, kMoveS, t_s) +
+                    2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+      if (t_s >= kLandedS) side.pull_n = read_pull_n(side.way_mm);
+      break;
     case Trial::kGuide:
     case Trial::kRidge:
       side.way_mm = 1.0 + 2.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
       if (t_s >= kLandedS) side.pull_n = guide_pull_n(trial, side.way_mm);
       side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
       break;
+    default:
+      return guide_side(trial, law, t_s);
   }
   return side;
 }
@@ -103,7 +138,7 @@ Side side_of(Trial trial, double t_s) noexcept {
 // counts only from then on.
 bool is_in_a_well(Trial trial) noexcept {
   return trial == Trial::kWell || trial == Trial::kGuide || trial == Trial::kRidge ||
-         trial == Trial::kHold;
+         trial == Trial::kHold || trial == Trial::kRead || is_guide_of_drawing(trial);
 }
 
 }  // namespace
@@ -132,6 +167,8 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
     case Trial::kGuide:
     case Trial::kRidge:
     case Trial::kHold:
+    case Trial::kRead:
+    default:
       times = {
           .measure_from_s = 1.9, .measure_until_s = 2.9, .energy_from_s = kMoveS, .end_s = 4.6};
       break;
@@ -149,7 +186,7 @@ PlannedPen planned_pen(Trial trial, const PlanGround& ground, double t_s) noexce
   const double depth_mm = 1e3 * ground.press_n / ground.plane_n_per_m;
   const double z = height_mm(trial, depth_mm, t_s);
   const double push_n = 1e-3 * ground.plane_n_per_m * std::max(0.0, -z);
-  const Side side = side_of(trial, t_s);
+  const Side side = side_of(trial, ground.guide, t_s);
   PlannedPen planned;
   planned.pen = {kTrialPlace.x + side.way_mm, kTrialPlace.y, z};
   planned.load = {-side.pull_n - side.slides * ground.friction * push_n, 0.0, push_n};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "felt/geometry/vec3.h"
+#include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/force.h"
 #include "tests/devices/stability/stability_cell.h"
 
@@ -34,6 +35,7 @@ struct PlanGround {
   double plane_n_per_m = 500.0;
   double friction = 0.25;
   double press_n = 0.8;
+  GuideLaw guide = {};  ///< for the trials of guides of a drawing
 };
 /// Returns the planned position and load at time `t_s`, s since the start of the trial.
 PlannedPen planned_pen(Trial trial, const PlanGround& ground, double t_s) noexcept;

@@ -14,9 +14,12 @@
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
+#include "felt/tools/choice_ring.h"
 #include "felt/tools/fill/fill_force.h"
 #include "felt/tools/gather/gather_force.h"
+#include "felt/tools/guided_feel.h"
 #include "felt/tools/pencil/shape_hold.h"
+#include "felt/tools/read/read_force.h"
 #include "tests/devices/stability/pen_plan.h"
 
 namespace felt {
@@ -56,10 +59,52 @@ GuidePiece straight_path() {
   return piece;
 }
 
+constexpr double kTeacherMmPerS = 40.0;
+
+// Returns the law of a guide of a drawing on a device.
+GuideLaw law_of(Trial trial, const Capabilities& device) {
+  if (trial == Trial::kRay || trial == Trial::kNode) return GuideLaw::tick(1.0, GuideLaw::kTickMm);
+  if (trial == Trial::kRing) return ring_law(kRingMm);
+  if (trial == Trial::kEdge) return GuideLaw::error_amplifying(1.0);
+  GuideLaw law = GuideLaw::line(1.0, guide_spring_for(device));
+  law.is_edge = trial == Trial::kRuler;
+  if (trial == Trial::kPerspective) law.click_n = 0.2;
+  if (trial == Trial::kTeacher) {
+    law.lead_n = GuideLaw::teacher(1.0).lead_n;
+    law.lead_n_s_per_m = GuideLaw::teacher(1.0).lead_n_s_per_m;
+  }
+  return law;
+}
+
+// Returns the path of a guide of a drawing, which passes through kTrialPlace along y.
+GuidePiece guide_path_of(Trial trial) {
+  GuidePiece piece = straight_path();
+  if (trial == Trial::kNode) {
+    piece.count = 1;
+    piece.at_mm = 0.0;
+    piece.points[0] = kTrialPlace;
+  }
+  const double radius_mm = trial == Trial::kEllipse ? 5.0 : 20.0;
+  for (std::size_t i = 0; i < piece.count; ++i) {
+    const double along_mm = piece.spacing_mm * static_cast<double>(i) - piece.at_mm;
+    if (trial == Trial::kCompass || trial == Trial::kEllipse) {
+      const double angle = along_mm / radius_mm;
+      piece.points[i] = kTrialPlace + radius_mm * Vec{std::cos(angle) - 1.0, std::sin(angle)};
+    } else if (trial == Trial::kTrace) {
+      piece.points[i] = kTrialPlace + Vec{std::sin(0.5 * along_mm), along_mm};
+    } else if (trial == Trial::kTeacher) {
+      piece.speeds_mm_per_s[i] = static_cast<float>(kTeacherMmPerS);
+    }
+  }
+  return piece;
+}
+
 // Returns the medium as the tool of this trial scales it: Fill and Gather glide more than a pencil.
 Medium scaled_tool(const StabilityCell& cell) {
   if (cell.trial == Trial::kRidge) return scaled_medium(*cell.tool, kFillGlide, kFillGlide);
   if (cell.trial == Trial::kBundle) return scaled_medium(*cell.tool, kGatherGlide, kGatherGlide);
+  if (cell.trial == Trial::kEdge) return *cell.tool;
+  if (is_guide_of_drawing(cell.trial)) return guided_medium(*cell.tool);
   return *cell.tool;
 }
 
@@ -68,6 +113,19 @@ ForceModel bundle_model(const StabilityCell& cell, const Medium& tool, const Cap
   const FrictionOptions friction = friction_for(tool, *cell.surface, device);
   return ForceModel(Compose(Plane(plane_for(*cell.surface, device)),
                             BundleFeel(kBundleMm, friction.coefficient, 1.0), Friction(friction)));
+}
+
+// Returns the forces of the tool Read where they are stiffest: at the end of a line.
+ForceModel read_model(const StabilityCell& cell, const Capabilities& device) {
+  const Guide groove(GuideLaw::groove(kReadGrooveShare), straight_path());
+  return read_feel(*cell.surface, device, 1.0, &groove, &kTrialPlace);
+}
+
+// Returns the force of a ring whose well on the right is at kTrialPlace.
+ForceModel ring_model(const StabilityCell& cell, const Capabilities& device) {
+  ChoiceRing ring(kTrialPlace - Vec{kRingMm, 0.0}, {0.0, -kRingMm}, {kRingMm, 0.0});
+  ring.choose(2);
+  return ring_force(ring, *cell.surface, device);
 }
 
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
@@ -90,12 +148,18 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ForceModel(Compose(surface, BandDamping(band_damping_for(kShakeHz, device))));
     case Trial::kHold:
       return ForceModel(Compose(surface, SnapWells(kTrialPlace, hold_shape(1.0))));
+    case Trial::kRead:
+      return read_model(cell, device);
+    case Trial::kRing:
+      return ring_model(cell, device);
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
-      break;
+      return ForceModel(surface);
+    default:
+      return ForceModel(
+          Compose(surface, Guide(law_of(cell.trial, device), guide_path_of(cell.trial))));
   }
-  return ForceModel(surface);
 }
 
 // Accumulates the measurements of a trial.
@@ -209,6 +273,30 @@ std::string_view name_of(Trial trial) noexcept {
       return "shake";
     case Trial::kHold:
       return "hold";
+    case Trial::kRead:
+      return "read";
+    case Trial::kRuler:
+      return "ruler";
+    case Trial::kLine:
+      return "line";
+    case Trial::kCompass:
+      return "compass";
+    case Trial::kEllipse:
+      return "ellipse";
+    case Trial::kPerspective:
+      return "perspective";
+    case Trial::kRay:
+      return "ray";
+    case Trial::kNode:
+      return "node";
+    case Trial::kTrace:
+      return "trace";
+    case Trial::kTeacher:
+      return "teacher";
+    case Trial::kRing:
+      return "ring";
+    case Trial::kEdge:
+      return "edge";
   }
   return "";
 }
@@ -251,6 +339,8 @@ StabilityResult run_trial(const StabilityCell& cell) {
   if (cell.trial == Trial::kBundle) {
     ground.friction += std::min(BundleFeel::kMaxN / ground.press_n, BundleFeel::kMaxFactor);
   }
+  if (cell.trial == Trial::kRing) ground.friction = 0.0;
+  if (is_guide_of_drawing(cell.trial)) ground.guide = law_of(cell.trial, device.capabilities);
   const TrialTimes times = times_of(cell.trial, lets_go);
   Meter meter(times, cell.trial == Trial::kTap, 1e-9 * static_cast<double>(cell.period_ns));
   KnowingHand knowing(cell, hand, ground);

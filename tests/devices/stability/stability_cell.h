@@ -22,10 +22,31 @@ enum class Trial : std::uint8_t {
   kBundle,  ///< moves 20 mm out and back through a bundle of the tool Gather
   kShake,   ///< the same with a hand that shakes by 1 mm, and the damping of the steady hand
   kHold,    ///< rests where the pencil holds the pen, moves out of the hold and back
+  kRead,    ///< lands 1 mm beside a line at an end that the tool Read holds, moves out and back
+  // As kGuide, but with a guide of a drawing and the friction of a guided pencil.
+  kRuler,        ///< beyond the edge of a ruler
+  kLine,         ///< a line, also one of parallels or of a set square
+  kCompass,      ///< a circle with a radius of 20 mm
+  kEllipse,      ///< the narrow end of an ellipse, with a radius of 5 mm
+  kPerspective,  ///< a line that begins with a click
+  kRay,          ///< a ray of a protractor; the pen crosses it
+  kNode,         ///< a node of a grid; the pen crosses it
+  kTrace,        ///< a wavy stroke
+  kTeacher,      ///< a teacher who draws with 40 mm/s
+  kRing,  ///< a well of the ring of tools, without friction; the pen leaves it and comes back
+  kEdge,  ///< the ridge at the edge of the page, with the friction of a pencil
 };
+/// The trials of guides of a drawing.
+inline constexpr Trial kGuideTrials[] = {Trial::kRuler,   Trial::kLine,        Trial::kCompass,
+                                         Trial::kEllipse, Trial::kPerspective, Trial::kRay,
+                                         Trial::kNode,    Trial::kTrace,       Trial::kTeacher,
+                                         Trial::kRing,    Trial::kEdge};
 inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit,  Trial::kGuide, Trial::kRidge, Trial::kBundle,
-                                    Trial::kShake, Trial::kHold};
+                                    Trial::kShake, Trial::kHold,  Trial::kRead};
+constexpr bool is_guide_of_drawing(Trial trial) noexcept {
+  return trial >= Trial::kRuler;
+}
 std::string_view name_of(Trial trial) noexcept;
 
 /// One trial: a hand uses a medium on a surface with a device and a loop.

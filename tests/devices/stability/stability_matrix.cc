@@ -41,6 +41,25 @@ void add_loops(StabilityCell cell, std::vector<StabilityCell>& cells) {
   }
 }
 
+// Adds the cells of the guides of a drawing, which only the pencil draws along.
+void add_guides(const std::vector<const SimulatedHand*>& hands, std::vector<StabilityCell>& cells) {
+  for (const Trial trial : kGuideTrials) {
+    for (const StylusPreset& device : stylus_presets()) {
+      for (const SimulatedHand* hand : hands) {
+        StabilityCell cell{.trial = trial,
+                           .device = &device,
+                           .hand = hand,
+                           .surface = surface_materials().data(),
+                           .tool = media().data()};
+        for (cell.delay_ticks = 0; cell.delay_ticks <= 2; ++cell.delay_ticks) cells.push_back(cell);
+        cell.delay_ticks = 1;
+        cell.period_ns = 200'000;
+        cells.push_back(cell);
+      }
+    }
+  }
+}
+
 template <class Values>
 bool has(const Values& values, std::string_view value) {
   return std::find(values.begin(), values.end(), value) != values.end();
@@ -64,6 +83,7 @@ std::vector<StabilityCell> all_cells() {
       }
     }
   }
+  add_guides(hands, cells);
   return cells;
 }
 

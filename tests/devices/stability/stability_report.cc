@@ -88,9 +88,10 @@ beside a snap target, then out to its plateau and back. *edit*: an edit spring, 
 ridge of Fill, which pushes away, with Fill's share of the friction. *bundle*: the widest bundle of
 Gather, with Gather's share of the friction, 20 mm out and back. *shake*: 20 mm out and back by a
 hand that shakes by 1 mm at 5 Hz, with the damping of the steady hand at full strength. *hold*: rest
-where the pencil holds the pen while it offers a shape, then out of the hold and back. *let go*: a typical hand lands
-lightly and lets go; measured after the pen has come to rest; for *tap*, after it has fallen and
-bounced.
+where the pencil holds the pen while it offers a shape, then out of the hold and back. *read*: rest 1
+mm beside the end of a line with the groove and the notch of Read, which has no friction on any
+surface, then to 3 mm and back. *let go*: a typical hand lands lightly and lets go; measured after
+the pen has come to rest; for *tap*, after it has fallen and bounced.
 
 Pencil and eraser in every loop; all other media at 1 kHz with a delay of one tick.
 
@@ -101,6 +102,19 @@ finds a fault.
 
 Each entry is the worst HF and the worst energy of all cells of that kind, and the number of cells
 that fail.
+
+)";
+
+constexpr const char* kGuides = R"(## Guides of a drawing
+The trial *guide* with each kind of [guide of a drawing](design/forces.md#guides-of-a-drawing), on
+all nine simulated devices (a mouse and a tablet have no force), with the friction that a pencil has
+while such a guide acts. *ruler*: the pen comes from the free side and is pushed beyond the edge.
+*line*: also one of parallels or a leg of a set square. *ellipse*: its narrow end, with a radius of
+5 mm. *perspective*: begins with a click. *ray* and *node*: the pen crosses the well of 0.3 N.
+*teacher*: leads with up to 0.2 N. *ring*: a well of a [ring](design/forces.md#rings), without
+friction; the pen leaves it and comes back. *edge*: the ridge at the [edge of the
+page](design/forces.md#edges), with the whole friction. Paper, pencil, 1 kHz with delays of 0, 1 and
+2 ticks, and 5 kHz with 1 tick.
 
 )";
 
@@ -127,15 +141,21 @@ N between two steps of coarse sensors (touch, falcon), until both were made soft
 std::string stability_report(const std::vector<StabilityCell>& cells,
                              const std::vector<StabilityResult>& results) {
   Table by_device, by_hand, by_loop, by_surface;
+  Table guides_by_device, guides_by_hand, guides_by_loop;
   std::string failing;
   int count = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const StabilityCell& c = cells[i];
     const std::string_view trial = name_of(c.trial);
-    by_device.add(c.device->name, trial, results[i]);
-    by_hand.add(c.hand != nullptr ? c.hand->name : "let go", trial, results[i]);
-    by_loop.add(loop_of(c), trial, results[i]);
-    by_surface.add(std::string(c.surface->id) + ", " + std::string(c.tool->id), trial, results[i]);
+    const bool is_guide = is_guide_of_drawing(c.trial);
+    const std::string_view hand = c.hand != nullptr ? c.hand->name : "let go";
+    (is_guide ? guides_by_device : by_device).add(c.device->name, trial, results[i]);
+    (is_guide ? guides_by_hand : by_hand).add(hand, trial, results[i]);
+    (is_guide ? guides_by_loop : by_loop).add(loop_of(c), trial, results[i]);
+    if (!is_guide) {
+      const std::string tool = std::string(c.surface->id) + ", " + std::string(c.tool->id);
+      by_surface.add(tool, trial, results[i]);
+    }
     if (passes(results[i])) continue;
     ++count;
     failing += name_of(c) + ": " + fixed(results[i].high_frequency_n, 3) + " N, " +
@@ -146,6 +166,8 @@ std::string stability_report(const std::vector<StabilityCell>& cells,
   std::string out = kIntroduction;
   out += by_device.text("device") + by_hand.text("hand") + by_loop.text("loop") +
          by_surface.text("surface, tool");
+  out += kGuides + guides_by_device.text("device") + guides_by_hand.text("hand") +
+         guides_by_loop.text("loop");
   out += "## What fails: " + std::to_string(count) + " of " + std::to_string(cells.size()) + "\n";
   out += kWhatFails;
   out += kListBegin;

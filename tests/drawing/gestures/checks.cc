@@ -64,6 +64,20 @@ Broken check_edit(const Document& before, const Edit& edit) {
     const Layer* layer = before.layer(before.layer_of_fill(change.id));
     if (layer->locked) return name + " is locked";
   }
+  for (const GuideChange& change : edit.guides) {
+    const std::string name = "guide " + std::to_string(change.id.value);
+    if (before.find_guide(change.id) != change.before) return name + " is not what it was";
+    if (!change.after) continue;
+    if (const Result<void> kept = check_drawing_guide(*change.after); !kept) {
+      return name + ": " + kept.error().message;
+    }
+  }
+  for (const SymmetryChange& change : edit.symmetries) {
+    if (!change.after) continue;
+    if (const Result<void> kept = check_symmetry_group(*change.after); !kept) {
+      return kept.error().message;
+    }
+  }
   for (const StrokeChange& change : edit.changes) {
     if (Broken broken = check_change(before, change)) return broken;
   }
@@ -156,7 +170,9 @@ ForceProbe::ForceProbe(const Capabilities& device) : device_(device) {
 
 Force ForceProbe::beside_the_surface(const ForceModel& model, const PenSample& sample) const {
   ForceMemory memory = memory_;
-  memory.begin_tick(memory_.dt_s);
+  // So short that a groove which captures the pen here, and whose force grows with time from zero
+  // (Guide), has no force yet: what begins with time is no jump in space.
+  memory.begin_tick(1e-6);
   (void)model(sample, memory);
   Force sum;
   for (const ForceTerms::Term& term : memory.terms) {

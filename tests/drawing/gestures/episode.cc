@@ -19,6 +19,7 @@ namespace felt::gestures {
 namespace {
 
 constexpr double kChecked = 0.12;  // share of the samples
+constexpr double kMeant = 0.08;  // share of the gestures that the pencil may take for more than ink
 
 const Capabilities& any_device(Dice& dice) {
   static constexpr std::array<std::string_view, 5> kNames{"touch", "premium", "omega", "mouse",
@@ -65,7 +66,8 @@ void add_numbers(std::string& bytes, std::initializer_list<double> numbers) {
 }
 
 bool changes_something(const Edit& edit) {
-  return !edit.layers.empty() || !edit.fills.empty() ||
+  return !edit.layers.empty() || !edit.fills.empty() || !edit.guides.empty() ||
+         !edit.symmetries.empty() || edit.toggles_guides ||
          std::any_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
            return !c.before || !c.after || !(*c.before == *c.after) ||
                   !(c.before_place == c.after_place);
@@ -91,6 +93,19 @@ std::string bytes_of(const Document& document) {
         }
       }
       bytes += '\n';
+    }
+  }
+  for (const auto& [id, guide] : document.guides()) {
+    bytes += "guide " + std::to_string(id.value) + (document.shows_guides() ? " shown" : "");
+    add_numbers(bytes, {guide->origin.x, guide->origin.y, guide->angle_rad, guide->size_mm,
+                        guide->second_mm, static_cast<double>(guide->stroke.value)});
+    for (const Point& p : guide->points) add_numbers(bytes, {p.x, p.y});
+  }
+  for (const auto& [id, group] : document.symmetries()) {
+    bytes += "symmetry " + std::to_string(id.value);
+    add_numbers(bytes, {group->center.x, group->center.y, group->angle_rad});
+    for (const SymmetryImage& image : group->images) {
+      bytes += ' ' + std::to_string(image.stroke.value);
     }
   }
   return bytes;
@@ -207,11 +222,19 @@ Broken Episode::run() {
 
 void Episode::one_gesture(int number) {
   where_ = "gesture " + std::to_string(number);
-  choose_tool();
+  if (dice_.chance(0.5)) choose_offer();  // of the last gesture, before anything else happens
+  const bool is_meant = dice_.chance(kMeant);
+  if (is_meant) {
+    mean_something();
+  } else {
+    choose_tool();
+  }
   where_ += ", " + std::string(session_.tool().info().id);
-  choose_options();
+  if (!is_meant) choose_options();
   between_gestures();
-  const PenGesture gesture = random_gesture(dice_, session_.document(), now_ns_ + 1'000'000);
+  const PenGesture gesture = is_meant
+                                 ? meant_gesture(dice_, session_.document(), now_ns_ + 1'000'000)
+                                 : random_gesture(dice_, session_.document(), now_ns_ + 1'000'000);
   where_ += ", " + std::string(gesture.kind);
   if (options_.trace) std::fprintf(stderr, "%s\n", where_.c_str());
   ++tool_totals().gestures;
@@ -255,6 +278,14 @@ void Episode::between_gestures() {
   if (k < 0.33) return select_or_delete();
   if (k < 0.38) return change_layers();
   if (k < 0.7) return choose_offer();
+}
+
+/// Takes the pencil with all its gestures on.
+void Episode::mean_something() {
+  apply(SelectTool{"pencil"});
+  for (const char* id : {"pencil.scratch_out", "pencil.double_loop", "pencil.shapes"}) {
+    apply(SetOption{id, true});
+  }
 }
 
 /// Chooses one of the meanings of the last stroke, or one that is not offered. Choices replace the

@@ -74,6 +74,7 @@ class Episode {
   void import();
   void select_or_delete();
   void change_layers();
+  void mean_something();
   void choose_offer();
   void back_and_forth();
 

@@ -24,6 +24,8 @@ namespace {
 
 constexpr int kGesturesInEpisode = 20;
 constexpr unsigned kHangsAfterS = 120;
+/// In so many gestures, some are offered as more than ink, and a choice is made.
+constexpr std::uint64_t kGesturesUntilAChoice = 1000;
 
 struct Options {
   std::uint64_t gestures = 2000;
@@ -125,6 +127,10 @@ class Fuzz {
     alarm(0);
     if (failures_ > 0) {
       std::printf("%llu episodes broke a rule\n", static_cast<unsigned long long>(failures_));
+      return 1;
+    }
+    if (options_.gestures >= kGesturesUntilAChoice && !options_.episode && totals_.chosen == 0) {
+      std::printf("broken rule: a stroke is offered as more than ink now and then\n");
       return 1;
     }
     if (const char* tool = idle_tool(totals_)) {

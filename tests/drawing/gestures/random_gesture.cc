@@ -265,6 +265,11 @@ constexpr std::array kKinds{
     Kind{"fast", too_fast},
     Kind{"far", far_off},
 };
+constexpr std::array kMeantKinds{
+    Kind{"to and fro", to_and_fro},
+    Kind{"twice around", twice_around},
+    Kind{"held shape", held_shape},
+};
 
 /// Converts a path into pen samples.
 class Reporter {
@@ -279,6 +284,16 @@ class Reporter {
     is_rough_ = dice.chance(0.15);
     if (dice.chance(0.4)) buttons_ = static_cast<std::uint32_t>(dice.pick(1, 3));
     changes_buttons_ = dice.chance(0.1);
+  }
+
+  /// Makes the pen that of a tablet which reports every 8 ms, with a steady pressure.
+  void make_plain() {
+    period_ns_ = 8'000'000;
+    depth_mm_ = 0.1;
+    swing_ = 0.0;
+    pressure_ = 0.5;
+    buttons_ = 0;
+    is_rough_ = changes_buttons_ = false;
   }
 
   void air(Point at, double z) { report({at.x, at.y, z}, std::nullopt); }
@@ -345,6 +360,17 @@ PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t sta
     for (int k = dice.pick(1, 8); k > 0; --k)
       reporter.air(way.back(), dice.chance(0.9) ? 6.0 : 0.2);
   }
+  return {kind.name, reporter.take()};
+}
+
+PenGesture meant_gesture(Dice& dice, const Document& document, std::int64_t start_ns) {
+  Target target(dice, document);
+  const Kind& kind = dice.any(kMeantKinds);
+  Reporter reporter(dice, start_ns);
+  reporter.make_plain();
+  const Way way = kind.make(dice, target);
+  for (const Point& p : way) reporter.page(p);
+  for (int k = 0; k < 8; ++k) reporter.air(way.back(), 6.0);
   return {kind.name, reporter.take()};
 }
 

@@ -24,4 +24,8 @@ struct PenGesture {
 /// tip.
 PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t start_ns);
 
+/// Returns a gesture that the pencil may take for more than ink: to and fro over a stroke, twice
+/// around one, or a shape after which the pen rests. The pen is that of a tablet, without faults.
+PenGesture meant_gesture(Dice& dice, const Document& document, std::int64_t start_ns);
+
 }  // namespace felt::gestures

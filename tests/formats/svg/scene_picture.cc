@@ -34,6 +34,7 @@ class Collector final : public SvgSceneSink {
     notice(image.line_number, "image", "is not drawn by this test");
   }
   void paper(Rgba color) override { scene_.paper = color; }
+  void end() override {}
   void notice(std::int64_t line, std::string element, std::string what) override {
     scene_.notices.push_back("line " + std::to_string(line) + ": " + element + " " + what);
   }

@@ -28,8 +28,11 @@ constexpr double kFeltN = 0.08;
 constexpr double kStrongN = 0.3, kGoneShare = 0.25, kForgetNPerS = 1.0;
 
 constexpr std::array kProbesDeg{90.0, -90.0, 45.0, -45.0, 135.0, -135.0};
+/// If no end was heard, the directions of the next round lie between those of the last one.
+constexpr std::array kRoundsDeg{0.0, -22.5, 22.5};
 constexpr double kProbeSpeed = 14.0, kBackSpeed = 30.0;  // mm/s
 constexpr double kProbeMm = 8.0, kProbeHeldN = 0.28, kProbeFeltN = 0.06;
+constexpr double kHeardS = 0.25;      // a reaction to sound, and some patience
 constexpr double kFeelAgainS = 0.25;  // until the felt force is that of the new position
 
 Person without_eyes(Person person) {
@@ -60,7 +63,8 @@ BlindHand::BlindHand(const StylusPreset& preset, const Person& person, Point sta
       plans_(delayed_.size() + static_cast<std::size_t>(std::lround(kFeelBlurS / tick_s_)), start),
       plan_(start),
       turn_rad_(heading_rad),
-      felt_at_(start) {
+      felt_at_(start),
+      heard_at_(start) {
   press();
 }
 
@@ -134,6 +138,9 @@ void BlindHand::follow() noexcept {
   if (held_back_s_ > kHeldBackS) {
     return start_probing(plan_ + force / (kMPerMm * hand_.person().arm_n_per_m));
   }
+  off_line_s_ = hears_line_ ? 0.0 : off_line_s_ + tick_s_;
+  if (hears_line_) heard_at_ = plans_[tick_ % plans_.size()];
+  if (off_line_s_ > kHeardS) return start_probing(heard_at_);
   const bool has_slipped = strongest_n_ > kStrongN && all < kGoneShare * strongest_n_;
   if (has_slipped || nothing_s_ > kNothingS) start_probing(felt_at_);
 }
@@ -141,8 +148,8 @@ void BlindHand::follow() noexcept {
 void BlindHand::start_probing(Point from) noexcept {
   anchor_ = from;
   first_rad_ = turn_rad_;
-  probe_ = 0;
-  waited_s_ = held_back_s_ = nothing_s_ = strongest_n_ = 0.0;
+  probe_ = round_ = 0;
+  waited_s_ = held_back_s_ = nothing_s_ = strongest_n_ = off_line_s_ = 0.0;
   state_ = State::kReturn;
 }
 
@@ -155,12 +162,16 @@ void BlindHand::go_back() noexcept {
   waited_s_ += tick_s_;
   if (waited_s_ < kFeelAgainS) return;
   if (probe_ == kProbesDeg.size()) {
+    probe_ = 0;
+    ++round_;
+  }
+  if (round_ == kRoundsDeg.size() || (round_ > 0 && hears_end_)) {
     state_ = State::kDone;
     return;
   }
   // First to the side from which the last force came.
   const double side = side_ < 0.0 ? -1.0 : 1.0;
-  turn_rad_ = first_rad_ + side * radians(kProbesDeg[probe_]);
+  turn_rad_ = first_rad_ + side * radians(kProbesDeg[probe_] + kRoundsDeg[round_]);
   probed_mm_ = held_back_s_ = aside_n_ = weave_s_ = 0.0;
   state_ = State::kProbe;
 }
@@ -177,7 +188,7 @@ void BlindHand::probe() noexcept {
   if (probed_mm_ > 0.5 * kProbeMm) aside_n_ = std::max(aside_n_, std::abs(dot(force, across)));
   const bool is_held_back = held_back_s_ > 0.5 * kHeldBackS;
   if (!is_held_back && probed_mm_ < kProbeMm) return;
-  if (is_held_back || aside_n_ < kProbeFeltN) {
+  if (is_held_back || aside_n_ < kProbeFeltN || !hears_line_) {
     ++probe_;
     waited_s_ = 0.0;
     state_ = State::kReturn;

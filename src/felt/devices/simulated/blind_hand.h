@@ -18,11 +18,16 @@ namespace felt {
 /// the pen on it. All that reaches the plan is the force on the pen, late, blurred and with noise,
 /// and the person's own plan.
 ///
+/// Besides the hand, the person may have ears: the tone of the tool is steady while the pen is on a
+/// line, and the tool says when it is at an end (hear()). Who hears that the tone is not steady any
+/// more goes back to where it was; who has heard no end does not believe in one.
+///
 /// The plan moves along a heading. A force from the side turns the heading and shifts the plan, and
 /// any force slows it. A small weave from side to side shows whether there is a line at all. If the
 /// pen is held back, if a strong force ends suddenly, or if nothing is felt for a while, the person
 /// goes back and probes to both sides, then obliquely, and goes on where a line is felt from the
-/// side and the pen is not held back. If there is none in any direction, the line ends.
+/// side and the pen is not held back. If there is none in any direction, the line ends. A
+/// person who has not heard an end probes again, in the directions between.
 ///
 ///   BlindHand hand(preset, person, start, heading_rad);
 ///   Servo servo(hand.device(), options);
@@ -35,6 +40,11 @@ class BlindHand {
   BlindHand(const StylusPreset& preset, const Person& person, Point start, double heading_rad);
 
   [[nodiscard]] FeedbackHand& device() noexcept { return hand_; }
+  /// Tells the person what the tool sounds like now. Without a call, the person hears nothing.
+  void hear(bool is_on_line, bool is_at_end) noexcept {
+    hears_line_ = is_on_line;
+    hears_end_ = is_at_end;
+  }
   /// Plans the next tick. Call it before each read() of the device.
   void step() noexcept;
   /// Returns true once the person believes that the line ends at the pen.
@@ -65,12 +75,15 @@ class BlindHand {
   double turn_rad_;       // heading
   double weave_s_ = 0.0;  // time since the weave began
   double held_back_s_ = 0.0, nothing_s_ = 0.0;
-  double strongest_n_ = 0.0;  // of the last moments
-  double side_ = 0.0;         // on which side the force was last felt
-  Point felt_at_{};           // the plan when a line was last felt
-  Point anchor_{};            // from where the person probes
-  double first_rad_ = 0.0;    // heading before probing
-  std::size_t probe_ = 0;
+  double strongest_n_ = 0.0;                   // of the last moments
+  double side_ = 0.0;                          // on which side the force was last felt
+  Point felt_at_{};                            // the plan when a line was last felt
+  Point anchor_{};                             // from where the person probes
+  double first_rad_ = 0.0;                     // heading before probing
+  std::size_t probe_ = 0, round_ = 0;          // of probes
+  bool hears_line_ = true, hears_end_ = true;  // without ears, only the hand counts
+  double off_line_s_ = 0.0;                    // since the tone was steady
+  Point heard_at_{};                           // the plan when it was
   double probed_mm_ = 0.0, aside_n_ = 0.0;
   double waited_s_ = 0.0;
 };

@@ -135,6 +135,14 @@ Person person_of(std::uint64_t seed) {
   return person;
 }
 
+Person led_by_a_guide(Person person, double gives_way) noexcept {
+  const double share = 1.0 - std::clamp(gives_way, 0.0, 1.0);
+  person.arm_n_per_m *= share;
+  person.reflex_n_per_m *= share;
+  person.load_share = 0.0;
+  return person;
+}
+
 std::vector<Person> population(std::size_t count, std::uint64_t seed) {
   std::vector<Person> people;
   Random random(seed);

@@ -49,6 +49,11 @@ struct Person {
 /// Returns a person drawn from the distributions of the population. The same seed gives the same
 /// person.
 Person person_of(std::uint64_t seed);
+/// Returns the same person while a guide leads the pen: this person does not compensate for the
+/// guide's force as for a load, and gives up a share of the stiffness of arm and reflex. That
+/// people can resist, relax or give way, and that this changes how far a force moves them, was
+/// measured at a pedal (Abbink and others, IEEE SMC-B 41(5), 2011); the share is an estimate.
+Person led_by_a_guide(Person person, double gives_way = 0.5) noexcept;
 /// Returns `count` different persons.
 std::vector<Person> population(std::size_t count, std::uint64_t seed = 1);
 

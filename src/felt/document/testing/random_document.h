@@ -8,6 +8,7 @@
 
 #include "felt/document/document.h"
 #include "felt/document/testing/random_fills.h"
+#include "felt/document/testing/random_guides.h"
 #include "felt/document/testing/small_picture.h"
 #include "felt/stroke/testing/random_stroke.h"
 
@@ -15,10 +16,12 @@ namespace felt::testing {
 
 /// Makes random edits that fit a document, for property tests: strokes are added, removed, replaced
 /// and moved between layers, and so are fills; layers are added, removed, renamed, moved and
-/// grouped. The same seed gives the same edits.
+/// grouped; guides and symmetry groups are added, replaced and removed. The same seed gives the
+/// same edits.
 class RandomEdits {
  public:
-  explicit RandomEdits(std::uint64_t seed) : seed_(seed), random_(seed), fills_(~seed) {}
+  explicit RandomEdits(std::uint64_t seed)
+      : seed_(seed), random_(seed), fills_(~seed), guides_(seed + 77) {}
 
   Edit next(const Document& document) {
     read(document);
@@ -39,6 +42,8 @@ class RandomEdits {
     std::vector<LayerId> layers;
     for (const auto& layer : layers_) layers.push_back(layer.first);
     fills_.add_changes(document, layers, document.new_fill_id(made_), edit);
+    constexpr std::uint64_t kFills = 2;  // that add_changes() may add
+    guides_.add_changes(document, document.new_guide_id(made_ + kFills).value, edit);
     return edit;
   }
 
@@ -194,6 +199,7 @@ class RandomEdits {
   std::uint64_t seed_;
   RandomStroke random_;
   RandomFills fills_;
+  RandomGuides guides_;
   std::uint64_t count_ = 0, strokes_ = 0, made_ = 0, made_groups_ = 0;
   Orders orders_;
   Layers layers_;

@@ -12,6 +12,11 @@
 
 namespace felt {
 
+/// How stiff a guide of a drawing is across its path.
+struct GuideSpring {
+  double n_per_m = 600.0, damping_n_s_per_m = 3.0;
+};
+
 /// The force of a guide as a function of the distance D from its path
 /// (docs/design/forces.md#guides): the same function as that of a snap target.
 struct GuideLaw {
@@ -25,6 +30,12 @@ struct GuideLaw {
   double window_mm = 9.5;  ///< how far along the path points count, from the position of the pen
   double lead_n = 0.0;     ///< largest force along the path, towards its end
   double lead_n_s_per_m = 0.0;  ///< that force divided by how much too slow the pen is
+  double rise_s = 0.15;         ///< time in which the force grows from zero
+  /// If true, the path is an edge: from kEdgeMm before it on, it pushes to GuidePiece::free_side.
+  bool is_edge = false;
+  static constexpr double kEdgeMm = 0.25;
+  /// A click: a brake against the movement, N, for 30 ms when the guide begins to hold the pen.
+  double click_n = 0.0;
 
   /// Returns the law of a groove: 300 N/m, at most 0.8 N, capture width 3 mm. `strength`, 0 to 1,
   /// multiplies all forces.
@@ -33,13 +44,20 @@ struct GuideLaw {
   static GuideLaw error_amplifying(double strength) noexcept;
   /// Returns the law of a groove that also leads the pen along the path, with at most 0.2 N.
   static GuideLaw teacher(double strength) noexcept;
+  /// Returns the law of a guide of a drawing: a stiffer groove with the same force and width.
+  static GuideLaw line(double strength, const GuideSpring& spring = {}) noexcept;
+  /// Returns the law of a node of a grid or a ray of a protractor: 300 N/m, at most 0.3 N, smaller
+  /// in proportion if `radius_mm` is less than kTickMm.
+  static GuideLaw tick(double strength, double radius_mm) noexcept;
+  static constexpr double kTickMm = 2.0, kTickN = 0.3;
 
   /// Returns the energy, mJ, that the force takes from the hand when the pen moves from the path to
   /// a distance from it; negative if the force pushes away.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
 };
 
-/// The piece of a path near the pen: points at equal distances along the path.
+/// The piece of a path near the pen: points at equal distances along the path. A piece of one point
+/// attracts the pen from all sides.
 struct GuidePiece {
   static constexpr std::size_t kPoints = 40;
   static constexpr double kSpacingMm = 0.5;
@@ -50,6 +68,8 @@ struct GuidePiece {
   double spacing_mm = kSpacingMm;
   double at_mm = 0.0;  ///< position of the pen along the path, from points[0]
   double gain = 1.0;   ///< 0..1, multiplies all forces; must change slowly
+  /// For an edge: 1 if the side without force is that of perp() of the path's direction, else -1.
+  double free_side = 1.0;
   /// Changes when the piece belongs to another part of the path than before, or to another path.
   /// Then the force starts again from zero.
   std::uint32_t hold = 0;
@@ -70,16 +90,18 @@ struct GuidePiece {
 /// moves.
 ///
 /// The force begins when the pen touches within the capture width, and grows from zero within 150
-/// ms. When the pen has left the guide (D > radius), there is no force until the pen is back within
-/// the capture width; then the force grows from zero again. So a guide never pulls suddenly, and
-/// leaving it costs more energy than coming back returns. A force that points away acts without
-/// this rule, because otherwise coming back would cost nothing, and a loop would gain energy.
+/// ms (GuideLaw::rise_s). If the pen leaves the guide (D > radius), the force ends. It grows from
+/// zero again when the pen returns to the capture width. So a guide never pulls suddenly, and
+/// leaving it costs more energy than returning gives. A force that points away acts without this
+/// rule, because otherwise coming back would cost nothing, and a loop would gain energy.
+///
+/// An edge acts only on a pen that has been on its free side during this touch, and again after it
+/// was left. D counts from GuideLaw::kEdgeMm before the path, and F points to the free side.
 ///
 /// The force of a teacher along the path, lead_n_s_per_m (v_teacher - v_pen), is never negative: a
 /// pen that is faster than the teacher is not braked.
 class Guide {
  public:
-  static constexpr double kRiseS = 0.15;  ///< time in which the force grows from zero
   static constexpr double kFallS = 0.03;  ///< time in which it ends after the pen is lifted
 
   Guide(const GuideLaw& law, const GuidePiece& piece) noexcept : law_(law), piece_(piece) {}
@@ -93,13 +115,18 @@ class Guide {
   /// Returns D at a point of the page, mm; infinity without a piece.
   [[nodiscard]] double distance_mm(Point pen) const noexcept;
 
+  /// Returns the point q of the path, and the largest force on a pen at rest, N, for a point of the
+  /// page; that point itself and 0 without a piece.
+  [[nodiscard]] Point nearest(Point pen) const noexcept;
+  [[nodiscard]] double pull_n(Point pen) const noexcept;
+
   [[nodiscard]] const GuideLaw& law() const noexcept { return law_; }
   [[nodiscard]] const GuidePiece& piece() const noexcept { return piece_; }
 
  private:
   /// The path as seen from the pen.
   struct Near {
-    double distance_mm;           // D
+    double distance_mm = 0.0;     // D
     Vec offset{};                 // pen - q
     Vec along{};                  // mean direction of the path; shorter than 1 in corners
     double speed_mm_per_s = 0.0;  // of the teacher
@@ -107,7 +134,10 @@ class Guide {
 
   [[nodiscard]] Near near(Point pen) const noexcept;
   [[nodiscard]] double window(std::size_t i) const noexcept;
-  [[nodiscard]] double held_share(bool is_down, double distance_mm,
+  [[nodiscard]] double reach_mm(const Near& near) const noexcept;
+  [[nodiscard]] Vec edge_n(const Near& near, Vec velocity, double share) const noexcept;
+  [[nodiscard]] Vec click_n(Vec velocity, double share) const noexcept;
+  [[nodiscard]] double held_share(bool is_down, double reach_mm,
                                   ForceMemory& memory) const noexcept;
   [[nodiscard]] Vec across_n(const Near& near, Vec velocity, double share) const noexcept;
   [[nodiscard]] Vec lead_n(const Near& near, Vec velocity) const noexcept;

@@ -231,6 +231,44 @@ TEST(Guide, ATeacherLeadsButNeverBrakes) {
   EXPECT_EQ(force_at(guide, {0.0, 5.1}).x, 0.0);
 }
 
+TEST(Guide, AnEdgePushesToItsFreeSideOnly) {
+  GuideLaw law = GuideLaw::line(1.0);
+  law.is_edge = true;
+  GuidePiece piece = straight();
+  for (const double side : {1.0, -1.0}) {
+    piece.free_side = side;
+    const Guide guide(law, piece);
+    EXPECT_EQ(force_at(guide, {0.0, 0.3 * side}), Force{});
+    EXPECT_EQ(force_at(guide, {0.0, 30.0 * side}), Force{});
+    EXPECT_NEAR(force_at(guide, {0.0, 0.0}).y, side * 0.15, 1e-6);
+    EXPECT_NEAR(force_at(guide, {0.0, -0.5 * side}).y, side * 0.45, 1e-6);
+    EXPECT_NEAR(force_at(guide, {0.2, -2.0 * side}).y, side * 0.8, 1e-6);
+    EXPECT_EQ(force_at(guide, {0.0, -4.8 * side}), Force{});
+    // A pen that comes from the other side is free until it has been on the free side.
+    ForceMemory memory;
+    EXPECT_EQ(guide(rig::pen_at({0.0, -1.0 * side, -1.0}), memory), Force{});
+    for (int i = 0; i < 200; ++i) guide(rig::pen_at({0.0, side, -1.0}), memory);
+    EXPECT_NEAR(guide(rig::pen_at({0.0, -0.5 * side, -1.0}), memory).y, side * 0.45, 1e-6);
+  }
+}
+
+TEST(Guide, APieceOfOnePointPullsFromAllSides) {
+  GuidePiece piece;
+  piece.points[0] = {1.0, 2.0};
+  piece.count = 1;
+  piece.hold = 1;
+  const Guide guide(GuideLaw::tick(1.0, 2.0), piece);
+  for (double angle = 0.0; angle < kTau; angle += 0.1) {
+    const Vec out{std::cos(angle), std::sin(angle)};
+    const Force force = force_at(guide, Point{1.0, 2.0} + 0.5 * out);
+    EXPECT_NEAR(force.x, -0.15 * out.x, 1e-9);
+    EXPECT_NEAR(force.y, -0.15 * out.y, 1e-9);
+    EXPECT_EQ(force_at(guide, Point{1.0, 2.0} + 2.0 * out), Force{});
+  }
+  EXPECT_NEAR(force_at(guide, {1.0, 2.0}, {106.0, 0.0, 0.0}).x, -0.1, 1e-9);
+  EXPECT_LT(GuideLaw::tick(1.0, 0.5).well.force_n, 0.1) << "small wells are weak";
+}
+
 TEST(Guide, ObeysTheStiffnessBudget) {
   const Guide guide(GuideLaw::groove(1.0), straight());
   EXPECT_NEAR(guide.slopes().lateral_n_per_m, 300.0, 1e-9);

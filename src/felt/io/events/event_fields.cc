@@ -395,6 +395,47 @@ constexpr std::array kGuideFields = {
     EventField{"times_ms", false, parse_guide_times},
 };
 
+constexpr std::array kGuidesFields = {
+    kEvent,
+    kTime,
+    EventField{
+        "do", true,
+        [](Value& v, EventFields& e) { return parse_word(v, "do", kGuidesWords, e.guides.what); }},
+    EventField{"id", false, parse_layer},
+    EventField{"kind", false, parse_guide_kind},
+    EventField{"x", false,
+               [](Value& v, EventFields& e) { return parse_axis<&Vec3::x>(v, "x", e); }},
+    EventField{"y", false,
+               [](Value& v, EventFields& e) { return parse_axis<&Vec3::y>(v, "y", e); }},
+    EventField{"angle_rad", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "angle_rad", kCoordinateLimit, e.guides.guide.angle_rad);
+               }},
+    EventField{"size_mm", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "size_mm", kCoordinateLimit, e.guides.guide.size_mm);
+               }},
+    EventField{"second_mm", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "second_mm", kCoordinateLimit, e.guides.guide.second_mm);
+               }},
+    EventField{"step_rad", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "step_rad", kCoordinateLimit, e.guides.guide.step_rad);
+               }},
+    EventField{"axes", false, parse_guide_axes},
+    EventField{"stroke", false, parse_guide_stroke},
+    EventField{"points", false, parse_guide_points},
+    EventField{"times_ms", false, parse_guide_times},
+    EventField{"strength", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "strength", kCoordinateLimit, e.guides.guide.strength);
+               }},
+};
+
+constexpr std::array kEdgesFields = {kEvent, kTime, EventField{"page", false, parse_edges_page},
+                                     EventField{"selection", false, parse_edges_selection}};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -409,6 +450,7 @@ constexpr NamedEvent kEvents[] = {
     {"redo", EventName::kRedo, kPlainFields},
     {"cancel", EventName::kCancel, kPlainFields},
     {"as-drawn", EventName::kAsDrawn, kPlainFields},
+    {"exact", EventName::kExact, kPlainFields},
     {"import", EventName::kImport, kImportFields},
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},
@@ -422,6 +464,8 @@ constexpr NamedEvent kEvents[] = {
     {"material", EventName::kMaterial, kMaterialFields},
     {"guide", EventName::kGuide, kGuideFields},
     {"choose", EventName::kChoose, kChooseFields},
+    {"guides", EventName::kGuides, kGuidesFields},
+    {"edges", EventName::kEdges, kEdgesFields},
 };
 
 }  // namespace

@@ -47,6 +47,9 @@ struct EventFields {
   std::vector<LayerId> layers;
   GuideLine guide;
   OfferKind offer{};
+  GuidesEvent guides;
+  bool has_kind = false;  ///< of guides
+  UseEdges edges;
 };
 
 /// The kinds of events, by their name in the file.
@@ -59,6 +62,7 @@ enum class EventName {
   kRedo,
   kCancel,
   kAsDrawn,
+  kExact,
   kImport,
   kSelect,
   kDelete,
@@ -71,7 +75,9 @@ enum class EventName {
   kDevice,
   kMaterial,
   kGuide,
-  kChoose
+  kChoose,
+  kGuides,
+  kEdges
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

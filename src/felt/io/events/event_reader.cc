@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "felt/io/events/event_fields.h"
+#include "felt/io/events/guide_fields.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 
 namespace felt {
@@ -57,6 +58,8 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return CancelEvent{};
     case EventName::kAsDrawn:
       return AsDrawnEvent{};
+    case EventName::kExact:
+      return ExactEvent{};
     case EventName::kImport:
       return ImportEvent{std::move(fields.path), fields.select};
     case EventName::kSelect:
@@ -81,8 +84,12 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return UseDevice{fields.device, fields.defaults};
     case EventName::kMaterial:
       return UseMaterial{std::move(fields.text)};
+    case EventName::kGuides:
+      return std::move(fields.guides);
     case EventName::kGuide:
       return UseGuide{std::move(fields.guide)};
+    case EventName::kEdges:
+      return fields.edges;
     case EventName::kChoose:
       break;
   }
@@ -182,6 +189,11 @@ struct EventReader::State {
     if (read) read = check_pose(name, values);
     if (read) read = check_layer(name, values);
     if (read && name == EventName::kGuide) read = check_guide(values.guide);
+    if (read && name == EventName::kGuides) {
+      Result<GuidesEvent> guides = guides_event(std::move(values));
+      if (guides) values.guides = *std::move(guides);
+      if (!guides) return tl::unexpected(guides.error());
+    }
     if (!read) return tl::unexpected(read.error());
     if (values.time_ns < last_ns) {
       return json::bad("t_ms: " + milliseconds_text(values.time_ns) + " is before " +

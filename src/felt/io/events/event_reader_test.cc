@@ -63,6 +63,7 @@ TEST(EventReader, ReadsEveryKind) {
   EXPECT_EQ(event_of(R"({"event":"undo","t_ms":3})"), (Event{3'000'000, UndoEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"redo","t_ms":3})"), (Event{3'000'000, RedoEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"cancel","t_ms":3})"), (Event{3'000'000, CancelEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"exact","t_ms":3})"), (Event{3'000'000, ExactEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"import","path":"a/b.ndjson","t_ms":3})"),
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
   EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
@@ -163,7 +164,26 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   }
 }
 
+TEST(EventReader, ReadsEdges) {
+  EXPECT_EQ(event_of(R"({"event":"edges","t_ms":0})"), (Event{0, UseEdges{}}));
+  EXPECT_EQ(event_of(R"({"event":"edges","page":[0,-1,210,297.5],"selection":true,"t_ms":0})"),
+            (Event{0, UseEdges{{0, -1, 210, 297.5}, true}}));
+  const auto error = [](const std::string& keys) {
+    return error_of(R"({"event":"edges","t_ms":0,)" + keys + "}");
+  };
+  EXPECT_EQ(error(R"("page":[0,0,210])"), "page: has fewer than four numbers");
+  EXPECT_EQ(error(R"("page":[0,0,-1,5])"), "page: is not a rectangle");
+  EXPECT_NE(error(R"("page":[0,0,1,5,7])").find("only four numbers"), std::string::npos);
+  EXPECT_EQ(error(R"("selection":1)"), "selection: 1 is not true or false");
+}
+
 TEST(EventReader, ReadsGuides) {
+  const DrawingGuide ruler{DrawingGuideKind::kRuler, {20, 30.5}, 0.25};
+  EXPECT_EQ(event_of(R"({"event":"guides","do":"add","kind":"ruler","x":20,"y":30.5,)"
+                     R"("angle_rad":0.25,"t_ms":0})"),
+            (Event{0, GuidesEvent{GuidesEvent::Do::kAdd, {}, ruler}}));
+  EXPECT_EQ(event_of(R"({"event":"guides","do":"remove","id":7,"kind":"ruler","t_ms":0})"),
+            (Event{0, GuidesEvent{GuidesEvent::Do::kRemove, {7}}}));
   EXPECT_EQ(event_of(R"({"event":"guide","kind":"none","t_ms":0})"), (Event{0, UseGuide{}}));
   EXPECT_EQ(event_of(R"({"event":"choose","what":"delete","t_ms":0})"),
             (Event{0, ChooseOffer{OfferKind::kDelete}}));
@@ -246,10 +266,11 @@ TEST(EventReader, PressureIsClampedToItsRange) {
 }
 
 TEST(EventReader, NamesTheKeyAndTheReason) {
-  EXPECT_EQ(error_of(R"({"event":"fly","t_ms":0})"),
-            "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
-            "import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-            "material, guide, choose");
+  EXPECT_EQ(
+      error_of(R"({"event":"fly","t_ms":0})"),
+      "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
+      "exact, import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
+      "material, guide, choose, guides, edges");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

@@ -22,6 +22,9 @@ inline constexpr std::array<std::string_view, 20> kLayerWords = {
 inline constexpr std::array<std::string_view, 5> kGuideWords = {"none", "groove", "as-needed",
                                                                 "error-amplifying", "teacher"};
 
+inline constexpr std::array<std::string_view, 7> kGuidesWords = {
+    "add", "change", "remove", "clear", "show", "hide", "unlink"};
+
 constexpr std::string_view word_of(SelectStrokes::What what) {
   return kSelectionWords[static_cast<std::size_t>(what)];
 }
@@ -38,6 +41,11 @@ constexpr std::string_view word_of(GuideKind kind) {
   return kGuideWords[static_cast<std::size_t>(kind)];
 }
 
+constexpr std::string_view word_of(GuidesEvent::Do what) {
+  return kGuidesWords[static_cast<std::size_t>(what)];
+}
+
+static_assert(word_of(GuidesEvent::Do::kUnlink) == "unlink");
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
 static_assert(word_of(OrderEvent::To::kBack) == "back");
 static_assert(word_of(LayerEvent::Do::kUngroup) == "ungroup");

@@ -28,6 +28,42 @@ void add_matrix(JsonObject& out, const Affine& m) {
   out.add_raw("matrix", json_array(numbers));
 }
 
+void add_points(JsonObject& out, const std::vector<Point>& points) {
+  if (points.empty()) return;
+  std::vector<std::string> texts;
+  for (const Point p : points) {
+    texts.push_back(json_array({json_number(p.x), json_number(p.y)}));
+  }
+  out.add_raw("points", json_array(texts));
+}
+
+void add_times(JsonObject& out, const std::vector<double>& times_ms) {
+  if (times_ms.empty()) return;
+  std::vector<std::string> texts;
+  for (const double ms : times_ms) texts.push_back(json_number(ms));
+  out.add_raw("times_ms", json_array(texts));
+}
+
+/// Adds a guide of the drawing. Leaves out values that a guide has without them.
+void add_guide(JsonObject& out, const DrawingGuide& guide) {
+  const DrawingGuide plain;
+  const auto add = [&](std::string_view key, double value, double usual) {
+    if (value != usual) out.add_number(key, value);
+  };
+  out.add_text("kind", guide_kind_name(guide.kind));
+  out.add_number("x", guide.origin.x);
+  out.add_number("y", guide.origin.y);
+  add("angle_rad", guide.angle_rad, plain.angle_rad);
+  add("size_mm", guide.size_mm, plain.size_mm);
+  add("second_mm", guide.second_mm, plain.second_mm);
+  add("step_rad", guide.step_rad, plain.step_rad);
+  add("axes", guide.axes, plain.axes);
+  if (guide.stroke) out.add_raw("stroke", std::to_string(guide.stroke.value));
+  add_points(out, guide.points);
+  add_times(out, guide.times_ms);
+  add("strength", guide.strength, plain.strength);
+}
+
 /// Adds the kind of an event and its own keys.
 struct AddWhat {
   JsonObject& out;
@@ -54,6 +90,7 @@ struct AddWhat {
   void operator()(const UndoEvent&) const { kind("undo"); }
   void operator()(const RedoEvent&) const { kind("redo"); }
   void operator()(const CancelEvent&) const { kind("cancel"); }
+  void operator()(const ExactEvent&) const { kind("exact"); }
   void operator()(const ImportEvent& e) const {
     kind("import");
     out.add_text("path", e.path);
@@ -129,20 +166,29 @@ struct AddWhat {
     const GuideLine& line = e.line;
     kind("guide");
     out.add_text("kind", json::word_of(line.kind));
-    if (!line.points.empty()) {
-      std::vector<std::string> points;
-      for (const Point p : line.points) {
-        points.push_back(json_array({json_number(p.x), json_number(p.y)}));
-      }
-      out.add_raw("points", json_array(points));
-    }
+    add_points(out, line.points);
     if (line.is_closed) out.add_bool("closed", true);
     if (line.strength != 1.0) out.add_number("strength", line.strength);
-    if (!line.times_ms.empty()) {
-      std::vector<std::string> times;
-      for (const double ms : line.times_ms) times.push_back(json_number(ms));
-      out.add_raw("times_ms", json_array(times));
+    add_times(out, line.times_ms);
+  }
+  void operator()(const GuidesEvent& e) const {
+    kind("guides");
+    out.add_text("do", json::word_of(e.what));
+    if (e.id) out.add_raw("id", std::to_string(e.id.value));
+    if (e.what == GuidesEvent::Do::kAdd || e.what == GuidesEvent::Do::kChange) {
+      add_guide(out, e.guide);
     }
+  }
+  void operator()(const UseEdges& e) const {
+    kind("edges");
+    if (!e.page.empty()) {
+      std::vector<std::string> numbers;
+      for (const double mm : {e.page.x0, e.page.y0, e.page.x1, e.page.y1}) {
+        numbers.push_back(json_number(mm));
+      }
+      out.add_raw("page", json_array(numbers));
+    }
+    if (e.selection) out.add_bool("selection", true);
   }
   void operator()(const ChooseOffer& e) const {
     kind("choose");

@@ -1,4 +1,5 @@
 #include "felt/io/events/event_writer.h"
+#include "felt/document/testing/random_guides.h"
 #include "felt/document/testing/small_picture.h"
 
 #include <gtest/gtest.h>
@@ -39,6 +40,10 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, UndoEvent{}}), "{\"t_ms\":0,\"event\":\"undo\"}\n");
   EXPECT_EQ(line_of({0, RedoEvent{}}), "{\"t_ms\":0,\"event\":\"redo\"}\n");
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
+  EXPECT_EQ(line_of({0, UseEdges{}}), "{\"t_ms\":0,\"event\":\"edges\"}\n");
+  EXPECT_EQ(line_of({0, UseEdges{{0, 1, 2.5, 3}, true}}),
+            "{\"t_ms\":0,\"event\":\"edges\",\"page\":[0,1,2.5,3],\"selection\":true}\n");
+  EXPECT_EQ(line_of({0, ExactEvent{}}), "{\"t_ms\":0,\"event\":\"exact\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg", true}}),
@@ -180,9 +185,22 @@ GuideLine any_guide() {
   return line;
 }
 
+GuidesEvent any_guides_event() {
+  using Do = GuidesEvent::Do;
+  testing::RandomStroke random(*rc::gen::arbitrary<std::uint64_t>());
+  GuidesEvent event{static_cast<Do>(*rc::gen::inRange(0, 7))};
+  if (event.what == Do::kChange || event.what == Do::kRemove) {
+    event.id = {*rc::gen::inRange<std::uint64_t>(1, 1ULL << 53)};
+  }
+  if (event.what == Do::kAdd || event.what == Do::kChange) {
+    event.guide = testing::random_guide(random);
+  }
+  return event;
+}
+
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 18)) {
+  switch (*rc::gen::inRange(0, 20)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -232,6 +250,13 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 16:
       event.what = ChooseOffer{static_cast<OfferKind>(*rc::gen::inRange(0, 10))};
+      break;
+    case 17:
+      event.what = any_guides_event();
+      break;
+    case 18:
+      event.what =
+          UseEdges{{0.1, -7.0, *rc::gen::inRange(1, 900) * 0.7, 8.5}, *rc::gen::arbitrary<bool>()};
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};

@@ -26,7 +26,7 @@ const char* pdf_name_of(BlendMode mode) noexcept {
 /// Appends a value with four decimals, without trailing zeros, and a space.
 void append_pdf_number(std::string& out, double value) {
   constexpr double kPlaces = 1e4;
-  std::array<char, 40> text;
+  std::array<char, 40> text{};
   const double rounded = std::round(value * kPlaces) / kPlaces;
   out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(),
                                         rounded == 0.0 ? 0.0 : rounded, std::chars_format::fixed)
@@ -97,7 +97,7 @@ std::string pdf_page_object(const Rect& area, const PdfResources& resources) {
   // With this group, transparent colours are blended in the device's RGB space. It is close to
   // sRGB, in which Feltline blends everywhere else.
   return out + "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> /Resources " +
-         resources.text() + " >>";
+         std::to_string(resources.object()) + " 0 R >>";
 }
 
 std::string pdf_form_object(const Rect& area, const PdfForm& form, const PdfResources& resources) {
@@ -107,8 +107,8 @@ std::string pdf_form_object(const Rect& area, const PdfForm& form, const PdfReso
     append_pdf_number(out, kPdfStepsPerMm * v);
   }
   return out + "] /Group << /S /Transparency /CS /DeviceRGB /I true >> /Resources " +
-         resources.text() + " /Filter /FlateDecode /Length " + std::to_string(packed.size()) +
-         " >>\nstream\n" + packed + "\nendstream";
+         std::to_string(resources.object()) + " 0 R /Filter /FlateDecode /Length " +
+         std::to_string(packed.size()) + " >>\nstream\n" + packed + "\nendstream";
 }
 
 }  // namespace felt

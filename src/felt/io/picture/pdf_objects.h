@@ -55,7 +55,9 @@ struct PdfForm {
   BlendMode blend = BlendMode::kNormal;
 };
 
-/// The named objects that the page and the forms use.
+/// The named objects that the page and the forms use. They are one object, to which all of these
+/// refer: written into each form, they would make the file grow with the square of the number of
+/// layers.
 struct PdfResources {
   const std::set<std::uint8_t>& alphas;
   const PdfPictures& pictures;
@@ -64,6 +66,8 @@ struct PdfResources {
 
   /// Returns the number of the object of a form, which follow those of the masks.
   [[nodiscard]] std::size_t object_of_form(std::size_t number) const;
+  /// Returns the number of the object with the resources, which follows the forms.
+  [[nodiscard]] std::size_t object() const { return object_of_form(forms.size() + 1); }
   [[nodiscard]] std::string text() const;
 };
 

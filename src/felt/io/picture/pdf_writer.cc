@@ -165,8 +165,8 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
 }
 
 /// Makes a PDF file. The objects for the catalogue (1), the pages (2) and the packed content of the
-/// page (4) come first. The length of the content (5), the page (3), the pictures, the masks and
-/// the forms follow when they are known.
+/// page (4) come first. The length of the content (5), the page (3), the pictures, the masks, the
+/// forms and their resources follow when they are known.
 class PdfParts final : public DrawingParts {
  public:
   PdfParts(const Document& document, const PdfOptions& options, const Rect& area,
@@ -238,6 +238,7 @@ class PdfParts final : public DrawingParts {
     for (std::size_t k = 0; k < forms_.size(); ++k) {
       object(resources.object_of_form(k + 1), pdf_form_object(area_, forms_[k], resources));
     }
+    object(resources.object(), resources.text());
     append_table(out, places);
     return out;
   }

@@ -154,6 +154,21 @@ TEST(PdfWriter, AnotherProgramSeesTheSamePictures) {
   fs::remove_all(folder);
 }
 
+TEST(PdfWriter, TheSizeGrowsOnlyLinearlyWithTheNumberOfLayers) {
+  const auto size_of = [](int layers) {
+    DrawingBuilder builder;
+    for (int i = 0; i < layers; ++i) {
+      LayerState state{"Layer"};
+      state.opacity = 0.5;
+      builder.add(builder.add_layer(std::move(state)),
+                  testing::straight_stroke({5.0, 5.0 + 0.1 * i}, {50.0, 5.0}, 1.0, 2.0));
+    }
+    return pdf_text(std::move(builder).build(), {}).value().size();
+  };
+  const std::size_t few = size_of(100), many = size_of(1000);
+  EXPECT_LT(many, 11 * few);
+}
+
 TEST(PdfWriter, ADamagedPictureIsAnError) {
   auto data = std::make_shared<PictureData>(*testing::picture_data());
   data->png.resize(40);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,15 @@ TEST(SvgGroups, PartsThatDoNotOverlapNeedNoLayer) {
   EXPECT_EQ(picture_of(imported).at(25, 4).a, 64);
 }
 
+// The shapes of a group wait until it ends. They have views into the file, which is freed before
+// the drawing is taken: AddressSanitizer found that.
+TEST(SvgGroups, AGroupAtTheEndOfTheFileIsReadBeforeTheFileIsFreed) {
+  const std::string id(300, 'n');
+  const Imported imported = read("<g opacity='.5'><svg width='9' height='9'><path id='" + id +
+                                 "' d='M50 50h9' stroke='#000' fill='none'/></svg></g>");
+  EXPECT_THAT(notice_lines(imported), HasSubstr("path '" + id.substr(0, 100)));
+}
+
 TEST(SvgGroups, AFillAndItsLineAreTransparentTogether) {
   const Imported imported = read(
       "<rect x='20' y='20' width='40' height='40' fill='#f00' stroke='#00f' stroke-width='8' "
@@ -87,6 +98,21 @@ TEST(SvgGroups, ManyGroupsEndWithANotice) {
   const Imported imported = read(text);
   EXPECT_THAT(notice_lines(imported), HasSubstr("is in a transparent group"));
   EXPECT_LE(imported.drawing.document.layers().size(), 500U);
+}
+
+TEST(SvgGroups, ManyBlendedGroupsEndWithANotice) {
+  std::string text;
+  for (int i = 0; i < 230; ++i) {
+    text += "<g style='mix-blend-mode:multiply' opacity='.5'>" + std::string(kTwoRects) + "</g>";
+  }
+  const Imported imported = read(text + "<g style='mix-blend-mode:multiply'/>");
+  EXPECT_THAT(notice_lines(imported), HasSubstr("more than 200 such groups"));
+  const std::span<const Layer> layers = imported.drawing.document.layers();
+  EXPECT_EQ(std::count_if(layers.begin(), layers.end(),
+                          [](const Layer& l) { return l.blend == BlendMode::kMultiply; }),
+            200);
+  EXPECT_EQ(imported.drawing.document.fill_count(), 460U);
+  EXPECT_EQ(layers.back().opacity, 0.5) << "the other groups are still translucent";
 }
 
 TEST(SvgGroups, ARotatedFrameCutsFills) {

@@ -442,8 +442,11 @@ void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name)
   if (!is_ours_) layer_ink_.push_back(box);
 }
 
-Imported SvgInk::take() {
+void SvgInk::end() {
   end_group();
+}
+
+Imported SvgInk::take() {
   Imported result{std::move(builder_).build(), std::move(report_)};
   if (!has_size_) set_page_around_ink(result.drawing);
   return result;

@@ -33,6 +33,7 @@ class SvgInk final : public SvgSceneSink {
   void shape(SvgShape shape) override;
   void image(const SvgImage& image) override;
   void paper(Rgba color) override;
+  void end() override;
   void notice(std::int64_t line, std::string element, std::string what) override;
 
   /// Returns the drawing and the report. Call it once.

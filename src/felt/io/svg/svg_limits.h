@@ -33,6 +33,12 @@ inline constexpr std::size_t kMaxSvgStrokeSegments = 250'000;
 /// small file could otherwise take minutes, because its pictures are unpacked once to check them.
 inline constexpr std::size_t kMaxSvgPictures = 200;
 inline constexpr std::int64_t kMaxSvgPicturePixels = std::int64_t{1} << 27;
+/// Maximum number of bytes of pictures in other files together.
+inline constexpr std::size_t kMaxSvgPictureFileBytes = std::size_t{256} << 20;
+/// Maximum number of groups with a blend mode. Each becomes a layer that is blended as a whole,
+/// which takes the time and memory of a picture of the page. The blend mode of further groups is
+/// ignored.
+inline constexpr std::size_t kMaxSvgBlendedGroups = 200;
 /// Maximum number of layers of a drawing. Further layers are merged into the last one.
 inline constexpr std::size_t kMaxSvgLayers = 10'000;
 }  // namespace felt::limits

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "felt/base/base64.h"
 #include "felt/base/read_file.h"
@@ -102,9 +103,15 @@ Result<std::shared_ptr<const PictureData>> SvgPictures::load(std::string_view hr
   return loaded_.emplace(href, load_new(href)).first->second;
 }
 
-Result<std::string> SvgPictures::bytes_of(std::string_view href) const {
+Result<std::shared_ptr<const PictureData>> SvgPictures::load_new(std::string_view href) {
   if (href.empty()) return skipped("it names no picture");
-  if (svg_same_word(href.substr(0, 5), "data:")) return data_of_uri(href.substr(5));
+  if (!svg_same_word(href.substr(0, 5), "data:")) return load_file(href);
+  return data_of_uri(href.substr(5)).and_then([this](std::string bytes) {
+    return decoded(std::move(bytes));
+  });
+}
+
+Result<std::shared_ptr<const PictureData>> SvgPictures::load_file(std::string_view href) {
   const bool is_address = href.substr(0, href.find('/')).find(':') != std::string_view::npos;
   if (is_address || href.starts_with("//")) {
     return skipped("it is at another address, which is not opened");
@@ -115,30 +122,48 @@ Result<std::string> SvgPictures::bytes_of(std::string_view href) const {
   if (folder_.empty()) return skipped("it is in another file, " + shown + ", which is not opened");
   const std::optional<fs::path> path = path_below(folder_, name);
   if (!path) return skipped("there is no file " + shown + " in the folder of the drawing");
-  Result<std::string> bytes = read_regular_file(path->string(), PictureData::kMaxBytes);
-  if (!bytes) return skipped(shown + " cannot be read, or is larger than 48 MiB");
-  return bytes;
+  const auto known = files_.find(path->string());
+  if (known != files_.end()) return known->second;
+  Loaded loaded = bytes_of_file(path->string(), shown).and_then([this](std::string bytes) {
+    return decoded(std::move(bytes));
+  });
+  return files_.emplace(path->string(), std::move(loaded)).first->second;
 }
 
-Result<std::shared_ptr<const PictureData>> SvgPictures::load_new(std::string_view href) {
-  Result<std::string> bytes = bytes_of(href);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (!is_png(*bytes)) {
-    const std::string format(picture_format(*bytes));
+/// Reads a file and subtracts its size from the budget.
+Result<std::string> SvgPictures::bytes_of_file(const std::string& path, const std::string& shown) {
+  const std::size_t largest = std::min(PictureData::kMaxBytes, file_bytes_left_);
+  Result<std::string> bytes = read_regular_file(path, largest);
+  if (bytes) {
+    file_bytes_left_ -= bytes->size();
+    return bytes;
+  }
+  if (bytes.error().code == ErrorCode::kLimitExceeded && largest < PictureData::kMaxBytes) {
+    return skipped("the pictures in other files are larger than 256 MiB together");
+  }
+  return skipped(shown + " cannot be read, or is larger than 48 MiB");
+}
+
+Result<std::shared_ptr<const PictureData>> SvgPictures::decoded(std::string bytes) {
+  const auto has_too_many = [] { return skipped("the pictures of the file have too many pixels"); };
+  if (!is_png(bytes)) {
+    const std::string format(picture_format(bytes));
     const bool is_picture = format.starts_with("a ");
     if (!is_picture || !to_png_) {
       return skipped("it is " + format + (is_picture ? ", which only the window can read" : ""));
     }
-    bytes = to_png_(*bytes);
-    if (!bytes) return skipped("it is " + format + " that cannot be read");
+    Result<std::string> png = to_png_(bytes, pixels_left_);
+    if (!png && png.error().code == ErrorCode::kLimitExceeded) return has_too_many();
+    if (!png) return skipped("it is " + format + " that cannot be read");
+    bytes = *std::move(png);
   }
-  auto data = make_picture_data(*std::move(bytes));
+  auto data = make_picture_data(std::move(bytes));
   if (!data) return skipped(data.error().message);
   const std::int64_t pixels = std::int64_t{(*data)->width_px} * (*data)->height_px;
-  if (pixels > pixels_left_) return skipped("the pictures of the file have too many pixels");
+  if (pixels > pixels_left_) return has_too_many();
   pixels_left_ -= pixels;
-  if (auto decoded = PicturePixels::decode(**data); !decoded) {
-    return skipped(decoded.error().message);
+  if (auto checked = PicturePixels::decode(**data); !checked) {
+    return skipped(checked.error().message);
   }
   return data;
 }

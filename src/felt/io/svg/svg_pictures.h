@@ -33,13 +33,17 @@ class SvgPictures {
  private:
   using Loaded = Result<std::shared_ptr<const PictureData>>;
   Loaded load_new(std::string_view href);
-  Result<std::string> bytes_of(std::string_view href) const;
+  Loaded load_file(std::string_view href);
+  Result<std::string> bytes_of_file(const std::string& path, const std::string& shown);
+  Loaded decoded(std::string bytes);
 
   std::string folder_;
   PictureConverter to_png_;
   std::map<std::string_view, Loaded> loaded_;
+  std::map<std::string, Loaded> files_;  // by their paths, because they may have several names
   std::size_t uses_ = 0, loads_ = 0;
   std::int64_t pixels_left_ = limits::kMaxSvgPicturePixels;
+  std::size_t file_bytes_left_ = limits::kMaxSvgPictureFileBytes;
 };
 
 }  // namespace felt

@@ -5,13 +5,16 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/base64.h"
 #include "felt/document/testing/small_picture.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_import.h"
+#include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/testing/import_checks.h"
 #include "felt/render/page_painter.h"
@@ -198,16 +201,82 @@ TEST(SvgImages, OtherFilesAreBelowTheFolder) {
 
 TEST(SvgImages, AProgramMayConvertOtherFormats) {
   ImportOptions options;
-  options.to_png = [](std::string_view bytes) -> Result<std::string> {
+  options.to_png = [](std::string_view bytes, std::int64_t) -> Result<std::string> {
     EXPECT_TRUE(bytes.starts_with("\xff\xd8\xff"));
     return testing::picture_data()->png;
   };
   const std::string jpeg = image("width='4' height='2'", "data:image/jpeg;base64,/9j/4AAQSkZJRg==");
   EXPECT_NE(picture_in(read(jpeg, options)), nullptr);
-  options.to_png = [](std::string_view) -> Result<std::string> {
+  options.to_png = [](std::string_view, std::int64_t) -> Result<std::string> {
     return fail(ErrorCode::kInvalidData, "no");
   };
   EXPECT_THAT(notice_of(jpeg, options), HasSubstr("a JPEG picture that cannot be read"));
+}
+
+/// The converter must know the limit, because a small file may have very many pixels.
+TEST(SvgImages, AConverterIsToldHowManyPixelsAreLeft) {
+  ImportOptions options;
+  std::vector<std::int64_t> left;
+  options.to_png = [&left](std::string_view, std::int64_t max_pixels) -> Result<std::string> {
+    left.push_back(max_pixels);
+    if (left.size() > 1) return fail(ErrorCode::kLimitExceeded, "too large");
+    return testing::picture_data()->png;
+  };
+  const std::string size = "width='4' height='2'";
+  const Imported imported = read(image(size, "data:image/jpeg;base64,/9j/4AAQSkZJRg==") +
+                                     image(size, "data:image/jpeg;base64,/9j/4AAQSkZJRgA="),
+                                 options);
+  EXPECT_THAT(
+      left, ::testing::ElementsAre(limits::kMaxSvgPicturePixels, limits::kMaxSvgPicturePixels - 2));
+  EXPECT_NE(picture_in(imported), nullptr);
+  EXPECT_THAT(notice_lines(imported), HasSubstr("too many pixels"));
+}
+
+/// A folder for the pictures of a drawing. It is removed with all files.
+struct PictureFolder {
+  PictureFolder() { EXPECT_NE(::mkdtemp(path.data()), nullptr); }
+  ~PictureFolder() { fs::remove_all(path); }
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+
+  std::string path = (fs::temp_directory_path() / "felt-svg-XXXXXX").string();
+};
+
+TEST(SvgImages, AFileWithSeveralNamesIsReadOnce) {
+  const PictureFolder folder;
+  ASSERT_TRUE(write_file(folder.path + "/a.jpg", "\xff\xd8\xff"));
+  fs::create_symlink("a.jpg", folder.path + "/link.jpg");
+  int conversions = 0;
+  ImportOptions options{.folder = folder.path};
+  options.to_png = [&conversions](std::string_view, std::int64_t) -> Result<std::string> {
+    ++conversions;
+    return testing::picture_data()->png;
+  };
+  std::string images;
+  for (const char* name : {"a.jpg", "./a.jpg", "%61.jpg", ".//a.jpg", "link.jpg"}) {
+    images += image("width='4' height='2'", name);
+  }
+  const Imported imported = read(images, options);
+  EXPECT_EQ(conversions, 1);
+  const std::span<const Layer> layers = imported.drawing.document.layers();
+  ASSERT_EQ(layers.size(), 5U) << notice_lines(imported);
+  for (const Layer& layer : layers) {
+    ASSERT_TRUE(layer.picture);
+    EXPECT_EQ(layer.picture->data, layers[0].picture->data);
+  }
+}
+
+TEST(SvgImages, OtherFilesHaveABudgetOfBytes) {
+  const PictureFolder folder;
+  std::string images;
+  for (int i = 0; i < 6; ++i) {
+    const std::string name = "big" + std::to_string(i) + ".png";
+    ASSERT_TRUE(write_file(folder.path + '/' + name, "\x89PNG\r\n\x1a\n"));
+    fs::resize_file(folder.path + '/' + name, PictureData::kMaxBytes);
+    images += image("width='4' height='2'", name);
+  }
+  EXPECT_THAT(notice_of(images, {.folder = folder.path}),
+              HasSubstr("pictures in other files are larger than 256 MiB together"));
 }
 
 }  // namespace

@@ -111,7 +111,9 @@ Result<void> read_svg_scene(std::string_view text, SvgSceneSink& sink) {
   if ((*document)->names_outer_style()) {
     sink.notice(0, "xml-stylesheet", "refers to a style sheet in another file, which was not read");
   }
-  return SvgWalker(**document, text.size(), sink).walk();
+  if (auto ok = SvgWalker(**document, text.size(), sink).walk(); !ok) return ok;
+  sink.end();
+  return {};
 }
 
 std::string svg_element_text(std::string_view element, std::string_view id) {

@@ -124,6 +124,8 @@ class SvgSceneSink {
   /// Sets the colour of the paper. This is the colour of the background rectangle in a file that
   /// Feltline wrote, or the background colour in other files.
   virtual void paper(Rgba color) = 0;
+  /// Ends the content. This is the last call during which the views are valid.
+  virtual void end() = 0;
   /// Reports content that is not shown as the file specifies. `line` has the same meaning as
   /// SvgShape::line_number.
   virtual void notice(std::int64_t line, std::string element, std::string what) = 0;

@@ -96,6 +96,7 @@ class SvgWalker {
   std::int64_t repeats_left_, repeat_bytes_left_;
   std::size_t layers_ = 0;
   std::size_t groups_ = 0;
+  std::size_t blended_groups_ = 0;
   std::size_t current_layer_ = 0;
   bool has_layer_ = false;  ///< a layer was passed to the sink
   bool is_ours_ = false;

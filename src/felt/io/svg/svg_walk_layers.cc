@@ -1,6 +1,7 @@
 // Layers, groups of layers and groups with a blend mode.
 #include <algorithm>
 
+#include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_walk.h"
 
@@ -36,8 +37,13 @@ void SvgWalker::enter_layer_group(Element& e) {
                       s.style.opacity,   blend_of(e)};
 }
 
-/// Makes a group with a blend mode a layer of its own, as soon as it has content.
+/// Makes a group with a blend mode a layer of its own, as soon as it has content. If there are too
+/// many, it becomes a group without a blend mode.
 void SvgWalker::enter_blended(Element& e) {
+  if (++blended_groups_ > limits::kMaxSvgBlendedGroups) {
+    notice(e.node, "has a blend mode, which was ignored: the file has more than 200 such groups");
+    return apply_opacity(e);
+  }
   State& s = e.state;
   s.layer.label = e.node.attribute("id").value();
   s.layer.opacity *= s.style.opacity;

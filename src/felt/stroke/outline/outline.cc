@@ -157,12 +157,11 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept {
   return std::max(1, static_cast<int>(std::ceil(steps)));
 }
 
-void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
-  flatten(stroke, 0, stroke.segment_count(), tolerance_mm, out);
-}
+namespace {
 
-void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
-             std::vector<Dab>& out) {
+/// Does the work of flatten(). `ends` may be null.
+void flatten_into(const Stroke& stroke, int first, int last, double tolerance_mm,
+                  std::vector<Dab>& out, std::vector<std::size_t>* ends) {
   const auto knots = stroke.widths();
   const int largest = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
@@ -200,7 +199,26 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
       out.back().radius_mm = 0.5 * b.width_mm;
       out.back().tone = b.tone;
     }
+    // The last piece of a segment ends it.
+    if (ends) (*ends)[static_cast<std::size_t>(i - first)] = out.size() - 1;
   }
+}
+
+}  // namespace
+
+void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
+  flatten(stroke, 0, stroke.segment_count(), tolerance_mm, out);
+}
+
+void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
+             std::vector<Dab>& out) {
+  flatten_into(stroke, first, last, tolerance_mm, out, nullptr);
+}
+
+void flatten(const Stroke& stroke, int first, int last, double tolerance_mm, std::vector<Dab>& out,
+             std::vector<std::size_t>& ends) {
+  ends.assign(static_cast<std::size_t>(last - first), 0);
+  flatten_into(stroke, first, last, tolerance_mm, out, &ends);
 }
 
 }  // namespace felt

@@ -41,6 +41,9 @@ void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 /// Replaces `out` by the dabs of the segments from `first` up to, but not including, `last`. They
 /// are the same dabs as in the whole stroke. Requires 0 <= first < last <= segment_count().
 void flatten(const Stroke& stroke, int first, int last, double tolerance_mm, std::vector<Dab>& out);
+/// Does the same, and replaces `ends` by the index of the dab at the end of each of these segments.
+void flatten(const Stroke& stroke, int first, int last, double tolerance_mm, std::vector<Dab>& out,
+             std::vector<std::size_t>& ends);
 
 struct Stretch;
 

@@ -27,6 +27,36 @@ TEST(Outline, IsTheUnionOfDabsOnRandomStrokes) {
   }
 }
 
+TEST(Flatten, TellsTheEndsOfSegments) {
+  std::vector<Dab> dabs;
+  std::vector<std::size_t> ends;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Stroke s = testing::random_stroke(seed);
+    const int first = s.segment_count() / 3;
+    flatten(s, first, s.segment_count(), 0.01, dabs, ends);
+    ASSERT_EQ(ends.size(), static_cast<std::size_t>(s.segment_count() - first));
+    EXPECT_EQ(ends.back(), dabs.size() - 1);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      EXPECT_EQ(dabs[ends[i]].center, s.segment(first + static_cast<int>(i)).p[3]);
+      EXPECT_GT(ends[i], i == 0 ? 0 : ends[i - 1]);
+    }
+  }
+  // The first segment passes through its end (12, 0) at t = 1/2 already, where a width
+  // breakpoint makes a dab.
+  const Stroke turns =
+      Stroke::create({.points = {{0, 0}, {20, 0}, {8, 0}, {12, 0}, {12, 3}, {12, 6}, {12, 9}},
+                      .joints = {JointKind::kCorner},
+                      .closed = false,
+                      .widths = {{0.0, 1.0}, {0.5, 1.5}, {2.0, 1.0}}})
+          .value();
+  flatten(turns, 0, 2, 0.01, dabs, ends);
+  const auto is_end = [](const Dab& dab) { return dab.center == Point{12, 0}; };
+  ASSERT_LT(std::find_if(dabs.begin(), dabs.end(), is_end) - dabs.begin(),
+            static_cast<std::ptrdiff_t>(ends[0]));
+  EXPECT_EQ(dabs[ends[0] + 1].center.x, 12.0);
+  EXPECT_GT(dabs[ends[0] + 1].center.y, 0.0);
+}
+
 TEST(Outline, TaperedCapsuleTouchesBothDabs) {
   const Stroke s = testing::straight_stroke({0, 0}, {10, 0}, 2.0, 6.0);
   const Outline outline = outline_of(s, 1e-3);

@@ -183,6 +183,12 @@ Error no_shaking() {
 
 }  // namespace
 
+double spiral_s(std::span<const InkSample> samples) {
+  double duration_s = 0.0;
+  for (const TimedLine& line : lines_of(samples)) duration_s += line.times_s.back();
+  return duration_s;
+}
+
 Result<Shake> find_shake(std::span<const InkSample> samples) {
   const auto without_times =
       std::count_if(samples.begin(), samples.end(), [](const InkSample& s) { return !s.time_ns; });

@@ -12,6 +12,9 @@ namespace felt {
 /// than twice the highest frequency.
 inline constexpr double kMinSpiralS = 4.0, kMinSpiralHz = 30.0;
 
+/// Returns how many seconds of lines find_shake() uses.
+double spiral_s(std::span<const InkSample> samples);
+
 /// Measures how a hand shakes from a spiral, or any other smooth line, of about 10 s. Several lines
 /// may follow each other in `samples`: a gap of more than 0.1 s, or a time that does not increase,
 /// starts a new one, and lines of less than 2 s are not used.

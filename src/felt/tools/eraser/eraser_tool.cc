@@ -14,6 +14,12 @@ constexpr std::array<ToolUse, 1> kEraserUses = {{{.hint = "Erase what the ring t
                                                   .size = "radius_mm",
                                                   .path = ToolPath::kAcross}}};
 constexpr std::array<std::string_view, 1> kEraserEdits = {"Erase"};
+constexpr std::array<ToolAct, 1> kEraserActs = {
+    {{.name = "press",
+      .title = "Felt steps",
+      .caption = "Press the eraser until it clicks, and the whole line goes. The pencil has such "
+                 "steps too: they hold the width of a line.",
+      .seconds = 6.0}}};
 constexpr ToolInfo kEraserInfo{
     .id = "eraser",
     .label = "Eraser",
@@ -25,7 +31,8 @@ constexpr ToolInfo kEraserInfo{
     .edits = kEraserEdits,
     .act = {.title = "Erase",
             .caption = "Erase what is covered, a line up to its next crossing, or a whole line.",
-            .seconds = 14.0}};
+            .seconds = 14.0},
+    .more_acts = kEraserActs};
 
 }  // namespace
 

@@ -1,15 +1,17 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "felt/haptics/bricks/band_damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/push_clicks.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
-#include "felt/tools/guide_track.h"
+#include "felt/tools/guided_feel.h"
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/pencil/shape_hold.h"
@@ -64,8 +66,9 @@ inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scen
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target,
                                     const std::optional<Point>& held_at = {}) {
-  const Medium material =
+  Medium material =
       scaled_medium(medium_of(scene, settings.medium), settings.strength, settings.strength);
+  if (scene.guide.softens_friction) material = guided_medium(std::move(material));
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
@@ -83,10 +86,11 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
   }
   if (clicks.size() > 0) id.with("clicks").with(std::uint64_t{clicks.size()});
-  if (scene.guide) id.with("guide").with(std::uint64_t{scene.guide->number()});
+  if (scene.guide.force) id.with("guide").with(std::uint64_t{scene.guide.number});
+  if (scene.guide.softens_friction) id.with("softer");
   const auto model_of = [&](const auto&... others) {
-    if (!scene.guide) return ForceModel(Compose(surface, clicks, well, others...));
-    return ForceModel(Compose(surface, clicks, well, scene.guide->guide(), others...));
+    if (!scene.guide.force) return ForceModel(Compose(surface, clicks, well, others...));
+    return ForceModel(Compose(surface, clicks, well, *scene.guide.force, others...));
   };
   BandDampingOptions band;
   if (settings.steady) {

@@ -23,6 +23,18 @@ constexpr std::array<ToolUse, 1> kPencilUses = {
       .path = ToolPath::kFree}}};
 constexpr std::array<std::string_view, 4> kPencilEdits = {"Draw", "As drawn", "Scratch out",
                                                           "Shape"};
+constexpr std::array<ToolAct, 2> kPencilActs = {
+    {{.name = "gestures",
+      .title = "Gestures",
+      .caption =
+          "Hold the pen at the end of a line and press: the line becomes the shape. Scribble "
+          "over lines, and you are asked whether to delete them.",
+      .seconds = 12.0},
+     {.name = "steady",
+      .title = "Steady hand",
+      .caption = "If your hand shakes, lines can be calm: the shaking is measured once and removed "
+                 "while you draw.",
+      .seconds = 8.0}}};
 constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",
@@ -35,7 +47,8 @@ constexpr ToolInfo kPencilInfo{
     .act = {.title = "Draw",
             .caption = "Lines become smooth curves while you draw; press harder for a broader "
                        "line. Near its start, an outline closes by itself.",
-            .seconds = 36.0}};
+            .seconds = 36.0},
+    .more_acts = kPencilActs};
 
 /// Returns the width that a mouse draws, 0 (thinnest) to 1 (broadest).
 double share_of_mouse(const OptionValues& options) {

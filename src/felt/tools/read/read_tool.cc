@@ -13,15 +13,21 @@ namespace {
 constexpr std::array<ToolUse, 1> kReadUses = {
     {{.hint = "Touch a line and follow it: it holds the pen, its ends and crossings click.",
       .path = ToolPath::kAlong}}};
-constexpr ToolInfo kReadInfo{.id = "read",
-                             .label = "Read",
-                             .help =
-                                 "Reads a drawing without eyes: lines attract the pen, and are "
-                                 "heard and spoken.",
-                             .shortcut = 'l',
-                             .options = kReadOptions,
-                             .kind = ToolKind::kReads,
-                             .uses = kReadUses};
+constexpr ToolInfo kReadInfo{
+    .id = "read",
+    .label = "Read",
+    .help =
+        "Reads a drawing without eyes: lines attract the pen, and are "
+        "heard and spoken.",
+    .shortcut = 'l',
+    .options = kReadOptions,
+    .kind = ToolKind::kReads,
+    .uses = kReadUses,
+    .act = {.title = "Read",
+            .caption = "A drawing can be read without eyes: lines hold the "
+                       "pen, ends and crossings click, and what is under "
+                       "the pen is spoken.",
+            .seconds = 8.0}};
 /// The pen is on a line if it is this near to its ink: then the groove holds it.
 constexpr double kOnLineMm = 2.0;
 /// How far the pen moves before fills are searched again.

@@ -80,7 +80,7 @@ void ReadTrack::hold(StrokeId id, const Scene& scene, double strength) {
   GuideLine line{GuideKind::kGroove,
                  points_of(*held_->stroke, step_mm),
                  held_->stroke->closed(),
-                 kGrooveShare * strength,
+                 kReadGrooveShare * strength,
                  {}};
   if (line.points.size() < 3) line.is_closed = false;
   if (check_guide(line)) held_->groove.emplace(std::move(line), ++number_);

@@ -21,9 +21,6 @@ class ReadTrack {
   /// A pen that is nearer to a mark than kArriveMm has arrived; it has left beyond kLeaveMm.
   static constexpr double kArriveMm = 1.0;
   static constexpr double kLeaveMm = 2.0;
-  /// Share of the groove's force: 0.56 N and 210 N/m, so that groove and notch together stay below
-  /// the 1 N of an editing tool (docs/design/forces.md#guides).
-  static constexpr double kGrooveShare = 0.7;
 
   /// Handles a sample of a pen that touches.
   void update(const PenSample& sample, const Scene& scene, const ReadSettings& settings);

@@ -1,0 +1,125 @@
+// Tests of edges that are felt as soft ridges, with the real tools.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "felt/haptics/force_memory.h"
+#include "felt/session/session.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt::session_edges_test {
+namespace {
+
+constexpr Rect kPage{0.0, 0.0, 210.0, 297.0};
+constexpr Point kAtEdge{2.5, 100.0};
+
+/// A session with a line from (100, 100) to (140, 130), and a pen that feels the forces.
+struct EdgeFixture {
+  EdgeFixture() {
+    Capabilities device;
+    device.max_force_n = device.continuous_force_n = 3.0;
+    device.actuated_axes = device.sensed_axes = 3;
+    device.max_stiffness_n_per_m = 2000.0;
+    const StrokePtr line = std::make_shared<const Stroke>(
+        felt::testing::straight_stroke({100, 100}, {140, 130}, 1, 1));
+    session = std::make_unique<Session>(
+        make_tools(), SessionOptions{.device = device, .document = document_of({&line, 1})});
+  }
+  template <class Command>
+  void must(Command what) {
+    const Result<void> done = session->apply({now_ns += 1'000'000, std::move(what)});
+    ASSERT_TRUE(done) << done.error().message;
+  }
+  /// Returns the force of the edge after the pen has rested at a point.
+  double edge_n(Point p, double z = -0.3) {
+    ForceMemory memory;
+    double felt_n = 0.0;
+    for (int i = 0; i < 300; ++i) {
+      PenSample sample;
+      sample.time_ns = now_ns += 1'000'000;
+      sample.position = {p.x, p.y, z};
+      EXPECT_TRUE(session->sample(sample));
+      memory.begin_tick(0.001);
+      static_cast<void>(session->force()(sample, memory));
+      felt_n = 0.0;
+      for (const ForceTerms::Term& term : memory.terms) {
+        if (std::string_view(term.name) == "guide") felt_n += norm(term.force);
+      }
+    }
+    for (int i = 0; i < 100; ++i) must(PenEvent{{p.x, p.y, 5.0}, {}, 0});
+    return felt_n;
+  }
+
+  std::int64_t now_ns = 0;
+  std::unique_ptr<Session> session;
+};
+
+TEST(SessionEdges, AreFeltOnlyIfTheyAreOn) {
+  EdgeFixture f;
+  f.must(SelectStrokes{SelectStrokes::What::kAll});  // before the pen draws other lines
+  EXPECT_EQ(f.edge_n(kAtEdge), 0.0);
+  f.must(UseEdges{.page = kPage});
+  EXPECT_GT(f.edge_n(kAtEdge), 0.1);
+  EXPECT_EQ(f.edge_n({50.0, 100.0}), 0.0);
+  EXPECT_EQ(f.edge_n({97.5, 115.0}), 0.0) << "only the page is on";
+  f.must(UseEdges{.selection = true});
+  EXPECT_GT(f.edge_n({97.5, 115.0}), 0.1);
+  EXPECT_EQ(f.edge_n(kAtEdge), 0.0);
+  f.must(SelectStrokes{SelectStrokes::What::kNone});
+  EXPECT_EQ(f.edge_n({97.5, 115.0}), 0.0);
+  f.must(UseEdges{});
+  EXPECT_EQ(f.edge_n(kAtEdge), 0.0);
+  EXPECT_EQ(f.session->edges(), UseEdges{});
+}
+
+TEST(SessionEdges, EveryToolFeelsThemUnlessItHasAGuideOfItsOwn) {
+  EdgeFixture f;
+  f.must(UseEdges{.page = kPage});
+  for (const auto& tool : f.session->tools()) {
+    const ToolKind kind = tool->info().kind;
+    f.must(SelectTool{std::string(tool->info().id)});
+    for (int i = 0; i < 100; ++i) f.must(PenEvent{{kAtEdge.x, kAtEdge.y, 5.0}, {}, 0});
+    const bool has_guide = kind == ToolKind::kFills || kind == ToolKind::kReads;
+    EXPECT_EQ(f.edge_n(kAtEdge) > 0.1, !has_guide) << tool->info().id;
+    f.must(CancelEvent{});
+  }
+  f.must(SelectTool{"pencil"});
+  f.must(GuidesEvent{GuidesEvent::Do::kClear});  // that of the tool Guide
+  f.must(GuidesEvent{GuidesEvent::Do::kAdd, {}, {DrawingGuideKind::kLine, {3.0, 0.0}, 1.5708}});
+  EXPECT_GT(f.edge_n({4.5, 100.0}), 0.25) << "the line holds the pen, with more than 0.2 N";
+}
+
+// Off, nothing changes; on, only forces do.
+TEST(SessionEdges, ChangeForcesNearTheEdgeAndNothingElse) {
+  EdgeFixture with, without;
+  with.must(UseEdges{.page = kPage});
+  without.now_ns = with.now_ns;
+  for (const Point p : {Point{50.0, 60.0}, Point{80.0, 60.0}, Point{4.0, 60.0}}) {
+    with.edge_n(p);
+    without.edge_n(p);
+    const bool is_far = p.x > 10.0;
+    EXPECT_EQ(with.session->force().fade_id() == without.session->force().fade_id(), is_far);
+    EXPECT_EQ(with.session->force().slopes().lateral_n_per_m ==
+                  without.session->force().slopes().lateral_n_per_m,
+              is_far);
+  }
+  const Document &a = with.session->document(), &b = without.session->document();
+  ASSERT_EQ(a.stroke_count(), b.stroke_count());
+  ASSERT_GT(a.stroke_count(), 2u);
+  for (StrokeId id{1}; id.value <= a.stroke_count(); ++id.value) {
+    EXPECT_EQ(a.find(id)->data().points, b.find(id)->data().points);
+  }
+}
+
+TEST(SessionEdges, RefusesWhatIsNoRectangle) {
+  EdgeFixture f;
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Rect& page : {Rect{5, 5, 1, 1}, Rect{0, 0, inf, 5}}) {
+    EXPECT_FALSE(f.session->apply({0, UseEdges{.page = page}}));
+    EXPECT_EQ(f.session->edges(), UseEdges{});
+  }
+}
+
+}  // namespace
+}  // namespace felt::session_edges_test
