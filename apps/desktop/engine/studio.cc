@@ -241,6 +241,11 @@ bool Studio::use_device(const QString& id) {
 
 void Studio::point(const PointerEvent& event) {
   pen_.hand = event.position;
+  // A touch that begins after a menu was closed is for the tool, even if the simulated pen has not
+  // been lifted in between.
+  if (std::exchange(hand_touches_, event.touching) != event.touching && !menu_force_) {
+    touches_for_menu_ = touches_for_menu_ && !event.touching;
+  }
   loop_.point(event, session_->surface(), session_->device(), absent_pressure(*session_));
 }
 

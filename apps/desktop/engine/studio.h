@@ -206,6 +206,7 @@ class Studio : public QObject {
   PenState pen_;
   std::optional<ForceModel> menu_force_;
   bool touches_for_menu_ = false;   // the pen has touched while a menu was open
+  bool hand_touches_ = false;       // the hand of a mouse or tablet puts the pen down
   std::int64_t last_event_ns_ = 0;  // time of the last event of the session
   std::vector<Edit> edits_;         // edits that `edited` has not reported yet
   QString home_tool_;               // the tool to select again while another one is borrowed

@@ -16,20 +16,18 @@ namespace {
 /// Distances by which an arrow key moves the selected lines: with Ctrl, alone, with Shift.
 constexpr double kFineNudgeMm = 0.1, kNudgeMm = 1.0, kCoarseNudgeMm = 10.0;
 
-/// Returns true for a mouse event that the system made from a pen or a finger, for programs that
-/// support only mice.
+bool is_touchpad(const QTouchEvent& event) {
+  return event.device() && event.device()->type() == QInputDevice::DeviceType::TouchPad;
+}
+
+}  // namespace
+
 bool is_made_up(const QMouseEvent& event) {
   if (event.source() != Qt::MouseEventNotSynthesized) return true;
   const QPointingDevice* device = event.pointingDevice();
   return device && (device->type() == QInputDevice::DeviceType::Stylus ||
                     device->type() == QInputDevice::DeviceType::TouchScreen);
 }
-
-bool is_touchpad(const QTouchEvent& event) {
-  return event.device() && event.device()->type() == QInputDevice::DeviceType::TouchPad;
-}
-
-}  // namespace
 
 PenInput::PenInput(Canvas& canvas)
     : QObject(&canvas),

@@ -12,7 +12,13 @@
 #include "desktop/pens/touch_input.h"
 #include "desktop/pens/view_drag.h"
 
+class QMouseEvent;
+
 namespace felt::desktop {
+
+/// Returns true for a mouse event that the system made from a pen or a finger, for programs that
+/// support only mice.
+bool is_made_up(const QMouseEvent& event);
 
 /// Handles mouse, tablet, touch and keys over a canvas. This event filter moves the hand (PenHand),
 /// or pans, zooms and turns the view. The canvas must outlive this object.

@@ -1,6 +1,6 @@
 #include "desktop/window/offer_popup.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTabletEvent>
@@ -100,7 +100,7 @@ void OfferPopup::follow() {
     return;
   }
   if (!offer && !shown_) return;
-  const bool had_focus = isAncestorOf(focusWidget());
+  const bool had_focus = isAncestorOf(QApplication::focusWidget());
   shown_ = std::move(offer);
   is_live_ = is_live;
   if (!shown_) {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "desktop/panels/tool_icons.h"
+#include "desktop/pens/pen_input.h"
 
 namespace felt::desktop {
 namespace {
@@ -68,8 +69,8 @@ void RingMenu::open(RingContent content, QPointF px, By by) {
   content_ = content;
   by_ = by;
   is_held_ = true;
-  keys_chose_ = false;
-  touches_ = false;
+  keys_chose_ = touches_ = has_pen_ = skips_ = false;
+  is_pressed_ = by == By::kButton && !holds_device();
   fill();
   place(holds_device() ? canvas_.view().to_px(studio_.pen().hand) : px);
   qApp->installEventFilter(this);  // its events come before those of PenInput
@@ -93,10 +94,13 @@ bool RingMenu::holds_device() const {
 void RingMenu::close_ring() {
   if (!ring_) return;
   ring_.reset();
-  qApp->removeEventFilter(this);
-  const bool had_focus = hasFocus() || isAncestorOf(focusWidget());
+  skips_ = is_pressed_;
+  if (!skips_) qApp->removeEventFilter(this);
+  const QWidget* focus = QApplication::focusWidget();
   hide();
-  if (had_focus) canvas_.setFocus();
+  if (focus == this || isAncestorOf(focus)) {
+    canvas_.setFocus(by_ == By::kKey ? Qt::ShortcutFocusReason : Qt::OtherFocusReason);
+  }
   studio_.set_menu_force({});
 }
 
@@ -162,8 +166,30 @@ void RingMenu::place(QPointF px) {
   ring_.emplace(pen_, up, right);
 }
 
+/// Returns true for events of a press during which the ring was closed.
+bool RingMenu::skip_rest_of_press(const QEvent& event) {
+  switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseMove:
+    case QEvent::TabletPress:
+    case QEvent::TabletRelease:
+    case QEvent::TabletMove:
+      skips_ = static_cast<const QSinglePointEvent&>(event).buttons() != Qt::NoButton;
+      break;
+    case QEvent::WindowDeactivate:
+      skips_ = false;
+      break;
+    default:
+      return false;
+  }
+  if (!skips_) qApp->removeEventFilter(this);
+  return event.type() != QEvent::WindowDeactivate;
+}
+
 bool RingMenu::eventFilter(QObject* watched, QEvent* event) {
-  if (!ring_) return false;
+  if (!ring_) return skips_ && watched == &canvas_ && skip_rest_of_press(*event);
   const bool is_ours = watched == &canvas_ || watched == this || watched->parent() == this;
   switch (event->type()) {
     case QEvent::ShortcutOverride:
@@ -176,10 +202,20 @@ bool RingMenu::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress:
       if (watched->isWidgetType() && !is_ours) close_ring();
       break;
+    case QEvent::FocusIn:
+      focus_choice(watched, static_cast<const QFocusEvent&>(*event).reason());
+      return false;
     default:
       break;
   }
   return watched == &canvas_ && ring_ && take_pointer(*event);
+}
+
+/// Chooses the button to which Tab moved the focus, so that Return carries it out.
+void RingMenu::focus_choice(const QObject* watched, Qt::FocusReason reason) {
+  if (reason != Qt::TabFocusReason && reason != Qt::BacktabFocusReason) return;
+  const auto button = std::find(buttons_.begin(), buttons_.end(), watched);
+  if (button != buttons_.end()) choose(static_cast<std::size_t>(button - buttons_.begin()));
 }
 
 /// Handles an event of the canvas. Returns false if the ring does not handle it.
@@ -188,23 +224,25 @@ bool RingMenu::take_pointer(QEvent& event) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseButtonRelease:
-    case QEvent::MouseMove:
+    case QEvent::MouseMove: {
+      const auto& mouse = static_cast<const QMouseEvent&>(event);
+      if (!is_made_up(mouse)) point(mouse.position(), mouse.buttons());
+      break;
+    }
     case QEvent::TabletPress:
     case QEvent::TabletRelease:
     case QEvent::TabletMove: {
-      const auto& pointer = static_cast<const QSinglePointEvent&>(event);
-      point(pointer.position(), pointer.buttons());
+      const auto& pen = static_cast<const QTabletEvent&>(event);
+      has_pen_ = true;
+      point(pen.position(), pen.buttons());
       break;
     }
     case QEvent::TouchBegin:
     case QEvent::TouchUpdate:
-    case QEvent::TouchEnd: {
-      const auto& fingers = static_cast<const QTouchEvent&>(event).points();
-      const bool lifts = event.type() == QEvent::TouchEnd;
-      if (fingers.isEmpty()) break;
-      point(fingers.constFirst().position(), lifts ? Qt::NoButton : Qt::LeftButton);
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+      take_touch(static_cast<const QTouchEvent&>(event));
       break;
-    }
     case QEvent::Wheel:
     case QEvent::NativeGesture:
     case QEvent::ContextMenu:
@@ -216,7 +254,19 @@ bool RingMenu::take_pointer(QEvent& event) {
   return true;
 }
 
+/// Follows a finger on a screen, but not if a pen or button is used, because then it may be the
+/// palm.
+void RingMenu::take_touch(const QTouchEvent& event) {
+  const bool is_finger = event.deviceType() == QInputDevice::DeviceType::TouchScreen;
+  if (event.type() == QEvent::TouchCancel) touches_ = is_pressed_ = false;
+  if (event.type() == QEvent::TouchCancel || event.points().isEmpty()) return;
+  if (!is_finger || has_pen_ || by_ == By::kButton) return;
+  const bool lifts = event.type() == QEvent::TouchEnd;
+  point(event.points().constFirst().position(), lifts ? Qt::NoButton : Qt::LeftButton);
+}
+
 void RingMenu::point(QPointF px, Qt::MouseButtons buttons) {
+  is_pressed_ = buttons != Qt::NoButton;
   const Point pen = canvas_.view().to_mm(px);
   const bool touches = buttons.testFlag(Qt::LeftButton);
   const bool others = (buttons & ~Qt::MouseButtons(Qt::LeftButton)) != 0;
@@ -263,11 +313,12 @@ bool RingMenu::take_key(QKeyEvent& event) {
   const bool enters = key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space;
   if (!well && !enters && key != Qt::Key_Escape) return false;
   event.accept();
+  // An override that is accepted here keeps the shortcut of the window away.
+  if (event.type() == QEvent::ShortcutOverride) return true;
   if (key == Qt::Key_Escape) {
-    if (event.type() == QEvent::KeyPress) close_ring();
+    close_ring();
     return false;  // so that Escape twice still stops all forces (DoubleEscape)
   }
-  if (event.type() == QEvent::ShortcutOverride) return true;
   if (enters) {
     run();
   } else {
@@ -323,7 +374,7 @@ void RingMenu::run() {
   // A copy, because the choice may open a ring, which replaces the wells.
   if (const auto choose = wells_[*well].choose) return choose();
   open(wells_[*well].opens, px, by_);
-  is_held_ = false;
+  is_held_ = is_pressed_ = false;
 }
 
 void RingMenu::paintEvent(QPaintEvent* /*event*/) {

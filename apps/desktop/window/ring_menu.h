@@ -12,6 +12,7 @@
 #include "felt/tools/choice_ring.h"
 
 class QKeyEvent;
+class QTouchEvent;
 class QToolButton;
 
 namespace felt::desktop {
@@ -43,6 +44,8 @@ class RingMenu : public QWidget {
   void open(RingContent content, QPointF px, By by);
   /// Opens a ring at the pen, for a command; closes it if it is open.
   void toggle(RingContent content);
+  /// Closes the ring without a choice. If a button is down, the canvas does not get the rest of
+  /// this press, which would draw or erase.
   void close_ring();
   /// Returns the ring, or nullopt while it is closed.
   [[nodiscard]] const std::optional<ChoiceRing>& ring() const noexcept { return ring_; }
@@ -57,6 +60,9 @@ class RingMenu : public QWidget {
   void fill();
   void place(QPointF px);
   bool take_pointer(QEvent& event);
+  void take_touch(const QTouchEvent& event);
+  void focus_choice(const QObject* watched, Qt::FocusReason reason);
+  bool skip_rest_of_press(const QEvent& event);
   void point(QPointF px, Qt::MouseButtons buttons);
   bool take_key(QKeyEvent& event);
   bool release_key(const QKeyEvent& event);
@@ -83,6 +89,9 @@ class RingMenu : public QWidget {
   QElapsedTimer released_;   // since the release of a key chose
   bool keys_chose_ = false;  // the choice stays until the pen moves
   bool touches_ = false;     // the pen touches since the ring is open, or the left button is down
+  bool has_pen_ = false;     // a tablet pen moved since the ring is open
+  bool is_pressed_ = false;  // a button of the mouse or tablet is down
+  bool skips_ = false;       // the ring was closed during a press that has not ended
 };
 
 /// Adds the rings to the canvas, with the commands tool.ring (Q), tool.media_ring (Shift+Q) and

@@ -49,6 +49,17 @@ class RingMenuTest : public ::testing::Test {
     EXPECT_TRUE(menu().isVisible()) << "the release chooses";
     mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, {});
   }
+  /// Draws a line of 100 pixels to the right of kAt.
+  void draw_line() {
+    mouse(QEvent::MouseButtonPress, kAt, Qt::LeftButton, Qt::LeftButton);
+    for (int x = 0; x <= 100; x += 5) {
+      drag_to(kAt + QPointF(x, 0), Qt::LeftButton);
+      window_.studio().advance(10 * kMs);
+    }
+    mouse(QEvent::MouseButtonRelease, kAt + QPointF(100, 0), Qt::LeftButton, {});
+    window_.studio().advance(300 * kMs);
+    ASSERT_EQ(window_.studio().session().document().stroke_count(), 1u);
+  }
   void trigger(const char* name) { window_.actions().find(QString::fromLatin1(name))->trigger(); }
 
   static constexpr QPointF kAt{300, 250};
@@ -220,6 +231,85 @@ TEST_F(RingMenuTest, OtherThingsCloseIt) {
   key(Qt::Key_Escape);
   key(Qt::Key_Escape);
   EXPECT_FALSE(window_.studio().loop().forces_are_on()) << "Escape twice stops forces";
+}
+
+// In an active window, the window's own shortcut of Escape would clear the selection.
+TEST_F(RingMenuTest, EscapeClosesOnlyTheRing) {
+  draw_line();
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  window_.studio().apply(SelectStrokes{SelectStrokes::What::kAll});
+  trigger("tool.ring");
+  ASSERT_TRUE(menu().isVisible());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(menu().isVisible());
+  EXPECT_FALSE(window_.studio().session().selection().empty());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(window_.studio().session().selection().empty());
+}
+
+TEST_F(RingMenuTest, TabAndReturnChooseTheFocusedButton) {
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  trigger("tool.ring");
+  const auto buttons = menu().findChildren<QToolButton*>();
+  ASSERT_EQ(buttons.size(), 8);
+  buttons[4]->setFocus(Qt::TabFocusReason);
+  EXPECT_EQ(menu().ring()->chosen(), 4u);
+  QTest::keyClick(buttons[4], Qt::Key_Return);
+  EXPECT_EQ(tool(), "eraser");
+}
+
+// The right button erases, as long as no ring is open.
+TEST_F(RingMenuTest, TheRestOfAPressAfterItClosedDoesNothing) {
+  draw_line();
+  const Document drawn = window_.studio().session().document();
+  Q_EMIT canvas().ring_wanted(kAt);
+  drag_to(kAt + QPointF(5, 0));
+  key(Qt::Key_Escape);
+  ASSERT_FALSE(menu().isVisible());
+  for (int x = 0; x <= 100; x += 5) drag_to(kAt + QPointF(x, 0));
+  release(kAt + QPointF(100, 0));
+  window_.studio().advance(300 * kMs);
+  EXPECT_TRUE(window_.studio().session().document() == drawn);
+  mouse(QEvent::MouseButtonPress, kAt, Qt::RightButton, Qt::RightButton);
+  for (int x = 0; x <= 100; x += 5) drag_to(kAt + QPointF(x, 0));
+  release(kAt + QPointF(100, 0));
+  window_.studio().advance(300 * kMs);
+  EXPECT_FALSE(window_.studio().session().document() == drawn) << "the next press erases";
+}
+
+TEST_F(RingMenuTest, APalmDoesNotChoose) {
+  QPointingDevice* screen = QTest::createTouchDevice();
+  Q_EMIT canvas().ring_wanted(kAt);
+  QTest::touchEvent(&canvas(), screen).press(0, (kAt + QPointF(0, 60)).toPoint(), &canvas());
+  EXPECT_FALSE(menu().ring()->chosen());
+  QTest::touchEvent(&canvas(), screen).release(0, (kAt + QPointF(0, 60)).toPoint(), &canvas());
+  EXPECT_TRUE(menu().isVisible());
+}
+
+// The simulated pen may still be on the surface when the next touch begins.
+TEST_F(RingMenuTest, ALineRightAfterAChoiceIsDrawn) {
+  Studio& studio = window_.studio();
+  ASSERT_TRUE(studio.use_device(QStringLiteral("simulated:premium")));
+  studio.advance(600 * kMs);
+  drag_to(kAt, {});
+  studio.advance(300 * kMs);
+  Q_EMIT canvas().ring_wanted(kAt);
+  release(kAt);
+  const QPointF top = canvas().view().to_px(menu().ring()->well(0));
+  mouse(QEvent::MouseButtonPress, top, Qt::LeftButton, Qt::LeftButton);
+  studio.advance(500 * kMs);
+  mouse(QEvent::MouseButtonRelease, top, Qt::LeftButton, {});
+  ASSERT_FALSE(menu().isVisible());
+  mouse(QEvent::MouseButtonPress, top, Qt::LeftButton, Qt::LeftButton);
+  for (int x = 0; x <= 100; x += 5) {
+    drag_to(top + QPointF(x, 0), Qt::LeftButton);
+    studio.advance(20 * kMs);
+  }
+  mouse(QEvent::MouseButtonRelease, top + QPointF(100, 0), Qt::LeftButton, {});
+  studio.advance(300 * kMs);
+  EXPECT_EQ(studio.session().document().stroke_count(), 1u);
 }
 
 // The pen of a device feels the wells on the surface, and leaves no ink there.

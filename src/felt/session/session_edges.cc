@@ -9,9 +9,11 @@
 namespace felt {
 
 ForceModel Session::force() const {
-  const Scene now = scene();
-  ForceModel model = tool().force(now);
+  Scene now = scene();
   const Guide* edge = edge_ridges_ ? edge_ridges_->force() : nullptr;
+  // A guide of the drawing that is far away does not hold the pen.
+  if (edge && !parts_->guide && !now.guide.softens_friction) now.guide = {};
+  ForceModel model = tool().force(now);
   const ToolKind kind = tool().info().kind;
   // Only one Guide can act at a time, because all of them use the same memory (ForceMemory::guide).
   const bool has_guide = now.guide.force || kind == ToolKind::kFills || kind == ToolKind::kReads;

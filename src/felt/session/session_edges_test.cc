@@ -90,6 +90,13 @@ TEST(SessionEdges, EveryToolFeelsThemUnlessItHasAGuideOfItsOwn) {
   EXPECT_GT(f.edge_n({4.5, 100.0}), 0.25) << "the line holds the pen, with more than 0.2 N";
 }
 
+TEST(SessionEdges, AGuideFarAwayDoesNotHideThem) {
+  EdgeFixture f;
+  f.must(UseEdges{.page = kPage});
+  f.must(GuidesEvent{GuidesEvent::Do::kAdd, {}, {DrawingGuideKind::kLine, {90.0, 0.0}, 1.5708}});
+  EXPECT_GT(f.edge_n(kAtEdge), 0.1);
+}
+
 // Off, nothing changes; on, only forces do.
 TEST(SessionEdges, ChangeForcesNearTheEdgeAndNothingElse) {
   EdgeFixture with, without;
