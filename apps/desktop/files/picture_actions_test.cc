@@ -80,6 +80,16 @@ TEST(PictureActions, APictureWithTooManyPixelsIsNotConverted) {
   EXPECT_EQ(refused.error().code, ErrorCode::kLimitExceeded);
 }
 
+TEST(PictureActions, ALargePhotoNeedsOnlyThePixelsOfItsReducedSize) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  ASSERT_TRUE(red_image(8192, 64).save(&buffer, "JPG"));
+  const std::int64_t reduced = 4096 * 32;
+  EXPECT_TRUE(png_of_picture(bytes.toStdString(), reduced));
+  EXPECT_FALSE(png_of_picture(bytes.toStdString(), reduced - 1));
+}
+
 TEST(PictureActions, TheMenuAsksForAFile) {
   StudioFixture fixture;
   ASSERT_TRUE(red_image(10, 20).save(fixture.at("small.png")));

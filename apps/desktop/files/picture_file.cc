@@ -161,13 +161,16 @@ Result<std::string> png_of_picture(std::string_view bytes, std::int64_t max_pixe
   if (!is_known || longest < 1 || longest > kPictureFileSidePx) {
     return fail(ErrorCode::kUnsupported, "the picture cannot be read");
   }
-  if (std::int64_t{size.width()} * size.height() > max_pixels) {
+  const QSize scaled =
+      longest > kPictureSidePx
+          ? size.scaled(kPictureSidePx, kPictureSidePx, Qt::KeepAspectRatio).expandedTo({1, 1})
+          : size;
+  // Only JPEG files are decoded at a reduced size.
+  const QSize decoded = format == "jpeg" ? scaled : size;
+  if (std::int64_t{decoded.width()} * decoded.height() > max_pixels) {
     return fail(ErrorCode::kLimitExceeded, "the picture has too many pixels");
   }
-  if (longest > kPictureSidePx) {
-    reader.setScaledSize(
-        size.scaled(kPictureSidePx, kPictureSidePx, Qt::KeepAspectRatio).expandedTo({1, 1}));
-  }
+  if (scaled != size) reader.setScaledSize(scaled);
   const QImage image = reader.read();
   if (image.isNull()) return fail(ErrorCode::kInvalidData, "the picture is damaged");
   return png_of(image);

@@ -21,6 +21,7 @@ constexpr std::uint8_t kVersionWithGroups = 3;  // has the groups of all changed
 constexpr std::uint8_t kVersionWithGuides = 4;  // has groups as in 3, and then guides
 constexpr std::size_t kMaxGuideBlobBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxLabelBytes = 4096;
+constexpr std::size_t kMaxNameBytes = 1 << 16;  // older programs wrote names without a limit
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
 constexpr std::size_t kMinChangeBytes = 9;
 
@@ -151,8 +152,8 @@ LayerChange read_layer(ByteReader& in, const Document& document, PicturesInBytes
   const std::uint8_t flags = in.u8();
   if (flags == 0) return c;
   c.after_index = in.u64();
-  c.after = LayerState{std::string(in.text(kMaxLayerNameBytes)), (flags & kVisible) != 0,
-                       (flags & kLocked) != 0};
+  c.after = LayerState{std::string(utf8_prefix(in.text(kMaxNameBytes), kMaxLayerNameBytes)),
+                       (flags & kVisible) != 0, (flags & kLocked) != 0};
   c.after->blend = blend_of_flags(flags);
   if ((flags & kHasLook) == 0) return c;
   const Layer* before = document.layer(c.id);

@@ -426,11 +426,13 @@ const Layer* Document::layer(LayerId id) const noexcept {
 }
 
 GroupId Document::new_group_id() const {
+  constexpr std::uint64_t kLargest = std::uint64_t{1} << 53;  // that files may have
   std::set<GroupId> taken;
   for (const Layer& l : layers_) {
     if (l.group) taken.insert(l.group->id);
   }
-  GroupId id{1};
+  GroupId id{taken.empty() ? 1 : taken.rbegin()->value + 1};
+  if (id.value > kLargest) id = {1};
   while (taken.contains(id)) ++id.value;
   return id;
 }

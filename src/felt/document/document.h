@@ -106,8 +106,8 @@ class Document {
   [[nodiscard]] LayerId new_layer_id(std::uint64_t n = 0) const noexcept {
     return {last_layer_id_ + 1 + n};
   }
-  /// Returns the smallest id that no group of this document has. So ids stay small, also after a
-  /// file with large ones was read.
+  /// Returns an id that no group of this document has: one more than the largest, because events
+  /// name groups by it, or the smallest free one if files could not have that.
   [[nodiscard]] GroupId new_group_id() const;
   /// Returns the group with this id, or null if no layer is in such a group.
   [[nodiscard]] LayerGroupPtr group(GroupId id) const noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace felt {
@@ -82,13 +83,18 @@ std::size_t memory_of(const Edit& edit) noexcept {
   for (const SymmetryChange& c : edit.symmetries) {
     bytes += memory_of(c.before) + memory_of(c.after);
   }
+  std::set<const PictureData*> counted;
+  const auto count = [&](const PictureData* data) {
+    if (data && counted.insert(data).second) bytes += data->png.size();
+  };
   for (const LayerChange& c : edit.layers) {
     if (c.before) bytes += c.before->name.capacity();
     if (c.after) bytes += c.after->name.capacity();
     // The document has the picture, too, unless the edit adds or removes it.
     const PictureData *before = data_of(c.before), *after = data_of(c.after);
-    if (before && before != after) bytes += before->png.size();
-    if (after && before != after) bytes += after->png.size();
+    if (before == after) continue;
+    count(before);
+    count(after);
   }
   return bytes;
 }

@@ -57,6 +57,13 @@ TEST(LayerGroups, ALayerIsVisibleAndOpenWithItsGroup) {
   EXPECT_EQ(document.new_group_id(), GroupId{2});
 }
 
+// Events name groups by their ids, so a replay must give the same ids as the recording.
+TEST(LayerGroups, ANewGroupHasALargerIdThanAllOthers) {
+  Document document;
+  ASSERT_TRUE(document.apply(layers_with(document, {group(7), nullptr})));
+  EXPECT_EQ(document.new_group_id(), GroupId{8});
+}
+
 TEST(LayerGroups, SeparateGroupsMakesAnyListValid) {
   std::vector<LayerGroupPtr> groups = {group(7), group(7, "Dog"), nullptr, group(7),
                                        group(0), group(3),        group(3)};

@@ -39,9 +39,11 @@ void StrokeMeasures::use(const Stroke& stroke) {
     current_ = &kept_.back();
     return;
   }
-  const auto size = static_cast<std::size_t>(stroke.segment_count());
+  const auto size_of = [](std::size_t segments, std::size_t widths) { return segments + widths; };
+  const std::size_t size =
+      size_of(static_cast<std::size_t>(stroke.segment_count()), stroke.widths().size());
   while (!kept_.empty() && (kept_.size() >= kMaxKept || kept_segments_ + size > kMaxKeptSegments)) {
-    kept_segments_ -= kept_.front().areas.size();
+    kept_segments_ -= size_of(kept_.front().areas.size(), kept_.front().widths.size());
     kept_.pop_front();
   }
   Entry& entry = kept_.emplace_back();

@@ -20,7 +20,8 @@ class StrokeMeasures {
  public:
   /// Strokes with fewer segments are measured again each time.
   static constexpr int kMinKeptSegments = 128;
-  /// Largest number of strokes that are kept, and of their segments together: about 20 MB.
+  /// Largest number of strokes that are kept, and of their segments and widths together: about
+  /// 20 MB.
   static constexpr std::size_t kMaxKept = 64;
   static constexpr std::size_t kMaxKeptSegments = 200'000;
 

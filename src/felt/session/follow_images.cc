@@ -251,7 +251,10 @@ class ResultFinder {
     for (const StrokeId id : line->second.after) {
       if (id == image.stroke) continue;
       const StrokeChange& other = *changes_.at(id);
-      if (!other.before && is_piece_of(*other.after, *stroke)) {
+      // A copy of the line may lie on it in another layer.
+      const bool is_beside =
+          other.after_place.layer == changes_.at(image.stroke)->before_place.layer;
+      if (!other.before && is_beside && is_piece_of(*other.after, *stroke)) {
         if (claimed_.insert(id).second) r.parts.push_back(id);
       }
     }

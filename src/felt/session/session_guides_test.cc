@@ -148,6 +148,16 @@ TEST(SessionGuides, TheEraserDividesAndRemovesImagesToo) {
   EXPECT_TRUE(f.document().symmetries().empty());
 }
 
+TEST(SessionGuides, ACopyOfTheLayerIsErasedAsInkOfItsOwn) {
+  MirrorFixture f;
+  f.drag("pencil", {110, 80}, {150, 80});
+  f.must(LayerEvent{LayerEvent::Do::kDuplicate, {1}});
+  f.drag("eraser", {130, 74}, {130, 86});
+  EXPECT_EQ(f.document().layers()[0].strokes.size(), 4U) << "two parts on each side";
+  EXPECT_EQ(f.document().layers()[1].strokes.size(), 3U) << "the copies are not linked";
+  EXPECT_LT(largest_error_mm(f.document()), kSameMm);
+}
+
 /// Draws a mirrored line whose free end is at (150, 80), and a line without images from `from`.
 struct JoinFixture : MirrorFixture {
   explicit JoinFixture(Point from) {

@@ -266,7 +266,7 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
     if (done && has_table) done = read(database, edit);
   };
   then(schema.has_layer_looks, read_layer_opacities);
-  then(schema.has_pictures, read_pictures);
+  if (done && schema.has_pictures) done = read_pictures(database, edit, notices);
   then(schema.has_layer_blends, read_layer_blends);
   then(schema.has_layer_groups, read_layer_groups);
   then(true, read_strokes);

@@ -86,8 +86,10 @@ Result<void> write_pictures(Database& database, const Document& document) {
   return {};
 }
 
-/// Reads a row. `read` has the pictures of the rows before it.
-bool read_picture(const Statement& row, PictureRows& read, LayerState& state) {
+/// Reads a row. `read` has the pictures of the rows before it. If the row that has the bytes is
+/// missing, because an older program left it out together with its layer, adds a notice.
+bool read_picture(const Statement& row, PictureRows& read, LayerState& state,
+                  std::vector<std::string>* notices) {
   PictureRow values;
   for (int i = 0; i < 6; ++i) {
     if (!row.is_real(i + 1)) return false;
@@ -101,7 +103,11 @@ bool read_picture(const Statement& row, PictureRows& read, LayerState& state) {
     const auto same = std::find_if(read.begin(), read.end(), [&values](const auto& known) {
       return known.first == values.same_as;
     });
-    if (same != read.end()) values.data = same->second;
+    if (same == read.end()) {
+      if (notices) notices->push_back("The picture of the layer '" + state.name + "' is lost.");
+      return true;
+    }
+    values.data = same->second;
   } else if (row.is_blob(8)) {
     values.data = make_picture_data(std::string(row.blob(8))).value_or(nullptr);
     read.emplace_back(row.integer(10), values.data);
@@ -141,13 +147,15 @@ Result<void> read_layer_opacities(const Database& database, Edit& edit) {
                             });
 }
 
-Result<void> read_pictures(const Database& database, Edit& edit) {
+Result<void> read_pictures(const Database& database, Edit& edit,
+                           std::vector<std::string>* notices) {
   PictureRows read;
   return for_each_layer_row(
       database,
       "SELECT layer, a, b, c, d, e, f, exported, png, checksum, id FROM picture ORDER BY id",
-      "picture", edit,
-      [&read](const Statement& row, LayerState& state) { return read_picture(row, read, state); });
+      "picture", edit, [&read, notices](const Statement& row, LayerState& state) {
+        return read_picture(row, read, state, notices);
+      });
 }
 
 }  // namespace felt

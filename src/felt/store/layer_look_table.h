@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
@@ -44,6 +45,7 @@ Result<void> write_layer_looks(Database& database, const Document& document);
 /// adds. Requires that the database has the table. Fails if a value is invalid, or if a layer does
 /// not exist or has two rows.
 Result<void> read_layer_opacities(const Database& database, Edit& edit);
-Result<void> read_pictures(const Database& database, Edit& edit);
+/// A picture whose bytes are in a missing row is left out, with a notice unless `notices` is null.
+Result<void> read_pictures(const Database& database, Edit& edit, std::vector<std::string>* notices);
 
 }  // namespace felt

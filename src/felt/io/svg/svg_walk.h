@@ -68,6 +68,7 @@ class SvgWalker {
   void visit_switch(Element& e, const Frame& from);
   void visit_use(Element& e, const Frame& from);
   [[nodiscard]] static BlendMode blend_of(const Element& e);
+  [[nodiscard]] BlendMode blend_of_layer(const Element& e);
   [[nodiscard]] bool is_layer(const Element& e) const;
   [[nodiscard]] bool has_layers(const Element& e) const;
   void enter_layer(Element& e);

@@ -15,6 +15,15 @@ BlendMode SvgWalker::blend_of(const Element& e) {
       .value_or(BlendMode::kNormal);
 }
 
+/// Returns the blend mode of a layer; normal if other programs' files have too many.
+BlendMode SvgWalker::blend_of_layer(const Element& e) {
+  const BlendMode blend = blend_of(e);
+  if (blend == BlendMode::kNormal || is_ours_) return blend;
+  if (++blended_groups_ <= limits::kMaxSvgBlendedGroups) return blend;
+  notice(e.node, "has a blend mode, which was ignored: the file has more than 200 such groups");
+  return BlendMode::kNormal;
+}
+
 bool SvgWalker::is_layer(const Element& e) const {
   return document_.inkscape(e.node, "groupmode") == "layer";
 }
@@ -34,7 +43,7 @@ void SvgWalker::enter_layer_group(Element& e) {
   s.layer.group =
       SvgLayer::Group{s.layer.label,     s.layer.number,
                       s.style.displayed, document_.sodipodi(e.node, "insensitive") == "true",
-                      s.style.opacity,   blend_of(e)};
+                      s.style.opacity,   blend_of_layer(e)};
 }
 
 /// Makes a group with a blend mode a layer of its own, as soon as it has content. If there are too
@@ -57,7 +66,7 @@ void SvgWalker::enter_layer(Element& e) {
   s.layer.visible = s.layer.visible && s.style.displayed;
   s.layer.locked = s.layer.locked || document_.sodipodi(e.node, "insensitive") == "true";
   s.layer.opacity *= s.style.opacity;
-  if (const BlendMode blend = blend_of(e); blend != BlendMode::kNormal) s.layer.blend = blend;
+  if (const BlendMode blend = blend_of_layer(e); blend != BlendMode::kNormal) s.layer.blend = blend;
   s.layer.number = ++layers_;
   current_layer_ = s.layer.number;
   has_layer_ = true;
