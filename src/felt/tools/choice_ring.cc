@@ -14,7 +14,7 @@ namespace {
 constexpr double kWellRad = kTau / static_cast<double>(ChoiceRing::kWells);
 /// Reach of a well, as a share of the radius. Half of the distance to the next well is sin(pi/8) =
 /// 0.383 of the radius.
-constexpr double kReach = 0.38;
+constexpr double kWellReach = 0.38;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ Point ChoiceRing::well(std::size_t i) const noexcept {
 
 GuideLaw ring_law(double radius_mm) noexcept {
   const double share = std::clamp(radius_mm / kRingMm, 0.0, 1.0);
-  return {.well = {.radius_mm = kReach * radius_mm,
+  return {.well = {.radius_mm = kWellReach * radius_mm,
                    .core_mm = 2.0 * share,
                    .rim_mm = 2.0 * share,
                    .force_n = 0.5 * share,
