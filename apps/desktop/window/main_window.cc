@@ -164,6 +164,11 @@ QWidget* MainWindow::canvas_with_notices() {
   return middle;
 }
 
+MainWindow::~MainWindow() {
+  // The base class hides the panels after the members of this class are gone.
+  for (QDockWidget* panel : panels_) panel->toggleViewAction()->disconnect();
+}
+
 QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);

@@ -25,6 +25,7 @@ class MainWindow : public QMainWindow {
 
  public:
   explicit MainWindow(StudioOptions options, QWidget* parent = nullptr);
+  ~MainWindow() override;
 
   [[nodiscard]] Studio& studio() noexcept { return *studio_; }
   [[nodiscard]] Canvas& canvas() noexcept { return *canvas_; }
