@@ -330,7 +330,7 @@ TEST_F(PenInputTest, AButtonThatIsHeldStillWantsTheRing) {
   }
   mouse_line({300, 20}, {300, 180}, Qt::RightButton);
   QTest::qWait(MouseInput::kHoldMs + 100);
-  EXPECT_EQ(ring.count(), 0) << "a drag is no rest";
+  EXPECT_EQ(ring.count(), 0) << "only a button that is held still opens the ring";
   set(pen_keys::kRightButton, QStringLiteral("ring"));
   mouse(QEvent::MouseButtonPress, {200, 100}, Qt::RightButton, Qt::RightButton);
   EXPECT_EQ(ring.count(), 1);

@@ -11,8 +11,7 @@ using GuideDo = GuidesEvent::Do;
 Result<void> check_new_guide(const Document& document, const DrawingGuide& guide) {
   if (Result<void> fine = check_drawing_guide(guide); !fine) return fine;
   if (!guide.stroke || document.find(guide.stroke)) return {};
-  return fail(ErrorCode::kNotFound,
-              "stroke: there is no stroke " + std::to_string(guide.stroke.value));
+  return fail(ErrorCode::kNotFound, "stroke: no stroke " + std::to_string(guide.stroke.value));
 }
 
 Result<Edit> added_guide(const Document& document, const DrawingGuide& guide) {
@@ -50,7 +49,7 @@ Edit shown_guides(const Document& document, bool shown) {
 Result<Edit> guide_edit(const Document& document, const GuidesEvent& event) {
   const DrawingGuidePtr present = document.find_guide(event.id);
   if ((event.what == GuideDo::kChange || event.what == GuideDo::kRemove) && !present) {
-    return fail(ErrorCode::kNotFound, "id: there is no guide " + std::to_string(event.id.value));
+    return fail(ErrorCode::kNotFound, "id: no guide " + std::to_string(event.id.value));
   }
   if (event.what == GuideDo::kAdd || event.what == GuideDo::kChange) {
     if (Result<void> fine = check_new_guide(document, event.guide); !fine) {

@@ -22,7 +22,7 @@ namespace felt {
 /// A deterministic function of its calls. Use it on the edit thread.
 class EdgeRidges {
  public:
-  /// Beyond this distance from the edges there is no ridge; its force ends before.
+  /// Distance from the edges beyond which force() returns null, because the force is zero there.
   static constexpr double kNearMm = 8.0;
   /// The other edge takes over when it is nearer by this.
   static constexpr double kSwitchMm = 1.0;

@@ -170,8 +170,8 @@ ForceProbe::ForceProbe(const Capabilities& device) : device_(device) {
 
 Force ForceProbe::beside_the_surface(const ForceModel& model, const PenSample& sample) const {
   ForceMemory memory = memory_;
-  // So short that a groove which captures the pen here, and whose force grows with time from zero
-  // (Guide), has no force yet: what begins with time is no jump in space.
+  // The tick is so short that a groove which captures the pen here (Guide) has no force yet,
+  // because its force grows from zero with time. This check is about jumps in space only.
   memory.begin_tick(1e-6);
   (void)model(sample, memory);
   Force sum;
