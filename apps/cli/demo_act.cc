@@ -61,6 +61,11 @@ void DemoAct::choose(OfferKind what) {
   say(ChooseOffer{what});
 }
 
+void DemoAct::open_ring(double radius_mm) {
+  const Point pen = on_page(hand_);
+  say(UseRing{true, pen, pen + Vec{0.0, -radius_mm}, pen + Vec{radius_mm, 0.0}});
+}
+
 void DemoAct::draw(WritingHand& hand, const std::vector<Gesture>& gestures, int& count) {
   SampleSet set{"", {}};
   for (const Gesture& gesture : gestures) {

@@ -37,6 +37,9 @@ class DemoAct {
   }
   /// Adds the choice of what a stroke means.
   void choose(OfferKind what);
+  /// Opens a ring around the pen.
+  void open_ring(double radius_mm);
+  void close_ring() { say(UseRing{}); }
   /// Adds a short touch at this point.
   void tap(Point at);
   /// Adds a whole gesture: the pen touches at the first point, moves along the others, rests for a

@@ -8,6 +8,7 @@
 
 #include "demo_act.h"
 #include "felt/devices/simulated/samples/drawings.h"
+#include "felt/tools/choice_ring.h"
 
 namespace felt {
 namespace {
@@ -360,6 +361,28 @@ std::string read_act() {
   return act.text();
 }
 
+/// Returns the act in which the pen chooses a tool in a ring: it feels a well, goes over the ridge
+/// to the next one, and lifts.
+std::string ring_act() {
+  DemoAct act;
+  act.tool("pencil");
+  act.hover({66.0, 78.0});
+  act.open_ring(kRingMm);
+  act.wait(0.5);
+  act.press();
+  act.along({{66.0, 62.0}}, 30.0);
+  act.wait(0.4);
+  act.along({{72.5, 64.0}, {77.3, 66.7}}, 20.0);
+  act.wait(0.3);
+  act.along({{80.5, 72.0}, {82.0, 78.0}}, 20.0);
+  act.wait(0.8);
+  act.lift();
+  act.close_ring();
+  act.tool("pull");
+  act.wait(0.6);
+  return act.text();
+}
+
 struct Act {
   const char* name;
   std::string (*script)();
@@ -379,7 +402,8 @@ constexpr Act kActs[] = {{"1-pencil", pencil_act},
                          {"13-pencil-gestures", gestures_act},
                          {"14-pencil-steady", steady_act},
                          {"15-eraser-press", press_act},
-                         {"16-read", read_act}};
+                         {"16-read", read_act},
+                         {"17-pencil-ring", ring_act}};
 
 }  // namespace
 }  // namespace felt

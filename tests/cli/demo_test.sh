@@ -10,8 +10,15 @@ run 0 "$feltline" demo -o two/below --size 400
 for file in sketch.ndjson sketch.svg forces.csv; do
   same "one/$file" "two/below/$file"
 done
+# Each act has a picture (before, during and after it) and a row of the table.
 mkdir -p three
 run 0 "$feltline" demo -o three
+for act in "$tools"/*/[0-9]*-*.ndjson; do
+  name=$(basename "$act" .ndjson)
+  [ -s "one/$name.png" ] || fail "no picture of $name"
+  same "one/$name.png" "three/$name.png"
+  has out "${name#*-}"
+done
 for file in sketch.png forces.png; do
   same "one/$file" "three/$file"
   [ "$(head -c 4 "one/$file" | tail -c 3)" = PNG ] || fail "$file is not a PNG"
@@ -19,15 +26,6 @@ done
 if command -v rsvg-convert >/dev/null; then
   run 0 rsvg-convert one/sketch.svg -o viewed.png
 fi
-
-# Each act has a picture (before, during and after it) and a row of the table.
-run 0 "$feltline" demo -o one
-for act in "$tools"/*/[0-9]*-*.ndjson; do
-  name=$(basename "$act" .ndjson)
-  [ -s "one/$name.png" ] || fail "no picture of $name"
-  same "one/$name.png" "three/$name.png"
-  has out "${name#*-}"
-done
 
 # Its scripts are ordinary scripts. 'replay' plays each one on the drawing of the first act, and each
 # has its intended effect.
@@ -55,6 +53,7 @@ changes 12-fill '"edits":1,'
 changes 13-pencil-gestures '"edits":2,'  # a circle, and a scribble: the moon is not on this drawing
 changes 14-pencil-steady '"edits":2,'
 changes 16-read '"edits":0,'
+changes 17-pencil-ring '"edits":0,'
 run 0 "$feltline" replay "$tools/pencil/14-pencil-steady.ndjson" -o lines.ndjson
 changes 15-eraser-press '"edits":1,' lines.ndjson
 has out '"strokes":1,'

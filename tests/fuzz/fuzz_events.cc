@@ -108,6 +108,12 @@ struct CheckWhat {
     if (e.page.empty()) return;
     for (const double mm : {e.page.x0, e.page.y0, e.page.x1, e.page.y1}) check_number(mm);
   }
+  void operator()(const UseRing& e) const {
+    for (const Point& p : {e.middle, e.top, e.right}) {
+      check_number(p.x);
+      check_number(p.y);
+    }
+  }
   void operator()(const ChooseOffer& e) const { FELT_CHECK(e.what <= OfferKind::kPolygon); }
   void operator()(const GuidesEvent& e) const {
     FELT_CHECK(e.what != GuidesEvent::Do::kAdd || check_drawing_guide(e.guide).has_value());

@@ -241,10 +241,10 @@ bool Studio::use_device(const QString& id) {
 
 void Studio::point(const PointerEvent& event) {
   pen_.hand = event.position;
-  // A touch that begins after a menu was closed is for the tool, even if the simulated pen has not
+  // A touch that begins after a ring was closed is for the tool, even if the simulated pen has not
   // been lifted in between.
-  if (std::exchange(hand_touches_, event.touching) != event.touching && !menu_force_) {
-    touches_for_menu_ = touches_for_menu_ && !event.touching;
+  if (std::exchange(hand_touches_, event.touching) != event.touching && !session_->ring()) {
+    touches_for_ring_ = touches_for_ring_ && !event.touching;
   }
   loop_.point(event, session_->surface(), session_->device(), absent_pressure(*session_));
 }
@@ -292,25 +292,17 @@ void Studio::deselect_for_drawing(const PenSample& sample) {
   static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
 }
 
-void Studio::set_menu_force(const std::optional<ForceModel>& force) {
-  menu_force_ = force;
-  loop_.wake();
-  publish();
-}
-
-/// Lifts the pen of a sample while a menu is open, and until a touch that began meanwhile ends.
-void Studio::lift_for_menu(PenSample& sample) {
-  constexpr double kLiftedMm = 1.0;
-  touches_for_menu_ = (menu_force_ || touches_for_menu_) && in_contact(sample);
-  if (!touches_for_menu_) return;
-  sample.position.z = std::max(sample.position.z, kLiftedMm);
-  if (sample.pressure) sample.pressure = 0.0;
+/// Lifts the pen of a sample while a ring is open, and until a touch that began meanwhile ends.
+/// pen() has the sample as it is.
+void Studio::lift_for_ring(PenSample& sample) {
+  touches_for_ring_ = (session_->ring() || touches_for_ring_) && in_contact(sample);
+  if (touches_for_ring_) lift(sample);
 }
 
 void Studio::handle_sample(PenSample& sample) {
   sample.time_ns = last_event_ns_ = std::max(last_event_ns_, sample.time_ns);
   const PenSample as_read = sample;
-  lift_for_menu(sample);
+  lift_for_ring(sample);
   deselect_for_drawing(sample);
   if (const Result<void> done = session_->sample(sample); !done) {
     Q_EMIT refused(text_of(done.error()));

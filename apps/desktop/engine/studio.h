@@ -124,10 +124,6 @@ class Studio : public QObject {
   /// Advances the time tick by tick. Requires that the studio is not live.
   void advance(std::int64_t ns);
   [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
-  /// Sets the force that is sent instead of the tool's while a menu is open at the pen; nullopt if
-  /// it is closed. Until the pen is up and the menu closed, the session receives samples of a
-  /// lifted pen, so that nothing is drawn; pen() has the samples as they are.
-  void set_menu_force(const std::optional<ForceModel>& force);
 
  Q_SIGNALS:
   // --- Signals about the session, emitted immediately and in order, for code that stores or
@@ -182,8 +178,8 @@ class Studio : public QObject {
   bool drain();
   void handle_sample(PenSample& sample);
   void deselect_for_drawing(const PenSample& sample);
-  void publish() { loop_.publish(menu_force_ ? *menu_force_ : session_->force()); }
-  void lift_for_menu(PenSample& sample);
+  void publish() { loop_.publish(session_->force()); }
+  void lift_for_ring(PenSample& sample);
   void report_changes();
   [[nodiscard]] HapticLoop::PenActivity pen_activity() const;
 
@@ -204,8 +200,7 @@ class Studio : public QObject {
   std::vector<AnyMaterial> of_drawing_;  // materials that came with the drawing and differ from
                                          // options_.materials
   PenState pen_;
-  std::optional<ForceModel> menu_force_;
-  bool touches_for_menu_ = false;   // the pen has touched while a menu was open
+  bool touches_for_ring_ = false;   // the pen has touched while a ring was open
   bool hand_touches_ = false;       // the hand of a mouse or tablet puts the pen down
   std::int64_t last_event_ns_ = 0;  // time of the last event of the session
   std::vector<Edit> edits_;         // edits that `edited` has not reported yet

@@ -7452,5 +7452,13 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
         <translation>Den Radierer drücken, bis er klickt: Die ganze Linie verschwindet. Auch der Bleistift hat solche Stufen; sie halten die Breite einer Linie.</translation>
     </message>
+    <message>
+        <source>Around the pen there are eight choices, each in its own direction: a well that attracts the pen, with a ridge to the next one. Lift the pen to choose.</source>
+        <translation>Um den Stift liegen acht Möglichkeiten, jede in ihrer eigenen Richtung: eine Mulde, die den Stift anzieht, mit einer Erhebung zur nächsten. Abheben wählt.</translation>
+    </message>
+    <message>
+        <source>Ring of tools</source>
+        <translation>Ring der Werkzeuge</translation>
+    </message>
 </context>
 </TS>

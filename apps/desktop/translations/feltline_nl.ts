@@ -7452,5 +7452,13 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Press the eraser until it clicks, and the whole line goes. The pencil has such steps too: they hold the width of a line.</source>
         <translation>Druk de gum in tot hij klikt: de hele lijn verdwijnt. Ook het potlood heeft zulke stappen; ze houden de breedte van een lijn vast.</translation>
     </message>
+    <message>
+        <source>Around the pen there are eight choices, each in its own direction: a well that attracts the pen, with a ridge to the next one. Lift the pen to choose.</source>
+        <translation>Rond de pen liggen acht keuzes, elk in een eigen richting: een kuil die de pen aantrekt, met een richel naar de volgende. Til de pen op om te kiezen.</translation>
+    </message>
+    <message>
+        <source>Ring of tools</source>
+        <translation>Ring met gereedschappen</translation>
+    </message>
 </context>
 </TS>

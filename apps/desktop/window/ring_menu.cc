@@ -77,7 +77,7 @@ void RingMenu::open(RingContent content, QPointF px, By by) {
   show();
   raise();
   if (by == By::kKey) setFocus();
-  show_choice();
+  update();
 }
 
 void RingMenu::toggle(RingContent content) {
@@ -101,7 +101,7 @@ void RingMenu::close_ring() {
   if (focus == this || isAncestorOf(focus)) {
     canvas_.setFocus(by_ == By::kKey ? Qt::ShortcutFocusReason : Qt::OtherFocusReason);
   }
-  studio_.set_menu_force({});
+  if (studio_.session().ring()) studio_.apply(UseRing{});
 }
 
 /// Called when a ring opens first, to start faster.
@@ -164,6 +164,7 @@ void RingMenu::place(QPointF px) {
     right = share * right;
   }
   ring_.emplace(pen_, up, right);
+  studio_.apply(UseRing{true, pen_, pen_ + up, pen_ + right});
 }
 
 /// Returns true for events of a press during which the ring was closed.
@@ -300,7 +301,7 @@ void RingMenu::move_to(Point pen) {
   const std::optional<std::size_t> before = ring_->chosen();
   ring_->move(pen);
   if (ring_->chosen() == before) return;
-  show_choice();
+  update();
   if (!ring_->chosen()) return;
   say_choice();
   Q_EMIT studio_.tick_wanted();
@@ -347,13 +348,6 @@ void RingMenu::choose(std::size_t well) {
   if (!ring_) return;
   keys_chose_ = true;
   ring_->choose(well);
-  show_choice();
-}
-
-/// Shows the present choice, and lets a device feel it.
-void RingMenu::show_choice() {
-  const Session& session = studio_.session();
-  studio_.set_menu_force(ring_force(*ring_, session.surface(), session.device()));
   update();
 }
 

@@ -21,7 +21,7 @@ namespace felt::desktop {
 /// Canvas::ring_wanted, and for the commands of add_ring_menu().
 ///
 /// While it is open, it handles the input of the canvas, and nothing is drawn. With a force
-/// feedback device, the pen feels the wells on the surface (Studio::set_menu_force); other devices
+/// feedback device, the pen feels the wells on the surface (UseRing); other devices
 /// get a tick for each new choice (Studio::tick_wanted).
 ///
 /// The direction from the middle chooses. The choice is carried out when the button or key that
@@ -70,7 +70,6 @@ class RingMenu : public QWidget {
   void follow_device();
   void move_to(Point pen);
   void choose(std::size_t well);
-  void show_choice();
   void say_choice();
   void run();
 

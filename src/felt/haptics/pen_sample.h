@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -33,6 +34,12 @@ constexpr double depth_mm(const PenSample& sample) noexcept {
 /// (docs/design/loop.md#pen-contact).
 constexpr bool in_contact(const PenSample& sample) noexcept {
   return sample.position.z < 0.0 || sample.pressure.value_or(0.0) > 0.0;
+}
+
+/// Changes the sample to one of the same pen 1 mm or more above the surface.
+constexpr void lift(PenSample& sample) noexcept {
+  sample.position.z = std::max(sample.position.z, 1.0);
+  if (sample.pressure) sample.pressure = 0.0;
 }
 
 /// Computes a velocity from positions, as drivers do: first differences through a first-order

@@ -263,6 +263,18 @@ struct UseEdges {
   friend bool operator==(const UseEdges&, const UseEdges&) = default;
 };
 
+/// Opens a menu around the pen (ChoiceRing), or closes it. While it is open, the pen feels its
+/// wells instead of the tool's force, and neither draws nor edits. What is chosen is another event,
+/// of a tool or an option. Has no effect during a gesture.
+/// {"event":"ring","points":[[60,70],[60,54],[76,70]]}
+struct UseRing {
+  bool is_open = false;
+  Point middle = {};  ///< the others matter only if it is open
+  Point top = {};     ///< the well at the top
+  Point right = {};   ///< the well on the right
+  friend bool operator==(const UseRing&, const UseRing&) = default;
+};
+
 /// Replaces the last stroke by the exact line or arc of the guide of the drawing that it kept to,
 /// as one undo step. Does nothing if no exact curve is offered (Session::exact_offer).
 /// {"event":"exact"}
@@ -277,7 +289,7 @@ struct Event {
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer, GuidesEvent, ExactEvent, UseEdges>
+               ChooseOffer, GuidesEvent, ExactEvent, UseEdges, UseRing>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -125,6 +125,7 @@ struct Session::Apply {
   Result<void> operator()(const GuidesEvent& e) const { return session.change_guides(e); }
   Result<void> operator()(const ExactEvent&) const { return session.make_exact(); }
   Result<void> operator()(const UseEdges& e) const { return session.use_edges(e); }
+  Result<void> operator()(const UseRing& e) const { return session.use_ring(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -207,6 +208,7 @@ Result<void> Session::sample(const PenSample& reported) {
             PenEvent{sample.position, sample.pressure, sample.buttons, sample.tilt_deg}});
   }
 
+  follow_ring(sample);
   if (parts_->guide) parts_->guide->update(sample);
   follow_edges(sample);
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
@@ -407,6 +409,7 @@ void Session::draw(Overlay& overlay) const {
   stroke_guide_->draw(overlay);
   if (!options_.device.has_force()) draw_guide_spring(overlay);
   if (const StrokePtr exact = exact_offer()) draw_exact(*exact, overlay);
+  draw_ring(overlay);
 }
 
 void Session::follow_stroke_guide(const PenSample& sample) {

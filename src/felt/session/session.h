@@ -15,6 +15,7 @@
 #include "felt/material/materials.h"
 #include "felt/session/event.h"
 #include "felt/stroke/stroke.h"
+#include "felt/tools/choice_ring.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -60,7 +61,7 @@ struct SessionOptions {
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
 ///   redo, as-drawn, exact, select, delete, duplicate, move, order, restyle, layer,
-///   picture, guides                                    have no effect
+///   picture, guides, ring                              have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
@@ -139,6 +140,8 @@ class Session {
   [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
+  /// Returns the open ring, with what the pen chooses in it, or nullopt (UseRing).
+  [[nodiscard]] const std::optional<ChoiceRing>& ring() const noexcept { return ring_; }
   /// Returns the edges that are felt (UseEdges).
   [[nodiscard]] const UseEdges& edges() const noexcept { return edges_; }
   /// Returns the line or arc that the last stroke would become by an ExactEvent, or null. It is
@@ -188,6 +191,7 @@ class Session {
   Result<void> use_material(const UseMaterial& event);
   Result<void> use_guide(const UseGuide& event);
   Result<void> use_edges(const UseEdges& event);
+  Result<void> use_ring(const UseRing& event);
   /// If an option names a material that is not built in, records the material before the option,
   /// but each material only once.
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
@@ -217,6 +221,9 @@ class Session {
   void offer_exact(const Edit& drawn);
   void follow_stroke_guide(const PenSample& sample);
   void follow_edges(const PenSample& sample);
+  /// Moves the ring's choice, and lifts the pen of the sample.
+  void follow_ring(PenSample& sample);
+  void draw_ring(Overlay& overlay) const;
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
@@ -272,6 +279,8 @@ class Session {
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::unique_ptr<StrokeGuide> stroke_guide_;
+  std::optional<ChoiceRing> ring_;
+  bool touches_ring_ = false;  // the pen touches since the ring is open
   UseEdges edges_;
   std::unique_ptr<EdgeRidges> edge_ridges_;  // null until an edge is felt
   std::unique_ptr<ExactOffer> exact_;        // null: no offer

@@ -207,7 +207,10 @@ void Episode::check_state(const PenSample& reported) {
   sample.velocity = velocity_.update(sample.position, dt_s);
   velocity_ns_ = sample.time_ns;
   const bool draws = session_.tool().info().kind == ToolKind::kDraws;
-  break_rule(probe_.check(session_.force(), sample, force_limit_n(draws), draws));
+  // The safety chain scales the tool's force and the ridge down near an edge.
+  const bool has_edge = session_.edges() != UseEdges{};
+  break_rule(probe_.check(session_.force(), sample, force_limit_n(draws) + (has_edge ? 0.2 : 0.0),
+                          draws || has_edge));
   ToolTotals& totals = tool_totals();
   totals.largest_n = std::max(totals.largest_n, probe_.take_largest_n());
   session_.draw(overlay_);
@@ -277,6 +280,8 @@ void Episode::between_gestures() {
   if (k < 0.23) return import();
   if (k < 0.33) return select_or_delete();
   if (k < 0.38) return change_layers();
+  if (k < 0.42) return change_edges();
+  if (k < 0.46) return use_ring();
   if (k < 0.7) return choose_offer();
 }
 
@@ -307,7 +312,7 @@ void Episode::choose_offer() {
 
 /// Interrupts a gesture: undoes, changes the tool or an option, imports, cancels ...
 void Episode::interfere() {
-  switch (dice_.pick(9)) {
+  switch (dice_.pick(10)) {
     case 0:
       return undo_and_redo();
     case 1:
@@ -323,6 +328,8 @@ void Episode::interfere() {
       return change_layers();
     case 7:
       return choose_offer();
+    case 8:
+      return use_ring();
     case 6: {
       where_ += ", it is finished";
       const Result<void> done = session_.finish();
@@ -408,6 +415,47 @@ void Episode::change_layers() {
   is_command_ = false;
   if (!done && edits_ != edits) break_rule("a layer event is refused and changes something");
   break_rule(check_selection(session_.document(), session_.selection()));
+}
+
+void Episode::change_edges() {
+  where_ += ", edges";
+  UseEdges edges;
+  if (dice_.chance(0.7)) {
+    const double x = dice_.between(-10.0, 60.0), y = dice_.between(-10.0, 60.0);
+    edges.page = {x, y, x + dice_.between(0.1, 150.0), y + dice_.between(0.1, 150.0)};
+  }
+  edges.selection = dice_.chance(0.5);
+  apply(edges);
+}
+
+/// Opens a ring, moves the pen in it, and closes it or chooses a tool, which closes it a little
+/// later. Nothing that happens in it may change the document.
+void Episode::use_ring() {
+  where_ += ", ring";
+  const Point middle{dice_.between(0.0, 100.0), dice_.between(0.0, 100.0)};
+  const double angle = dice_.between(0.0, 6.3), size_mm = dice_.between(1.0, 40.0);
+  const Vec up{size_mm * std::sin(angle), -size_mm * std::cos(angle)};
+  const Vec right = dice_.chance(0.8) ? Vec{-up.y, up.x} : Vec{up.y, -up.x};
+  apply(UseRing{true, middle, middle + up, middle + right});
+  if (!session_.ring()) return;  // a gesture is in progress
+  const std::uint64_t edits = edits_;
+  bool touches = false;
+  for (int i = dice_.pick(0, 30); i > 0 && !broken_; --i) {
+    if (dice_.chance(0.2)) touches = !touches;
+    const Vec off{dice_.between(-2.0, 2.0) * size_mm, dice_.between(-2.0, 2.0) * size_mm};
+    PenSample sample;
+    sample.time_ns = now_ns_ + 4'000'000;
+    sample.position = {middle.x + off.x, middle.y + off.y, touches ? -0.5 : 2.0};
+    if (dice_.chance(0.02)) sample.position.x = std::nan("");
+    now_ns_ = sample.time_ns;
+    if (!session_.sample(sample)) break_rule("a sample in a ring is refused");
+    if (dice_.chance(0.3) && is_pen_position(sample.position)) check_state(sample);
+  }
+  if (edits_ != edits) break_rule("a ring changed the document");
+  apply(UseRing{});
+  if (session_.ring()) break_rule("a ring stays open");
+  contact_ = {};
+  pen_is_up_ = !touches;
 }
 
 void Episode::back_and_forth() {

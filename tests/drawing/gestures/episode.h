@@ -74,6 +74,8 @@ class Episode {
   void import();
   void select_or_delete();
   void change_layers();
+  void change_edges();
+  void use_ring();
   void mean_something();
   void choose_offer();
   void back_and_forth();

@@ -436,6 +436,8 @@ constexpr std::array kGuidesFields = {
 constexpr std::array kEdgesFields = {kEvent, kTime, EventField{"page", false, parse_edges_page},
                                      EventField{"selection", false, parse_edges_selection}};
 
+constexpr std::array kRingFields = {kEvent, kTime, EventField{"points", false, parse_guide_points}};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -466,6 +468,7 @@ constexpr NamedEvent kEvents[] = {
     {"choose", EventName::kChoose, kChooseFields},
     {"guides", EventName::kGuides, kGuidesFields},
     {"edges", EventName::kEdges, kEdgesFields},
+    {"ring", EventName::kRing, kRingFields},
 };
 
 }  // namespace

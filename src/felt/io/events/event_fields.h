@@ -77,7 +77,8 @@ enum class EventName {
   kGuide,
   kChoose,
   kGuides,
-  kEdges
+  kEdges,
+  kRing
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

@@ -90,6 +90,10 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return UseGuide{std::move(fields.guide)};
     case EventName::kEdges:
       return fields.edges;
+    case EventName::kRing: {
+      const std::vector<Point>& points = fields.guide.points;
+      return points.empty() ? UseRing{} : UseRing{true, points[0], points[1], points[2]};
+    }
     case EventName::kChoose:
       break;
   }
@@ -148,6 +152,13 @@ Result<void> check_layer(EventName name, const EventFields& fields) {
   return {};
 }
 
+/// A ring has all of its points, or none if it closes.
+Result<void> check_ring(EventName name, const EventFields& fields) {
+  const std::size_t points = fields.guide.points.size();
+  if (name != EventName::kRing || points == 0 || points == 3) return {};
+  return json::bad("points: a ring has three, its middle, its top and its right");
+}
+
 std::string milliseconds_text(std::int64_t time_ns) {
   std::string text = std::to_string(static_cast<double>(time_ns) / 1e6);
   text.erase(text.find_last_not_of('0') + 1);
@@ -188,6 +199,7 @@ struct EventReader::State {
     if (read) read = fields.finish();
     if (read) read = check_pose(name, values);
     if (read) read = check_layer(name, values);
+    if (read) read = check_ring(name, values);
     if (read && name == EventName::kGuide) read = check_guide(values.guide);
     if (read && name == EventName::kGuides) {
       Result<GuidesEvent> guides = guides_event(std::move(values));

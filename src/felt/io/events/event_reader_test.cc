@@ -177,6 +177,14 @@ TEST(EventReader, ReadsEdges) {
   EXPECT_EQ(error(R"("selection":1)"), "selection: 1 is not true or false");
 }
 
+TEST(EventReader, ReadsRings) {
+  EXPECT_EQ(event_of(R"({"event":"ring","t_ms":0})"), (Event{0, UseRing{}}));
+  EXPECT_EQ(event_of(R"({"event":"ring","points":[[60,70],[60,54.5],[76,70]],"t_ms":0})"),
+            (Event{0, UseRing{true, {60, 70}, {60, 54.5}, {76, 70}}}));
+  EXPECT_EQ(error_of(R"({"event":"ring","points":[[60,70],[60,54.5]],"t_ms":0})"),
+            "points: a ring has three, its middle, its top and its right");
+}
+
 TEST(EventReader, ReadsGuides) {
   const DrawingGuide ruler{DrawingGuideKind::kRuler, {20, 30.5}, 0.25};
   EXPECT_EQ(event_of(R"({"event":"guides","do":"add","kind":"ruler","x":20,"y":30.5,)"
@@ -270,7 +278,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
       "exact, import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-      "material, guide, choose, guides, edges");
+      "material, guide, choose, guides, edges, ring");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

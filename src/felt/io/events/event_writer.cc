@@ -190,6 +190,10 @@ struct AddWhat {
     }
     if (e.selection) out.add_bool("selection", true);
   }
+  void operator()(const UseRing& e) const {
+    kind("ring");
+    if (e.is_open) add_points(out, {{e.middle, e.top, e.right}});
+  }
   void operator()(const ChooseOffer& e) const {
     kind("choose");
     out.add_text("what", json::word_of(e.what));

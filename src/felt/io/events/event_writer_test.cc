@@ -43,6 +43,9 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, UseEdges{}}), "{\"t_ms\":0,\"event\":\"edges\"}\n");
   EXPECT_EQ(line_of({0, UseEdges{{0, 1, 2.5, 3}, true}}),
             "{\"t_ms\":0,\"event\":\"edges\",\"page\":[0,1,2.5,3],\"selection\":true}\n");
+  EXPECT_EQ(line_of({0, UseRing{}}), "{\"t_ms\":0,\"event\":\"ring\"}\n");
+  EXPECT_EQ(line_of({0, UseRing{true, {60, 70}, {60, 54.5}, {76, 70}}}),
+            "{\"t_ms\":0,\"event\":\"ring\",\"points\":[[60,70],[60,54.5],[76,70]]}\n");
   EXPECT_EQ(line_of({0, ExactEvent{}}), "{\"t_ms\":0,\"event\":\"exact\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
@@ -200,7 +203,7 @@ GuidesEvent any_guides_event() {
 
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 20)) {
+  switch (*rc::gen::inRange(0, 21)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -257,6 +260,11 @@ Event any_event(std::int64_t time_ns) {
     case 18:
       event.what =
           UseEdges{{0.1, -7.0, *rc::gen::inRange(1, 900) * 0.7, 8.5}, *rc::gen::arbitrary<bool>()};
+      break;
+    case 19:
+      event.what = *rc::gen::arbitrary<bool>()
+                       ? UseRing{}
+                       : UseRing{true, {*numbers(), 1.0}, {0.1, *numbers()}, {*numbers(), 0.0}};
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};

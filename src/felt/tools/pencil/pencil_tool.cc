@@ -23,7 +23,7 @@ constexpr std::array<ToolUse, 1> kPencilUses = {
       .path = ToolPath::kFree}}};
 constexpr std::array<std::string_view, 4> kPencilEdits = {"Draw", "As drawn", "Scratch out",
                                                           "Shape"};
-constexpr std::array<ToolAct, 2> kPencilActs = {
+constexpr std::array<ToolAct, 3> kPencilActs = {
     {{.name = "gestures",
       .title = "Gestures",
       .caption =
@@ -34,7 +34,12 @@ constexpr std::array<ToolAct, 2> kPencilActs = {
       .title = "Steady hand",
       .caption = "If your hand shakes, lines can be calm: the shaking is measured once and removed "
                  "while you draw.",
-      .seconds = 8.0}}};
+      .seconds = 8.0},
+     {.name = "ring",
+      .title = "Ring of tools",
+      .caption = "Around the pen there are eight choices, each in its own direction: a well that "
+                 "attracts the pen, with a ridge to the next one. Lift the pen to choose.",
+      .seconds = 7.0}}};
 constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",

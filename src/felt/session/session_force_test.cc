@@ -1,4 +1,4 @@
-// Tests of edges that are felt as soft ridges, with the real tools.
+// Tests of edges that are felt as soft ridges and of rings, with the real tools.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -8,7 +8,7 @@
 #include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt::session_edges_test {
+namespace felt::session_force_test {
 namespace {
 
 constexpr Rect kPage{0.0, 0.0, 210.0, 297.0};
@@ -128,5 +128,57 @@ TEST(SessionEdges, RefusesWhatIsNoRectangle) {
   }
 }
 
+constexpr UseRing kRing{true, {60.0, 70.0}, {60.0, 54.0}, {76.0, 70.0}};
+
+TEST(SessionRing, IsFeltAndChoosesButLeavesNoInk) {
+  EdgeFixture f;
+  const Document before = f.session->document();
+  f.must(kRing);
+  ASSERT_TRUE(f.session->ring());
+  EXPECT_EQ(f.edge_n({61.0, 70.0}), 0.0) << "nothing is chosen in the middle";
+  EXPECT_GT(f.edge_n({78.0, 71.5}), 0.2);
+  EXPECT_EQ(f.session->ring()->chosen(), 2u);
+  f.must(UseRing{});
+  EXPECT_FALSE(f.session->ring());
+  EXPECT_EQ(f.session->document(), before);
+  EXPECT_EQ(f.edge_n({78.0, 71.5}), 0.0);
+  EXPECT_GT(f.session->document().stroke_count(), before.stroke_count()) << "it draws again";
+}
+
+// The ring closes while the pen is on the surface: this touch is not for the tool.
+TEST(SessionRing, ATouchThatBeganInItDoesNotDraw) {
+  EdgeFixture f;
+  f.must(kRing);
+  for (const double x : {60.0, 70.0, 76.0}) f.must(PenEvent{{x, 70.0, -0.5}, {}, 0});
+  f.must(UseRing{});
+  for (double x = 76.0; x < 100.0; x += 0.5) f.must(PenEvent{{x, 70.0, -0.5}, 0.5, 0});
+  for (int i = 0; i < 100; ++i) f.must(PenEvent{{100.0, 70.0, 5.0}, 0.0, 0});
+  EXPECT_EQ(f.session->document().stroke_count(), 1u);
+  for (double x = 76.0; x < 100.0; x += 0.5) f.must(PenEvent{{x, 70.0, -0.5}, 0.5, 0});
+  for (int i = 0; i < 100; ++i) f.must(PenEvent{{100.0, 70.0, 5.0}, 0.0, 0});
+  EXPECT_EQ(f.session->document().stroke_count(), 2u);
+}
+
+TEST(SessionRing, DoesNotInterruptALine) {
+  EdgeFixture f;
+  for (double x = 60.0; x < 80.0; x += 0.5) f.must(PenEvent{{x, 70.0, -0.5}, 0.5, 0});
+  f.must(kRing);
+  EXPECT_FALSE(f.session->ring());
+  for (double x = 80.0; x < 100.0; x += 0.5) f.must(PenEvent{{x, 70.0, -0.5}, 0.5, 0});
+  for (int i = 0; i < 100; ++i) f.must(PenEvent{{100.0, 70.0, 5.0}, 0.0, 0});
+  EXPECT_EQ(f.session->document().stroke_count(), 2u);
+}
+
+TEST(SessionRing, RefusesWhatIsNoRing) {
+  EdgeFixture f;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const UseRing& ring :
+       {UseRing{true}, UseRing{true, {0, 0}, {0, 9}, {0, -9}},
+        UseRing{true, {nan, 0}, {0, 9}, {9, 0}}, UseRing{true, {0, 0}, {0, 1e300}, {1e300, 0}}}) {
+    EXPECT_FALSE(f.session->apply({0, ring}));
+    EXPECT_FALSE(f.session->ring());
+  }
+}
+
 }  // namespace
-}  // namespace felt::session_edges_test
+}  // namespace felt::session_force_test

@@ -1,0 +1,86 @@
+// What the pen feels: the force of the tool with the edges that are felt as soft ridges, or that of
+// an open ring.
+#include <cmath>
+#include <memory>
+
+#include "felt/session/session.h"
+#include "felt/tools/edge_ridges.h"
+#include "felt/tools/feel_id.h"
+
+namespace felt {
+
+ForceModel Session::force() const {
+  if (ring_) return ring_force(*ring_, surface(), options_.device);
+  Scene now = scene();
+  const Guide* edge = edge_ridges_ ? edge_ridges_->force() : nullptr;
+  // A guide of the drawing that is far away does not hold the pen.
+  if (edge && !parts_->guide && !now.guide.softens_friction) now.guide = {};
+  ForceModel model = tool().force(now);
+  const ToolKind kind = tool().info().kind;
+  // Only one Guide can act at a time, because all of them use the same memory (ForceMemory::guide).
+  const bool has_guide = now.guide.force || kind == ToolKind::kFills || kind == ToolKind::kReads;
+  if (!edge || has_guide || !model.add(*edge)) return model;
+  model.set_fade_id(FeelId("edge")
+                        .with(std::uint64_t{model.fade_id()})
+                        .with(std::uint64_t{edge_ridges_->number()})
+                        .value());
+  return model;
+}
+
+Result<void> Session::use_edges(const UseEdges& event) {
+  const Rect& page = event.page;
+  const bool is_none = page == Rect{};
+  for (const double mm : {page.x0, page.y0, page.x1, page.y1}) {
+    if (is_none || (std::isfinite(mm) && !page.empty())) continue;
+    return fail(ErrorCode::kInvalidArgument, "page: is not a rectangle");
+  }
+  edges_ = event;
+  const bool is_felt = !is_none || event.selection;
+  // The old ridges stay if they are changed, because of EdgeRidges::number().
+  if (is_felt && !edge_ridges_) edge_ridges_ = std::make_unique<EdgeRidges>();
+  if (!is_felt && edge_ridges_) edge_ridges_->set({}, {});
+  return {};
+}
+
+Result<void> Session::use_ring(const UseRing& event) {
+  if (gesture_in_progress()) return {};
+  if (!event.is_open) {
+    // A touch that began in the ring must not draw.
+    must_lift_ = must_lift_ || (ring_ && touches_ring_);
+    ring_.reset();
+    return {};
+  }
+  const Vec up = event.top - event.middle, right = event.right - event.middle;
+  if (!is_pen_position({event.middle.x, event.middle.y, 0.0}) ||
+      !(std::fabs(cross(up, right)) > 0.0) ||
+      !std::isfinite(norm_squared(up) + norm_squared(right))) {
+    return fail(ErrorCode::kInvalidArgument, "points: are not those of a ring");
+  }
+  // The tool does not see the next touch, so ink that it holds back must not wait for it.
+  if (Result<void> settled = settle(); !settled) return settled;
+  ring_.emplace(event.middle, up, right);
+  touches_ring_ = false;
+  return {};
+}
+
+void Session::follow_ring(PenSample& sample) {
+  if (!ring_) return;
+  ring_->move({sample.position.x, sample.position.y});
+  touches_ring_ = in_contact(sample);
+  lift(sample);
+}
+
+void Session::draw_ring(Overlay& overlay) const {
+  if (!ring_) return;
+  const double radius_mm = ring_->radius_mm();
+  overlay.rings.push_back(
+      {ring_->middle(), ChoiceRing::kMiddle * radius_mm, Overlay::Role::kReach});
+  overlay.rings.push_back({ring_->middle(), radius_mm, Overlay::Role::kReach});
+  for (std::size_t i = 0; i < ChoiceRing::kWells; ++i) {
+    const bool is_chosen = ring_->chosen() == i;
+    overlay.dots.push_back(
+        {ring_->well(i), is_chosen ? Overlay::Role::kSnap : Overlay::Role::kHandle});
+  }
+}
+
+}  // namespace felt
