@@ -40,6 +40,9 @@ class DemoAct {
   /// Opens a ring around the pen.
   void open_ring(double radius_mm);
   void close_ring() { say(UseRing{}); }
+  void add_guide(const DrawingGuide& guide) { say(GuidesEvent{.guide = guide}); }
+  void clear_guides() { say(GuidesEvent{.what = GuidesEvent::Do::kClear}); }
+  void make_exact() { say(ExactEvent{}); }
   /// Adds a short touch at this point.
   void tap(Point at);
   /// Adds a whole gesture: the pen touches at the first point, moves along the others, rests for a

@@ -383,6 +383,24 @@ std::string ring_act() {
   return act.text();
 }
 
+/// Returns the act in which a shaking hand draws a circle along a compass, and makes it exact.
+std::string guide_act() {
+  const Point center{97.5, 30.0};
+  DrawingGuide compass;
+  compass.kind = DrawingGuideKind::kCompass;
+  compass.origin = center;
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.add_guide(compass);
+  act.shake({0.4, 0.7}, 1.7);
+  act.gesture(arc(center, 8.0, 0.75, 0.99, 0.5).via, 20.0);
+  act.make_exact();
+  act.wait(0.8);
+  act.clear_guides();
+  return act.text();
+}
+
 struct Act {
   const char* name;
   std::string (*script)();
@@ -403,7 +421,8 @@ constexpr Act kActs[] = {{"1-pencil", pencil_act},
                          {"14-pencil-steady", steady_act},
                          {"15-eraser-press", press_act},
                          {"16-read", read_act},
-                         {"17-pencil-ring", ring_act}};
+                         {"17-pencil-ring", ring_act},
+                         {"18-pencil-guide", guide_act}};
 
 }  // namespace
 }  // namespace felt

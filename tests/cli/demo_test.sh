@@ -54,6 +54,7 @@ changes 13-pencil-gestures '"edits":2,'  # a circle, and a scribble: the moon is
 changes 14-pencil-steady '"edits":2,'
 changes 16-read '"edits":0,'
 changes 17-pencil-ring '"edits":0,'
+changes 18-pencil-guide '"edits":4,'  # a guide, a line, its exact circle, no guides
 run 0 "$feltline" replay "$tools/pencil/14-pencil-steady.ndjson" -o lines.ndjson
 changes 15-eraser-press '"edits":1,' lines.ndjson
 has out '"strokes":1,'

@@ -20,7 +20,7 @@ void play_to(TourWindow& tour, int act) {
 
 TEST(TourWindow, DrawsByItselfAndGoesBack) {
   TourWindow tour;
-  EXPECT_EQ(tour.act_count(), 17);
+  EXPECT_EQ(tour.act_count(), 18);
   EXPECT_EQ(tour.studio().session().document().stroke_count(), 0U);
   tour.go_to(1);
   play_to(tour, 1);

@@ -7460,5 +7460,13 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Ring of tools</source>
         <translation>Ring der Werkzeuge</translation>
     </message>
+    <message>
+        <source>A ruler, a compass or a perspective holds the pen gently, and lets go if you mean to leave it. One key makes a line along it exact.</source>
+        <translation>Ein Lineal, ein Zirkel oder eine Perspektive hält den Stift sanft und lässt ihn los, wenn man sie verlassen will. Eine Taste macht eine Linie daran exakt.</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>Hilfslinien</translation>
+    </message>
 </context>
 </TS>

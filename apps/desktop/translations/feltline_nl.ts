@@ -7460,5 +7460,13 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Ring of tools</source>
         <translation>Ring met gereedschappen</translation>
     </message>
+    <message>
+        <source>A ruler, a compass or a perspective holds the pen gently, and lets go if you mean to leave it. One key makes a line along it exact.</source>
+        <translation>Een liniaal, een passer of een perspectief houdt de pen zacht vast en laat los als je ervan weg wilt. Eén toets maakt een lijn erlangs exact.</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>Hulplijnen</translation>
+    </message>
 </context>
 </TS>

@@ -23,7 +23,7 @@ constexpr std::array<ToolUse, 1> kPencilUses = {
       .path = ToolPath::kFree}}};
 constexpr std::array<std::string_view, 4> kPencilEdits = {"Draw", "As drawn", "Scratch out",
                                                           "Shape"};
-constexpr std::array<ToolAct, 3> kPencilActs = {
+constexpr std::array<ToolAct, 4> kPencilActs = {
     {{.name = "gestures",
       .title = "Gestures",
       .caption =
@@ -39,7 +39,13 @@ constexpr std::array<ToolAct, 3> kPencilActs = {
       .title = "Ring of tools",
       .caption = "Around the pen there are eight choices, each in its own direction: a well that "
                  "attracts the pen, with a ridge to the next one. Lift the pen to choose.",
-      .seconds = 7.0}}};
+      .seconds = 7.0},
+     {.name = "guide",
+      .title = "Guides",
+      .caption =
+          "A ruler, a compass or a perspective holds the pen gently, and lets go if you mean "
+          "to leave it. One key makes a line along it exact.",
+      .seconds = 9.0}}};
 constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",
