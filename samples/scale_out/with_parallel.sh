@@ -5,9 +5,9 @@
 # is tried three times. To use several machines that share both folders, set PARALLEL="--sshloginfile HOSTS".
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-shards=$1 results=$2 jobs=$3
+mkdir -p "$2"
+shards=$(readlink -f "$1") results=$(readlink -f "$2") jobs=$3
 shift 3
-mkdir -p "$results"
 find "$shards" -name '*.ndjson' | LC_ALL=C sort |
   parallel --jobs "$jobs" --joblog "$results/joblog" --resume --resume-failed --retries 3 \
     "$here/fit_shard.sh" {} "$results" "$@" || echo "with_parallel.sh: some shards failed" >&2

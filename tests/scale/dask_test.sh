@@ -12,7 +12,7 @@ stop_dask() {
   rm -rf "$work"
 }
 
-make_shards
+make_shards 4000
 slow_down
 trap stop_dask EXIT
 FELT_MACHINE=$work/scheduler $python -m distributed.cli.dask_scheduler --host 127.0.0.1 --port 0 \

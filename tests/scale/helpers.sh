@@ -11,17 +11,18 @@ need() {
   exit 77
 }
 
-# Writes in.ndjson, its shards (12 to 14), and one.ndjson, which one process makes of it. The input is
-# the recorded strokes, or synthetic strokes if the recordings are missing.
+# make_shards COUNT: writes in.ndjson with at most COUNT strokes, its shards (about 12), and one.ndjson, which
+# one process makes of it. The strokes are recorded, or synthetic if the recordings are missing.
 make_shards() {
   local recorded=${FELT_SHARED_DATA:-$root/../shared/data/pen-strokes-a.ndjson}
   if [ -r "$recorded" ]; then
-    cat "$recorded" >in.ndjson
+    head -n "$1" "$recorded" >in.ndjson
   else
     echo "synthetic strokes: no recordings at $recorded (set FELT_SHARED_DATA to name them)"
-    strokes 3000 >in.ndjson
+    strokes "$1" >in.ndjson
   fi
   run 0 "$recipes/cut_shards.sh" shards $(($(wc -c <in.ndjson) / 12)) in.ndjson
+  mv shards/000003.ndjson "shards/000003 with spaces.ndjson"
   run 0 "$feltline" fit in.ndjson -o one.ndjson
 }
 

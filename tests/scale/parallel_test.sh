@@ -5,7 +5,7 @@ here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")  # before the working folde
 . "$here/helpers.sh"
 need parallel parallel --version
 
-make_shards
+make_shards 4000
 slow_down
 FELT_MACHINE=$work/one "$recipes/with_parallel.sh" shards results 2 >first 2>&1 &
 kill_in_the_middle results "FELT_MACHINE=$work/one"
@@ -20,6 +20,10 @@ has out ": not finished"
 run 0 "$recipes/with_parallel.sh" shards results 2
 is_whole results
 echo "killed after $before shards; $(sed 1d results/joblog | wc -l) jobs in the log"
+
+# The one-liner of docs/formats/ndjson.md.
+run 0 parallel --pipepart -a in.ndjson --block 1M --keep-order "$feltline" fit - -o -
+same out one.ndjson
 
 # A shard that cannot be fitted is reported, and tried again by the next run.
 printf '#!/bin/sh\nkill -SEGV $$\n' >crash

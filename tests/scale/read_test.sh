@@ -6,7 +6,7 @@ here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")  # before the working folde
 python=/usr/bin/python3
 need python3-pandas $python -c "import pandas"
 
-make_shards
+make_shards 4000
 mkdir results
 for shard in shards/*.ndjson; do run 0 "$recipes/fit_shard.sh" "$shard" results; done
 run 0 $python - <<'END'

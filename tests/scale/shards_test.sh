@@ -11,7 +11,7 @@ fit_all() { # RESULTS [OPTION...]
   for shard in shards/*.ndjson; do "$recipes/fit_shard.sh" "$shard" "$@" || return; done
 }
 
-make_shards
+make_shards 600
 run 0 fit_all results
 is_whole results
 
@@ -36,11 +36,19 @@ has out ", but others by "
 run 0 fit_all results
 is_whole results
 
+# Two machines that fit the same shards at the same time do no harm (a task that is started again although
+# the first one lives).
+fit_all twice &
+fit_all twice
+wait
+is_whole twice
+[ -z "$(find twice -name '.*')" ] || fail "left behind: $(ls -A twice)"
+
 # Lost, doubled and changed shards are found.
-mv results/000001.done done
+mv results/000001.done hidden
 run 1 "$recipes/check_results.sh" shards results
 has out "000001: not finished"
-mv done results/000001.done
+mv hidden results/000001.done
 cp results/000001.ndjson results/copy.ndjson
 run 1 "$recipes/check_results.sh" shards results
 has out "copy.ndjson: there is no such shard"

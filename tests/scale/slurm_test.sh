@@ -44,23 +44,21 @@ END
 }
 
 stop_slurm() {
-  local daemon
-  for daemon in n1 n2 slurmctld munged; do
-    [ ! -s "$work/$daemon.pid" ] || kill -KILL "$(cat "$work/$daemon.pid")" 2>/dev/null
-  done
-  mapfile -t left < <(processes_with "FELT_MACHINE=$work/n1"; processes_with "FELT_MACHINE=$work/n2"
-    processes_with "FELTLINE=$work/slow_feltline" "SLURM_CONF=$work/slurm.conf" SLURMD_NODENAME=n2)
+  mapfile -t left < <(for name in control n1 n2; do processes_with "FELT_MACHINE=$work/$name"; done
+    processes_with "FELTLINE=$work/slow_feltline" "SLURM_CONF=$work/slurm.conf")
   [ ${#left[@]} = 0 ] || kill -KILL "${left[@]}" 2>/dev/null
   rm -rf "$work"
 }
 
+# on MACHINE COMMAND...: starts a daemon, which gets the name in its environment.
+on() { FELT_MACHINE=$work/$1 "${@:2}" >>starting 2>&1; }
+
 # Starts the daemons, or skips the test if they do not start here (no MUNGE, or a locked-down container).
 start_slurm() {
   local tries
-  munged --force --socket="$work/munge.socket" --key-file="$work/munge.key" --pid-file="$work/munged.pid" \
-    --log-file="$work/munged.log" --seed-file="$work/munged.seed" >starting 2>&1 &&
-    slurmctld -c >>starting 2>&1 &&
-    FELT_MACHINE=$work/n1 slurmd -N n1 >>starting 2>&1 && FELT_MACHINE=$work/n2 slurmd -N n2 >>starting 2>&1
+  on control munged --force --socket="$work/munge.socket" --key-file="$work/munge.key" \
+    --pid-file="$work/munged.pid" --log-file="$work/munged.log" --seed-file="$work/munged.seed" &&
+    on control slurmctld -c && on n1 slurmd -N n1 && on n2 slurmd -N n2
   for ((tries = 0; tries < 60; ++tries)); do
     [ "$(sinfo -h -o %D -t idle 2>/dev/null)" != 2 ] || return 0
     sleep 0.5
@@ -69,7 +67,7 @@ start_slurm() {
   exit 77
 }
 
-make_shards
+make_shards 4000
 slow_down
 configure_slurm
 trap stop_slurm EXIT
