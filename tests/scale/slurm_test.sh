@@ -79,8 +79,10 @@ kill_first() {
   # shellcheck disable=SC2154  # kill_in_the_middle sets victims
   mapfile -t daemons < <(
     processes_with "FELT_MACHINE=$work/n1"
-    ps -o pid=,comm= -p "$(ps -o ppid= -p "$(IFS=,; echo "${victims[*]}")" | paste -sd ,)" |
-      awk '$2 == "slurmstepd" { print $1 }')
+    ps -eo pid=,ppid=,comm= | awk -v victims=" ${victims[*]} " '
+      index(victims, " " $1 " ") { parents[$2] }
+      $3 == "slurmstepd" { steps[$1] }
+      END { for (step in steps) if (step in parents) print step }')
   kill -KILL "${daemons[@]}"
 }
 
