@@ -64,10 +64,11 @@ def main():
         wall = statistics.median(run[0] for run in list_of_runs)
         user, system = (statistics.median(sum(c[i] for c in run[1]) for run in list_of_runs) for i in (0, 1))
         memory = max(cost[2] for run in list_of_runs for cost in run[1])
-        by_shard = [statistics.median(costs) for costs in zip(*([c[0] for c in run[1]] for run in list_of_runs))]
+        by_shard = [statistics.median(costs)
+                    for costs in zip(*([cost[0] for cost in run[1]] for run in list_of_runs))]
         skew = max(by_shard) / statistics.median(by_shard)
-        print(f"{workers or 'none':>7}  {strokes / wall:9.0f} {samples / wall:9.0f} {base / wall:6.2f} {user:7.2f}"
-              f" {system:6.2f} {strokes / user:19.0f} {memory:4.0f} {skew:5.2f}")
+        print(f"{workers or 'none':>7}  {strokes / wall:9.0f} {samples / wall:9.0f} {base / wall:6.2f}"
+              f" {user:7.2f} {system:6.2f} {strokes / user:18.0f} {memory:4.0f} {skew:5.2f}")
 
 
 if __name__ == "__main__":

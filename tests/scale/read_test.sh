@@ -13,7 +13,8 @@ run 0 $python - <<'END'
 import glob
 import pandas
 def read(pattern):
-    return pandas.concat(pandas.read_json(path, lines=True, dtype={"id": str}) for path in sorted(glob.glob(pattern)))
+    paths = sorted(glob.glob(pattern))
+    return pandas.concat(pandas.read_json(path, lines=True, dtype={"id": str}) for path in paths)
 raw, fitted = read("shards/*.ndjson"), read("results/*.ndjson")
 both = raw.merge(fitted, on="id", validate="one_to_one")
 assert len(both) == len(raw) == len(fitted), (len(both), len(raw), len(fitted))
@@ -23,6 +24,11 @@ for row in both.itertuples():  # a stroke starts at its first sample and ends at
 print(len(both), "strokes")
 END
 has out "$(wc -l <in.ndjson) strokes"
+
+# What it costs: the script for that works.
+run 0 $python "$recipes/measure.py" 1M 1 in.ndjson
+has out "strokes per user s"
+
 if command -v duckdb >/dev/null; then
   run 0 duckdb -csv -c "SELECT count(*) FROM read_ndjson_auto('results/*.ndjson') JOIN
     read_ndjson_auto('shards/*.ndjson') USING (id)"

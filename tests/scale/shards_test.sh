@@ -91,6 +91,7 @@ printf '#!/bin/sh\nif [ "$1" = --version ]; then echo 1; else "%s" "$@" | head -
 chmod +x crash full short
 cp one.ndjson sketch.ndjson
 for wrong in crash full short missing; do
+  [ $wrong != full ] || [ -w /dev/full ] || continue
   FELTLINE=./$wrong "$recipes/fit_shard.sh" shards/000000.ndjson results 2>err && fail "$wrong is a success"
 done
 run 70 "$recipes/fit_shard.sh" sketch.ndjson results
