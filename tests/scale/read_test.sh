@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# read_test.sh FELTLINE: other programs read the results, and join them to the input.
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")  # before the working folder changes
+. "$here/../cli/helpers.sh"
+. "$here/helpers.sh"
+python=/usr/bin/python3
+need python3-pandas $python -c "import pandas"
+
+make_shards 4000
+mkdir results
+for shard in shards/*.ndjson; do run 0 "$recipes/fit_shard.sh" "$shard" results; done
+run 0 $python - <<'END'
+import glob
+import pandas
+def read(pattern):
+    paths = sorted(glob.glob(pattern))
+    return pandas.concat(pandas.read_json(path, lines=True, dtype={"id": str}) for path in paths)
+raw, fitted = read("shards/*.ndjson"), read("results/*.ndjson")
+both = raw.merge(fitted, on="id", validate="one_to_one")
+assert len(both) == len(raw) == len(fitted), (len(both), len(raw), len(fitted))
+for row in both.itertuples():  # a stroke starts at its first sample and ends at its last, or near
+    for sample, point in ((row.points[0], row.segments[0][:2]), (row.points[-1], row.segments[-1][6:])):
+        assert all(abs(a - b) <= 0.15 for a, b in zip(sample, point)), row.id
+print(len(both), "strokes")
+END
+has out "$(wc -l <in.ndjson) strokes"
+
+# What it costs: the script for that works.
+run 0 $python "$recipes/measure.py" 1M 1 in.ndjson
+has out "strokes per user s"
+
+if command -v duckdb >/dev/null; then
+  run 0 duckdb -csv -c "SELECT count(*) FROM read_ndjson_auto('results/*.ndjson') JOIN
+    read_ndjson_auto('shards/*.ndjson') USING (id)"
+  has out "$(wc -l <in.ndjson)"
+else
+  echo "not checked: duckdb is not installed (Debian 12 has no package of it)"
+fi
+finish
