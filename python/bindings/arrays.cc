@@ -108,9 +108,11 @@ Rows rows_of(const py::handle& object, const char* name, std::size_t min_columns
                           std::to_string(columns));
   }
   Rows rows;
-  rows.array = py::array_t<double, py::array::c_style>::ensure(array);
-  if (!rows.array) throw py::error_already_set();
-  rows.numbers = rows.array.data();
+  using Numbers = py::array_t<double, py::array::c_style>;
+  const bool is_ready = py::isinstance<Numbers>(array);
+  rows.array = is_ready ? array
+                        : py::array(py::module_::import("numpy").attr("ascontiguousarray")(array, "f8"));
+  rows.numbers = static_cast<const double*>(rows.array.data());
   rows.count = static_cast<std::size_t>(rows.array.shape(0));
   rows.columns = columns;
   return rows;

@@ -40,7 +40,7 @@ inline void check(const Result<void>& result) {
 
 /// A table of numbers, row by row.
 struct Rows {
-  py::array_t<double, py::array::c_style> array;  ///< keeps the numbers alive
+  py::array array;  ///< keeps the numbers alive
   const double* numbers = nullptr;
   std::size_t count = 0;
   std::size_t columns = 0;

@@ -192,7 +192,7 @@ cannot be changed here.
       .def_property_readonly("page", &page_size, "(width, height) in mm, or None.")
       .def_property_readonly(
           "paper", [](const ReadDrawing& d) { return color_to_text(d.drawing.page.paper); },
-          "Colour of the page.")
+          "Colour of the page: '#rrggbb'.")
       .def_property_readonly(
           "surface", [](const ReadDrawing& d) { return d.drawing.page.surface; },
           "Id of the surface, or '' if none was chosen.")

@@ -13,6 +13,7 @@
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/quickdraw/quickdraw_line.h"
+#include "felt/store/felt_file.h"
 
 namespace felt::python {
 namespace {
@@ -99,6 +100,13 @@ py::bytes to_bytes(const ReadDrawing& drawing, const WriteArguments& arguments) 
     bytes = value_of(file_bytes(drawing.drawing, format, arguments, false));
   }
   return {bytes};
+}
+
+/// Reads the .felt bytes of a pickled drawing, which say nothing about a missing page.
+ReadDrawing unpickle(const std::string& bytes, bool has_page) {
+  ReadDrawing result{value_of(parse_felt(bytes))};
+  result.drawing.has_page = has_page;
+  return result;
 }
 
 void write(const std::string& path, const ReadDrawing& drawing, const WriteArguments& arguments) {
@@ -261,6 +269,9 @@ void bind_files(py::module_& module) {
         return WriteArguments{std::move(format), dpi, compact, pictures};
       }));
   module.def("to_bytes", &to_bytes);
+  module.def("unpickle", [](const py::bytes& bytes, bool has_page) {
+    return unpickle(static_cast<std::string>(bytes), has_page);
+  });
   module.def("write", &write);
   module.def("losses", &losses);
   module.def("read_raw", &read_raw);

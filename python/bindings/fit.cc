@@ -285,7 +285,7 @@ max_width       width in mm at full pressure (2, or the medium's)
 Raises ValueError or TypeError if the array is empty or has a wrong shape, type or number.
 
 >>> feltline.fit([[0, 0], [10, 5], [20, 0]], tolerance=0.1)
-<feltline.Stroke: 2 segments, 1 corner, ink-pen>
+<feltline.Stroke: 1 segment, 0 corners, ink-pen>
 )");
   bind_fitter(module);
 }

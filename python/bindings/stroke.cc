@@ -289,7 +289,7 @@ void add_values(StrokeClass& stroke) {
           "'smooth' or 'corner' for the n - 1 joints; n if the stroke is closed.")
       .def_property_readonly("closed", &Stroke::closed, "True if the end is joined to the start.")
       .def_property_readonly(
-          "medium", [](const Stroke& s) { return s.medium(); }, "Id of the medium.")
+          "medium", [](const Stroke& s) { return s.medium(); }, "Id of the medium, such as 'ink-pen'.")
       .def_property_readonly(
           "color", [](const Stroke& s) { return color_to_text(s.color()); },
           "'#rrggbb', or '#rrggbbaa' if the colour is translucent.")
@@ -308,9 +308,9 @@ void add_queries(StrokeClass& stroke) {
       .def("position", &position_at, py::arg("u"),
            R"(Returns the point at u, clamped to 0..n; an array of points for an array.
 
->>> stroke = feltline.fit([[0, 0], [10, 0]])
->>> stroke.position(0.5)
-(5.0, 0.0)
+>>> feltline.fit([[0, 0], [10, 0]]).position([0, 1])
+array([[ 0.,  0.],
+       [10.,  0.]])
 )")
       .def(
           "width", [](const Stroke& s, const py::object& u) {
@@ -327,9 +327,8 @@ void add_queries(StrokeClass& stroke) {
 
 The result is a named tuple (u, distance, point), exact for every curve.
 
->>> stroke = feltline.fit([[0, 0], [10, 0]])
->>> stroke.nearest((5, 3))
-Nearest(u=0.5, distance=3.0, point=(5.0, 0.0))
+>>> feltline.fit([[0, 0], [10, 0]]).nearest((14, 3))
+Nearest(u=1.0, distance=5.0, point=(10.0, 0.0))
 )")
       .def("outline", &outline, py::arg("tolerance") = kOutlineToleranceMm,
            R"(Returns the edge of the ink as closed polygons, filled with the non-zero rule.
@@ -343,7 +342,7 @@ An open stroke has one polygon. A closed stroke has two: the outside and the hol
            R"(Returns the edge of the ink as the data of an SVG path, in mm.
 
 >>> feltline.fit([[0, 0], [10, 0]]).path_data()[:1]
-'m'
+'M'
 )")
       .def("svg", &svg_of, "Returns an SVG file that shows the stroke.")
       .def("_repr_svg_", &svg_of);
@@ -361,8 +360,8 @@ void add_edits(StrokeClass& stroke) {
           R"(Returns the parts of an open stroke before and after u. They share the cut point.
 
 >>> first, second = feltline.fit([[0, 0], [10, 0]]).split(0.5)
->>> (first.length, second.length)
-(5.0, 5.0)
+>>> round(first.length, 6), first.position(1) == second.position(0)
+(5.0, True)
 )")
       .def(
           "part",

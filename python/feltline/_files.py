@@ -107,7 +107,7 @@ def formats():
     """Returns all formats, the one that can hold the most first.
 
     >>> [format.name for format in feltline.formats() if format.reads]
-    ['felt', 'ndjson', 'svg', 'inkml', 'xopp']
+    ['felt', 'svg', 'inkml', 'xopp', 'ndjson']
     """
     return _feltline.formats()
 
@@ -142,9 +142,12 @@ def read_recordings(path):
     return _feltline.read_recordings(_name(path))
 
 
+def _unpickle(data, has_page):
+    return _feltline.unpickle(data, has_page)
+
+
 def _reduce_drawing(drawing):
-    return parse, (_feltline.to_bytes(drawing, _feltline.WriteArguments("felt", 300.0, False,
-                                                                        False)),)
+    return _unpickle, (to_bytes(drawing, "felt"), drawing.page is not None)
 
 
 _feltline.Drawing.__reduce__ = _reduce_drawing

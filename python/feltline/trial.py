@@ -2,7 +2,7 @@
 
 >>> drawn = [[0, 1, 0.5, 0], [10, 1, 0.5, 100], [20, 1, 0.5, 200]]  # x, y, pressure, t_ms
 >>> measured = feltline.trial.metrics(drawn, [[0, 0], [20, 0]])
->>> measured["err_mean_mm"], measured["movement_s"]
+>>> round(measured["err_mean_mm"], 6), measured["movement_s"]
 (1.0, 0.2)
 """
 

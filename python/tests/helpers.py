@@ -1,5 +1,6 @@
 """Helpers of the tests: random pen strokes, seeds, and the program `feltline`."""
 
+import functools
 import os
 import subprocess
 import unittest
@@ -12,13 +13,16 @@ FIRST_SEED = int(os.environ.get("FELT_SEED", "0")) or int.from_bytes(os.urandom(
 needs_program = unittest.skipUnless(PROGRAM, "the program feltline is not here")
 
 
-class PropertyCase(unittest.TestCase):
-    """A test case with random inputs. A failure prints the seed: FELT_SEED=N repeats it."""
-
-    def each_seed(self, count=20):
-        for seed in range(FIRST_SEED, FIRST_SEED + count):
-            with self.subTest(FELT_SEED=seed):
-                yield np.random.default_rng(seed)
+def seeds(count=20):
+    """Runs a test with `count` random generators. A failure prints its seed: FELT_SEED=N repeats it."""
+    def decorate(test):
+        @functools.wraps(test)
+        def run_all(self):
+            for seed in range(FIRST_SEED, FIRST_SEED + count):
+                with self.subTest(FELT_SEED=seed):
+                    test(self, np.random.default_rng(seed))
+        return run_all
+    return decorate
 
 
 def random_points(random, columns=5):

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import feltline
-from helpers import PropertyCase, needs_program, random_points, run
+from helpers import needs_program, random_points, run, seeds
 
 SCRIPT = """{"t_ms":0,"event":"tool","id":"pencil"}
 {"t_ms":0,"event":"pen","x":20,"y":30,"z":5,"pressure":0}
@@ -109,7 +109,7 @@ class Recordings(unittest.TestCase):
                                        msg=column.name)
 
 
-class Metrics(PropertyCase):
+class Metrics(unittest.TestCase):
     TARGET = [[0, 0], [100, 0]]
 
     def test_of_a_known_line(self):
@@ -128,15 +128,15 @@ class Metrics(PropertyCase):
         self.assertAlmostEqual(feltline.trial.metrics(drawn, stroke)["err_mean_mm"], 2)
         self.assertEqual(list(measured), [c.name for c in feltline.trial.columns()])
 
-    def test_of_random_lines(self):
-        for random in self.each_seed():
-            drawn = random_points(random)
-            target = random_points(random, 2)
-            measured = feltline.trial.metrics(drawn, target, interval_ms=4)
-            self.assertEqual(measured["samples"], len(drawn))
-            self.assertEqual(measured, feltline.trial.metrics(drawn, target, interval_ms=4))
-            for name, value in measured.items():
-                self.assertTrue(value is None or np.isfinite(value), name)
+    @seeds()
+    def test_of_random_lines(self, random):
+        drawn = random_points(random)
+        target = random_points(random, 2)
+        measured = feltline.trial.metrics(drawn, target, interval_ms=4)
+        self.assertEqual(measured["samples"], len(drawn))
+        self.assertEqual(measured, feltline.trial.metrics(drawn, target, interval_ms=4))
+        for name, value in measured.items():
+            self.assertTrue(value is None or np.isfinite(value), name)
 
     def test_bad_arguments(self):
         for samples, target, arguments in [

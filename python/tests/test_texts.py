@@ -47,15 +47,16 @@ def run_examples(name, text):
 
 
 def signature_of(thing):
-    """Returns (name, kind, default) of each parameter, for functions in Python and in C++."""
+    """Returns (name, is_keyword_only, default) of each parameter, of functions in Python and C++."""
     if inspect.isfunction(thing):
         parameters = inspect.signature(thing).parameters.values()
         return [(p.name, p.kind == p.KEYWORD_ONLY, p.default if p.default is not p.empty else ...)
                 for p in parameters]
     text = re.search(r"\((.*)\)( -> .*)?$", thing.__doc__.splitlines()[0]).group(1)
-    text = re.sub(r": [^,=]*(\[[^=]*\])?", "", text)  # without types
-    function = ast.parse(f"def f({text}): ...").body[0]
-    return arguments_of(function)
+    while "[" in text:
+        text = re.sub(r"\[[^\[\]]*\]", "", text)  # the arguments of types
+    text = re.sub(r": [^,=]*?(?= =|,|$)", "", text)
+    return arguments_of(ast.parse(f"def f({text}): ...").body[0])
 
 
 def arguments_of(function):
