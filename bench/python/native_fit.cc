@@ -26,7 +26,8 @@ std::int64_t thread_ns() {
 std::vector<InkSample> samples_of(const Rows& rows) {
   std::vector<InkSample> samples;
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    InkSample sample{.position = {rows.at(i, 0), rows.at(i, 1)}};
+    InkSample sample;
+    sample.position = {rows.at(i, 0), rows.at(i, 1)};
     if (!std::isnan(rows.at(i, 2))) sample.pressure = rows.at(i, 2);
     if (!std::isnan(rows.at(i, 3))) sample.time_ns = std::llround(rows.at(i, 3) * 1e6);
     samples.push_back(sample);

@@ -11,15 +11,17 @@ namespace {
 
 /// Converts an object to an array of any type. Throws if numpy cannot.
 py::array any_array(const py::handle& object, const char* name) {
-  if (py::hasattr(object, "mask")) {
+  // A plain array has no mask. Asking it would take longer than all other checks.
+  const bool is_plain = py::type::handle_of(object).ptr() ==
+                        reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
+  if (!is_plain && py::hasattr(object, "mask")) {
     throw py::type_error(std::string(name) + ": is a masked array; fill it first, for example " +
                          "with .filled(nan)");
   }
   py::array array;
   try {
-    array = py::isinstance<py::array>(object)
-                ? py::reinterpret_borrow<py::array>(object)
-                : py::array(py::module_::import("numpy").attr("asarray")(object));
+    array = is_plain ? py::reinterpret_borrow<py::array>(object)
+                     : py::array(py::module_::import("numpy").attr("asarray")(object));
   } catch (py::error_already_set& error) {
     if (error.matches(PyExc_MemoryError)) throw;
     throw py::value_error(std::string(name) + ": cannot be converted to an array of numbers (" +
@@ -110,8 +112,9 @@ Rows rows_of(const py::handle& object, const char* name, std::size_t min_columns
   Rows rows;
   using Numbers = py::array_t<double, py::array::c_style>;
   const bool is_ready = py::isinstance<Numbers>(array);
-  rows.array = is_ready ? array
-                        : py::array(py::module_::import("numpy").attr("ascontiguousarray")(array, "f8"));
+  rows.array = is_ready
+                   ? array
+                   : py::array(py::module_::import("numpy").attr("ascontiguousarray")(array, "f8"));
   rows.numbers = static_cast<const double*>(rows.array.data());
   rows.count = static_cast<std::size_t>(rows.array.shape(0));
   rows.columns = columns;

@@ -67,7 +67,8 @@ ReadDrawing new_drawing(const py::iterable& content,
     if (ink == kNone) ink = builder.add_layer({"Ink"});
     builder.add(ink, *stroke);
   }
-  builder.drawing().page = page_of(page.value_or(std::pair(Page{}.width_mm, Page{}.height_mm)), paper);
+  builder.drawing().page =
+      page_of(page.value_or(std::pair(Page{}.width_mm, Page{}.height_mm)), paper);
   builder.drawing().has_page = page.has_value();
   return {std::move(builder).build()};
 }
@@ -213,8 +214,9 @@ cannot be changed here.
            R"(Returns the drawing with function(stroke) in place of each stroke.
 
 If the function returns None, the stroke is removed.)")
-      .def("add", &with_strokes, py::arg("strokes"), py::arg("layer") = py::none(),
-           "Returns the drawing with more strokes on top of a layer: the named one, or the highest.")
+      .def(
+          "add", &with_strokes, py::arg("strokes"), py::arg("layer") = py::none(),
+          "Returns the drawing with more strokes on top of a layer: the named one, or the highest.")
       .def(
           "__eq__",
           [](const ReadDrawing& a, const ReadDrawing& b) { return a.drawing == b.drawing; },

@@ -135,8 +135,9 @@ std::vector<std::string> losses(const ReadDrawing& drawing, const std::string& p
     if (!layer.visible) hidden += layer.strokes.size();
   }
   if (format == FileFormat::kXopp) {
-    add(hidden, "", " strokes of hidden layers are visible in the file, because .xopp does not "
-                    "support hidden layers");
+    add(hidden, "",
+        " strokes of hidden layers are visible in the file, because .xopp does not "
+        "support hidden layers");
   } else if (!traits_of(format).layers && !traits_of(format).picture) {
     add(hidden, "", " strokes of hidden layers were left out");
   }
@@ -197,8 +198,7 @@ Result<RawFile> raw_strokes(const std::string& path) {
   }
   if (!file.strokes.empty()) return file;
   const auto notices = file.report.notices();
-  const std::string reason =
-      notices.empty() ? "contains no strokes" : notice_text(notices.front());
+  const std::string reason = notices.empty() ? "contains no strokes" : notice_text(notices.front());
   return fail(ErrorCode::kInvalidData, path + ": " + reason);
 }
 
@@ -227,7 +227,8 @@ void write_raw(const std::string& path, const py::iterable& strokes) {
         is_named ? stroke.attr("id").cast<std::string>() : "s" + std::to_string(number);
     const py::object points =
         is_named ? stroke.attr("points") : py::reinterpret_borrow<py::object>(stroke);
-    append_raw_line(text, id, samples_of(points, ("strokes[" + std::to_string(number - 1) + "]").c_str()));
+    append_raw_line(text, id,
+                    samples_of(points, ("strokes[" + std::to_string(number - 1) + "]").c_str()));
   }
   const py::gil_scoped_release release;
   check(write_file(path, text));
@@ -260,10 +261,10 @@ void bind_files(py::module_& module) {
   module.def("read", [](const std::string& path, const Fit& fit, bool salvage) {
     return read(path, fit_arguments(fit), salvage);
   });
-  module.def("parse", [](const py::bytes& bytes, const std::string& name, const Fit& fit,
-                         bool salvage) {
-    return parse(static_cast<std::string>(bytes), name, fit_arguments(fit), salvage);
-  });
+  module.def("parse",
+             [](const py::bytes& bytes, const std::string& name, const Fit& fit, bool salvage) {
+               return parse(static_cast<std::string>(bytes), name, fit_arguments(fit), salvage);
+             });
   py::class_<WriteArguments>(module, "WriteArguments")
       .def(py::init([](std::string format, double dpi, bool compact, bool pictures) {
         return WriteArguments{std::move(format), dpi, compact, pictures};

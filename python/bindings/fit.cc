@@ -68,7 +68,8 @@ std::optional<Shake> shake_of(const py::object& steady) {
         py::module_::import("builtins").attr("map")(py::type::of(py::str()), steady));
     return value_of(shake_from_text(text.cast<std::string>()));
   }
-  const auto argument = py::str(py::module_::import("os").attr("fspath")(steady)).cast<std::string>();
+  const auto argument =
+      py::str(py::module_::import("os").attr("fspath")(steady)).cast<std::string>();
   if (argument.find(',') != std::string::npos) return value_of(shake_from_text(argument));
   constexpr std::size_t kMaxBytes = std::size_t{1} << 16;
   const std::string text = value_of(read_regular_file(argument, kMaxBytes));
@@ -114,8 +115,8 @@ SharedStroke fit(const py::object& points, double tolerance, double mm_per_unit,
   const std::optional<Shake> shake = shake_of(steady);
   std::vector<InkSample> samples = samples_of(points, "points", mm_per_unit);
   // Last, because converting an object may run Python code, which may call this function.
-  InkFitter& fitter = fitter_of(
-      {tolerance, filter, scheme, shared_samples, medium, min_width, max_width});
+  InkFitter& fitter =
+      fitter_of({tolerance, filter, scheme, shared_samples, medium, min_width, max_width});
   const py::gil_scoped_release release;
   return share(value_of(fitted(fitter, std::move(samples), shake, refine)));
 }
@@ -201,19 +202,18 @@ The result is the same as that of `fit`, however the samples are divided into ca
 >>> fitter.end() == feltline.fit([[0, 0], [5, 0], [10, 0]])
 True
 )")
-      .def(py::init([](double tolerance, bool refine, bool filter, const std::string& scheme,
-                       int shared_samples, const std::optional<std::string>& medium,
-                       std::optional<double> min_width, std::optional<double> max_width) {
-             return std::make_unique<LiveFit>(FitArguments{tolerance, filter, scheme,
-                                                           shared_samples, medium, min_width,
-                                                           max_width},
-                                              refine);
-           }),
-           py::arg("tolerance") = FitArguments{}.tolerance, py::kw_only(), py::arg("refine") = true,
-           py::arg("filter") = false, py::arg("scheme") = FitArguments{}.scheme,
-           py::arg("shared_samples") = FitArguments{}.shared_samples,
-           py::arg("medium") = py::none(), py::arg("min_width") = py::none(),
-           py::arg("max_width") = py::none())
+      .def(
+          py::init([](double tolerance, bool refine, bool filter, const std::string& scheme,
+                      int shared_samples, const std::optional<std::string>& medium,
+                      std::optional<double> min_width, std::optional<double> max_width) {
+            return std::make_unique<LiveFit>(FitArguments{tolerance, filter, scheme, shared_samples,
+                                                          medium, min_width, max_width},
+                                             refine);
+          }),
+          py::arg("tolerance") = FitArguments{}.tolerance, py::kw_only(), py::arg("refine") = true,
+          py::arg("filter") = false, py::arg("scheme") = FitArguments{}.scheme,
+          py::arg("shared_samples") = FitArguments{}.shared_samples, py::arg("medium") = py::none(),
+          py::arg("min_width") = py::none(), py::arg("max_width") = py::none())
       .def(
           "begin", [](LiveFit& fit) { without_gil([&] { fit.begin(); }); },
           "Discards the last stroke and starts a new one.")
@@ -260,14 +260,14 @@ InkFitOptions options_of(const FitArguments& arguments) {
 }
 
 void bind_fit(py::module_& module) {
-  module.def(
-      "fit", &fit, py::arg("points"), py::arg("tolerance") = FitArguments{}.tolerance,
-      py::kw_only(), py::arg("mm_per_unit") = 1.0, py::arg("refine") = true,
-      py::arg("filter") = false, py::arg("steady") = py::none(),
-      py::arg("scheme") = FitArguments{}.scheme,
-      py::arg("shared_samples") = FitArguments{}.shared_samples, py::arg("medium") = py::none(),
-      py::arg("min_width") = py::none(), py::arg("max_width") = py::none(),
-      R"(Returns the stroke that follows pen samples, as `feltline fit` does.
+  module.def("fit", &fit, py::arg("points"), py::arg("tolerance") = FitArguments{}.tolerance,
+             py::kw_only(), py::arg("mm_per_unit") = 1.0, py::arg("refine") = true,
+             py::arg("filter") = false, py::arg("steady") = py::none(),
+             py::arg("scheme") = FitArguments{}.scheme,
+             py::arg("shared_samples") = FitArguments{}.shared_samples,
+             py::arg("medium") = py::none(), py::arg("min_width") = py::none(),
+             py::arg("max_width") = py::none(),
+             R"(Returns the stroke that follows pen samples, as `feltline fit` does.
 
 `points` has a row for each sample: x, y, and if known pressure (0 to 1), t_ms and tilt_deg (0 to
 90). NaN in these three means unknown. Every sample is within `tolerance` mm of the curve.

@@ -105,8 +105,9 @@ py::object to_pandas(const py::object& self) {
     frame = py::module_::import("pandas").attr("DataFrame");
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_ImportError)) throw;
-    throw py::import_error("to_pandas() needs pandas; install it (python3-pandas), or use the "
-                           "numpy array `samples`");
+    throw py::import_error(
+        "to_pandas() needs pandas; install it (python3-pandas), or use the "
+        "numpy array `samples`");
   }
   return frame(samples_view(self));
 }
@@ -185,9 +186,8 @@ void bind_recording(py::module_& module) {
                             R"(How a drawing was made: the samples of the pen and all other events.
 
 feltline.read_recordings() reads recordings; they never change.)")
-      .def_property_readonly(
-          "samples", &samples_view,
-          R"(The pen samples: a read-only structured array. NaN means unknown.
+      .def_property_readonly("samples", &samples_view,
+                             R"(The pen samples: a read-only structured array. NaN means unknown.
 
 t_ms             time since the session began
 x, y, z          position in mm; z points out of the surface

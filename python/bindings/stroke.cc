@@ -191,8 +191,7 @@ py::object nearest_of(const Stroke& stroke, const py::object& point) {
   const py::object result = py::module_::import("feltline._types").attr("Nearest");
   if (!is_table(point)) {
     const NearestRows rows = nearest_rows(stroke, {point_of(point, "point")});
-    return result(rows.u[0], rows.distance[0],
-                  py::make_tuple(rows.points[0].x, rows.points[0].y));
+    return result(rows.u[0], rows.distance[0], py::make_tuple(rows.points[0].x, rows.points[0].y));
   }
   const std::vector<Point> queries = points_of(point, "point");
   NearestRows rows;
@@ -244,11 +243,12 @@ double length_of(const Stroke& stroke) {
 
 std::string stroke_text(const Stroke& stroke) {
   const int count = stroke.segment_count();
-  const auto corners = std::count(stroke.data().joints.begin(), stroke.data().joints.end(),
-                                  JointKind::kCorner);
-  return "<feltline.Stroke: " + std::to_string(count) + (count == 1 ? " segment, " : " segments, ") +
-         std::to_string(corners) + (corners == 1 ? " corner, " : " corners, ") +
-         (stroke.closed() ? "closed, " : "") + stroke.medium() + ">";
+  const auto corners =
+      std::count(stroke.data().joints.begin(), stroke.data().joints.end(), JointKind::kCorner);
+  return "<feltline.Stroke: " + std::to_string(count) +
+         (count == 1 ? " segment, " : " segments, ") + std::to_string(corners) +
+         (corners == 1 ? " corner, " : " corners, ") + (stroke.closed() ? "closed, " : "") +
+         stroke.medium() + ">";
 }
 
 std::size_t hash_of(const Stroke& stroke) {
@@ -265,10 +265,10 @@ std::size_t hash_of(const Stroke& stroke) {
 
 py::tuple state_of(const py::object& self) {
   const auto& stroke = self.cast<const Stroke&>();
-  return py::make_tuple(py::type::of(self),
-                        py::make_tuple(segments_of(self), widths_of(self), joints_of(stroke),
-                                       stroke.closed(), tones_of(self), stroke.medium(),
-                                       color_to_text(stroke.color())));
+  return py::make_tuple(
+      py::type::of(self),
+      py::make_tuple(segments_of(self), widths_of(self), joints_of(stroke), stroke.closed(),
+                     tones_of(self), stroke.medium(), color_to_text(stroke.color())));
 }
 
 using StrokeClass = py::class_<Stroke, std::shared_ptr<Stroke>>;
@@ -289,7 +289,8 @@ void add_values(StrokeClass& stroke) {
           "'smooth' or 'corner' for the n - 1 joints; n if the stroke is closed.")
       .def_property_readonly("closed", &Stroke::closed, "True if the end is joined to the start.")
       .def_property_readonly(
-          "medium", [](const Stroke& s) { return s.medium(); }, "Id of the medium, such as 'ink-pen'.")
+          "medium", [](const Stroke& s) { return s.medium(); },
+          "Id of the medium, such as 'ink-pen'.")
       .def_property_readonly(
           "color", [](const Stroke& s) { return color_to_text(s.color()); },
           "'#rrggbb', or '#rrggbbaa' if the colour is translucent.")
@@ -313,17 +314,20 @@ array([[ 0.,  0.],
        [10.,  0.]])
 )")
       .def(
-          "width", [](const Stroke& s, const py::object& u) {
+          "width",
+          [](const Stroke& s, const py::object& u) {
             return py::vectorize([&s](double at) { return s.width_mm(at); })(u);
           },
           py::arg("u"), "Returns the width in mm at u; an array for an array.")
       .def(
-          "tone", [](const Stroke& s, const py::object& u) {
+          "tone",
+          [](const Stroke& s, const py::object& u) {
             return py::vectorize([&s](double at) { return s.tone(at); })(u);
           },
           py::arg("u"), "Returns the tone, 0 to 1, at u; an array for an array.")
-      .def("nearest", &nearest_of, py::arg("point"),
-           R"(Returns the point of the centre line that is nearest to a point, or to each row of an array.
+      .def(
+          "nearest", &nearest_of, py::arg("point"),
+          R"(Returns the point of the centre line that is nearest to a point, or to each row of an array.
 
 The result is a named tuple (u, distance, point), exact for every curve.
 
@@ -369,7 +373,8 @@ void add_edits(StrokeClass& stroke) {
             return share(value_of(sub_stroke(s, u0, u1)));
           },
           py::arg("u0"), py::arg("u1"),
-          "Returns the part from u0 to u1. If the stroke is closed, u0 >= u1 leads through the seam.")
+          "Returns the part from u0 to u1. If the stroke is closed, u0 >= u1 leads through the "
+          "seam.")
       .def(
           "reversed", [](const Stroke& s) { return share(reversed(s)); },
           "Returns the same stroke in the opposite direction.")

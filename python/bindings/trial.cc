@@ -23,7 +23,9 @@ std::vector<TrialSample> trial_samples_of(const py::object& object,
   }
   std::vector<TrialSample> samples;
   for (const InkSample& ink : samples_of(object, "samples")) {
-    TrialSample sample{.position = ink.position, .pressure = ink.pressure};
+    TrialSample sample;
+    sample.position = ink.position;
+    sample.pressure = ink.pressure;
     sample.contact = ink.pressure.value_or(1.0) > 0.0;
     if (interval_ms) {
       sample.time_ns = std::llround(static_cast<double>(samples.size()) * *interval_ms * 1e6);
