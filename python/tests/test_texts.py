@@ -3,11 +3,13 @@
 import ast
 import contextlib
 import doctest
+import email
 import inspect
 import io
 import json
 import os
 import re
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -106,6 +108,27 @@ class Texts(unittest.TestCase):
         finally:
             os.chdir(before)
         self.assertGreater(len(cells), 3)
+
+
+class Metadata(unittest.TestCase):
+    @unittest.skipIf(sys.version_info < (3, 11), "needs tomllib")
+    def test_is_that_of_pyproject(self):
+        import tomllib
+        sys.path.insert(0, str(SOURCE / "python"))
+        import feltline_build
+        project = tomllib.loads((SOURCE / "pyproject.toml").read_text("utf-8"))["project"]
+        metadata = email.message_from_string(feltline_build._metadata())
+        self.assertEqual(metadata["Name"], project["name"])
+        self.assertEqual(metadata["Version"], feltline.__version__)
+        self.assertEqual(metadata["Summary"], project["description"])
+        self.assertEqual(metadata["License"], project["license"]["text"])
+        self.assertEqual(metadata["Requires-Python"], project["requires-python"])
+        extras = [f"{package}; extra == '{extra}'"
+                  for extra, packages in project["optional-dependencies"].items()
+                  for package in packages]
+        self.assertEqual(metadata.get_all("Requires-Dist"), project["dependencies"] + extras)
+        self.assertEqual(metadata.get_payload(),
+                         (SOURCE / project["readme"]).read_text("utf-8"))
 
 
 class Stubs(unittest.TestCase):
