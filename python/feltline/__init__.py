@@ -23,5 +23,6 @@ __all__ = [
     "write_raw",
 ]
 
-for _class in (Drawing, Fitter, Recording, Stroke):
-    _class.__module__ = "feltline"
+for _name in __all__:
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "feltline"
