@@ -37,7 +37,8 @@ ls -l dist
 
 "$python" -m venv --system-site-packages venv
 quietly venv/bin/pip install --no-deps dist/*.whl
-true                      
+# Only what concerns our package: others of the system may miss what they need.
+! venv/bin/pip check | grep '^feltline '
 venv/bin/python - <<'END'
 import feltline, importlib.metadata, pathlib
 assert "venv" in feltline.__file__, feltline.__file__
