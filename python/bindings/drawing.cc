@@ -1,6 +1,5 @@
 #include "felt/document/drawing.h"
 
-#include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
 #include <limits>

@@ -107,16 +107,13 @@ Result<Stroke> fitted(InkFitter& fitter, std::vector<InkSample> samples,
   return fitter.stroke();
 }
 
-SharedStroke fit(const py::object& points, double tolerance, double mm_per_unit, bool refine,
-                 bool filter, const py::object& steady, const std::string& scheme,
-                 int shared_samples, const std::optional<std::string>& medium,
-                 std::optional<double> min_width, std::optional<double> max_width) {
+SharedStroke fit(const py::object& points, const FitArguments& arguments, double mm_per_unit,
+                 bool refine, const py::object& steady) {
   check_range("mm_per_unit", mm_per_unit, 1e-9, 1e9, "1e-9..1e9");
   const std::optional<Shake> shake = shake_of(steady);
   std::vector<InkSample> samples = samples_of(points, "points", mm_per_unit);
   // Last, because converting an object may run Python code, which may call this function.
-  InkFitter& fitter =
-      fitter_of({tolerance, filter, scheme, shared_samples, medium, min_width, max_width});
+  InkFitter& fitter = fitter_of(arguments);
   const py::gil_scoped_release release;
   return share(value_of(fitted(fitter, std::move(samples), shake, refine)));
 }
@@ -260,14 +257,22 @@ InkFitOptions options_of(const FitArguments& arguments) {
 }
 
 void bind_fit(py::module_& module) {
-  module.def("fit", &fit, py::arg("points"), py::arg("tolerance") = FitArguments{}.tolerance,
-             py::kw_only(), py::arg("mm_per_unit") = 1.0, py::arg("refine") = true,
-             py::arg("filter") = false, py::arg("steady") = py::none(),
-             py::arg("scheme") = FitArguments{}.scheme,
-             py::arg("shared_samples") = FitArguments{}.shared_samples,
-             py::arg("medium") = py::none(), py::arg("min_width") = py::none(),
-             py::arg("max_width") = py::none(),
-             R"(Returns the stroke that follows pen samples, as `feltline fit` does.
+  module.def(
+      "fit",
+      [](const py::object& points, double tolerance, double mm_per_unit, bool refine, bool filter,
+         const py::object& steady, const std::string& scheme, int shared_samples,
+         const std::optional<std::string>& medium, std::optional<double> min_width,
+         std::optional<double> max_width) {
+        const FitArguments arguments{tolerance, filter,    scheme,   shared_samples,
+                                     medium,    min_width, max_width};
+        return fit(points, arguments, mm_per_unit, refine, steady);
+      },
+      py::arg("points"), py::arg("tolerance") = FitArguments{}.tolerance, py::kw_only(),
+      py::arg("mm_per_unit") = 1.0, py::arg("refine") = true, py::arg("filter") = false,
+      py::arg("steady") = py::none(), py::arg("scheme") = FitArguments{}.scheme,
+      py::arg("shared_samples") = FitArguments{}.shared_samples, py::arg("medium") = py::none(),
+      py::arg("min_width") = py::none(), py::arg("max_width") = py::none(),
+      R"(Returns the stroke that follows pen samples, as `feltline fit` does.
 
 `points` has a row for each sample: x, y, and if known pressure (0 to 1), t_ms and tilt_deg (0 to
 90). NaN in these three means unknown. Every sample is within `tolerance` mm of the curve.

@@ -1,6 +1,5 @@
 #include "felt/stroke/stroke.h"
 
-#include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -33,7 +32,11 @@ SharedStroke share(const StrokePtr& stroke) {
 namespace {
 
 constexpr py::ssize_t kDouble = sizeof(double);
-constexpr double kOutlineToleranceMm = SvgOptions{}.tolerance_mm;
+
+/// Returns the tolerance of outlines in SVG files.
+double outline_tolerance() {
+  return SvgOptions{}.tolerance_mm;
+}
 
 JointKind joint_of(const std::string& text) {
   if (text == "smooth") return JointKind::kSmooth;
@@ -86,22 +89,18 @@ std::vector<WidthKnot> knots_of(const py::object& widths, const py::object& tone
   return knots;
 }
 
+/// Makes a stroke of arrays; `data` has the other values. Without `joints`, all are corners.
 SharedStroke new_stroke(const py::object& segments, const py::object& widths,
-                        const std::optional<std::vector<std::string>>& joints, bool closed,
-                        const py::object& tones, const std::string& medium,
-                        const std::string& color) {
-  StrokeData data;
+                        const py::object& tones,
+                        const std::optional<std::vector<std::string>>& joints, StrokeData data) {
   data.points = control_points(segments);
   data.widths = knots_of(widths, tones);
-  const std::size_t count = data.points.size() / 3 - (closed ? 0 : 1);
+  const std::size_t count = data.points.size() / 3 - (data.closed ? 0 : 1);
   if (joints) {
     for (const std::string& joint : *joints) data.joints.push_back(joint_of(joint));
   } else {
     data.joints.assign(count, JointKind::kCorner);
   }
-  data.closed = closed;
-  data.medium = medium;
-  data.color = color_of(color);
   return share(value_of(Stroke::create(std::move(data))));
 }
 
@@ -334,7 +333,7 @@ The result is a named tuple (u, distance, point), exact for every curve.
 >>> feltline.fit([[0, 0], [10, 0]]).nearest((14, 3))
 Nearest(u=1.0, distance=5.0, point=(10.0, 0.0))
 )")
-      .def("outline", &outline, py::arg("tolerance") = kOutlineToleranceMm,
+      .def("outline", &outline, py::arg("tolerance") = outline_tolerance(),
            R"(Returns the edge of the ink as closed polygons, filled with the non-zero rule.
 
 An open stroke has one polygon. A closed stroke has two: the outside and the hole.
@@ -342,7 +341,7 @@ An open stroke has one polygon. A closed stroke has two: the outside and the hol
 >>> [polygon.shape[1] for polygon in feltline.fit([[0, 0], [10, 0]]).outline()]
 [2]
 )")
-      .def("path_data", &path_data, py::arg("tolerance") = kOutlineToleranceMm,
+      .def("path_data", &path_data, py::arg("tolerance") = outline_tolerance(),
            R"(Returns the edge of the ink as the data of an SVG path, in mm.
 
 >>> feltline.fit([[0, 0], [10, 0]]).path_data()[:1]
@@ -406,14 +405,25 @@ parameter of the curve, 0 to 1, in it.
 >>> stroke.width(0.5)
 1.25
 )");
-  stroke.def(py::init(&new_stroke), py::arg("segments"), py::arg("widths"),
-             py::arg("joints") = py::none(), py::arg("closed") = false,
-             py::arg("tones") = py::none(), py::arg("medium") = StrokeData{}.medium,
-             py::arg("color") = "#000000");
+  stroke.def(
+      py::init([](const py::object& segments, const py::object& widths,
+                  const std::optional<std::vector<std::string>>& joints, bool closed,
+                  const py::object& tones, const std::string& medium, const std::string& color) {
+        StrokeData data;
+        data.closed = closed;
+        data.medium = medium;
+        data.color = color_of(color);
+        return new_stroke(segments, widths, tones, joints, std::move(data));
+      }),
+      py::arg("segments"), py::arg("widths"), py::arg("joints") = py::none(),
+      py::arg("closed") = false, py::arg("tones") = py::none(),
+      py::arg("medium") = StrokeData{}.medium, py::arg("color") = "#000000");
   add_values(stroke);
   add_queries(stroke);
   add_edits(stroke);
-  stroke.def(py::self == py::self)
+  stroke
+      .def(
+          "__eq__", [](const Stroke& a, const Stroke& b) { return a == b; }, py::is_operator())
       .def("__hash__", &hash_of)
       .def("__len__", &Stroke::segment_count)
       .def("__repr__", &stroke_text)

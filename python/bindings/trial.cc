@@ -52,24 +52,22 @@ std::vector<Point> line_of(const Stroke& stroke) {
   return line;
 }
 
-py::dict trial_metrics(const py::object& samples, const py::object& target, bool closed,
-                       std::optional<double> tunnel_width, std::optional<double> target_width,
+py::dict trial_metrics(const py::object& samples, const py::object& target, TrialGeometry geometry,
                        std::optional<double> interval_ms) {
-  for (const std::optional<double>& number : {tunnel_width, target_width, interval_ms}) {
+  for (const std::optional<double>& number :
+       {geometry.tunnel_width_mm, geometry.target_width_mm, interval_ms}) {
     if (!number || (std::isfinite(*number) && *number > 0.0)) continue;
     throw py::value_error("tunnel_width, target_width and interval_ms must be above 0");
   }
   const std::vector<TrialSample> drawn = trial_samples_of(samples, interval_ms);
-  TrialGeometry geometry{.tunnel_width_mm = tunnel_width, .target_width_mm = target_width};
   std::vector<Point> line;
   if (py::isinstance<Stroke>(target)) {
     const auto stroke = target.cast<SharedStroke>();
-    closed = closed || stroke->closed();
+    if (stroke->closed()) geometry.ends = TrialPathEnds::kClosed;
     line = line_of(*stroke);
   } else {
     line = points_of(target, "target");
   }
-  if (closed) geometry.ends = TrialPathEnds::kClosed;
   TrialMetrics metrics;
   {
     const py::gil_scoped_release release;
@@ -95,7 +93,14 @@ py::list trial_columns() {
 }  // namespace
 
 void bind_trial(py::module_& module) {
-  module.def("trial_metrics", &trial_metrics);
+  module.def("trial_metrics",
+             [](const py::object& samples, const py::object& target, bool closed,
+                std::optional<double> tunnel_width, std::optional<double> target_width,
+                std::optional<double> interval_ms) {
+               const TrialGeometry geometry{closed ? TrialPathEnds::kClosed : TrialPathEnds::kOpen,
+                                            tunnel_width, target_width};
+               return trial_metrics(samples, target, geometry, interval_ms);
+             });
   module.def("trial_columns", &trial_columns);
 }
 
