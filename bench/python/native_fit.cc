@@ -25,6 +25,7 @@ std::int64_t thread_ns() {
 
 std::vector<InkSample> samples_of(const Rows& rows) {
   std::vector<InkSample> samples;
+  samples.reserve(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     InkSample sample;
     sample.position = {rows.at(i, 0), rows.at(i, 1)};
@@ -40,6 +41,7 @@ std::vector<InkSample> samples_of(const Rows& rows) {
 std::pair<std::int64_t, int> fit_all(const std::vector<Rows>& strokes, double tolerance_mm,
                                      bool refine) {
   std::vector<std::vector<InkSample>> all;
+  all.reserve(strokes.size());
   for (const Rows& rows : strokes) all.push_back(samples_of(rows));
   InkFitOptions options = solid_fit({});
   options.curve.tolerance_mm = tolerance_mm;

@@ -77,6 +77,7 @@ std::vector<Point> control_points(const py::object& segments) {
 std::vector<WidthKnot> knots_of(const py::object& widths, const py::object& tones) {
   const Rows rows = rows_of(widths, "widths", 2, 2);
   std::vector<WidthKnot> knots;
+  knots.reserve(rows.count);
   for (std::size_t i = 0; i < rows.count; ++i) knots.push_back({rows.at(i, 0), rows.at(i, 1)});
   if (tones.is_none()) return knots;
   const py::array list = py::module_::import("numpy").attr("asarray")(tones);
@@ -156,6 +157,7 @@ py::object position_at(const Stroke& stroke, const py::array_t<double>& u) {
   }
   if (u.ndim() != 1) throw py::value_error("u: must be a number or a list of numbers");
   std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(u.size()));
   for (py::ssize_t i = 0; i < u.size(); ++i) points.push_back(clamped(u.at(i)));
   return array_of(points);
 }
@@ -168,6 +170,7 @@ struct NearestRows {
 
 NearestRows nearest_rows(const Stroke& stroke, const std::vector<Point>& queries) {
   std::vector<BvhSegment> segments;
+  segments.reserve(static_cast<std::size_t>(stroke.segment_count()));
   for (int i = 0; i < stroke.segment_count(); ++i) {
     segments.push_back({stroke.segment(i), {0, static_cast<std::uint32_t>(i)}});
   }
