@@ -2,6 +2,8 @@
 option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(FELT_PROGRAMS "Build the programs" ON)
+set(FELT_PYTHON "AUTO" CACHE STRING "Build the Python package: ON, OFF or AUTO (if pybind11 is there)")
 option(FELT_WERROR "Warnings are errors" OFF)
 option(FELT_QUICK_BUILD "Precompiled headers, several sources as one (quick.cmake)" ${PROJECT_IS_TOP_LEVEL})
 set(FELT_SANITIZE "" CACHE STRING "Sanitizers: address,undefined | thread | (empty)")

@@ -20,7 +20,7 @@ test_names() {
   awk 'FNR == 1 && NR > 1 { print "" } { printf "%s ", $0 } END { print "" }' "${sources[@]}" |
     grep -oE '\b(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+ *, *[A-Za-z0-9_]+' |
     sed -E 's/^[A-Z_]+\( *([A-Za-z0-9_]+) *, *([A-Za-z0-9_]+)/\1.\2/'
-  find tests bench apps -name CMakeLists.txt -exec cat {} + | tr '\n' ' ' |
+  find tests bench apps python -name CMakeLists.txt -exec cat {} + | tr '\n' ' ' |
     grep -oE 'add_test\( *NAME +[A-Za-z0-9_.]+' | sed -E 's/.* //'
 }
 names=$(test_names | sort -u)
@@ -78,7 +78,7 @@ while IFS= read -r document; do
 done < <(find . -name '*.md' -not -path './build*' -not -path './out/*' -not -path '*/node_modules/*' \
   -not -path './.git/*' | sed 's|^\./||' | LC_ALL=C sort)
 
-mapfile -t texts < <(find src apps tests bench share samples cmake docs ./*.md -type f \( -name '*.h' -o -name '*.cc' \
+mapfile -t texts < <(find src apps tests bench share samples cmake docs python ./*.md -type f \( -name '*.h' -o -name '*.cc' \
   -o -name '*.md' -o -name '*.cmake' -o -name '*.toml' -o -name '*.patch' \) | sed 's|^\./||' | LC_ALL=C sort)
 while IFS=: read -r file line cited; do
   is_there "$cited" || complain "$file:$line: '$cited' does not exist: cite a file and a heading of it that do"

@@ -16,7 +16,7 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "${1:-.}"
 
-mapfile -t files < <(find src apps bench tests -type f \( -name '*.h' -o -name '*.cc' \
+mapfile -t files < <(find src apps bench tests python -type f \( -name '*.h' -o -name '*.cc' \
   -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort)
 [ ${#files[@]} -gt 0 ] || { echo "check_layers.sh: no sources in $PWD" >&2; exit 2; }
 

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "${1:-.}"
 
-mapfile -t files < <(find src apps bench tests samples -type f \( -name '*.h' -o -name '*.cc' \) \
+mapfile -t files < <(find src apps bench tests samples python -type f \( -name '*.h' -o -name '*.cc' \) \
   2>/dev/null | LC_ALL=C sort)
 [ ${#files[@]} -gt 0 ] || exit 0
 status=0
