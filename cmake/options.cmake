@@ -2,6 +2,7 @@
 option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(FELT_WEB_TESTS "Add the tests of the npm package, which ./dev npm builds (./dev test -L web)" OFF)
 option(FELT_WERROR "Warnings are errors" OFF)
 option(FELT_QUICK_BUILD "Precompiled headers, several sources as one (quick.cmake)" ${PROJECT_IS_TOP_LEVEL})
 set(FELT_SANITIZE "" CACHE STRING "Sanitizers: address,undefined | thread | (empty)")
