@@ -89,7 +89,8 @@ Result<Stroke> read_stroke() {
     next += 2;
   }
   data.joints.resize(data.closed ? count : count - 1);
-  for (JointKind& kind : data.joints) kind = *next++ != 0.0 ? JointKind::kCorner : JointKind::kSmooth;
+  for (JointKind& kind : data.joints)
+    kind = *next++ != 0.0 ? JointKind::kCorner : JointKind::kSmooth;
   for (std::size_t i = 0; i < knots; ++i, next += 2) data.widths.push_back({next[0], next[1]});
   mend_rounding(data);
   return Stroke::create(std::move(data));
