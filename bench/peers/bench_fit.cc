@@ -39,7 +39,7 @@ std::vector<Row> rows_at(const Arguments& arguments, const InkData& data, double
     }
   };
   run(make_lib2geom_peers(tolerance));
-  for (const char* package : {"fit-curve", "paper"}) {
+  for (const char* package : {"fit-curve", "paper", "feltline"}) {
     if (!wanted(arguments, package)) continue;
     std::fprintf(stderr, "tolerance %g: %s\n", tolerance, package);
     rows.push_back(measure_npm(package, data, tolerance, arguments.repeats, arguments.npm));

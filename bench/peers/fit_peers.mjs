@@ -12,11 +12,17 @@ const repeats = Number(repeatsText);
 const load = createRequire(`${modules}/`);
 
 // Each fitter converts points [[x, y], ...] to segments [[p0, p1, p2, p3], ...], where each p is an
-// [x, y] point. Both packages compare their tolerance with a squared distance.
+// [x, y] point, or to {segments, joints}. fit-curve and paper compare their tolerance with a squared
+// distance.
 const fitters = {
   'fit-curve': () => {
     const fitCurve = load('fit-curve');
     return (points) => fitCurve(points, tolerance * tolerance);
+  },
+  // Our own package, if ./dev npm has built it.
+  feltline: () => {
+    const { fitStroke } = load('feltline');
+    return (points) => fitStroke(points, { tolerance });
   },
   paper: () => {
     const paper = load('paper/dist/paper-core.js');
@@ -41,8 +47,10 @@ const fit = fitters[packageName]();
 
 // The first pass produces the result and warms up the compiler.
 const lines = inks.map((ink) => {
-  const segments = fit(ink.points).map((segment) => segment.flat());
-  return JSON.stringify({ id: ink.id, segments, joints: segments.slice(1).map(() => 'smooth') });
+  const fitted = fit(ink.points);
+  const segments = (fitted.segments ?? fitted).map((segment) => segment.flat());
+  const joints = fitted.joints ?? segments.slice(1).map(() => 'smooth');
+  return JSON.stringify({ id: ink.id, segments, joints });
 });
 writeFileSync(`${scratch}/curves.ndjson`, lines.map((line) => `${line}\n`).join(''));
 

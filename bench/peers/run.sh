@@ -25,6 +25,15 @@ install_npm_peers() {
   fi
 }
 
+# Adds our own npm package, if `./dev npm` has built it.
+install_own_package() {
+  local tgz
+  tgz=$(printf '%s\n' build/web/npm/feltline-*.tgz | tail -n 1)
+  [ -e "$tgz" ] && command -v npm >/dev/null || return 0
+  npm install --prefix "$npm_dir" --offline --no-save --no-audit --no-fund "$tgz" >>"$npm_dir/npm.log" 2>&1 ||
+    echo "build/web/npm could not be installed ($npm_dir/npm.log); its row is skipped." >&2
+}
+
 # Prints options for the shared recordings, which are in px. Without them, prints options for the project's own
 # samples, which are in mm; 5 px per mm make both comparable.
 default_data() {
@@ -54,6 +63,7 @@ while [ $# -gt 0 ]; do
 done
 if $needs_data; then
   install_npm_peers
+  install_own_package
   mapfile -t data < <(default_data)
   arguments=("${data[@]}" "${arguments[@]}")
 fi

@@ -134,8 +134,13 @@ std::size_t Refiner::next_first(const Cut& cut) const noexcept {
 }
 
 void Refiner::keep_best_cuts() {
-  std::stable_sort(cuts_.begin(), cuts_.end(),
-                   [this](const Cut& a, const Cut& b) { return next_first(a) > next_first(b); });
+  // A stable insertion sort: there are at most 24 cuts, and std::stable_sort would allocate.
+  for (std::size_t i = 1; i < cuts_.size(); ++i) {
+    const Cut cut = cuts_[i];
+    std::size_t to = i;
+    for (; to > 0 && next_first(cuts_[to - 1]) < next_first(cut); --to) cuts_[to] = cuts_[to - 1];
+    cuts_[to] = cut;
+  }
   std::size_t kept = 0, same = 0, last = 0;
   for (const Cut& cut : cuts_) {
     const std::size_t first = next_first(cut);

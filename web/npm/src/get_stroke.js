@@ -1,0 +1,121 @@
+// getStroke(), with the call of perfect-freehand.
+import { check, inputView } from './module.js';
+import { fitOnce } from './fitter.js';
+import { COLUMNS, readerOf } from './points.js';
+import { takePolygons } from './strokes.js';
+
+// The number of parts of a taper: PenTip::kSteps.
+const TAPER_STEPS = 16;
+// Strokes are fitted at a scale at which the size is at least this many mm, so that the smallest
+// width and segment of the library (0.05 mm) do not show.
+const LEAST_SIZE_MM = 8;
+const LEAST_WIDTH_MM = 0.05;
+
+const linear = (t) => t;
+
+function optionNumber(options, name, usual, most = Infinity) {
+  const value = options[name] ?? usual;
+  if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`${name} must be a number`);
+  return Math.min(most, value);
+}
+
+/** Returns the finite points as rows of x, y, pressure. */
+function finitePoints(points, stride) {
+  const { count, write } = readerOf(points, stride);
+  const rows = new Float64Array(COLUMNS * count);
+  write(0, count, rows);
+  const result = [];
+  for (let i = 0; i < rows.length; i += COLUMNS) {
+    if (Number.isFinite(rows[i]) && Number.isFinite(rows[i + 1])) {
+      result.push([rows[i], rows[i + 1], Number.isNaN(rows[i + 2]) ? 0.5 : rows[i + 2]]);
+    }
+  }
+  return result;
+}
+
+/**
+ * Replaces the pressures by those of a pen that presses less the faster it moves. The rate is that
+ * of perfect-freehand (MIT), so that lines get about the same widths: from sample to sample,
+ * the pressure moves towards 1 - s by the share 0.275 s, if the pen moved s times the size.
+ */
+function simulatePressure(points, size) {
+  let pressure = 0.5;
+  const step = (i) => {
+    const [x, y] = points[i], [x0, y0] = points[Math.max(0, i - 1)];
+    const speed = Math.min(1, Math.hypot(x - x0, y - y0) / size);
+    pressure += (1 - speed - pressure) * 0.275 * speed;
+    return pressure;
+  };
+  // The first samples decide how the line starts.
+  for (let i = 1; i < Math.min(10, points.length); ++i) step(i);
+  points.forEach((point, i) => {
+    point[2] = step(i);
+  });
+}
+
+/** Returns the diameter of the pen at a pressure. */
+function diameterOf(pressure, size, thinning, easing) {
+  if (thinning === 0) return size;
+  const p = Math.min(1, Math.max(0, pressure));
+  const share = Number(easing(0.5 - thinning * (0.5 - p)));
+  return Number.isFinite(share) ? Math.max(0, 2 * size * share) : size;
+}
+
+/** Returns the numbers of PenTip for one end. */
+function tipNumbers(tip, easing, length, size, scale) {
+  const { taper = 0, cap = true } = tip ?? {};
+  const ease = tip?.easing ?? easing;
+  if (typeof ease !== 'function') throw new TypeError('easing must be a function');
+  const long = taper === true ? Math.max(size, length) : Number(taper);
+  const tapers = long > 0 && Number.isFinite(long);
+  const shares = Array.from({ length: TAPER_STEPS + 1 }, (_, i) => {
+    const share = Number(ease(i / TAPER_STEPS));
+    return Number.isFinite(share) ? Math.max(0, share) : 1;
+  });
+  return [tapers ? long * scale : 0, !tapers && cap === false ? 1 : 0, ...shares];
+}
+
+export function getStroke(points, options = {}) {
+  if (options === null || typeof options !== 'object') throw new TypeError('options must be an object');
+  const size = optionNumber(options, 'size', 16);
+  if (!(size > 0)) throw new RangeError(`size must be greater than 0, not ${size}`);
+  const thinning = optionNumber(options, 'thinning', 0.5);
+  const smoothing = Math.max(0, optionNumber(options, 'smoothing', 0.5, 1));
+  const streamline = Math.max(0, optionNumber(options, 'streamline', 0.5, 1));
+  const easing = options.easing ?? linear;
+  if (typeof easing !== 'function') throw new TypeError('easing must be a function');
+  const samples = finitePoints(points, options.stride);
+  if (samples.length === 0) return [];
+  if (options.simulatePressure ?? true) simulatePressure(samples, size);
+
+  const scale = Math.max(1, LEAST_SIZE_MM / size);
+  const widths = samples.map((sample) => scale * diameterOf(sample[2], size, thinning, easing));
+  const widest = widths.reduce((a, b) => Math.max(a, b), 2 * LEAST_WIDTH_MM);
+  const tolerance = scale * streamline * Math.min(2, size / 4);
+  const values = [tolerance, LEAST_WIDTH_MM, widest, 1, 0.5, 20, 7.5, 1, 0.01 * widest, 0];
+  const reader = {
+    count: samples.length,
+    write(from, to, rows) {
+      for (let i = from; i < to; ++i) {
+        const [x, y] = samples[i], share = (widths[i] - LEAST_WIDTH_MM) / (widest - LEAST_WIDTH_MM);
+        rows.set([x * scale, y * scale, share, NaN, NaN], (i - from) * COLUMNS);
+      }
+    },
+  };
+  let length = 0;
+  for (let i = 1; i < samples.length; ++i) {
+    length += Math.hypot(samples[i][0] - samples[i - 1][0], samples[i][1] - samples[i - 1][1]);
+  }
+  const look = [
+    ...tipNumbers(options.start, (t) => t * (2 - t), length, size, scale),
+    ...tipNumbers(options.end, (t) => 1 + (t - 1) ** 3, length, size, scale),
+  ];
+  const edge = scale * Math.min(1, size / 16) * (0.02 + 0.36 * smoothing);
+  const settings = { values, refine: options.last === true, scale: 1 };
+  const [polygon] = fitOnce(settings, reader, (core, handle) => {
+    inputView(core, look.length).set(look);
+    check(core, core.exports.fitter_look(handle, edge));
+    return takePolygons(core);
+  });
+  return scale === 1 ? polygon : polygon.map(([x, y]) => [x / scale, y / scale]);
+}
