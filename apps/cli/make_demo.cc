@@ -362,7 +362,7 @@ std::string read_act() {
 }
 
 /// Returns the act in which the pen chooses a tool in a ring: it feels a well, goes over the ridge
-/// to the next one, and lifts.
+/// to the next one, and lifts. Then it uses the tool.
 std::string ring_act() {
   DemoAct act;
   act.tool("pencil");
@@ -379,7 +379,8 @@ std::string ring_act() {
   act.lift();
   act.close_ring();
   act.tool("pull");
-  act.wait(0.6);
+  act.wait(0.4);
+  act.gesture({{83.0, 80.0}, {83.6, 76.5}}, 15.0);
   return act.text();
 }
 

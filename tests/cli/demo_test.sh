@@ -53,13 +53,13 @@ changes 12-fill '"edits":1,'
 changes 13-pencil-gestures '"edits":2,'  # a circle, and a scribble: the moon is not on this drawing
 changes 14-pencil-steady '"edits":2,'
 changes 16-read '"edits":0,'
-changes 17-pencil-ring '"edits":0,'
+changes 17-pencil-ring '"edits":1,'
 changes 18-pencil-guide '"edits":4,'  # a guide, a line, its exact circle, no guides
 run 0 "$feltline" replay "$tools/pencil/14-pencil-steady.ndjson" -o lines.ndjson
 changes 15-eraser-press '"edits":1,' lines.ndjson
 has out '"strokes":1,'
 run 0 "$feltline" info one/sketch.ndjson
-has out "closed          5"
+has out "closed          6"
 
 run 1 "$feltline" demo -o /proc/nowhere
 has err "feltline: /proc/nowhere"

@@ -18,6 +18,7 @@
 #include "felt/session/session_medium.h"
 #include "felt/session/surface_options.h"
 #include "felt/stroke/color_text.h"
+#include "felt/tools/choice_ring.h"
 #include "felt/tools/contact.h"
 #include "felt/tools/edge_ridges.h"
 #include "felt/tools/exact_ink.h"
@@ -357,14 +358,6 @@ void Session::report_material(std::int64_t time_ns, OpenChoice kind, const Optio
     reported_.push_back(material_key(own));
     record({time_ns, UseMaterial{write_material(own)}});
   }
-}
-
-void Session::cancel() {
-  tools_[active_]->cancel();
-  offer_.reset();
-  stroke_guide_->stop();
-  show({});
-  gesture_is_open_ = false;
 }
 
 void Session::follow(const Edit& applied) {

@@ -15,11 +15,11 @@
 #include "felt/material/materials.h"
 #include "felt/session/event.h"
 #include "felt/stroke/stroke.h"
-#include "felt/tools/choice_ring.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
 
+class ChoiceRing;
 class DocumentMap;
 class EdgeRidges;
 class StrokeGuide;
@@ -140,8 +140,8 @@ class Session {
   [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
-  /// Returns the open ring, with what the pen chooses in it, or nullopt (UseRing).
-  [[nodiscard]] const std::optional<ChoiceRing>& ring() const noexcept { return ring_; }
+  /// Returns the open ring, with what the pen chooses in it, or null (UseRing).
+  [[nodiscard]] const ChoiceRing* ring() const noexcept { return ring_.get(); }
   /// Returns the edges that are felt (UseEdges).
   [[nodiscard]] const UseEdges& edges() const noexcept { return edges_; }
   /// Returns the line or arc that the last stroke would become by an ExactEvent, or null. It is
@@ -279,8 +279,8 @@ class Session {
   std::vector<std::string> reported_;  // kinds and ids of recorded materials
   int option_defaults_ = kOptionDefaults;
   std::unique_ptr<StrokeGuide> stroke_guide_;
-  std::optional<ChoiceRing> ring_;
-  bool touches_ring_ = false;  // the pen touches since the ring is open
+  std::unique_ptr<ChoiceRing> ring_;  // null: closed
+  bool touches_ring_ = false;         // the pen touches since the ring is open
   UseEdges edges_;
   std::unique_ptr<EdgeRidges> edge_ridges_;  // null until an edge is felt
   std::unique_ptr<ExactOffer> exact_;        // null: no offer

@@ -6,6 +6,7 @@
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
 #include "felt/session/symmetry_edit.h"
+#include "felt/tools/stroke_guide.h"
 
 namespace felt {
 
@@ -43,6 +44,14 @@ Result<void> Session::show_as_drawn() {
   Edit edit = std::move(as_drawn_->edit);
   as_drawn_.reset();
   return commit(std::move(edit));
+}
+
+void Session::cancel() {
+  tools_[active_]->cancel();
+  offer_.reset();
+  stroke_guide_->stop();
+  show({});
+  gesture_is_open_ = false;
 }
 
 Result<void> Session::settle() {

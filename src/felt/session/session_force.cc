@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "felt/session/session.h"
+#include "felt/tools/choice_ring.h"
 #include "felt/tools/edge_ridges.h"
 #include "felt/tools/feel_id.h"
 
@@ -14,7 +15,7 @@ ForceModel Session::force() const {
   Scene now = scene();
   const Guide* edge = edge_ridges_ ? edge_ridges_->force() : nullptr;
   // A guide of the drawing that is far away does not hold the pen.
-  if (edge && !parts_->guide && !now.guide.softens_friction) now.guide = {};
+  if (edge && !guide() && !now.guide.softens_friction) now.guide = {};
   ForceModel model = tool().force(now);
   const ToolKind kind = tool().info().kind;
   // Only one Guide can act at a time, because all of them use the same memory (ForceMemory::guide).
@@ -58,7 +59,7 @@ Result<void> Session::use_ring(const UseRing& event) {
   }
   // The tool does not see the next touch, so ink that it holds back must not wait for it.
   if (Result<void> settled = settle(); !settled) return settled;
-  ring_.emplace(event.middle, up, right);
+  ring_ = std::make_unique<ChoiceRing>(event.middle, up, right);
   touches_ring_ = false;
   return {};
 }

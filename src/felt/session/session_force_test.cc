@@ -7,6 +7,7 @@
 #include "felt/haptics/force_memory.h"
 #include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/tools/choice_ring.h"
 
 namespace felt::session_force_test {
 namespace {

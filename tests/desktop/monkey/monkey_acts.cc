@@ -131,7 +131,7 @@ void Monkey::tablet_stroke() {
 }
 
 void Monkey::press_key() {
-  static constexpr std::array<Qt::Key, 50> kKeys = {
+  static constexpr std::array<Qt::Key, 45> kKeys = {
       Qt::Key_A,        Qt::Key_C,     Qt::Key_D,      Qt::Key_E,           Qt::Key_H,
       Qt::Key_I,        Qt::Key_M,     Qt::Key_P,      Qt::Key_S,           Qt::Key_T,
       Qt::Key_V,        Qt::Key_W,     Qt::Key_X,      Qt::Key_Y,           Qt::Key_Z,
@@ -140,8 +140,7 @@ void Monkey::press_key() {
       Qt::Key_Left,     Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down,        Qt::Key_Return,
       Qt::Key_Escape,   Qt::Key_Space, Qt::Key_Tab,    Qt::Key_Delete,      Qt::Key_Backspace,
       Qt::Key_Home,     Qt::Key_End,   Qt::Key_PageUp, Qt::Key_Shift,       Qt::Key_Control,
-      Qt::Key_Question, Qt::Key_F11,   Qt::Key_U,      Qt::Key_Menu,        Qt::Key_Alt,
-      Qt::Key_B,        Qt::Key_F,     Qt::Key_G,      Qt::Key_Q,           Qt::Key_R};
+      Qt::Key_Question, Qt::Key_F11,   Qt::Key_U,      Qt::Key_Menu,        Qt::Key_Alt};
   const Qt::Key key = dice_.any(kKeys);
   Qt::KeyboardModifiers with;
   if (dice_.chance(0.2)) with |= Qt::ShiftModifier;
