@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/utf8.h"
 #include "felt/geometry/tilt.h"
 #include "felt/io/limits.h"
 
@@ -91,6 +92,12 @@ InkSample sample_of_row(const Rows& rows, std::size_t row, const char* name, dou
 }
 
 }  // namespace
+
+void check_name(const std::string& what, const std::string& text) {
+  if (text.size() <= limits::kMaxNameBytes && is_utf8(text)) return;
+  throw py::value_error(what + ": must be UTF-8 of at most " +
+                        std::to_string(limits::kMaxNameBytes) + " bytes");
+}
 
 Rows rows_of(const py::handle& object, const char* name, std::size_t min_columns,
              std::size_t max_columns) {

@@ -38,6 +38,10 @@ inline void check(const Result<void>& result) {
   if (!result) throw FeltError{result.error()};
 }
 
+/// Throws ValueError if a file could not hold this text as a name: it is longer than
+/// limits::kMaxNameBytes or not UTF-8. The message begins with `what`.
+void check_name(const std::string& what, const std::string& text);
+
 /// A table of numbers, row by row.
 struct Rows {
   py::array array;  ///< keeps the numbers alive

@@ -225,6 +225,7 @@ void write_raw(const std::string& path, const py::iterable& strokes) {
     const bool is_named = py::hasattr(stroke, "points") && py::hasattr(stroke, "id");
     const std::string id =
         is_named ? stroke.attr("id").cast<std::string>() : "s" + std::to_string(number);
+    check_name("strokes[" + std::to_string(number - 1) + "].id", id);
     const py::object points =
         is_named ? stroke.attr("points") : py::reinterpret_borrow<py::object>(stroke);
     append_raw_line(text, id,

@@ -62,14 +62,18 @@ FitScheme scheme_of(const std::string& name) {
 /// Returns how a hand shakes: None, the text "HZ,MM,DEG", three numbers, or the name of a file.
 std::optional<Shake> shake_of(const py::object& steady) {
   if (steady.is_none()) return std::nullopt;
-  if (!py::isinstance<py::str>(steady) && py::isinstance<py::sequence>(steady)) {
+  const bool is_text = py::isinstance<py::str>(steady) || py::isinstance<py::bytes>(steady);
+  if (!is_text && py::isinstance<py::sequence>(steady)) {
     if (py::len(steady) != 3) throw py::value_error("steady: must be (hz, mm, degrees)");
     const py::str text = py::str(",").attr("join")(
         py::module_::import("builtins").attr("map")(py::type::of(py::str()), steady));
     return value_of(shake_from_text(text.cast<std::string>()));
   }
   const auto argument =
-      py::str(py::module_::import("os").attr("fspath")(steady)).cast<std::string>();
+      py::module_::import("os").attr("fsencode")(steady).cast<std::string>();
+  if (argument.find('\0') != std::string::npos) {
+    throw py::value_error("steady: contains a null character");
+  }
   if (argument.find(',') != std::string::npos) return value_of(shake_from_text(argument));
   constexpr std::size_t kMaxBytes = std::size_t{1} << 16;
   const std::string text = value_of(read_regular_file(argument, kMaxBytes));

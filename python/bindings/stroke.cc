@@ -94,6 +94,7 @@ std::vector<WidthKnot> knots_of(const py::object& widths, const py::object& tone
 SharedStroke new_stroke(const py::object& segments, const py::object& widths,
                         const py::object& tones,
                         const std::optional<std::vector<std::string>>& joints, StrokeData data) {
+  check_name("medium", data.medium);
   data.points = control_points(segments);
   data.widths = knots_of(widths, tones);
   const std::size_t count = data.points.size() / 3 - (data.closed ? 0 : 1);
@@ -110,7 +111,10 @@ SharedStroke replaced(const Stroke& stroke, const std::optional<std::string>& co
                       const py::object& tones) {
   StrokeData data = stroke.data();
   if (color) data.color = color_of(*color);
-  if (medium) data.medium = *medium;
+  if (medium) {
+    check_name("medium", *medium);
+    data.medium = *medium;
+  }
   if (!widths.is_none()) data.widths = knots_of(widths, tones);
   if (widths.is_none() && !tones.is_none()) throw py::value_error("tones: need widths as well");
   return share(value_of(Stroke::create(std::move(data))));

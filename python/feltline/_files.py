@@ -89,8 +89,8 @@ def write(path, drawing, *, format=None, dpi=300.0, compact=False, pictures=Fals
     drawing = _drawing(drawing)
     arguments = _feltline.WriteArguments(format or "", dpi, compact, pictures)
     losses = _feltline.losses(drawing, name, arguments)
+    _warn(losses, name)  # first: if warnings are errors, the old file stays
     _feltline.write(name, drawing, arguments)
-    _warn(losses, name)
 
 
 def to_bytes(drawing, format, *, dpi=300.0, compact=False, pictures=False):

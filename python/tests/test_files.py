@@ -102,6 +102,10 @@ class Files(FilesCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             feltline.write(self.file("a.felt"), hidden)
+            old = self.file("old.ndjson", b"old")
+            with self.assertRaises(feltline.FormatWarning):
+                feltline.write(old, hidden)
+            self.assertEqual(old.read_bytes(), b"old")
 
     def test_errors_name_file_place_and_reason(self):
         good = b'{"points":[[0,0],[9,9]]}\n'
@@ -155,6 +159,14 @@ class Files(FilesCase):
         for arguments in ({"format": "x"}, {"dpi": 0}, {"dpi": float("nan")}, {"compact": True}):
             with self.assertRaises(ValueError):
                 feltline.write(old, stroke, **arguments)
+
+    def test_names_that_a_file_cannot_hold_are_refused(self):
+        stroke = feltline.fit([[0, 0], [9, 9]])
+        for name in ("x" * 5000, b"\xff"):
+            with self.assertRaisesRegex(ValueError, "medium: must be UTF-8 of at most 4096 bytes"):
+                stroke.replace(medium=name)
+            with self.assertRaisesRegex(ValueError, r"strokes\[0\].id: must be UTF-8"):
+                feltline.write_raw(self.file("raw.ndjson"), [feltline.RawStroke(name, [[0, 0]])])
 
     @seeds(5)
     def test_damaged_bytes_never_crash(self, random):

@@ -38,7 +38,7 @@ ls -l dist
 "$python" -m venv --system-site-packages venv
 quietly venv/bin/pip install --no-deps dist/*.whl
 # Only what concerns our package: others of the system may miss what they need.
-! venv/bin/pip check | grep '^feltline '
+if venv/bin/pip check | grep '^feltline '; then exit 1; fi
 venv/bin/python - <<'END'
 import feltline, importlib.metadata, pathlib
 assert "venv" in feltline.__file__, feltline.__file__
@@ -51,7 +51,7 @@ for test in fit files recordings texts; do
   (cd "$sources/python/tests" && FELTLINE=$program "$work/venv/bin/python" -m unittest "test_$test")
 done
 quietly venv/bin/pip uninstall -y feltline
-! venv/bin/python -c 'import feltline' 2>/dev/null
+if venv/bin/python -c 'import feltline' 2>/dev/null; then exit 1; fi
 echo "libraries of the system that the module needs:"
 unzip -q dist/*.whl 'feltline/_feltline*' -d module 2>/dev/null ||
   "$python" -m zipfile -e dist/*.whl module

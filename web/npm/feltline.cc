@@ -50,7 +50,7 @@ void put(const Cubic& c) {
 
 /// Empties the output for the next result.
 void clear_output() {
-  if (output.capacity() > kKeptNumbers) output = {};
+  if (output.capacity() > kKeptNumbers) output = std::vector<double>();
   output.clear();
 }
 
@@ -117,7 +117,7 @@ void put_outline(const Outline& outline) {
 
 /// Returns the input with room for `count` numbers.
 FELT_EXPORT(input) double* felt_input(std::size_t count) {
-  if (input.capacity() > kKeptNumbers && count <= kKeptNumbers) input = {};
+  if (input.capacity() > kKeptNumbers && count <= kKeptNumbers) input = std::vector<double>();
   input.resize(count);
   return input.data();
 }

@@ -73,6 +73,10 @@ void RingMenu::open(RingContent content, QPointF px, By by) {
   is_pressed_ = by == By::kButton && !holds_device();
   fill();
   place(holds_device() ? canvas_.view().to_px(studio_.pen().hand) : px);
+  if (!ring_ || !studio_.session().ring()) {  // a line began meanwhile
+    ring_.reset();
+    return;
+  }
   qApp->installEventFilter(this);  // its events come before those of PenInput
   show();
   raise();
@@ -299,7 +303,12 @@ void RingMenu::move_to(Point pen) {
   keys_chose_ = false;
   pen_ = pen;
   const std::optional<std::size_t> before = ring_->chosen();
-  ring_->move(pen);
+  const ChoiceRing* felt = holds_device() ? studio_.session().ring() : nullptr;
+  if (felt) {
+    ring_->choose(felt->chosen());  // what the pen feels
+  } else {
+    ring_->move(pen);
+  }
   if (ring_->chosen() == before) return;
   update();
   if (!ring_->chosen()) return;

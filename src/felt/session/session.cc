@@ -255,6 +255,7 @@ Result<void> Session::finish() {
 Result<void> Session::select(const std::string& id) {
   const Result<std::size_t> found = find_tool(id);
   if (!found) return tl::unexpected(found.error());
+  static_cast<void>(use_ring({}));  // closes it, which never fails
   if (*found == active_) return {};
   Result<void> ended = finish();
   active_ = *found;

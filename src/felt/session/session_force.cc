@@ -2,6 +2,8 @@
 // an open ring.
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "felt/session/session.h"
 #include "felt/tools/choice_ring.h"
@@ -44,23 +46,26 @@ Result<void> Session::use_edges(const UseEdges& event) {
 }
 
 Result<void> Session::use_ring(const UseRing& event) {
-  if (gesture_in_progress()) return {};
   if (!event.is_open) {
     // A touch that began in the ring must not draw.
     must_lift_ = must_lift_ || (ring_ && touches_ring_);
     ring_.reset();
     return {};
   }
+  if (gesture_in_progress()) return {};
   const Vec up = event.top - event.middle, right = event.right - event.middle;
   if (!is_pen_position({event.middle.x, event.middle.y, 0.0}) ||
       !(std::fabs(cross(up, right)) > 0.0) ||
       !std::isfinite(norm_squared(up) + norm_squared(right))) {
     return fail(ErrorCode::kInvalidArgument, "points: are not those of a ring");
   }
-  // The tool does not see the next touch, so ink that it holds back must not wait for it.
+  // The tool does not see the next touch, so ink that it holds back must not wait for it. An offer
+  // stays.
+  std::optional<Offer> offer = std::move(offer_);
   if (Result<void> settled = settle(); !settled) return settled;
+  offer_ = std::move(offer);
+  if (!ring_) touches_ring_ = false;
   ring_ = std::make_unique<ChoiceRing>(event.middle, up, right);
-  touches_ring_ = false;
   return {};
 }
 

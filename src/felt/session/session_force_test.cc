@@ -160,6 +160,15 @@ TEST(SessionRing, ATouchThatBeganInItDoesNotDraw) {
   EXPECT_EQ(f.session->document().stroke_count(), 2u);
 }
 
+TEST(SessionRing, AToolClosesIt) {
+  for (const char* tool : {"pencil", "pull"}) {
+    EdgeFixture f;
+    f.must(kRing);
+    f.must(SelectTool{tool});
+    EXPECT_FALSE(f.session->ring()) << tool;
+  }
+}
+
 TEST(SessionRing, DoesNotInterruptALine) {
   EdgeFixture f;
   for (double x = 60.0; x < 80.0; x += 0.5) f.must(PenEvent{{x, 70.0, -0.5}, 0.5, 0});

@@ -428,8 +428,8 @@ void Episode::change_edges() {
   apply(edges);
 }
 
-/// Opens a ring, moves the pen in it, and closes it or chooses a tool, which closes it a little
-/// later. Nothing that happens in it may change the document.
+/// Opens a ring, moves the pen in it, and closes it. Nothing that happens in it may change the
+/// document.
 void Episode::use_ring() {
   where_ += ", ring";
   const Point middle{dice_.between(0.0, 100.0), dice_.between(0.0, 100.0)};

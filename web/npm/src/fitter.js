@@ -157,6 +157,7 @@ export class StrokeFitter {
 
   frozen(first = 0) {
     checkNumber(first, 'first', 0, 2 ** 31 - 1);
+    first = Math.trunc(first);
     return this.#run((wasm, handle, core) => {
       wasm.fitter_frozen(handle, first);
       const rows = outputView(core), count = rows.length / 9;

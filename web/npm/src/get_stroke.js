@@ -78,7 +78,7 @@ function tipNumbers(tip, easing, length, size, scale) {
 export function getStroke(points, options = {}) {
   if (options === null || typeof options !== 'object') throw new TypeError('options must be an object');
   const size = optionNumber(options, 'size', 16);
-  if (!(size > 0)) throw new RangeError(`size must be greater than 0, not ${size}`);
+  if (!(size > 0 && size < Infinity)) throw new RangeError(`size must be greater than 0, not ${size}`);
   const thinning = optionNumber(options, 'thinning', 0.5);
   const smoothing = Math.max(0, optionNumber(options, 'smoothing', 0.5, 1));
   const streamline = Math.max(0, optionNumber(options, 'streamline', 0.5, 1));

@@ -3,7 +3,11 @@ import { setModule } from './module.js';
 
 async function bytesOf(source) {
   const url = new URL(source, import.meta.url);
-  if (url.protocol !== 'file:' || typeof process === 'undefined') return (await fetch(url)).arrayBuffer();
+  if (url.protocol !== 'file:' || typeof process === 'undefined') {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: HTTP status ${response.status}`);
+    return response.arrayBuffer();
+  }
   const files = 'node:fs/promises';
   return (await import(/* webpackIgnore: true */ /* @vite-ignore */ files)).readFile(url);
 }
