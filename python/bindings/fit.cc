@@ -69,8 +69,7 @@ std::optional<Shake> shake_of(const py::object& steady) {
         py::module_::import("builtins").attr("map")(py::type::of(py::str()), steady));
     return value_of(shake_from_text(text.cast<std::string>()));
   }
-  const auto argument =
-      py::module_::import("os").attr("fsencode")(steady).cast<std::string>();
+  const auto argument = py::module_::import("os").attr("fsencode")(steady).cast<std::string>();
   if (argument.find('\0') != std::string::npos) {
     throw py::value_error("steady: contains a null character");
   }

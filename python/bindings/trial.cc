@@ -57,7 +57,8 @@ py::dict trial_metrics(const py::object& samples, const py::object& target, Tria
   for (const std::optional<double>& number :
        {geometry.tunnel_width_mm, geometry.target_width_mm, interval_ms}) {
     if (!number || (*number >= 1e-6 && *number <= 1e6)) continue;
-    throw py::value_error("tunnel_width, target_width and interval_ms must be above 0: 1e-6 to 1e6");
+    throw py::value_error(
+        "tunnel_width, target_width and interval_ms must be above 0: 1e-6 to 1e6");
   }
   const std::vector<TrialSample> drawn = trial_samples_of(samples, interval_ms);
   std::vector<Point> line;
