@@ -148,7 +148,7 @@ ReadDrawing with_strokes(const ReadDrawing& self, const py::iterable& strokes,
   for (const Layer& candidate : layers) {
     if (layer && candidate.name == *layer) target = &candidate;
   }
-  if (!target) throw py::value_error("layer: there is no layer '" + *layer + "'");
+  if (!target) throw py::value_error("layer: unknown layer '" + *layer + "'");
   ReadDrawing result{self.drawing};
   EditBuilder edit(self.drawing.document);
   for (const py::handle& stroke : strokes) edit.add(target->id, stroke_of(stroke));

@@ -133,14 +133,14 @@ class Metadata(unittest.TestCase):
 
 
 class Stubs(unittest.TestCase):
-    def check_function(self, where, stub, thing):
-        self.assertEqual(arguments_of(stub), signature_of(thing), where)
+    def check_function(self, where, declared, thing):
+        self.assertEqual(arguments_of(declared), signature_of(thing), where)
 
-    def check_class(self, stub, cls):
-        members = {node.name: node for node in stub.body if isinstance(node, ast.FunctionDef)}
+    def check_class(self, declared, cls):
+        members = {node.name: node for node in declared.body if isinstance(node, ast.FunctionDef)}
         public = {name for name in vars(cls) if not name.startswith("_")}
         if issubclass(cls, (tuple, Exception)):  # these have no functions
-            fields = [n.target.id for n in stub.body if isinstance(n, ast.AnnAssign)]
+            fields = [n.target.id for n in declared.body if isinstance(n, ast.AnnAssign)]
             self.assertEqual(fields, list(getattr(cls, "_fields", fields)), cls.__name__)
             return
         self.assertEqual({n for n in members if not n.startswith("_")}, public, cls.__name__)

@@ -25,7 +25,7 @@ for shard in "$shards"/*.ndjson; do
   records=$((records + n_records)) strokes=$((strokes + n_strokes)) bad=$((bad + n_bad)) count=$((count + 1))
 done
 for sketch in "$results"/*.ndjson; do
-  [ -e "$shards/$(basename "$sketch")" ] || fault "$(basename "$sketch"): there is no such shard"
+  [ -e "$shards/$(basename "$sketch")" ] || fault "$(basename "$sketch"): belongs to no shard"
 done
 [ $status != 0 ] || echo "$count shards: $records records, $strokes strokes, $bad bad records"
 exit $status

@@ -51,7 +51,7 @@ has out "000001: not finished"
 mv hidden results/000001.done
 cp results/000001.ndjson results/copy.ndjson
 run 1 "$recipes/check_results.sh" shards results
-has out "copy.ndjson: there is no such shard"
+has out "copy.ndjson: belongs to no shard"
 rm results/copy.ndjson
 head -n 1 shards/000002.ndjson >>shards/000002.ndjson
 run 1 "$recipes/check_results.sh" shards results
