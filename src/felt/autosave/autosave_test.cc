@@ -141,6 +141,37 @@ TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
   }
 }
 
+/// The process dies while the pen touches in a ring of tools, or after the ring was closed during
+/// that touch. The touch is not ink; the next one is.
+TEST(Autosave, ATouchInARingIsNoInk) {
+  for (const bool hangs : {false, true}) {
+    const TestFolder folder;
+    AutosaveFixture fixture({.roots = {folder.path}});
+    fixture.steps(2);
+    fixture.apply(UseRing{true, {60.0, 70.0}, {60.0, 54.0}, {76.0, 70.0}});
+    fixture.autosave->process();
+    const auto die = [&](int steps) {
+      for (int i = 0; i < steps; ++i) {
+        fixture.step();
+        if (i % 5 == 0) fixture.autosave->process();
+      }
+      fixture.autosave->process();
+      return fixture.crashed().drawing.document;
+    };
+    fixture.hangs = hangs;
+    EXPECT_EQ(die(28).stroke_count(), 0u) << hangs;
+    fixture.hangs = false;
+    fixture.apply(UseRing{});
+    fixture.autosave->process();
+    fixture.hangs = hangs;
+    EXPECT_EQ(die(15).stroke_count(), 0u) << hangs;
+    fixture.hangs = false;
+    const Document drawn = die(50);
+    EXPECT_GT(drawn.stroke_count(), 0u);
+    EXPECT_TRUE(drawn == fixture.ended());
+  }
+}
+
 /// The edit thread resumes after it hung. Its late events are samples that the autosave already has
 /// from the haptic loop.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {

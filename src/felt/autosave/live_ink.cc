@@ -59,7 +59,21 @@ void LiveInk::clear() {
   hover_.clear();
   overhang_.clear();
   contact_ = {};
-  has_ended_ = false;
+  has_ended_ = ring_is_open_ = events_in_ring_ = loop_in_ring_ = false;
+}
+
+/// Opens or closes the ring as Session does: it does not open during a gesture, and the choice of a
+/// tool closes it.
+void LiveInk::follow_ring(const Event& event, bool gesture_in_progress) {
+  const auto* ring = std::get_if<UseRing>(&event.what);
+  if (ring && ring->is_open && !gesture_in_progress) {
+    close();
+    hover_.clear();
+    overhang_.clear();
+    ring_is_open_ = true;
+  } else if ((ring && !ring->is_open) || std::holds_alternative<SelectTool>(event.what)) {
+    ring_is_open_ = false;
+  }
 }
 
 void LiveInk::add_context(const Event& event) {
@@ -81,12 +95,19 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
   const auto* pen = std::get_if<PenEvent>(&event.what);
   if (!pen) {  // may be newer than samples that the session has not received yet
     add_context(event);
+    follow_ring(event, gesture_in_progress);
     if (open_) append_event_line(events_, event);
     return;
   }
   session_ns_ = std::max(session_ns_, event.time_ns);
   while (!overhang_.empty() && overhang_.front().time_ns <= session_ns_) overhang_.pop_front();
-  const PenSample sample = sample_of(event.time_ns, *pen);
+  PenSample sample = sample_of(event.time_ns, *pen);
+  events_in_ring_ = (ring_is_open_ || events_in_ring_) && in_contact(sample);
+  if (ring_is_open_ || events_in_ring_) {
+    lift(sample);
+    contact_.update(sample);
+    return;
+  }
   const bool touches = contact_.update(sample) == Contact::Change::kTouched;
   if (touches && !open_) open();
   if (in_contact(sample)) last_contact_ns_ = event.time_ns;
@@ -110,6 +131,8 @@ void LiveInk::edit_applied() {
 }
 
 void LiveInk::add_loop_sample(const PenSample& sample) {
+  loop_in_ring_ = (ring_is_open_ || loop_in_ring_) && in_contact(sample);
+  if (ring_is_open_ || loop_in_ring_) return;
   if (sample.time_ns > session_ns_ && overhang_.size() < kMaxOverhang) overhang_.push_back(sample);
 }
 

@@ -31,6 +31,7 @@ struct LiveChunk {
 ///     while the edit thread hangs. Recovery draws the ink of these samples, too.
 /// The chunks of one gesture are a *stretch*. It begins when the pen touches the surface. It ends
 /// with the edit of the gesture, or when it is clear that the gesture makes no edit (kNoEditNs).
+/// Touches in an open ring (UseRing) draw nothing, so they are not saved.
 /// Uses no clock, thread or file. Not thread-safe.
 class LiveInk {
  public:
@@ -76,6 +77,7 @@ class LiveInk {
   [[nodiscard]] bool is_chosen(std::string_view key) const;
   void keep(Changes& changes, LiveKind kind, std::string bytes);
   bool overhang_touches();
+  void follow_ring(const Event& event, bool gesture_in_progress);
 
   std::map<std::string, OptionValue> options_;
   std::optional<UseDevice> device_;
@@ -88,6 +90,8 @@ class LiveInk {
   std::int64_t session_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
   Contact contact_;         // contact state after the session's last sample
   bool has_ended_ = false;  // the gesture of this contact has ended, although the pen is still down
+  bool ring_is_open_ = false;
+  bool events_in_ring_ = false, loop_in_ring_ = false;  // the pen touches, and did in the ring
   bool open_ = false, clear_ = false;
   std::string context_, events_;  // not in chunks_ yet
   std::vector<LiveChunk> chunks_;
