@@ -2155,6 +2155,14 @@
         <source>Scratch out</source>
         <translation>Durchstreichen</translation>
     </message>
+    <message>
+        <source>Bulge</source>
+        <translation>Wölben</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Zusammenziehen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -6133,10 +6141,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Wie weit sich eine Linie beim Vereinfachen nach der Geste verschieben darf; mehr ergibt weniger Segmente.</translation>
     </message>
     <message>
-        <source>How far the brush reaches along the line, to each side.</source>
-        <translation>Wie weit der Pinsel entlang der Linie reicht, zu jeder Seite.</translation>
-    </message>
-    <message>
         <source>How far the simplified line may be from the smoothed one.</source>
         <translation>Wie weit die vereinfachte Linie von der geglätteten abweichen darf.</translation>
     </message>
@@ -6263,10 +6267,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Pull</source>
         <translation>Ziehen</translation>
-    </message>
-    <message>
-        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or move a line along the pen (sweep).</source>
-        <translation>Ein Stück einer Linie ziehen (Pinsel), ein Segment biegen (Greifen), Linien von außen schieben (Schieben) oder eine Linie am Stift entlangführen (Fegen).</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -7467,6 +7467,30 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Guides</source>
         <translation>Hilfslinien</translation>
+    </message>
+    <message>
+        <source>Drag away from the touch to draw the lines to it; drag back to undo.</source>
+        <translation>Von der Berührung wegziehen, um die Linien zu ihr zu ziehen; zurückziehen macht es rückgängig.</translation>
+    </message>
+    <message>
+        <source>Drag away from the touch to spread the lines around it; drag back to undo.</source>
+        <translation>Von der Berührung wegziehen, um die Linien darum auseinanderzudrücken; zurückziehen macht es rückgängig.</translation>
+    </message>
+    <message>
+        <source>How far the brush reaches along the line, to each side; the radius of the circle that bulge and pinch change.</source>
+        <translation>Wie weit der Pinsel entlang der Linie reicht, zu jeder Seite; der Radius des Kreises, den Wölben und Zusammenziehen verändern.</translation>
+    </message>
+    <message>
+        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), move a line along the pen (sweep), spread all lines around the touch (bulge), or draw them together (pinch).</source>
+        <translation>Ein Stück einer Linie ziehen (Pinsel), ein Segment biegen (Greifen), Linien von außen schieben (Schieben), eine Linie am Stift entlangführen (Fegen), alle Linien um die Berührung auseinanderdrücken (Wölben) oder zusammenziehen (Zusammenziehen).</translation>
+    </message>
+    <message>
+        <source>bulge</source>
+        <translation>Wölben</translation>
+    </message>
+    <message>
+        <source>pinch</source>
+        <translation>Zusammenziehen</translation>
     </message>
 </context>
 </TS>

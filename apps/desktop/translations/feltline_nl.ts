@@ -2155,6 +2155,14 @@
         <source>Scratch out</source>
         <translation>Doorhalen</translation>
     </message>
+    <message>
+        <source>Bulge</source>
+        <translation>Opbollen</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Samenknijpen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -6133,10 +6141,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Hoe ver een lijn mag verschuiven bij het vereenvoudigen na het gebaar; meer geeft minder segmenten.</translation>
     </message>
     <message>
-        <source>How far the brush reaches along the line, to each side.</source>
-        <translation>Hoe ver het penseel langs de lijn reikt, naar elke kant.</translation>
-    </message>
-    <message>
         <source>How far the simplified line may be from the smoothed one.</source>
         <translation>Hoe ver de vereenvoudigde lijn van de gladgestreken lijn mag afwijken.</translation>
     </message>
@@ -6263,10 +6267,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Pull</source>
         <translation>Trekken</translation>
-    </message>
-    <message>
-        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or move a line along the pen (sweep).</source>
-        <translation>Trek aan een stuk van een lijn (penseel), buig één segment (pakken), duw lijnen van buitenaf (duwen), of voer een lijn langs de pen (vegen).</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -7467,6 +7467,30 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Guides</source>
         <translation>Hulplijnen</translation>
+    </message>
+    <message>
+        <source>Drag away from the touch to draw the lines to it; drag back to undo.</source>
+        <translation>Sleep weg van het aanraakpunt om de lijnen ernaartoe te trekken; terugslepen maakt het ongedaan.</translation>
+    </message>
+    <message>
+        <source>Drag away from the touch to spread the lines around it; drag back to undo.</source>
+        <translation>Sleep weg van het aanraakpunt om de lijnen eromheen uit elkaar te duwen; terugslepen maakt het ongedaan.</translation>
+    </message>
+    <message>
+        <source>How far the brush reaches along the line, to each side; the radius of the circle that bulge and pinch change.</source>
+        <translation>Hoe ver het penseel langs de lijn reikt, naar elke kant; de straal van de cirkel die opbollen en samenknijpen veranderen.</translation>
+    </message>
+    <message>
+        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), move a line along the pen (sweep), spread all lines around the touch (bulge), or draw them together (pinch).</source>
+        <translation>Trek aan een stuk van een lijn (penseel), buig één segment (pakken), duw lijnen van buitenaf (duwen), voer een lijn langs de pen (vegen), duw alle lijnen rond het aanraakpunt uit elkaar (opbollen), of trek ze naar elkaar toe (samenknijpen).</translation>
+    </message>
+    <message>
+        <source>bulge</source>
+        <translation>opbollen</translation>
+    </message>
+    <message>
+        <source>pinch</source>
+        <translation>samenknijpen</translation>
     </message>
 </context>
 </TS>

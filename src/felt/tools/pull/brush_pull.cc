@@ -7,17 +7,12 @@
 #include "felt/base/check.h"
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/edit/subdivide.h"
+#include "felt/tools/pull/handles.h"
 
 namespace felt {
 namespace {
 
 constexpr double kPullAccuracy = 1e-7;
-/// A handle shorter than kNoHandleMm counts as having zero length
-/// (docs/design/editing.md#smooth-joints). At a smooth joint this handle gets the length
-/// kStandingHandleMm, so that its direction does not depend on another control point. The curve
-/// moves by less than a micrometre.
-constexpr double kNoHandleMm = 1e-6;
-constexpr double kStandingHandleMm = 1e-3;
 /// If the displacement is at most kExactRadii radii, the ink follows the exact displacement within
 /// the tolerance. If it is larger, the ink is stretched so much that a proportionally larger error
 /// is not visible.
@@ -29,10 +24,8 @@ constexpr int kFiner[] = {3, 4, 5, 6};
 constexpr double kPullShare = 0.2;
 /// Maximum number of times that a piece is halved.
 constexpr int kMaxRounds = 5;
-/// Minimum handle length of ink that is compressed below the length that I5 requires.
-constexpr double kSliverHandleMm = 0.03;
-/// Lengthening these handles moves the grabbed point. Moving this point back may compress another
-/// segment, so both steps are repeated up to kMendRounds times.
+/// Lengthening the handles of compressed ink moves the grabbed point. Moving this point back may
+/// compress another segment, so both steps are repeated up to kMendRounds times.
 constexpr int kMendRounds = 4;
 /// Squared sine of the largest angle between two handles that is not corrected: 6e-9 degrees.
 constexpr double kStraight = 1e-20;
@@ -71,7 +64,7 @@ BrushPull::BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options)
           more);
       plan(reach);
     }
-    stand_up();
+    for (const Run& run : runs_) give_handles(base_, static_cast<std::size_t>(run.segment));
     plan(reach);
   }
   weigh(reach.is_whole);
@@ -157,25 +150,6 @@ std::vector<double> BrushPull::crooked(double largest_error) const {
     }
   }
   return middles;
-}
-
-void BrushPull::stand_up() {
-  for (const Run& run : runs_) {
-    const auto i = static_cast<std::size_t>(run.segment);
-    const Cubic c = segment(run.segment);
-    const auto kind = [&](std::size_t joint) {
-      if (joint == 0 || joint == base_.points.size() / 3) {
-        return base_.closed ? base_.joints.back() : JointKind::kEnd;
-      }
-      return base_.joints[joint - 1];
-    };
-    if (kind(i) == JointKind::kSmooth && distance(c.p[0], c.p[1]) < kNoHandleMm) {
-      base_.points[3 * i + 1] = c.p[0] + kStandingHandleMm * tangent(c, 0.0);
-    }
-    if (kind(i + 1) == JointKind::kSmooth && distance(c.p[2], c.p[3]) < kNoHandleMm) {
-      base_.points[3 * i + 2] = c.p[3] - kStandingHandleMm * tangent(c, 1.0);
-    }
-  }
 }
 
 void BrushPull::weigh(bool is_whole) {
@@ -277,17 +251,7 @@ bool BrushPull::keep_lengths(StrokeData& data) const {
   bool any = false;
   const int n = count();
   for (int i = 0; i < n; ++i) {
-    const auto k = 3 * static_cast<std::size_t>(i);
-    Point* p = &data.points[k];
-    const Cubic c{{p[0], p[1], p[2], p[3]}};
-    if (control_length(c) >= kMinSegmentMm || c == segment(i)) continue;
-    const auto handle = [&](Vec now, double t) {
-      const Vec way = now == Vec{} ? tangent(segment(i), t) : normalized(now);
-      return std::max(norm(now), kSliverHandleMm) * way;
-    };
-    p[1] = p[0] + handle(c.p[1] - c.p[0], 0.0);
-    p[2] = p[3] - handle(c.p[3] - c.p[2], 1.0);
-    any = true;
+    any = keep_length(data, static_cast<std::size_t>(i), segment(i)) || any;
   }
   if (any) keep_all_smooth(data);
   return any;

@@ -70,7 +70,6 @@ class BrushPull {
   void plan(const BrushReach& reach);
   void add_runs(int count, const BrushSide& side, double sign);
   [[nodiscard]] std::vector<double> crooked(double largest_error) const;
-  void stand_up();
   void weigh(bool is_whole);
   void find_grab();
   [[nodiscard]] Result<Stroke> with_free_joints(const Stroke& pulled, int finer) const;

@@ -30,9 +30,9 @@ struct PullFeel {
 };
 
 /// One gesture in one mode of the pull tool. It contains the strokes as the pen has changed them so
-/// far. In brush and grab mode, these strokes depend only on the pen's current position and the
-/// document at the touch; in push and sweep mode they depend on the path of the pen. Edit thread
-/// only.
+/// far. In brush, grab, bulge and pinch mode, these strokes depend only on the pen's current
+/// position and the document at the touch; in push and sweep mode they depend on the path of the
+/// pen. Edit thread only.
 class PullGesture {
  public:
   virtual ~PullGesture() = default;

@@ -14,6 +14,9 @@ PullSettings pull_settings(const OptionValues& values) {
   s.grab.affected_mm = values.number(Row::kAffected);
   s.push.radius_mm = values.number(Row::kNibRadius);
   s.sweep.time_constant_s = values.number(Row::kSweepTime);
+  s.bulge = {.radius_mm = s.brush.radius_mm,
+             .pinches = s.mode == PullMode::kPinch,
+             .tolerance_mm = s.brush.tolerance_mm};
   s.offset = values.is_on(Row::kKeepOffset) ? TouchOffset::kKept : TouchOffset::kBlendedOut;
   s.grab_radius_mm = values.number(Row::kGrabRadius);
   s.strength = values.number(Row::kStrength);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/pull/bulge_gesture.h"
 #include "felt/tools/pull/grab_pull.h"
 #include "felt/tools/pull/push_gesture.h"
 #include "felt/tools/pull/sweep_gesture.h"
@@ -14,11 +15,12 @@
 
 namespace felt {
 
-inline constexpr std::array<std::string_view, 4> kPullModes = {"brush", "grab", "push", "sweep"};
+inline constexpr std::array<std::string_view, 6> kPullModes = {"brush", "grab",  "push",
+                                                               "sweep", "bulge", "pinch"};
 inline constexpr std::array<std::string_view, 3> kPullWeights = {"soft", "paper", "printed"};
 
 /// In the order of kPullModes.
-enum class PullMode : std::uint8_t { kBrush, kGrab, kPush, kSweep };
+enum class PullMode : std::uint8_t { kBrush, kGrab, kPush, kSweep, kBulge, kPinch };
 
 /// Rows of kPullOptions.
 struct PullOption {
@@ -45,16 +47,20 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .kind = OptionKind::kChoice,
      .fallback = 0,
      .choices = kPullModes,
-     .help = "Pull a stretch of a line (brush), bend one segment (grab), push lines from outside "
-             "(push), or move a line along the pen (sweep)."},
+     .help =
+         "Pull a stretch of a line (brush), bend one segment (grab), push lines from outside "
+         "(push), move a line along the pen (sweep), spread all lines around the touch (bulge), "
+         "or draw them together (pinch)."},
     {.id = "radius_mm",
      .label = "Radius",
      .unit = "mm",
      .min = 1.0,
      .max = 200.0,
      .fallback = 20.0,
-     .help = "How far the brush reaches along the line, to each side.",
-     .when = "mode=brush"},
+     .help =
+         "How far the brush reaches along the line, to each side; the radius of the circle that "
+         "bulge and pinch change.",
+     .when = "mode=brush|bulge|pinch"},
     {.id = "free_ends",
      .label = "Free ends and corners",
      .unit = "",
@@ -87,7 +93,7 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .fallback = 0.1,
      .help = "How far a line may move when it is simplified after the gesture; more gives fewer "
              "segments.",
-     .when = "mode=brush",
+     .when = "mode=brush|bulge|pinch",
      .is_seldom = true},
     {.id = "weights",
      .label = "Weights of grab",
@@ -135,6 +141,7 @@ struct PullSettings {
   GrabOptions grab;
   PushOptions push;
   SweepOptions sweep;
+  BulgeOptions bulge;
   TouchOffset offset = TouchOffset::kBlendedOut;
   double grab_radius_mm = 8.0;
   double strength = 1.0;

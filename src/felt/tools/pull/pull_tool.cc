@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/tools/pull/brush_gesture.h"
+#include "felt/tools/pull/bulge_gesture.h"
 #include "felt/tools/pull/grab_gesture.h"
 #include "felt/tools/pull/pull_force.h"
 #include "felt/tools/pull/push_gesture.h"
@@ -16,16 +17,22 @@ namespace {
 
 constexpr std::string_view kPullHint = "Drag a line to bend it; drag back to undo the bend.";
 constexpr std::string_view kEnds = "ends and corners move along, or stay";
-constexpr std::array<ToolUse, 4> kPullUses = {{
+constexpr std::array<ToolUse, 6> kPullUses = {{
     {.mode = "push",
      .hint = "Push lines away from the side of the pen.",
      .size = "nib_radius_mm",
      .path = ToolPath::kAcross},
     {.mode = "grab", .hint = kPullHint, .first_modifier = kEnds, .size = "grab_radius_mm"},
     {.mode = "sweep", .hint = kPullHint, .first_modifier = kEnds, .size = "grab_radius_mm"},
+    {.mode = "bulge",
+     .hint = "Drag away from the touch to spread the lines around it; drag back to undo.",
+     .size = "radius_mm"},
+    {.mode = "pinch",
+     .hint = "Drag away from the touch to draw the lines to it; drag back to undo.",
+     .size = "radius_mm"},
     {.hint = kPullHint, .first_modifier = kEnds, .size = "radius_mm"},
 }};
-constexpr std::array<std::string_view, 3> kPullEdits = {"Pull", "Push", "Redraw"};
+constexpr std::array<std::string_view, 5> kPullEdits = {"Pull", "Push", "Redraw", "Bulge", "Pinch"};
 constexpr ToolInfo kPullInfo{
     .id = "pull",
     .label = "Pull",
@@ -48,6 +55,11 @@ void PullTool::take_options(const OptionValues& options) {
   settings_ = pull_settings(options);
 }
 
+/// Returns true if a touch acts on all lines within a distance, instead of grabbing one.
+bool PullTool::reaches_by_size() const noexcept {
+  return settings_.mode == PullMode::kPush || settings_.mode >= PullMode::kBulge;
+}
+
 BrushOptions PullTool::brush_for(const PenSample& sample) const {
   BrushOptions brush = settings_.brush;
   if ((sample.buttons & kFirstModifier) != 0) brush.free_ends = !brush.free_ends;
@@ -57,9 +69,8 @@ BrushOptions PullTool::brush_for(const PenSample& sample) const {
 ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
   hovers_ = true;
   pen_ = on_page(sample.position);
-  const auto hit = settings_.mode == PullMode::kPush
-                       ? std::nullopt
-                       : scene.index.nearest(pen_, settings_.grab_radius_mm);
+  const auto hit =
+      reaches_by_size() ? std::nullopt : scene.index.nearest(pen_, settings_.grab_radius_mm);
   has_target_ = hit.has_value();
   if (!hit) return {};
   StrokePtr stroke = scene.document.find(hit->stroke);
@@ -77,6 +88,10 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     gesture_ = make_push(sample, scene, settings_.push);
     return move(sample, scene);
   }
+  if (reaches_by_size()) {
+    gesture_ = make_bulge(sample, scene, settings_.bulge);
+    return {};
+  }
   const auto hit = scene.index.nearest(on_page(sample.position), settings_.grab_radius_mm);
   if (!hit) return {};
   const BrushOptions brush = brush_for(sample);
@@ -90,8 +105,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     case PullMode::kSweep:
       gesture_ = make_sweep(sample, scene, *hit, settings_.sweep);
       break;
-    case PullMode::kBrush:
-    case PullMode::kPush:
+    default:
       gesture_ = make_brush(sample, scene, *hit, brush, settings_.offset);
       break;
   }
@@ -130,8 +144,10 @@ ForceModel PullTool::force(const Scene& scene) const {
 void PullTool::draw(Overlay& overlay) const {
   if (gesture_) {
     gesture_->draw(overlay);
-  } else if (hovers_ && settings_.mode == PullMode::kPush) {
-    overlay.rings.push_back({pen_, settings_.push.radius_mm, Overlay::Role::kReach});
+  } else if (hovers_ && reaches_by_size()) {
+    const bool pushes = settings_.mode == PullMode::kPush;
+    overlay.rings.push_back({pen_, pushes ? settings_.push.radius_mm : settings_.bulge.radius_mm,
+                             Overlay::Role::kReach});
   } else if (hovers_ && has_target_) {
     draw_target(overlay);
   }

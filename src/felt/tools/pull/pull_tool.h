@@ -12,8 +12,9 @@
 namespace felt {
 
 /// Corrects lines by pulling and pushing them (paper, "local modifications"; pull.md). A touch
-/// within the grab radius of a line grabs the line; in the mode `push`, the nib pushes every line
-/// that it meets. Each mode has its own PullGesture.
+/// within the grab radius of a line grabs the line. In the mode `push`, the nib pushes every line
+/// that it meets; `bulge` and `pinch` move all lines around the touch. Each mode has its own
+/// PullGesture.
 class PullTool final : public GestureTool {
  public:
   PullTool();
@@ -41,6 +42,7 @@ class PullTool final : public GestureTool {
     explicit Target(StrokePtr s) : stroke(std::move(s)), map(*stroke, 1e-3) {}
   };
 
+  [[nodiscard]] bool reaches_by_size() const noexcept;
   [[nodiscard]] BrushOptions brush_for(const PenSample& sample) const;
   void draw_target(Overlay& overlay) const;
 
