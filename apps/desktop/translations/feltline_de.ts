@@ -7486,11 +7486,11 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
     <message>
         <source>bulge</source>
-        <translation>Wölben</translation>
+        <translation>wölben</translation>
     </message>
     <message>
         <source>pinch</source>
-        <translation>Zusammenziehen</translation>
+        <translation>zusammenziehen</translation>
     </message>
 </context>
 </TS>
