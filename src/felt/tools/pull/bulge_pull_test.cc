@@ -89,8 +89,8 @@ TEST(BulgePull, LeavesInkOutsideTheCircleAsItIs) {
   }
   EXPECT_LE(distance_to(after, RadialMap{{50, 5}, 13.0, 1.0}({50, 0})), kToleranceMm);
   EXPECT_LE(after.segment_count(), 8);
-  EXPECT_FALSE(BulgePull(line, {.centre = {50, 20}, .radius_mm = 13.0, .gain = 1.0}, kToleranceMm)
-                   .moves());
+  EXPECT_FALSE(
+      BulgePull(line, {.centre = {50, 20}, .radius_mm = 13.0, .gain = 1.0}, kToleranceMm).moves());
 }
 
 TEST(BulgePull, PinchesInkThatIsAsShortAsAStrokeCanBe) {
