@@ -10,32 +10,6 @@
 namespace felt::python {
 namespace {
 
-/// Converts an object to an array of any type. Throws if numpy cannot.
-py::array any_array(const py::handle& object, const char* name) {
-  // A plain array has no mask. Asking it would take longer than all other checks.
-  const bool is_plain = py::type::handle_of(object).ptr() ==
-                        reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
-  if (!is_plain && py::hasattr(object, "mask")) {
-    throw py::type_error(std::string(name) + ": is a masked array; fill it first, for example " +
-                         "with .filled(nan)");
-  }
-  py::array array;
-  try {
-    array = is_plain ? py::reinterpret_borrow<py::array>(object)
-                     : py::array(py::module_::import("numpy").attr("asarray")(object));
-  } catch (py::error_already_set& error) {
-    if (error.matches(PyExc_MemoryError)) throw;
-    throw py::value_error(std::string(name) + ": cannot be converted to an array of numbers (" +
-                          py::str(error.value()).cast<std::string>() + ")");
-  }
-  const char kind = array.dtype().kind();
-  if (array.size() > 0 && kind != 'f' && kind != 'i' && kind != 'u') {
-    throw py::type_error(std::string(name) + ": must contain real numbers, not " +
-                         py::str(array.dtype()).cast<std::string>());
-  }
-  return array;
-}
-
 std::string shape_text(const py::array& array) {
   return py::str(array.attr("shape")).cast<std::string>();
 }
@@ -97,6 +71,31 @@ void check_name(const std::string& what, const std::string& text) {
   if (text.size() <= limits::kMaxNameBytes && is_utf8(text)) return;
   throw py::value_error(what + ": must be UTF-8 of at most " +
                         std::to_string(limits::kMaxNameBytes) + " bytes");
+}
+
+py::array any_array(const py::handle& object, const char* name) {
+  // A plain array has no mask. Asking it would take longer than all other checks.
+  const bool is_plain = py::type::handle_of(object).ptr() ==
+                        reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
+  if (!is_plain && py::hasattr(object, "mask")) {
+    throw py::type_error(std::string(name) + ": is a masked array; fill it first, for example " +
+                         "with .filled(nan)");
+  }
+  py::array array;
+  try {
+    array = is_plain ? py::reinterpret_borrow<py::array>(object)
+                     : py::array(py::module_::import("numpy").attr("asarray")(object));
+  } catch (py::error_already_set& error) {
+    if (error.matches(PyExc_MemoryError)) throw;
+    throw py::value_error(std::string(name) + ": cannot be converted to an array of numbers (" +
+                          py::str(error.value()).cast<std::string>() + ")");
+  }
+  const char kind = array.dtype().kind();
+  if (array.size() > 0 && kind != 'f' && kind != 'i' && kind != 'u') {
+    throw py::type_error(std::string(name) + ": must contain real numbers, not " +
+                         py::str(array.dtype()).cast<std::string>());
+  }
+  return array;
 }
 
 Rows rows_of(const py::handle& object, const char* name, std::size_t min_columns,

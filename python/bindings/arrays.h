@@ -42,6 +42,11 @@ inline void check(const Result<void>& result) {
 /// limits::kMaxNameBytes or not UTF-8. The message begins with `what`.
 void check_name(const std::string& what, const std::string& text);
 
+/// Converts a Python object to an array of numbers of any shape and type. Throws TypeError if it
+/// has a mask or does not contain real numbers, and ValueError if numpy cannot convert it. The
+/// messages begin with `name`.
+py::array any_array(const py::handle& object, const char* name);
+
 /// A table of numbers, row by row.
 struct Rows {
   py::array array;  ///< keeps the numbers alive

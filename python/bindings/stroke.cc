@@ -57,7 +57,7 @@ void check_tolerance(double tolerance) {
 
 /// Returns the control points of n x 4 x 2 numbers, in which neighbours share their joints.
 std::vector<Point> control_points(const py::object& segments) {
-  const py::array array = py::module_::import("numpy").attr("asarray")(segments);
+  const py::array array = any_array(segments, "segments");
   if (array.ndim() != 3 || array.shape(0) == 0 || array.shape(1) != 4 || array.shape(2) != 2) {
     throw py::value_error("segments: must have the shape (n, 4, 2), not " +
                           py::str(array.attr("shape")).cast<std::string>());
@@ -80,7 +80,7 @@ std::vector<WidthKnot> knots_of(const py::object& widths, const py::object& tone
   knots.reserve(rows.count);
   for (std::size_t i = 0; i < rows.count; ++i) knots.push_back({rows.at(i, 0), rows.at(i, 1)});
   if (tones.is_none()) return knots;
-  const py::array list = py::module_::import("numpy").attr("asarray")(tones);
+  const py::array list = any_array(tones, "tones");
   const Rows values = rows_of(list.attr("reshape")(-1, 1), "tones", 1, 1);
   if (values.count != knots.size()) {
     throw py::value_error("tones: must have as many numbers as widths has rows (" +

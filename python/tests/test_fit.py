@@ -283,6 +283,11 @@ class Stroke(unittest.TestCase):
         ]:
             with self.subTest(reason=reason), self.assertRaisesRegex(ValueError, reason):
                 feltline.Stroke(*arguments)
+        no_mask = np.zeros_like(segment, bool)
+        with self.assertRaisesRegex(TypeError, "segments: is a masked array"):
+            feltline.Stroke(np.ma.masked_array(segment, no_mask), [[0, 1], [1, 1]])
+        with self.assertRaisesRegex(TypeError, "tones: is a masked array"):
+            feltline.Stroke(segment, [[0, 1], [1, 1]], tones=np.ma.masked_array([0.5, 1], [0, 1]))
         stroke = feltline.fit(LINE)
         for call in (lambda: stroke.split(float("nan")), lambda: stroke.part(1, 0),
                      lambda: stroke.nearest((1, float("inf"))), lambda: stroke.nearest((1, 2, 3)),
