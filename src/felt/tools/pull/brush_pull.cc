@@ -27,8 +27,6 @@ constexpr int kMaxRounds = 5;
 /// Lengthening the handles of compressed ink moves the grabbed point. Moving this point back may
 /// compress another segment, so both steps are repeated up to kMendRounds times.
 constexpr int kMendRounds = 4;
-/// Squared sine of the largest angle between two handles that is not corrected: 6e-9 degrees.
-constexpr double kStraight = 1e-20;
 
 double bernstein(const std::array<double, 4>& b, double t) {
   const double s = 1.0 - t;
@@ -190,28 +188,10 @@ void BrushPull::find_grab() {
   }
 }
 
-/// Makes both handles of a smooth joint collinear again, in the direction of the longer one, if
-/// rounding or extreme compression has turned them.
-void BrushPull::keep_smooth(StrokeData& data, int joint) const {
-  const std::size_t n = data.points.size() / 3;
-  const auto j = static_cast<std::size_t>(joint);
-  if (data.joints[(j > 0 ? j : n) - 1] != JointKind::kSmooth) return;
-  Point& before = data.points[3 * (j > 0 ? j : n) - 1];
-  const Point at = data.points[3 * j];
-  Point& after = data.points[3 * j + 1];
-  const Vec in = at - before, out = after - at;
-  const double in2 = norm_squared(in), out2 = norm_squared(out);
-  const double turn = cross(in, out);
-  if (dot(in, out) > 0.0 && turn * turn <= kStraight * in2 * out2) return;
-  Vec direction = normalized(in2 > out2 ? in : out);
-  if (direction == Vec{}) direction = tangent(segment(joint), 0.0);
-  before = at - std::max(std::sqrt(in2), kStandingHandleMm) * direction;
-  after = at + std::max(std::sqrt(out2), kStandingHandleMm) * direction;
-}
-
 void BrushPull::keep_all_smooth(StrokeData& data) const {
   for (int j = base_.closed ? 0 : 1; j < count(); ++j) {
-    if (weights_[3 * static_cast<std::size_t>(j)] != 0.0) keep_smooth(data, j);
+    if (weights_[3 * static_cast<std::size_t>(j)] == 0.0) continue;
+    keep_smooth(data, static_cast<std::size_t>(j), tangent(segment(j), 0.0));
   }
 }
 

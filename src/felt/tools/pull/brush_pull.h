@@ -74,7 +74,6 @@ class BrushPull {
   void find_grab();
   [[nodiscard]] Result<Stroke> with_free_joints(const Stroke& pulled, int finer) const;
   void pull(StrokeData& data, Vec displacement) const;
-  void keep_smooth(StrokeData& data, int joint) const;
   void keep_all_smooth(StrokeData& data) const;
   bool keep_lengths(StrokeData& data) const;
   void follow_exactly(StrokeData& data, Point target) const;

@@ -1,22 +1,22 @@
 #include "felt/tools/pull/bulge_gesture.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "felt/document/edit_builder.h"
+#include "felt/tools/junctions.h"
 #include "felt/tools/pull/bulge_pull.h"
 
 namespace felt {
 namespace {
 
-/// A stroke within the circle.
-struct Bulged {
-  StrokeId id;
-  StrokePtr before, shown;
-  BulgePull pull;
-};
+/// How far the pen may move without an effect, so that a touch changes nothing, and the way back to
+/// the start is easy.
+constexpr double kBulgeRestMm = 0.5;
 
 class BulgeGesture final : public PullGesture {
  public:
@@ -27,42 +27,41 @@ class BulgeGesture final : public PullGesture {
     map_.gain = options.pinches ? RadialMap::kMinGain : RadialMap::kMaxGain;
     Rect around;
     around.extend(map_.centre);
+    EditBuilder edit(scene.document);
     for (const StrokeId id : scene.index.strokes_in(around.inflated(map_.radius_mm))) {
       const StrokePtr stroke = scene.document.find(id);
-      BulgePull pull(stroke, map_, options.tolerance_mm);
-      if (pull.moves()) strokes_.push_back({id, stroke, stroke, std::move(pull)});
+      std::vector<double> shared;
+      for (const Junction& j : junctions_of(scene.document, scene.index, id, *stroke)) {
+        shared.push_back(j.u);
+      }
+      BulgePull pull(stroke, map_, options.tolerance_mm, shared);
+      if (!pull.moves()) continue;
+      pulls_.emplace(id, std::move(pull));
+      edit.replace(id, stroke);
     }
+    shown_ = std::move(edit).build(options.pinches ? "Pinch" : "Bulge");
     map_.gain = 0.0;
   }
 
-  std::optional<Edit> move(const PenSample& pen, const Scene& scene) override {
+  std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
     if (!is_finite(on_page(pen.position))) return std::nullopt;
     pen_ = on_page(pen.position);
     const double gain = bulge_gain(distance(pen_, map_.centre), options_);
-    if (gain == map_.gain || strokes_.empty()) return std::nullopt;
+    if (gain == map_.gain || pulls_.empty()) return std::nullopt;
+    std::optional<Edit> now = edit([&](const BulgePull& pull) { return pull.at(gain); });
+    if (!now) return std::nullopt;  // keep the last valid shapes
     map_.gain = gain;
-    for (Bulged& stroke : strokes_) {
-      if (gain == 0.0) {
-        stroke.shown = stroke.before;
-      } else if (Result<Stroke> now = stroke.pull.at(gain)) {
-        stroke.shown = std::make_shared<const Stroke>(*std::move(now));
-      }
-    }
-    return edit(scene);
+    if (gain == 0.0) return Edit{.label = now->label, .changes = {}};
+    return shown_ = *std::move(now);
   }
 
-  Edit end(const Scene& scene) override {
+  Edit end(const Scene& /*scene*/) override {
     if (map_.gain == 0.0) return {};
-    for (Bulged& stroke : strokes_) {
-      if (Result<Stroke> done = stroke.pull.finished(map_.gain)) {
-        stroke.shown = std::make_shared<const Stroke>(*std::move(done));
-      }
-    }
-    return edit(scene);
+    return edit([&](const BulgePull& pull) { return pull.finished(map_.gain); }).value_or(shown_);
   }
 
   [[nodiscard]] PullFeel feel() const override {
-    if (strokes_.empty()) return {};
+    if (pulls_.empty()) return {};
     return {.kind = PullFeel::Kind::kSpring, .origin = map_.centre};
   }
 
@@ -77,26 +76,31 @@ class BulgeGesture final : public PullGesture {
   }
 
  private:
-  [[nodiscard]] Edit edit(const Scene& scene) const {
-    EditBuilder edit(scene.document);
-    for (const Bulged& stroke : strokes_) {
-      if (stroke.shown != stroke.before) edit.replace(stroke.id, stroke.shown);
+  /// Returns the edit with the strokes that `make` makes of the pulls, or nullopt if one fails.
+  template <class Make>
+  [[nodiscard]] std::optional<Edit> edit(Make make) const {
+    Edit edit = shown_;
+    for (StrokeChange& change : edit.changes) {
+      Result<Stroke> after = make(pulls_.at(change.id));
+      if (!after) return std::nullopt;
+      change.after = std::make_shared<const Stroke>(*std::move(after));
     }
-    return std::move(edit).build(options_.pinches ? "Pinch" : "Bulge");
+    return edit;
   }
 
   BulgeOptions options_;
   RadialMap map_;  // as it is now
   Point pen_;
-  std::vector<Bulged> strokes_;
+  std::map<StrokeId, BulgePull> pulls_;
+  Edit shown_;  // has a change for each of pulls_
 };
 
 }  // namespace
 
 double bulge_gain(double distance_mm, const BulgeOptions& options) noexcept {
   const double limit = options.pinches ? RadialMap::kMinGain : RadialMap::kMaxGain;
-  if (!(distance_mm > 0.0)) return 0.0;
-  return limit * distance_mm / (distance_mm + 0.5 * options.radius_mm);
+  const double moved_mm = std::max(0.0, distance_mm - kBulgeRestMm);
+  return limit * moved_mm / (moved_mm + 0.5 * options.radius_mm);
 }
 
 std::unique_ptr<PullGesture> make_bulge(const PenSample& touch, const Scene& scene,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "felt/base/result.h"
@@ -15,7 +16,7 @@ namespace felt {
 ///
 /// A positive gain spreads the points (a bulge), a negative one draws them to the centre (a pinch).
 /// From the radius on, nothing moves, and the map is continuously differentiable there. Within
-/// kMinGain to kMaxGain no two points meet, so lines that do not cross stay so.
+/// kMinGain to kMaxGain it maps no two points to the same one.
 struct RadialMap {
   static constexpr double kMinGain = -0.8, kMaxGain = 1.2;
 
@@ -35,12 +36,15 @@ struct RadialMap {
 /// Bulges or pinches one stroke. The constructor divides the stroke where it crosses the circle,
 /// and within it until one cubic can approximate the mapped piece. Each piece of the result has the
 /// mapped positions and derivatives at its ends, so smooth joints stay smooth, and the result
-/// depends on the gain alone (R23, R24). Ink outside the circle stays the same bit for bit.
+/// depends on the gain alone (R23, R24). Ink outside the circle stays the same bit for bit, except
+/// between the circle and a joint that is nearer to it than kMinSegmentMm.
 class BulgePull {
  public:
-  /// Prepares a stroke for gains between 0 and map.gain. Takes linear time in its segments.
-  /// During the gesture the ink is within a fifth of the tolerance of the mapped ink.
-  BulgePull(StrokePtr snapshot, const RadialMap& map, double tolerance_mm);
+  /// Prepares a stroke for gains between 0 and map.gain. Takes linear time in its segments. The ink
+  /// of at() is within a fifth of the tolerance of the mapped ink, except in cusps and tiny loops.
+  /// The points at the parameters `fixed`, where other strokes end on this one, are mapped exactly.
+  BulgePull(StrokePtr snapshot, const RadialMap& map, double tolerance_mm,
+            std::span<const double> fixed = {});
 
   /// Returns false if the circle does not reach the stroke.
   [[nodiscard]] bool moves() const noexcept { return moves_; }
@@ -51,16 +55,18 @@ class BulgePull {
   [[nodiscard]] Result<Stroke> finished(double gain) const;
 
  private:
-  void divide(std::vector<double> us);
+  void divide(const std::vector<double>& us);
   void mark();
   [[nodiscard]] std::vector<double> crossings() const;
   [[nodiscard]] std::vector<double> crooked() const;
+  [[nodiscard]] bool is_fixed(Point joint) const noexcept;
   [[nodiscard]] Cubic segment(std::size_t i) const noexcept;
 
   StrokePtr snapshot_;
   RadialMap map_;
   double tolerance_mm_;
   StrokeData base_;             // the snapshot, divided
+  std::vector<Point> fixed_;    // positions of joints of base_ that finished() must not move
   std::vector<bool> is_moved_;  // by segment
   bool moves_ = false;
 };

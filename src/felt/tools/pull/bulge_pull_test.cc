@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "felt/geometry/nearest.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/bulge_gesture.h"
@@ -67,10 +69,13 @@ RC_GTEST_PROP(BulgePull, MovesEveryPointOfTheInkAsTheMapDoes, ()) {
     // Cusps and tiny loops take more rounds of halving than there are.
     const double allowed_mm = is_final ? 2.5 * kToleranceMm : kToleranceMm;
     for_each_point(*stroke, [&](Point p) {
-      // Outside, only pieces move that cross the circle nearer to a joint than a segment is long.
+      // Outside, only pieces move that cross the circle nearer to a joint than kMinSegmentMm.
       const double error_mm = distance_to(*after, map(p));
       RC_ASSERT(error_mm <= (map.reaches(p) ? allowed_mm : is_final ? 0.13 : 0.03));
     });
+    // Nor is there ink where no ink was moved to.
+    const Stroke moved = pull.at(map.gain).value();
+    for_each_point(*after, [&](Point p) { RC_ASSERT(distance_to(moved, p) <= allowed_mm); });
     RC_ASSERT(after->color() == stroke->color());
     RC_ASSERT(after->closed() == stroke->closed());
   }
@@ -91,6 +96,57 @@ TEST(BulgePull, LeavesInkOutsideTheCircleAsItIs) {
   EXPECT_LE(after.segment_count(), 8);
   EXPECT_FALSE(
       BulgePull(line, {.centre = {50, 20}, .radius_mm = 13.0, .gain = 1.0}, kToleranceMm).moves());
+}
+
+TEST(BulgePull, FindsInkInASmallCircleOnALongSegment) {
+  const StrokePtr line = share(straight_stroke({0, 0}, {100, 0}, 1.0, 1.0));
+  for (double x = 1.0; x < 99.0; x += 0.37) {
+    for (const double radius_mm : {1.0, 3.0}) {
+      const RadialMap map{{x, 0.95 * radius_mm}, radius_mm, -0.8};
+      const BulgePull pull(line, map, kToleranceMm);
+      ASSERT_TRUE(pull.moves()) << x;
+      EXPECT_LE(distance_to(*pull.at(-0.8), map({x, 0.0})), kToleranceMm) << x;
+    }
+  }
+}
+
+/// Ink outside is the same bit for bit, so the lift does not refit it either.
+TEST(BulgePull, LeavesControlPointsOutsideTheCircleAsTheyAre) {
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const StrokePtr stroke = share(random_stroke(seed));
+    const RadialMap map{{10.0, 10.0}, 7.0, seed % 2 == 0 ? 1.2 : -0.8};
+    const Stroke after = BulgePull(stroke, map, kToleranceMm).finished(map.gain).value();
+    for (int i = 0; i < stroke->segment_count(); ++i) {
+      const Cubic c = stroke->segment(i);
+      if (std::sqrt(nearest(c, map.centre).distance_squared) < map.radius_mm) continue;
+      ++count;
+      int same = 0;
+      for (int k = 0; k < after.segment_count(); ++k) same += after.segment(k) == c ? 1 : 0;
+      EXPECT_EQ(same, 1) << seed << ' ' << i;
+    }
+  }
+  EXPECT_GT(count, 50);
+}
+
+/// A joint that turns by as much as a smooth joint may turn turns by more when it is mapped.
+TEST(BulgePull, KeepsJointsSmoothThatTurnALittle) {
+  const double turn = 0.9e-6 * std::numbers::pi / 180.0;
+  for (const double angle : {0.3, 0.8, 1.2}) {
+    const Vec along{std::cos(angle), std::sin(angle)};
+    const Point joint{65, 50};
+    const Stroke stroke =
+        Stroke::create({.points = {joint - 20.0 * along, joint - 14.0 * along, joint - 6.0 * along,
+                                   joint, joint + 6.0 * along + 6.0 * turn * perp(along),
+                                   joint + 14.0 * along, joint + 20.0 * along},
+                        .joints = {JointKind::kSmooth},
+                        .widths = {{0.0, 1.0}, {2.0, 1.0}}})
+            .value();
+    const BulgePull pull(share(stroke), {.centre = {50, 50}, .radius_mm = 20.0, .gain = 1.2},
+                         kToleranceMm);
+    EXPECT_TRUE(pull.at(1.2)) << angle;
+    EXPECT_TRUE(pull.finished(1.2)) << angle;
+  }
 }
 
 TEST(BulgePull, PinchesInkThatIsAsShortAsAStrokeCanBe) {
@@ -133,13 +189,15 @@ TEST(BulgeGesture, MovesAllLinesInReachAndBackHomeNothingHasHappened) {
     ASSERT_TRUE(moved);
     ASSERT_EQ(moved->changes.size(), star.rays.size());
     const RadialMap map{{50, 50}, 20.0, bulge_gain(10.0, options)};
-    EXPECT_NEAR(map.gain, pinches ? -0.4 : 0.6, 1e-12);
+    EXPECT_NEAR(map.gain, 9.5 / 19.5 * (pinches ? -0.8 : 1.2), 1e-12);
     for (const StrokeChange& change : moved->changes) {
       EXPECT_LE(distance(change.after->position(0.0), map({50, 52})), 1e-12);
     }
     Overlay overlay;
     bulge->draw(overlay);
-    EXPECT_EQ(overlay.labels.at(0).text, pinches ? "60 %" : "160 %");
+    EXPECT_EQ(overlay.labels.at(0).text, pinches ? "61 %" : "158 %");
+    // A hand that is not steady changes nothing at the touch.
+    EXPECT_EQ(bulge_gain(0.4, options), 0.0);
     // At the same distance elsewhere, nothing changes.
     EXPECT_FALSE(bulge->move(pen_at({60, 50}), star.scene()));
     const auto home = bulge->move(pen_at({50, 50}), star.scene());
@@ -164,6 +222,25 @@ TEST(BulgeGesture, WithoutALineNothingIsHeld) {
   EXPECT_EQ(bulge->feel().kind, PullFeel::Kind::kNone);
   EXPECT_FALSE(bulge->move(pen_at({20, 70}), star.scene()));
   EXPECT_TRUE(bulge->end(star.scene()).empty());
+}
+
+/// A line that ends on another one, inside of its segment, still ends on it after the lift.
+TEST(BulgeGesture, KeepsTheEndOfALineOnAnotherLine) {
+  for (const bool pinches : {false, true}) {
+    Fixture fixture;
+    const StrokeId bar = fixture.add(straight_stroke({0, 0}, {80, 7}, 1.0, 1.0));
+    const Point foot = fixture.document.find(bar)->position(0.43);
+    const StrokeId post = fixture.add(straight_stroke({40, 70}, foot, 1.0, 1.0));
+    const auto bulge = make_bulge(pen_at({38, 9}), fixture.scene(), {.pinches = pinches});
+    ASSERT_TRUE(bulge->move(pen_at({60, 9}), fixture.scene()));
+    const Edit edit = bulge->end(fixture.scene());
+    ASSERT_EQ(edit.changes.size(), 2u);
+    fixture.apply(edit);
+    const StrokePtr after = fixture.document.find(post);
+    const Point end = after->position(after->segment_count());
+    EXPECT_GT(distance(end, foot), 1.0);
+    EXPECT_LE(distance_to(*fixture.document.find(bar), end), 1e-6);
+  }
 }
 
 /// A point that lines share moves in the same way with each of them.

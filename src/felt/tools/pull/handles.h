@@ -23,4 +23,8 @@ void give_handles(StrokeData& data, std::size_t segment);
 /// nothing if the segment is equal to `before`. Returns true if it changed something.
 bool keep_length(StrokeData& data, std::size_t segment, const Cubic& before);
 
+/// Makes both handles of a smooth joint collinear again, in the direction of the longer one, or of
+/// `fallback` if both have no length. For joints that rounding or extreme compression has turned.
+void keep_smooth(StrokeData& data, std::size_t joint, Vec fallback);
+
 }  // namespace felt

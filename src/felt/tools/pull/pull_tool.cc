@@ -83,14 +83,14 @@ ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
 
 ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
   hovers_ = has_target_ = false;
+  if (settings_.mode >= PullMode::kBulge) {
+    gesture_ = make_bulge(sample, scene, settings_.bulge);
+    return {};
+  }
   connected_.emplace(settings_.brush);
   if (settings_.mode == PullMode::kPush) {
     gesture_ = make_push(sample, scene, settings_.push);
     return move(sample, scene);
-  }
-  if (reaches_by_size()) {
-    gesture_ = make_bulge(sample, scene, settings_.bulge);
-    return {};
   }
   const auto hit = scene.index.nearest(on_page(sample.position), settings_.grab_radius_mm);
   if (!hit) return {};
@@ -115,7 +115,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
 ToolResult PullTool::move(const PenSample& sample, const Scene& scene) {
   ToolResult result{.same_preview = true};
   if (gesture_) result.preview = gesture_->move(sample, scene);
-  if (result.preview) connected_->complete(*result.preview, scene);
+  if (result.preview && connected_) connected_->complete(*result.preview, scene);
   return result;
 }
 
@@ -123,7 +123,7 @@ ToolResult PullTool::end(const Scene& scene) {
   ToolResult result;
   if (gesture_) {
     Edit edit = gesture_->end(scene);
-    connected_->complete(edit, scene);
+    if (connected_) connected_->complete(edit, scene);
     if (!edit.empty()) result.commit = std::move(edit);
   }
   drop();
