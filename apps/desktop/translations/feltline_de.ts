@@ -7474,7 +7474,7 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
     <message>
         <source>Drag away from the touch to spread the lines around it; drag back to undo.</source>
-        <translation>Von der Berührung wegziehen, um die Linien darum auseinanderzudrücken; zurückziehen macht es rückgängig.</translation>
+        <translation>Von der Berührung wegziehen, um die Linien ringsum auseinanderzudrücken; zurückziehen macht es rückgängig.</translation>
     </message>
     <message>
         <source>How far the brush reaches along the line, to each side; the radius of the circle that bulge and pinch change.</source>

@@ -172,6 +172,30 @@ TEST(Autosave, ATouchInARingIsNoInk) {
   }
 }
 
+/// The pen bounces off the surface after the ring was closed during a touch.
+TEST(LiveInk, ABounceAfterARingIsNoNewTouch) {
+  LiveInk live;
+  live.clear();
+  const auto is_saved = [&] { return !live.take_changes().chunks.empty(); };
+  std::int64_t time_ns = 0;
+  const auto add = [&](double z) {
+    PenSample sample;
+    sample.time_ns = time_ns += 4'000'000;
+    sample.position = {10.0, 10.0, z};
+    live.add_loop_sample(sample);
+    live.event_applied({sample.time_ns, PenEvent{sample.position, {}, 0, {}}}, false);
+  };
+  add(2.0);
+  live.event_applied({time_ns, UseRing{true, {10, 10}, {10, 0}, {20, 10}}}, false);
+  for (const double z : {2.0, -0.2, -0.2}) add(z);
+  live.event_applied({time_ns, UseRing{}}, false);
+  for (const double z : {-0.2, 0.1, -0.2, -0.2}) add(z);
+  EXPECT_FALSE(is_saved());
+  for (int i = 0; i < 10; ++i) add(2.0);
+  add(-0.2);
+  EXPECT_TRUE(is_saved());
+}
+
 /// The edit thread resumes after it hung. Its late events are samples that the autosave already has
 /// from the haptic loop.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {

@@ -59,7 +59,15 @@ void LiveInk::clear() {
   hover_.clear();
   overhang_.clear();
   contact_ = {};
-  has_ended_ = ring_is_open_ = events_in_ring_ = loop_in_ring_ = false;
+  has_ended_ = ring_is_open_ = false;
+  events_ring_ = loop_ring_ = {};
+}
+
+bool LiveInk::RingTouch::holds(bool ring_is_open, const PenSample& sample) noexcept {
+  if (!ring_is_open && !is_held_) return false;
+  contact_.update(sample);
+  is_held_ = contact_.is_down();
+  return ring_is_open || is_held_;
 }
 
 /// Opens or closes the ring as Session does: it does not open during a gesture, and the choice of a
@@ -102,10 +110,10 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
   session_ns_ = std::max(session_ns_, event.time_ns);
   while (!overhang_.empty() && overhang_.front().time_ns <= session_ns_) overhang_.pop_front();
   PenSample sample = sample_of(event.time_ns, *pen);
-  events_in_ring_ = (ring_is_open_ || events_in_ring_) && in_contact(sample);
-  if (ring_is_open_ || events_in_ring_) {
+  if (events_ring_.holds(ring_is_open_, sample)) {
     lift(sample);
     contact_.update(sample);
+    has_ended_ = has_ended_ && contact_.is_down();
     return;
   }
   const bool touches = contact_.update(sample) == Contact::Change::kTouched;
@@ -131,8 +139,7 @@ void LiveInk::edit_applied() {
 }
 
 void LiveInk::add_loop_sample(const PenSample& sample) {
-  loop_in_ring_ = (ring_is_open_ || loop_in_ring_) && in_contact(sample);
-  if (ring_is_open_ || loop_in_ring_) return;
+  if (loop_ring_.holds(ring_is_open_, sample)) return;
   if (sample.time_ns > session_ns_ && overhang_.size() < kMaxOverhang) overhang_.push_back(sample);
 }
 

@@ -72,6 +72,17 @@ class LiveInk {
   [[nodiscard]] std::int64_t kept_ns() const noexcept { return kept_ns_; }
 
  private:
+  /// Finds the samples that are for a ring: all while it is open, and the rest of a contact that
+  /// began in it, also across a bounce.
+  class RingTouch {
+   public:
+    bool holds(bool ring_is_open, const PenSample& sample) noexcept;
+
+   private:
+    Contact contact_;
+    bool is_held_ = false;
+  };
+
   void open();
   void close();
   [[nodiscard]] bool is_chosen(std::string_view key) const;
@@ -91,7 +102,7 @@ class LiveInk {
   Contact contact_;         // contact state after the session's last sample
   bool has_ended_ = false;  // the gesture of this contact has ended, although the pen is still down
   bool ring_is_open_ = false;
-  bool events_in_ring_ = false, loop_in_ring_ = false;  // the pen touches, and did in the ring
+  RingTouch events_ring_, loop_ring_;  // of the samples of either source
   bool open_ = false, clear_ = false;
   std::string context_, events_;  // not in chunks_ yet
   std::vector<LiveChunk> chunks_;

@@ -12,6 +12,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/fill/follow_edit.h"
+#include "felt/geometry/nearest.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/layered_edit.h"
 #include "felt/session/stroke_joins.h"
@@ -21,6 +22,7 @@ namespace felt {
 namespace {
 
 constexpr double kSameShapeMm = 1e-9;
+constexpr int kChangeLooks = 8;  // positions at which strokes with other segments are compared
 using Complex = std::complex<double>;
 
 /// The result of an edit for one stroke of a group.
@@ -39,6 +41,15 @@ double control_length_mm(const Stroke& stroke) {
   return length_mm;
 }
 
+/// Returns the distance of a point from the centre line of a stroke.
+double distance_from_line_mm(const Stroke& stroke, Point p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    least = std::min(least, nearest(stroke.segment(i), p).distance_squared);
+  }
+  return std::sqrt(least);
+}
+
 /// Returns how much an edit changes a stroke, to compare it with other strokes of its group.
 double size_of_change(const ImageResult& r, const LayeredEdit& edit) {
   double length_mm = r.after ? control_length_mm(*r.after) : 0.0;
@@ -48,6 +59,11 @@ double size_of_change(const ImageResult& r, const LayeredEdit& edit) {
   const StrokeData &a = r.before->data(), &b = r.after->data();
   if (a.points.size() == b.points.size()) {
     for (std::size_t i = 0; i < a.points.size(); ++i) size += distance(a.points[i], b.points[i]);
+  } else {
+    for (int k = 0; k <= kChangeLooks; ++k) {
+      const double u = r.before->segment_count() * static_cast<double>(k) / kChangeLooks;
+      size += distance_from_line_mm(*r.after, r.before->position(u));
+    }
   }
   if (a.widths.size() == b.widths.size()) {
     for (std::size_t i = 0; i < a.widths.size(); ++i) {

@@ -135,6 +135,24 @@ TEST(SessionGuides, APullOfOneStrokePullsItsImagesAndThePreviewShowsIt) {
   EXPECT_EQ(f.document(), before);
 }
 
+/// Both images are in the circle. The one that moves more leads, although its length hardly
+/// changes, while that of the other one does.
+TEST(SessionGuides, ABulgeOfBothImagesIsThatOfTheOneThatMovesMore) {
+  MirrorFixture f;
+  f.drag("pencil", {103, 98}, {107, 98});
+  f.must(SetOption{"pull.mode", std::string("bulge")});
+  const Document before = f.document();
+  const StrokePtr line = before.find(before.layers().front().strokes.front());
+  f.drag("pull", {112, 100}, {124, 100});
+  const Document& after = f.document();
+  EXPECT_NE(after, before);
+  EXPECT_LT(largest_error_mm(after), kSameMm);
+  const StrokePtr moved = after.find(before.layers().front().strokes.front());
+  EXPECT_GT(distance(moved->position(0.0), line->position(0.0)), 2.5);
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.document(), before);
+}
+
 TEST(SessionGuides, TheEraserDividesAndRemovesImagesToo) {
   MirrorFixture f;
   f.drag("pencil", {110, 80}, {150, 80});
