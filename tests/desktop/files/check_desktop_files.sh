@@ -22,7 +22,7 @@ entry=share/applications/$id.desktop
 mime=share/mime/$id.xml
 metainfo=share/metainfo/$id.metainfo.xml
 check desktop-file-validate $entry
-check appstreamcli validate --no-net --explain $metainfo
+check appstreamcli validate --strict --no-net --explain $metainfo
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
 # texts_of_readable Types|Endings: prints the MIME types or file name endings of every format that the
