@@ -66,14 +66,17 @@ install -D -m 644 -t "$app/usr/share/fonts" "$here/fonts.conf" /usr/share/fonts/
   done
 
 install -m 755 "$here/AppRun" "$app/AppRun"
-cp "$app/usr/share/applications/org.feltline.Feltline.desktop" "$app/usr/share/icons/hicolor/256x256/apps/org.feltline.Feltline.png" "$app/"
-ln -s org.feltline.Feltline.png "$app/.DirIcon"
+id=org.feltline.Feltline
+sed -i -f "$here/../appstream.sed" "$app/usr/share/metainfo/$id.metainfo.xml"
+cp "$app/usr/share/applications/$id.desktop" "$app/usr/share/icons/hicolor/256x256/apps/$id.png" "$app/"
+ln -s $id.png "$app/.DirIcon"
 
-mksquashfs "$app" "$dir/image" -noappend -all-root -all-time "$SOURCE_DATE_EPOCH" -no-xattrs -comp zstd \
+env -u SOURCE_DATE_EPOCH mksquashfs "$app" "$dir/image" -noappend -all-root \
+  -all-time "$SOURCE_DATE_EPOCH" -mkfs-time "$SOURCE_DATE_EPOCH" -no-xattrs -comp zstd \
   -Xcompression-level 19 -quiet -no-progress
-id=$version-$(sha256sum "$dir/image" | cut -c1-16)
+image_id=$version-$(sha256sum "$dir/image" | cut -c1-16)
 g++ -std=c++20 -Wall -Wextra -Os -static -s -ffunction-sections -Wl,--gc-sections -Wl,--build-id=none \
-  "-DFELT_APPIMAGE_ID=\"$id\"" "-DFELT_VERSION=\"$version\"" "$here/runtime.cc" -o "$dir/runtime" \
+  "-DFELT_APPIMAGE_ID=\"$image_id\"" "-DFELT_VERSION=\"$version\"" "$here/runtime.cc" -o "$dir/runtime" \
   -lsquashfuse -lzstd -llz4 -llzo2 -llzma -lz
 # Bytes 8 to 10 mark the file as an AppImage of type 2.
 printf 'AI\002' | dd of="$dir/runtime" bs=1 seek=8 conv=notrunc status=none

@@ -7,7 +7,6 @@
 /// is unpacked into a temporary folder, which is removed at the end.
 #include <elf.h>
 #include <fcntl.h>
-#include <sys/auxv.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -47,11 +46,12 @@ constexpr const char* kHelp =
   std::exit(127);
 }
 
-/// Returns the path of this file. /proc is missing in some containers.
-fs::path own_path() {
+/// Returns the path of this file. `argument` is the first argument of the program; it is used if
+/// /proc is missing.
+fs::path own_path(const char* argument) {
   std::error_code error;
   fs::path path = fs::read_symlink("/proc/self/exe", error);
-  if (error) path = fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)), error);
+  if (error) path = fs::absolute(argument, error);
   return path;
 }
 
@@ -73,7 +73,7 @@ bool write_file(sqfs& image, sqfs_inode& inode, const fs::path& path) {
   sqfs_off_t position = 0;
   bool is_good = true;
   while (is_good && position < sqfs_off_t(inode.xtra.reg.file_size)) {
-    sqfs_off_t size = sqfs_off_t(buffer.size());
+    auto size = sqfs_off_t(buffer.size());
     is_good = sqfs_read_range(&image, &inode, position, &size, buffer.data()) == SQFS_OK &&
               size > 0 && ::write(fd, buffer.data(), std::size_t(size)) == size;
     position += size;
@@ -209,7 +209,7 @@ int extract(const fs::path& self, std::size_t offset) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const fs::path self = own_path();
+  const fs::path self = own_path(argv[0]);
   const std::size_t offset = image_offset(self);
   const std::string_view option = argc > 1 ? argv[1] : "";
   if (option == "--appimage-extract") return extract(self, offset);
