@@ -23,7 +23,9 @@ mime=share/mime/$id.xml
 metainfo=share/metainfo/$id.metainfo.xml
 check desktop-file-validate $entry
 check appstreamcli validate --strict --no-net --explain $metainfo
-check flatpak-builder --show-manifest packaging/flatpak/$id.yml >/dev/null
+state=$(mktemp -d)
+check flatpak-builder --state-dir="$state" --show-manifest packaging/flatpak/$id.yml >"$state/manifest.json"
+rm -rf "$state"
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
 # texts_of_readable Types|Endings: prints the MIME types or file name endings of every format that the
