@@ -23,8 +23,10 @@ mime=share/mime/$id.xml
 metainfo=share/metainfo/$id.metainfo.xml
 check desktop-file-validate $entry
 check appstreamcli validate --strict --no-net --explain $metainfo
-state=$(mktemp -d)
-check flatpak-builder --state-dir="$state" --show-manifest packaging/flatpak/$id.yml >"$state/manifest.json"
+manifest=$PWD/packaging/flatpak/$id.yml state=$(mktemp -d)
+cd "$state"  # where flatpak-builder makes a folder
+check flatpak-builder --show-manifest "$manifest" >manifest.json
+cd - >/dev/null
 rm -rf "$state"
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
