@@ -1,5 +1,5 @@
 # Installing: headers and archives (rules in folder.cmake), the CMake package `feltline`, the
-# pkg-config file, the program, the shared files, and a Debian package by CPack.
+# pkg-config file, the program and the shared files. debian/ and packaging/ make packages of them.
 #
 # Every layer is a static archive, so a program that links it must also link the libraries that the layer
 # uses. Only the two tables below define how these libraries are found. Configuring fails if a layer links
@@ -114,34 +114,3 @@ install(FILES ${PROJECT_SOURCE_DIR}/share/man/feltline.1 COMPONENT bin OPTIONAL
   DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT bin)
-
-# Settings for `./dev package`, which makes one .deb per program and one for the library.
-set(CPACK_GENERATOR DEB TGZ)
-set(CPACK_PACKAGE_NAME feltline)
-set(CPACK_PACKAGE_CONTACT "Feltline maintainers <maintainers@feltline.invalid>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
-set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL bin dev)
-if(TARGET feltline-desktop)
-  list(APPEND CPACK_COMPONENTS_ALL desktop)
-endif()
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_BIN_PACKAGE_NAME feltline)
-set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfeltline-dev)
-set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME feltline-desktop)
-set(CPACK_DEBIAN_DESKTOP_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_DESKTOP_PACKAGE_SHLIBDEPS ON)
-# For Qt's own texts in German and Dutch, for printing, for WebP pictures, and for pages of PDF files.
-set(CPACK_DEBIAN_DESKTOP_PACKAGE_RECOMMENDS
-    "qt6-translations-l10n, libqt6printsupport6, qt6-image-formats-plugins, poppler-utils")
-set(CPACK_COMPONENT_DESKTOP_DESCRIPTION "Draw lines that push back, and pull them into shape")
-set(CPACK_DEBIAN_BIN_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_BIN_PACKAGE_SHLIBDEPS ON)
-# The archives are static, so programs that link them need the same libraries.
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libexpected-dev, libpng-dev, libsimdjson-dev, libagg2-dev, libsqlite3-dev")
-include(CPack)

@@ -22,7 +22,12 @@ entry=share/applications/$id.desktop
 mime=share/mime/$id.xml
 metainfo=share/metainfo/$id.metainfo.xml
 check desktop-file-validate $entry
-check appstreamcli validate --no-net --explain $metainfo
+check appstreamcli validate --strict --no-net --explain $metainfo
+manifest=$PWD/packaging/flatpak/$id.yml state=$(mktemp -d)
+cd "$state"  # where flatpak-builder makes a folder
+check flatpak-builder --show-manifest "$manifest" >manifest.json
+cd - >/dev/null
+rm -rf "$state"
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
 # texts_of_readable Types|Endings: prints the MIME types or file name endings of every format that the
@@ -55,6 +60,8 @@ want $entry "Icon=$id"
 want $metainfo "<launchable type=\"desktop-id\">$id.desktop</launchable>"
 want $mime '<glob pattern="*.felt"/>'
 want CMakeLists.txt "$(sed -n 's/.*<release version="\([^"]*\)".*/VERSION \1/p' $metainfo | head -n 1) "
+
+want debian/changelog "feltline ($(sed -n 's/^project(.* VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)-"
 
 # The MIME file recognizes drawings by the same magic number that the store writes.
 number=$(sed -n 's/.*kFeltApplicationId = \(0x[0-9a-f]*\).*/\1/p' src/felt/store/felt_file.h)

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# clean_chroot.sh PACKAGES: installs the packages in a copy of a new Debian 12 and runs debian/tests there.
+set -euo pipefail
+# shellcheck source=roots.sh
+. "$(dirname "$0")/roots.sh"
+packages=$(readlink -f "$1")
+clean=$(root_of "$packages" bookworm)
+work=$(mktemp -d)
+trap 'umount "$work/root/proc" 2>/dev/null || true; rm -rf "$work"' EXIT
+cp -a "$clean" "$work/root"
+mount -t proc proc "$work/root/proc"
+autopkgtest --no-built-binaries "$packages"/debian/*.deb "$packages"/debian/*.dsc --output-dir "$work/output" \
+  -- chroot "$work/root"
