@@ -13,6 +13,10 @@ constexpr int kStopTries = 4;
 constexpr double kFilterHz = 50.0;
 constexpr double kJumpMm = 2.0;  // a hand cannot change its path so much in a tick
 constexpr double kSecondsPerNs = 1e-9;
+// A position that no hand can have reached since the last one is invalid. The safety chain would not
+// call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
+constexpr double kMaxMmPerS = 1500.0;
+constexpr double kMaxStepS = 0.05;
 
 const ShortText kNotHome("The machine is not ready: it must be calibrated and switched on first.");
 const ShortText kUnguarded(
@@ -119,12 +123,13 @@ void HapticMasterDevice::release() noexcept {
 }
 
 // Sends this force, limited by the gate, if the last one is answered. Otherwise only a release may
-// be sent, so the last force stays in effect unless the new one is zero.
+// be sent, so the last force stays in effect unless the new one is zero. A release is sent in each
+// tick without a force, too, so that a controller that refuses it is noticed before it matters.
 void HapticMasterDevice::put(const Force& force) noexcept {
   const ForceGate before = gate_;
   ForceText room;
   if (force == Force{}) {
-    if (gate_.held() == Force{} || !queue_.may_send(Request::kRelease)) return;
+    if (!queue_.may_send(Request::kRelease)) return;
     gate_.release();
     if (!send(Request::kRelease, write_force({}, room))) gate_ = before;
   } else if (queue_.may_send(Request::kForce)) {
@@ -143,9 +148,13 @@ HapticMasterDevice::Received HapticMasterDevice::take_position(std::string_view 
   if (kind != AnswerKind::kVector) return lose("Not an answer to get measpos", answer);
   const std::optional<Vec3> position_m = read_vector(answer);
   if (!position_m || !is_in(inside_, kMmPerM * *position_m, kBeyondMm)) return Received::kBad;
-  measured_mm_ = kMmPerM * *position_m;
-  filter_.update(measured_mm_, since_s(measured_ns_, sent_ns));
+  const Vec3 moved = kMmPerM * *position_m - measured_mm_;
+  const double step_s = since_s(measured_ns_, sent_ns);
+  const bool is_steady = has_sample_ && step_s > 0.0 && step_s < kMaxStepS;
+  if (is_steady && norm(moved) > kMaxMmPerS * step_s) return Received::kBad;
+  measured_mm_ += moved;
   measured_ns_ = sent_ns;
+  filter_.update(measured_mm_, step_s);
   return Received::kPosition;
 }
 
@@ -271,7 +280,8 @@ tl::expected<PenSample, DeviceFault> HapticMasterDevice::read(std::int64_t now_n
   guard_->beat();
   request_all();
   const Received received = is_gone_ ? Received::kClosed : receive(kWaitNs);
-  follow_pace(received == Received::kPosition || received == Received::kBad);
+  follow_pace(received == Received::kPosition || received == Received::kBad ||
+              received == Received::kRefused);
   if (received == Received::kClosed) return gone();
   if (!is_home_) return failed(DeviceFault::kNotCalibrated, refused_words_);
   if (received == Received::kNothing) return nothing_received();

@@ -469,8 +469,8 @@ void FakeController::remove_all() noexcept {
   static_cast<void>(apply());
 }
 
-// Applies the sum of the enabled effects in the state `force`. Returns false if the machine refuses
-// it and keeps the last force. A release is never refused.
+// Applies the sum of the enabled effects in the state `force`. Returns false if the machine reports
+// an error (kWriteError) and keeps the last force. It lets go even if it reports an error.
 bool FakeController::apply() {
   Force sum;
   for (const Effect& effect : effects_) {
@@ -478,7 +478,7 @@ bool FakeController::apply() {
   }
   if (sum == Force{}) {
     world_.device().stop();
-    return true;
+    return !is_active(InjectedFault::kWriteError);
   }
   const Vec3 turned = plane_.turn_to_page(Vec3{sum.x, sum.y, sum.z});
   return world_.device().write({turned.x, turned.y, turned.z}).has_value() ||
