@@ -49,7 +49,7 @@ class ControllerLink {
   [[nodiscard]] int last_errno() const noexcept { return stream_->last_errno(); }
 
  private:
-  static constexpr int kMaxPieces = 32;  // pieces in which one answer may arrive
+  static constexpr int kMaxPieces = 128;  // pieces in which one answer may arrive
 
   enum class Look : std::uint8_t { kWhole, kMore, kBad };
   Look look() noexcept;

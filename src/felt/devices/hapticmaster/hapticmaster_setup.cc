@@ -169,6 +169,9 @@ std::string HapticMasterDevice::homing_words() {
 Result<void> HapticMasterDevice::prepare() {
   if (auto done = settle(); !done) return done;
   if (auto done = start_guard(); !done) return done;
+  for (const char* const text : {"set state off", "remove all"}) {  // whoever used it before
+    if (auto done = tell(text); !done) return done;
+  }
   if (auto done = prove_guard(); !done) return done;
   if (auto done = calibrate(); !done) return done;
   for (const std::string& text :

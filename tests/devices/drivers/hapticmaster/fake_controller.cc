@@ -334,6 +334,7 @@ std::string_view FakeController::answer_to(std::string_view text) {
   if (take_word(text, "set ")) return answer_to_set(text);
   if (take_word(text, "create biasforce ")) return create(text);
   if (text == "remove all") {
+    if (has_remote_guard_ && effects() > 0) ++guard_acts_;
     remove_all();
     return "All effects removed";
   }
@@ -439,8 +440,9 @@ std::string_view FakeController::set_effect(std::string_view name, std::string_v
   if (take_word(what, "force ")) return set_bias(*effect, what);
   if (what != "enable" && what != "disable") return kUnknown;
   effect->is_enabled = what == "enable";
-  const bool has_guard = std::any_of(ports_.begin(), ports_.end(),
-                                     [](const Port* port) { return port->is_guard_alive_; });
+  const bool has_guard = has_remote_guard_ || std::any_of(ports_.begin(), ports_.end(), [](const Port* port) {
+                           return port->is_guard_alive_;
+                         });
   if (effect->is_enabled && !has_guard) break_rule("an effect is enabled without a guard");
   if (effect->is_enabled && guard_acts_ < 2) break_rule("an effect is enabled before a trial");
   if (effect->is_enabled && norm(effect->force) > 0.0) break_rule("an effect begins with a force");

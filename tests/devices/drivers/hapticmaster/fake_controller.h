@@ -54,6 +54,9 @@ class FakeController {
   /// Sends these bytes to all connections, without a header.
   void babble(std::string_view bytes);
   void be_silent(bool is_silent) noexcept { is_silent_ = is_silent; }
+  /// Cannot see which connection belongs to a guard, because that is another process. From now on,
+  /// counts each removal of an existing effect as an act of the guard.
+  void count_every_guard() noexcept { has_remote_guard_ = true; }
   void set_state(std::string_view state) { enter(state); }
   /// Ends the connections of the driver, or that of the guard.
   void hang_up() noexcept;
@@ -139,6 +142,7 @@ class FakeController {
   std::int64_t busy_until_ns_ = 0;
   std::int64_t late_window_ns_ = -1;  // the window of the late answer that was already simulated
   bool owes_answer_ = false;
+  bool has_remote_guard_ = false;
   bool is_there_ = true;
   bool was_stopped_ = false;  // by the fault kForcesOff
   bool is_silent_ = false;
