@@ -10,8 +10,7 @@ namespace {
 
 constexpr int kMaxAnswers = 8;  // answers read in one tick
 constexpr int kStopTries = 4;
-constexpr double kFilterHz = 50.0;
-constexpr double kJumpMm = 2.0;  // a hand cannot change its path so much in a tick
+constexpr double kMaxModelMmPerS = 10'000.0;  // of the virtual mass
 constexpr double kSecondsPerNs = 1e-9;
 // A position that no hand can have reached since the last one is invalid. The safety chain would not
 // call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
@@ -43,8 +42,7 @@ HapticMasterDevice::HapticMasterDevice(std::unique_ptr<ControllerLink> link, Con
       inside_(outer_box(sector)),
       descriptor_(std::move(descriptor)),
       gate_(descriptor_.capabilities),
-      pace_(descriptor_.capabilities.period_ns),
-      filter_(kFilterHz, kJumpMm) {
+      pace_(descriptor_.capabilities.period_ns) {
   shown_.publish(status_);
 }
 
@@ -138,6 +136,21 @@ void HapticMasterDevice::put(const Force& force) noexcept {
   }
 }
 
+// An invalid velocity makes the position that follows it invalid, too.
+HapticMasterDevice::Received HapticMasterDevice::take_velocity(std::string_view answer) noexcept {
+  has_velocity_ = false;
+  const AnswerKind kind = kind_of(answer);
+  if (kind == AnswerKind::kError) {
+    refused_words_ = ShortText(answer);
+    return Received::kNothing;
+  }
+  if (kind != AnswerKind::kVector) return lose("Not an answer to get modelvel", answer);
+  const std::optional<Vec3> velocity = read_vector(answer);
+  has_velocity_ = velocity && norm(kMmPerM * *velocity) <= kMaxModelMmPerS;
+  if (has_velocity_) velocity_mm_per_s_ = kMmPerM * *velocity;
+  return Received::kNothing;
+}
+
 HapticMasterDevice::Received HapticMasterDevice::take_position(std::string_view answer,
                                                                std::int64_t sent_ns) noexcept {
   const AnswerKind kind = kind_of(answer);
@@ -147,14 +160,15 @@ HapticMasterDevice::Received HapticMasterDevice::take_position(std::string_view 
   }
   if (kind != AnswerKind::kVector) return lose("Not an answer to get measpos", answer);
   const std::optional<Vec3> position_m = read_vector(answer);
-  if (!position_m || !is_in(inside_, kMmPerM * *position_m, kBeyondMm)) return Received::kBad;
-  const Vec3 moved = kMmPerM * *position_m - measured_mm_;
+  if (!has_velocity_ || !position_m || !is_in(inside_, kMmPerM * *position_m, kBeyondMm)) {
+    return Received::kBad;
+  }
+  const Vec3 position_mm = kMmPerM * *position_m;
   const double step_s = since_s(measured_ns_, sent_ns);
   const bool is_steady = has_sample_ && step_s > 0.0 && step_s < kMaxStepS;
-  if (is_steady && norm(moved) > kMaxMmPerS * step_s) return Received::kBad;
-  measured_mm_ += moved;
+  if (is_steady && norm(position_mm - measured_mm_) > kMaxMmPerS * step_s) return Received::kBad;
+  measured_mm_ = position_mm;
   measured_ns_ = sent_ns;
-  filter_.update(measured_mm_, step_s);
   return Received::kPosition;
 }
 
@@ -191,6 +205,8 @@ HapticMasterDevice::Received HapticMasterDevice::take_answer(std::string_view an
   const std::optional<RequestQueue::Sent> sent = queue_.answered();
   if (!sent) return lose("An answer that nobody asked for", answer);
   switch (sent->request) {
+    case Request::kVelocity:
+      return take_velocity(answer);
     case Request::kPosition:
       return take_position(answer, sent->time_ns);
     case Request::kState:
@@ -235,7 +251,10 @@ void HapticMasterDevice::wait_until(std::int64_t now_ns) noexcept {
 void HapticMasterDevice::request_all() noexcept {
   const bool is_due = ++ticks_ % kStateTicks == 0;
   if (is_due && queue_.may_send(Request::kState)) send(Request::kState, "get state");
-  if (!is_gone_ && queue_.may_send(Request::kPosition)) send(Request::kPosition, "get measpos");
+  if (!queue_.may_send(Request::kVelocity) || !queue_.may_send(Request::kPosition)) return;
+  if (!is_gone_ && send(Request::kVelocity, "get modelvel")) {
+    send(Request::kPosition, "get measpos");
+  }
 }
 
 void HapticMasterDevice::follow_pace(bool has_position) noexcept {
@@ -268,8 +287,8 @@ void HapticMasterDevice::place_pen() noexcept {
       2.0 * kSecondsPerNs * static_cast<double>(descriptor_.capabilities.period_ns);
   const double ahead_s = age_s > 0.0 && age_s <= max_s ? age_s : 0.0;
   sample_.time_ns = now_ns_;
-  sample_.velocity = filter_.velocity();
-  sample_.position = filter_.position() + ahead_s * filter_.velocity();
+  sample_.velocity = velocity_mm_per_s_;
+  sample_.position = measured_mm_ + ahead_s * velocity_mm_per_s_;
   has_sample_ = true;
 }
 
@@ -286,8 +305,7 @@ tl::expected<PenSample, DeviceFault> HapticMasterDevice::read(std::int64_t now_n
   if (!is_home_) return failed(DeviceFault::kNotCalibrated, refused_words_);
   if (received == Received::kNothing) return nothing_received();
   if (received == Received::kBad) {
-    filter_.reset();
-    return failed(DeviceFault::kBadData, ShortText("The position is not a possible one."));
+    return failed(DeviceFault::kBadData, ShortText("The position or velocity is impossible."));
   }
   if (received == Received::kRefused) return failed(DeviceFault::kOther, refused_words_);
   place_pen();

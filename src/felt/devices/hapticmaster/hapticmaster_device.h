@@ -14,7 +14,6 @@
 #include "felt/driver/byte_stream.h"
 #include "felt/driver/driver.h"
 #include "felt/driver/force_gate.h"
-#include "felt/driver/position_filter.h"
 #include "felt/driver/service_pace.h"
 #include "felt/rt/latest_value.h"
 
@@ -26,9 +25,9 @@ using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
 /// A HapticMASTER, used through its controller.
 ///
 /// The machine measures the force of the hand and moves a virtual mass. The driver creates one
-/// effect, a bias force on that mass, and sets it in each tick. read() asks for the position and
-/// waits kWaitNs for it; write() sets the force, whose answer the next read() receives. Answers come
-/// in the order of the requests (RequestQueue). While answers are late, read() repeats the last
+/// effect, a bias force on that mass, and sets it in each tick. read() asks for the velocity of the
+/// mass and for the position, in one round trip, and waits kWaitNs for them; write() sets the force,
+/// whose answer the next read() receives. Answers come in the order of the requests (RequestQueue). While answers are late, read() repeats the last
 /// sample, and the force stays for a bounded time and is then set to zero (ServicePace); after
 /// kMaxHeldNs read() fails with kOther, after kMaxSilentNs with kDisconnected.
 ///
@@ -89,6 +88,7 @@ class HapticMasterDevice final : public DriverDevice {
   Received receive(std::int64_t within_ns) noexcept;
   Received take_answer(std::string_view answer) noexcept;
   Received take_position(std::string_view answer, std::int64_t sent_ns) noexcept;
+  Received take_velocity(std::string_view answer) noexcept;
   Received take_state(std::string_view answer) noexcept;
   Received take_confirmation(std::string_view answer, Request request) noexcept;
   Received lose(std::string_view words, std::string_view answer) noexcept;
@@ -119,7 +119,6 @@ class HapticMasterDevice final : public DriverDevice {
   DeviceDescriptor descriptor_;
   ForceGate gate_;  // its held() is the force of the newest command
   ServicePace pace_;
-  PositionFilter filter_;
   RequestQueue queue_;
   std::unique_ptr<ByteStream> guard_;  // null before find_home()
   bool is_home_ = false;
@@ -127,7 +126,8 @@ class HapticMasterDevice final : public DriverDevice {
   ShortText gone_words_;
 
   // These are used by the haptic thread, or by the edit thread while no loop runs.
-  Vec3 measured_mm_;
+  Vec3 measured_mm_, velocity_mm_per_s_;
+  bool has_velocity_ = false;  // since the velocity was last asked for
   std::int64_t measured_ns_ = 0;  // when the newest position was asked for
   PenSample sample_;
   bool has_sample_ = false;

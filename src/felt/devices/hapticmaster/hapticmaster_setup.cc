@@ -201,7 +201,6 @@ Result<void> HapticMasterDevice::find_home() {
     return done;
   }
   gate_.release();
-  filter_.reset();
   pace_ = ServicePace(descriptor_.capabilities.period_ns);
   pace_words_.reset();
   is_in_force_ = is_home_ = true;

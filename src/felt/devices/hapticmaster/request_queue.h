@@ -9,6 +9,7 @@ namespace felt::hapticmaster {
 
 /// The requests of a tick.
 enum class Request : std::uint8_t {
+  kVelocity,  ///< get modelvel
   kPosition,  ///< get measpos
   kState,     ///< get state
   kForce,     ///< sets a force
@@ -22,7 +23,7 @@ enum class Request : std::uint8_t {
 /// newest command in the socket is the one that counts. Real-time safe.
 class RequestQueue {
  public:
-  static constexpr std::size_t kMaxUnanswered = 4;
+  static constexpr std::size_t kMaxUnanswered = 5;
 
   struct Sent {
     Request request = Request::kPosition;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHeader = 8;
 constexpr std::size_t kRoom = std::size_t{1} << 16;
-constexpr std::size_t kMaxWaiting = 4;  // requests that may be unanswered at the same time
+constexpr std::size_t kMaxWaiting = 5;  // requests that may be unanswered at the same time
 constexpr double kMaxN = 250.0;
 constexpr std::string_view kNoSuch = "--- ERROR: unknown effect";
 constexpr std::string_view kUnknown = "--- ERROR: unknown command";
@@ -181,8 +181,9 @@ const FaultWindow* FakeController::window_of(InjectedFault fault) const noexcept
   return nullptr;
 }
 
-void FakeController::say_instead(std::string text, int count) {
+void FakeController::say_instead(std::string text, std::string request, int count) {
   instead_ = std::move(text);
+  instead_of_ = std::move(request);
   insteads_ = count;
 }
 
@@ -322,7 +323,7 @@ void FakeController::handle(Port& port, std::string_view text) {
     owes_answer_ = !owes_answer_;
     if (owes_answer_) return;
   }
-  if (insteads_ > 0 && !port.is_guard_alive_) {
+  if (insteads_ > 0 && !port.is_guard_alive_ && text.starts_with(instead_of_)) {
     --insteads_;
     return port.say(instead_);
   }
@@ -372,6 +373,10 @@ std::string_view FakeController::answer_to_get(std::string_view what) {
   if (what == "measpos") {
     if (!pen_) return "--- ERROR: position is not calibrated";
     return vector_text(kMPerMm * plane_.to_device(pen_->position));
+  }
+  if (what == "modelvel") {
+    if (!pen_) return "--- ERROR: position is not calibrated";
+    return vector_text(kMPerMm * plane_.turn_to_device(pen_->velocity));
   }
   if (what == "workspace_r") return options_.workspace_r;
   if (what == "workspace_phi") return "[-0.4,0.0,0.4]";

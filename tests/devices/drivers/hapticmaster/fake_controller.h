@@ -47,8 +47,9 @@ class FakeController {
   Result<std::unique_ptr<ByteStream>> connect(const std::string& host, std::uint16_t port);
 
   // Faults that only a controller has.
-  /// Sends this text instead of the next answer; with `count`, instead of the next ones.
-  void say_instead(std::string text, int count = 1);
+  /// Sends this text instead of the next `count` answers to requests that begin with `request`. The
+  /// requests are carried out all the same.
+  void say_instead(std::string text, std::string request, int count = 1);
   /// Sends an answer that belongs to no request to all connections.
   void say_unasked(std::string_view text);
   /// Sends these bytes to all connections, without a header.
@@ -132,7 +133,7 @@ class FakeController {
   std::int64_t now_ns_ = 0;
   std::int64_t idle_ns_ = 0;  // time in which the driver waited since the last tick
   tl::expected<PenSample, DeviceFault> pen_;
-  std::string state_ = "off", instead_, rule_;
+  std::string state_ = "off", instead_, instead_of_, rule_;
   std::array<char, 128> room_{};
   int insteads_ = 0;
   Force newest_;

@@ -74,10 +74,6 @@ class Desk {
     for (int i = 0; i < 8; ++i) static_cast<void>(tick(force));
     return tick(force);
   }
-  /// The next request is that of a position, not of the state.
-  void skip_the_state() {
-    if ((now_ns / kTickNs + 1) % HapticMasterDevice::kStateTicks == 0) tick({1, 0, 0});
-  }
   [[nodiscard]] double held_n() const { return norm(world.held_force()); }
   /// Returns the fault of the first read() that fails within this number of ticks.
   std::optional<DeviceFault> first_fault(int ticks, const Force& force = {1, 0, 0}) {
@@ -209,7 +205,7 @@ TEST(HapticMasterDriver, R49_ARefusedReleaseSwitchesTheMachineOff) {
   Desk desk;
   ASSERT_TRUE(desk.open_at_home());
   desk.push({1, 0, 0});
-  desk.controller.say_instead("--- ERROR: effect not found", 1000);
+  desk.controller.say_instead("--- ERROR: effect not found", "set feltforce force", 1000);
   desk.device->stop();
   desk.tick();
   EXPECT_EQ(desk.world.held_force(), Force{});
@@ -217,7 +213,7 @@ TEST(HapticMasterDriver, R49_ARefusedReleaseSwitchesTheMachineOff) {
   EXPECT_EQ(desk.controller.effects(), 0);
   EXPECT_EQ(desk.tick().read.error(), DeviceFault::kNotCalibrated);
   EXPECT_EQ(desk.device->homing(), Homing::kByItself);
-  desk.controller.say_instead("", 0);
+  desk.controller.say_instead("", "", 0);
   ASSERT_TRUE(desk.device->find_home().has_value());
   EXPECT_TRUE(desk.tick().read.has_value());
 }
@@ -249,21 +245,23 @@ TEST(HapticMasterDriver, AMachineThatLeavesItsStateGetsNoForce) {
 // Answers that do not belong to their requests: nothing of what the controller says can be trusted,
 // and the machine is switched off through the other connection.
 TEST(HapticMasterDriver, R49_AnswersOutOfOrderEndTheConnection) {
-  for (const char* const text : {"Bias force's force set", "force", "", "?!", "[0,0,0] [0,0,0]"}) {
+  struct Case {
+    const char *request, *answer;
+  };
+  for (const auto& [request, answer] :
+       {Case{"get measpos", "Bias force's force set"}, Case{"get measpos", "force"},
+        Case{"get measpos", "?!"}, Case{"get modelvel", "force"}, Case{"get state", "[0,0,0]"},
+        Case{"get state", "Bias force's force set"}, Case{"set feltforce", "[0,0,0]"},
+        Case{"set feltforce", "force"}}) {
     Desk desk;
     ASSERT_TRUE(desk.open_at_home());
     desk.push({1, 0, 0});
-    desk.skip_the_state();
-    desk.controller.say_instead(text);
-    const auto fault = desk.tick({1, 0, 0}).read;
-    ASSERT_FALSE(fault.has_value()) << text;
-    if (fault.error() != DeviceFault::kBadData) {
-      EXPECT_EQ(fault.error(), DeviceFault::kDisconnected) << text;
-      EXPECT_EQ(desk.controller.state(), "off");
-      EXPECT_EQ(desk.controller.effects(), 0);
-      EXPECT_EQ(desk.tick().read.error(), DeviceFault::kDisconnected) << "for ever";
-    }
-    EXPECT_FALSE(desk.tick().read.has_value() && *text == '?') << text;
+    desk.controller.say_instead(answer, request);
+    EXPECT_EQ(desk.first_fault(3), DeviceFault::kDisconnected) << request << answer;
+    EXPECT_EQ(desk.world.held_force(), Force{});
+    EXPECT_EQ(desk.controller.state(), "off");
+    EXPECT_EQ(desk.controller.effects(), 0);
+    EXPECT_EQ(desk.tick().read.error(), DeviceFault::kDisconnected) << "for ever";
   }
   Desk desk;
   ASSERT_TRUE(desk.open_at_home());
@@ -296,8 +294,7 @@ TEST(HapticMasterDriver, ImpossiblePositionsAreFaultsAndOver) {
     desk.world.stylus().place({0, 0, 0});
     ASSERT_TRUE(desk.open_at_home());
     desk.push({1, 0, 0});
-    desk.skip_the_state();
-    desk.controller.say_instead(text);
+    desk.controller.say_instead(text, "get measpos");
     const auto read = desk.tick({1, 0, 0}).read;
     ASSERT_FALSE(read.has_value()) << text;
     EXPECT_EQ(read.error(), *text == '-' ? DeviceFault::kOther : DeviceFault::kBadData) << text;
@@ -467,7 +464,7 @@ TEST(HapticMasterDoctor, SaysWhatIsMissing) {
   EXPECT_THAT(said(findings), HasSubstr("Nobody has tried this machine"));
   EXPECT_EQ(desk.controller.state(), "off");
 
-  desk.controller.say_instead("--- ERROR: busy");
+  desk.controller.say_instead("--- ERROR: busy", "get state");
   EXPECT_THAT(said(desk.driver->diagnose(desk.system)), HasSubstr("is not a HapticMASTER"));
   desk.controller.options().max_connections = 0;
   EXPECT_THAT(said(desk.driver->diagnose(desk.system)), HasSubstr("could not be reached"));
