@@ -222,7 +222,9 @@ TEST(PortGuard, TellsThatItWasKilled) {
 // A connection that only the guard uses, with the other end of a network service.
 class OwnConnection {
  public:
-  OwnConnection() { EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends_.data()), 0); }
+  OwnConnection() {
+    EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends_.data()), 0);
+  }
   OwnConnection(const OwnConnection&) = delete;
   OwnConnection& operator=(const OwnConnection&) = delete;
   ~OwnConnection() {

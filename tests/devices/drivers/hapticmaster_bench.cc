@@ -11,8 +11,9 @@
 namespace felt {
 namespace {
 
-// The virtual mass in the bench is smaller than the 3 kg that the driver sets, because the simulated
-// hand, which is a spring without a will of its own, would swing with such a mass for seconds.
+// The virtual mass in the bench is smaller than the 3 kg that the driver sets, because the
+// simulated hand, which is a spring without a will of its own, would swing with such a mass for
+// seconds.
 constexpr double kMassKg = 0.12;
 
 StylusPreset machine_preset() {

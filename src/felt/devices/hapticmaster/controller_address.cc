@@ -26,14 +26,14 @@ Finding bad_address(const std::string& text) {
 }
 
 Finding not_reached(const NetAddress& address, const Error& error) {
-  return {.level = FindingLevel::kProblem,
-          .what = "The controller of the HapticMASTER at " + address.text() +
-                  " could not be reached.",
-          .details = error.message,
-          .steps = {"Switch the controller on, connect it to this computer, and check whether it "
-                    "answers:\nping -c 3 " +
-                        address.host,
-                    "Or is the address wrong? Check it:\necho $" + std::string(kAddressVariable)}};
+  return {
+      .level = FindingLevel::kProblem,
+      .what = "The controller of the HapticMASTER at " + address.text() + " could not be reached.",
+      .details = error.message,
+      .steps = {"Switch the controller on, connect it to this computer, and check whether it "
+                "answers:\nping -c 3 " +
+                    address.host,
+                "Or is the address wrong? Check it:\necho $" + std::string(kAddressVariable)}};
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ std::optional<Box> inner_box(const Sector& sector) noexcept {
   if (!(angle > 0.0 && angle < 0.25 * kTau && near_m > 0.0 && sector.r_m.y > 0.0)) {
     return std::nullopt;
   }
-  // At the low stop, the arm reaches y = near tan(angle) before it meets the stop of its angle; this
-  // takes a little less. The far corners must be within the high stop, too.
+  // At the low stop, the arm reaches y = near tan(angle) before it meets the stop of its angle;
+  // this takes a little less. The far corners must be within the high stop, too.
   const double y_m = near_m * std::sin(angle);
   const double far_m = sector.r_m.y + sector.r_m.z;
   if (!(far_m > y_m)) return std::nullopt;

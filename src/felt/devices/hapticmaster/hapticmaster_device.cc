@@ -12,8 +12,8 @@ constexpr int kMaxAnswers = 8;  // answers read in one tick
 constexpr int kStopTries = 4;
 constexpr double kMaxModelMmPerS = 10'000.0;  // of the virtual mass
 constexpr double kSecondsPerNs = 1e-9;
-// A position that no hand can have reached since the last one is invalid. The safety chain would not
-// call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
+// A position that no hand can have reached since the last one is invalid. The safety chain would
+// not call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
 constexpr double kMaxMmPerS = 1500.0;
 constexpr double kMaxStepS = 0.05;
 
@@ -187,8 +187,8 @@ HapticMasterDevice::Received HapticMasterDevice::take_state(std::string_view ans
   return Received::kNothing;
 }
 
-// An error means that the machine may hold any earlier force. After a refused force, write() sends a
-// release. If even that is refused, the effect is gone, or only the guard can help.
+// An error means that the machine may hold any earlier force. After a refused force, write() sends
+// a release. If even that is refused, the effect is gone, or only the guard can help.
 HapticMasterDevice::Received HapticMasterDevice::take_confirmation(std::string_view answer,
                                                                    Request request) noexcept {
   const AnswerKind kind = kind_of(answer);

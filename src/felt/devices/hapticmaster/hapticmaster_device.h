@@ -26,21 +26,23 @@ using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
 ///
 /// The machine measures the force of the hand and moves a virtual mass. The driver creates one
 /// effect, a bias force on that mass, and sets it in each tick. read() asks for the velocity of the
-/// mass and for the position, in one round trip, and waits kWaitNs for them; write() sets the force,
-/// whose answer the next read() receives. Answers come in the order of the requests (RequestQueue). While answers are late, read() repeats the last
-/// sample, and the force stays for a bounded time and is then set to zero (ServicePace); after
-/// kMaxHeldNs read() fails with kOther, after kMaxSilentNs with kDisconnected.
+/// mass and for the position, in one round trip, and waits kWaitNs for them; write() sets the
+/// force, whose answer the next read() receives. Answers come in the order of the requests
+/// (RequestQueue). While answers are late, read() repeats the last sample, and the force stays for
+/// a bounded time and is then set to zero (ServicePace); after kMaxHeldNs read() fails with kOther,
+/// after kMaxSilentNs with kDisconnected.
 ///
 /// Every kStateTicks ticks, read() also asks for the state. If it is not `force`, the machine does
-/// not follow the hand, and write() sends no force and returns kForcesOff. If it is `off` or `init`,
-/// or if the effect is gone, read() returns kNotCalibrated until find_home() has succeeded again.
-/// If an answer does not belong to its request, or came without one, nothing that the controller
-/// says can be trusted: the device is disconnected.
+/// not follow the hand, and write() sends no force and returns kForcesOff. If it is `off` or
+/// `init`, or if the effect is gone, read() returns kNotCalibrated until find_home() has succeeded
+/// again. If an answer does not belong to its request, or came without one, nothing that the
+/// controller says can be trusted: the device is disconnected.
 ///
 /// A force lasts until the next command, whatever happens to this program. Therefore a separate
-/// process (PortGuard) with a connection of its own switches the machine off and removes all effects
-/// after kGuardNs without a sign of life. find_home() proves that it does so, twice, before an effect
-/// is enabled. It also acts immediately if the connection of this object fails, and at the end.
+/// process (PortGuard) with a connection of its own switches the machine off and removes all
+/// effects after kGuardNs without a sign of life. find_home() proves that it does so, twice, before
+/// an effect is enabled. It also acts immediately if the connection of this object fails, and at
+/// the end.
 ///
 /// Nothing moves before find_home(), which the user must agree to: until then, the driver only asks
 /// for states and limits.
@@ -127,12 +129,12 @@ class HapticMasterDevice final : public DriverDevice {
 
   // These are used by the haptic thread, or by the edit thread while no loop runs.
   Vec3 measured_mm_, velocity_mm_per_s_;
-  bool has_velocity_ = false;  // since the velocity was last asked for
+  bool has_velocity_ = false;     // since the velocity was last asked for
   std::int64_t measured_ns_ = 0;  // when the newest position was asked for
   PenSample sample_;
   bool has_sample_ = false;
   bool is_in_force_ = false;  // the machine's state as far as it is known
-  ShortText refused_words_;  // the controller's error, or what is wrong with its state
+  ShortText refused_words_;   // the controller's error, or what is wrong with its state
   std::optional<ShortText> force_stopped_;  // until write() has reported it
   std::optional<ShortText> pace_words_;     // message for the user while the pace is off
   bool is_pace_reported_ = false;

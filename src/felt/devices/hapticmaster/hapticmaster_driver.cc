@@ -88,8 +88,8 @@ Result<std::unique_ptr<DriverDevice>> HapticMasterDriver::open(const DeviceDescr
   const std::string hint = " \"feltline doctor\" shows what to do.";
   const std::optional<NetAddress> address = controller_address(*options_.system);
   if (!address || descriptor_of(*address).id != device.id) {
-    return fail(ErrorCode::kNotFound, std::string(kAddressVariable) + " no longer names \"" +
-                                          device.id + "\"." + hint);
+    return fail(ErrorCode::kNotFound,
+                std::string(kAddressVariable) + " no longer names \"" + device.id + "\"." + hint);
   }
   const Connect connect = [make = options_.connect, to = *address] {
     return make(to.host, to.port, kOpenNs);
@@ -111,8 +111,7 @@ Result<std::unique_ptr<DriverDevice>> HapticMasterDriver::open(const DeviceDescr
   DeviceDescriptor opened = descriptor_of(*address);
   opened.capabilities.workspace_min = box->min_mm;
   opened.capabilities.workspace_max = box->max_mm;
-  return std::make_unique<HapticMasterDevice>(std::move(link), connect, *sector,
-                                              std::move(opened));
+  return std::make_unique<HapticMasterDevice>(std::move(link), connect, *sector, std::move(opened));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace felt::hapticmaster {
 namespace {
 
-constexpr std::int64_t kPauseNs = 10 * kMs;   // between two looks while the guard is to speak
+constexpr std::int64_t kPauseNs = 10 * kMs;  // between two looks while the guard is to speak
 constexpr std::int64_t kInitPauseNs = 20 * kMs;
 constexpr int kInitTries = 3000;  // a minute for the machine to find its end stops
 
@@ -144,9 +144,9 @@ Result<void> HapticMasterDevice::calibrate() {
 
 // The state `force`, in which the machine follows the hand, and one effect without force.
 Result<void> HapticMasterDevice::create_effect() {
-  for (const std::string& text : {std::string("remove all"), create_text(),
-                                  effect_text("force [0.000000,0.000000,0.000000]"),
-                                  std::string("set state force"), effect_text("enable")}) {
+  for (const std::string& text :
+       {std::string("remove all"), create_text(), effect_text("force [0.000000,0.000000,0.000000]"),
+        std::string("set state force"), effect_text("enable")}) {
     if (auto done = tell(text); !done) return done;
   }
   const Result<std::string> state = ask("get state");

@@ -115,8 +115,8 @@ void FakeController::Port::say(std::string_view text) {
   if (to.size() + text.size() + kHeader + 4 > kRoom) return;
   const bool quotes = controller_->options_.quotes;
   const std::size_t size = text.size() + (quotes ? 2 : 1);
-  const std::array<char, kHeader> header{0, 0, static_cast<char>(size >> 8),
-                                         static_cast<char>(size & 0xFF), 1, 0, 0, 0};
+  const std::array<char, kHeader> header{
+      0, 0, static_cast<char>(size >> 8), static_cast<char>(size & 0xFF), 1, 0, 0, 0};
   to.append(header.data(), header.size());
   if (quotes) to += '"';
   to.append(text);
@@ -288,9 +288,8 @@ void FakeController::accept(Port& port, std::string_view text) {
     const auto force = vector_of(text.substr(at + 7));
     if (force) newest_ = {force->x, force->y, force->z};
     request.bears_force = force && norm(*force) > 0.0;
-    const bool waits_already = std::any_of(waiting_.begin(), waiting_.end(), [](const Waiting& w) {
-      return w.bears_force;
-    });
+    const bool waits_already = std::any_of(waiting_.begin(), waiting_.end(),
+                                           [](const Waiting& w) { return w.bears_force; });
     if (request.bears_force && waits_already) break_rule("two forces wait in the socket");
   }
   request.done_ns = port.is_guard_alive_ ? now_ns_ : done_at();
@@ -445,9 +444,9 @@ std::string_view FakeController::set_effect(std::string_view name, std::string_v
   if (take_word(what, "force ")) return set_bias(*effect, what);
   if (what != "enable" && what != "disable") return kUnknown;
   effect->is_enabled = what == "enable";
-  const bool has_guard = has_remote_guard_ || std::any_of(ports_.begin(), ports_.end(), [](const Port* port) {
-                           return port->is_guard_alive_;
-                         });
+  const bool has_guard =
+      has_remote_guard_ || std::any_of(ports_.begin(), ports_.end(),
+                                       [](const Port* port) { return port->is_guard_alive_; });
   if (effect->is_enabled && !has_guard) break_rule("an effect is enabled without a guard");
   if (effect->is_enabled && guard_acts_ < 2) break_rule("an effect is enabled before a trial");
   if (effect->is_enabled && norm(effect->force) > 0.0) break_rule("an effect begins with a force");

@@ -18,21 +18,21 @@ namespace felt::hapticmaster {
 struct FakeControllerOptions {
   bool is_force_calibrated = true;
   bool is_position_calibrated = true;
-  int init_looks = 5;  ///< `get state` requests until the machine has found its end stops
-  bool has_emergency = false;   ///< its emergency button is pressed: it does not leave `off`
-  std::size_t piece = 0;        ///< answers arrive in pieces of this size; 0: whole
-  bool quotes = true;           ///< answers `"force"` instead of `force;`
-  bool ignores_guard = false;   ///< the guard's connection is dead, but stays open
-  bool refuses_guard = false;   ///< no guard process can be started
+  int init_looks = 5;          ///< `get state` requests until the machine has found its end stops
+  bool has_emergency = false;  ///< its emergency button is pressed: it does not leave `off`
+  std::size_t piece = 0;       ///< answers arrive in pieces of this size; 0: whole
+  bool quotes = true;          ///< answers `"force"` instead of `force;`
+  bool ignores_guard = false;  ///< the guard's connection is dead, but stays open
+  bool refuses_guard = false;  ///< no guard process can be started
   int max_connections = 8;
   std::string workspace_r = "[-0.18,0.6,0.18]";
 };
 
 /// The controller of a HapticMASTER as public clients use it
-/// (docs/design/devices.md#hapticmaster-protocol), with a simulated machine behind it: requests with
-/// their headers, states, calibration, effects with names, and connections. It enforces the rules
-/// and stores the first one that the driver breaks. Never allocates within a tick. Use it from one
-/// thread only.
+/// (docs/design/devices.md#hapticmaster-protocol), with a simulated machine behind it: requests
+/// with their headers, states, calibration, effects with names, and connections. It enforces the
+/// rules and stores the first one that the driver breaks. Never allocates within a tick. Use it
+/// from one thread only.
 ///
 /// It also plays the guard process: a connection for which keep_guard() was called sends its last
 /// words after the time without a sign of life, on the virtual clock or while the driver waits.

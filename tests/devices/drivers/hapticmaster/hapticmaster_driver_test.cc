@@ -1,5 +1,5 @@
-// Tests the driver of the HapticMASTER with a fake of its controller, as far as they are specific to
-// that machine.
+// Tests the driver of the HapticMASTER with a fake of its controller, as far as they are specific
+// to that machine.
 #include "felt/devices/hapticmaster/hapticmaster_driver.h"
 
 #include <gmock/gmock.h>
@@ -273,8 +273,9 @@ TEST(HapticMasterDriver, R49_AnswersOutOfOrderEndTheConnection) {
 
 TEST(HapticMasterDriver, GarbledAnswersEndTheConnection) {
   using std::string_view_literals::operator""sv;
-  for (const auto bytes : {"\0\0\0\0\0\0\0\0"sv, "\0\0\4\xFF\0\0\0\0"sv, "\xFF\xFF\xFF\xFF\0\0\0\0"sv,
-                           "\0\0\0\3\0\0\0\0\1\2\3"sv, "\0\0\0\x20\0\0\0\0[0,0,0]"sv, "x"sv}) {
+  for (const auto bytes :
+       {"\0\0\0\0\0\0\0\0"sv, "\0\0\4\xFF\0\0\0\0"sv, "\xFF\xFF\xFF\xFF\0\0\0\0"sv,
+        "\0\0\0\3\0\0\0\0\1\2\3"sv, "\0\0\0\x20\0\0\0\0[0,0,0]"sv, "x"sv}) {
     Desk desk;
     ASSERT_TRUE(desk.open_at_home());
     desk.push({1, 0, 0});
@@ -286,9 +287,8 @@ TEST(HapticMasterDriver, GarbledAnswersEndTheConnection) {
 }
 
 TEST(HapticMasterDriver, ImpossiblePositionsAreFaultsAndOver) {
-  for (const char* const text :
-       {"[nan,0,0]", "[0,inf,0]", "[0,0]", "[0,0,0,0]", "[,,]", "[0.9,0,0]", "[0,0,-1e300]",
-        "[0.02,0,0]", "--- ERROR: no"}) {
+  for (const char* const text : {"[nan,0,0]", "[0,inf,0]", "[0,0]", "[0,0,0,0]", "[,,]",
+                                 "[0.9,0,0]", "[0,0,-1e300]", "[0.02,0,0]", "--- ERROR: no"}) {
     Desk desk;
     desk.world.stylus().hold({});
     desk.world.stylus().place({0, 0, 0});
@@ -441,8 +441,8 @@ TEST(HapticMasterDriver, AFullSocketIsAFaultAndStopsThroughTheGuard) {
 }
 
 TEST(HapticMasterDriver, AWorkspaceThatCannotBeIsRefused) {
-  for (const char* const r : {"[0.18,0.6,-0.18]", "[-0.18,0.1,0.18]", "[nan,0.6,0.18]", "true",
-                              "--- ERROR: none"}) {
+  for (const char* const r :
+       {"[0.18,0.6,-0.18]", "[-0.18,0.1,0.18]", "[nan,0.6,0.18]", "true", "--- ERROR: none"}) {
     FakeControllerOptions options;
     options.workspace_r = r;
     Desk desk(options);
