@@ -60,6 +60,8 @@ class ByteStream {
   virtual void beat() noexcept {}
   /// Makes the guard of such a connection send its last words now. Real-time safe; any thread.
   virtual void let_guard_speak() noexcept {}
+  /// Makes it wait for the next beat() without acting, unless this program ends. Real-time safe.
+  virtual void let_guard_rest() noexcept {}
   /// Returns false if send() or beat() has found that the guard of keep_guard() ended unexpectedly.
   /// Used on the thread that calls send().
   [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
@@ -110,6 +112,9 @@ class GuardedStream : public DescriptorStream {
   void beat() noexcept override;
   void let_guard_speak() noexcept override {
     if (guard_) guard_->speak();
+  }
+  void let_guard_rest() noexcept override {
+    if (guard_) guard_->rest();
   }
   [[nodiscard]] bool is_guarded() const noexcept override { return is_guarded_; }
 

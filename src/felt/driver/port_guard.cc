@@ -23,7 +23,7 @@ constexpr int kTries =
 constexpr int kTryMs = 50;
 constexpr int kListenMs = 200;  // wait for the answers to the last message before the guard exits
 constexpr int kMaxReads = 16;
-constexpr char kBeat = 1, kSpeak = 2;  // signs of the program
+constexpr char kBeat = 1, kSpeak = 2, kRest = 3;  // signs of the program
 
 struct Watch {
   int port = -1;
@@ -107,14 +107,13 @@ bool discard_answers(const Watch& watch) noexcept {
     }
     std::array<char, 64> room;
     const ssize_t count = ready > 0 ? ::read(watch.connection, room.data(), room.size()) : -1;
-    if (count > 0) has_beaten = true;
     const bool goes_on = count > 0 || (count < 0 && errno == EINTR);
     if (!goes_on) say_and_exit(watch);
     if (!discard_answers(watch)) _exit(0);
-    const char* const end = room.data() + std::max<ssize_t>(count, 0);
-    if (std::find(static_cast<const char*>(room.data()), end, kSpeak) != end) {
-      say(watch);
-      has_beaten = false;
+    for (ssize_t i = 0; i < count; ++i) {
+      const char sign = room[static_cast<std::size_t>(i)];
+      has_beaten = sign == kBeat;
+      if (sign == kSpeak) say(watch);
     }
   }
 }
@@ -165,6 +164,10 @@ bool PortGuard::beat() noexcept {
 
 void PortGuard::speak() noexcept {
   static_cast<void>(send(kSpeak));
+}
+
+void PortGuard::rest() noexcept {
+  static_cast<void>(send(kRest));
 }
 
 }  // namespace felt

@@ -52,6 +52,9 @@ class PortGuard {
   /// Makes the guard write the last words now, because our program cannot reach the device itself.
   /// The guard then waits for the next heartbeat. Real-time safe, like beat().
   void speak() noexcept;
+  /// Makes the guard wait for the next heartbeat without acting, because no force is requested.
+  /// If our program ends, the guard still writes the last words. Real-time safe, like beat().
+  void rest() noexcept;
 
  private:
   bool send(char sign) noexcept;

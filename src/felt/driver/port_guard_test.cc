@@ -243,6 +243,10 @@ class OwnConnection {
     const ssize_t count = ::read(ends_[0], room.data(), room.size());
     return {room.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
   }
+  [[nodiscard]] bool is_quiet() const {
+    pollfd waits{.fd = ends_[0], .events = POLLIN, .revents = 0};
+    return poll(&waits, 1, 0) == 0;
+  }
   void hang_up() {
     if (ends_[0] >= 0) ::close(ends_[0]);
     ends_[0] = -1;
@@ -272,6 +276,21 @@ TEST(PortGuard, SpeaksWhenItIsAsked) {
   guard->beat();
   guard->speak();
   EXPECT_EQ(line.receive(), kWords);
+}
+
+TEST(PortGuard, RestsUntilTheNextBeat) {
+  const OwnConnection line;
+  auto guard = line.guard(20 * kMs);
+  ASSERT_NE(guard, nullptr);
+  guard->beat();
+  guard->rest();
+  usleep(60'000);
+  EXPECT_TRUE(line.is_quiet());
+  guard->beat();
+  EXPECT_EQ(line.receive(), kWords);
+  guard->rest();
+  guard.reset();
+  EXPECT_EQ(line.receive(), kWords) << "the end of the program is not a rest";
 }
 
 TEST(PortGuard, TellsThatItsConnectionWasClosed) {

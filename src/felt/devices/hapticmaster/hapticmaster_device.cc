@@ -83,6 +83,7 @@ HapticMasterDevice::Received HapticMasterDevice::lose(std::string_view words,
   if (is_gone_) return Received::kClosed;
   std::array<char, ShortText::kBytes> room;
   const std::string_view part = answer.substr(0, 60);
+  words = words.substr(0, ShortText::kBytes - part.size() - 2);
   char* at = std::copy(words.begin(), words.end(), room.data());
   if (!part.empty()) {
     at = std::copy_n(": ", 2, at);
@@ -341,8 +342,10 @@ tl::expected<void, DeviceFault> HapticMasterDevice::write(const Force& force) no
   return failed(DeviceFault::kForcesOff, *no_force);
 }
 
+// The loop may now stand still for a while, for example because the user changes settings.
 void HapticMasterDevice::stop() noexcept {
   release();
+  if (guard_ && !is_gone_ && queue_.has(Request::kRelease)) guard_->let_guard_rest();
 }
 
 }  // namespace felt::hapticmaster

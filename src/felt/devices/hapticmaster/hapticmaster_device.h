@@ -40,9 +40,9 @@ using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
 ///
 /// A force lasts until the next command, whatever happens to this program. Therefore a separate
 /// process (PortGuard) with a connection of its own switches the machine off and removes all
-/// effects after kGuardNs without a sign of life. find_home() proves that it does so, twice, before
-/// an effect is enabled. It also acts immediately if the connection of this object fails, and at
-/// the end.
+/// effects after kGuardNs without a sign of life (read()), unless stop() has sent a release since.
+/// find_home() proves that it does so, twice, before an effect is enabled. It also acts immediately
+/// if the connection of this object fails, and at the end.
 ///
 /// Nothing moves before find_home(), which the user must agree to: until then, the driver only asks
 /// for states and limits.

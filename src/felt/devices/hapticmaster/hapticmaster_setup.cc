@@ -204,6 +204,7 @@ Result<void> HapticMasterDevice::find_home() {
   pace_ = ServicePace(descriptor_.capabilities.period_ns);
   pace_words_.reset();
   is_in_force_ = is_home_ = true;
+  guard_->let_guard_rest();  // the loop begins at any time
   return {};
 }
 

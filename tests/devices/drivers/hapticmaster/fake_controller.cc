@@ -87,6 +87,7 @@ class FakeStream final : public ByteStream {
   void let_guard_speak() noexcept override {
     if (port_->is_guard_alive_) port_->act_as_guard();
   }
+  void let_guard_rest() noexcept override { port_->has_beaten_ = false; }
   [[nodiscard]] bool is_guarded() const noexcept override {
     return port_->is_guard_alive_ && port_->is_open();
   }

@@ -420,6 +420,18 @@ TEST(HapticMasterDriver, R49_AfterAPauseTheMachineIsOff) {
   EXPECT_EQ(desk.controller.state(), "off");
 }
 
+TEST(HapticMasterDriver, ItStaysReadyWhileNoLoopRuns) {
+  Desk desk;
+  ASSERT_TRUE(desk.open_at_home());
+  desk.now_ns += 5 * kSecond;
+  EXPECT_TRUE(desk.tick().read.has_value()) << "the loop began late";
+  desk.push({1, 0, 0});
+  desk.device->stop();
+  desk.now_ns += 5 * kSecond;
+  EXPECT_TRUE(desk.tick().read.has_value()) << "another loop";
+  EXPECT_EQ(desk.controller.state(), "force");
+}
+
 TEST(HapticMasterDriver, TheEndSwitchesTheMachineOff) {
   Desk desk;
   ASSERT_TRUE(desk.open_at_home());
