@@ -90,7 +90,7 @@ complete -c feltline -n '__fish_seen_subcommand_from materials; and __fish_seen_
 complete -c feltline -n '__fish_seen_subcommand_from materials; and __fish_seen_subcommand_from new' -l save -d 'Save it in your folder of custom materials'
 complete -c feltline -n '__fish_seen_subcommand_from recover' -l list -d 'List recoverable drawings'
 complete -c feltline -n '__fish_seen_subcommand_from recover' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into'
-complete -c feltline -n '__fish_seen_subcommand_from doctor' -f -a 'openhaptics forcedimension haply pantograph evdev cue'
+complete -c feltline -n '__fish_seen_subcommand_from doctor' -f -a 'openhaptics forcedimension haply pantograph hapticmaster evdev cue'
 complete -c feltline -n '__fish_seen_subcommand_from doctor' -l fix -d 'Write the permissions that are missing'
 complete -c feltline -n '__fish_seen_subcommand_from doctor' -l dry-run -d 'Show what --fix would write'
 complete -c feltline -n '__fish_seen_subcommand_from doctor' -l prefix -x -a '(__fish_complete_directories)' -d 'Write below this folder'

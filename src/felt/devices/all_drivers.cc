@@ -5,6 +5,7 @@
 #include "felt/devices/evdev/evdev_driver.h"
 #include "felt/devices/forcedimension/forcedimension.h"
 #include "felt/devices/haply/haply_driver.h"
+#include "felt/devices/hapticmaster/hapticmaster_driver.h"
 #include "felt/devices/openhaptics/openhaptics_driver.h"
 #include "felt/devices/pantograph/pantograph_driver.h"
 
@@ -16,6 +17,7 @@ std::vector<std::unique_ptr<Driver>> make_drivers() {
   drivers.push_back(make_forcedimension_driver());
   drivers.push_back(make_haply_driver());
   drivers.push_back(make_pantograph_driver());
+  drivers.push_back(make_hapticmaster_driver());
   drivers.push_back(make_evdev_driver());
   drivers.push_back(make_cue_driver());
   return drivers;

@@ -207,7 +207,7 @@ Result<std::unique_ptr<ByteStream>> TcpStream::connect(const std::string& host, 
     if (refused == 0) {
       const int on = 1;
       setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-      return std::unique_ptr<ByteStream>(new TcpStream(socket.release(), true));
+      return std::unique_ptr<ByteStream>(new TcpStream(socket.release()));
     }
     if (error == 0) error = refused;  // the error of IPv4
   }
@@ -218,7 +218,7 @@ Result<std::unique_ptr<ByteStream>> TcpStream::connect(const std::string& host, 
 Result<std::unique_ptr<ByteStream>> SerialStream::open(const std::string& path) {
   Owned port(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   int error = port.get() < 0 ? errno : make_raw(port.get());
-  if (error == 0) return std::unique_ptr<ByteStream>(new SerialStream(port.release(), false));
+  if (error == 0) return std::unique_ptr<ByteStream>(new SerialStream(port.release()));
   if (error == EWOULDBLOCK || error == EBUSY) {
     return fail(ErrorCode::kIo, path + ": in use by another program");
   }
@@ -230,14 +230,20 @@ Result<std::unique_ptr<ByteStream>> SerialStream::open(const std::string& path) 
 tl::expected<void, StreamFault> SerialStream::send(std::span<const std::byte> bytes,
                                                    std::int64_t within_ns) noexcept {
   auto sent = DescriptorStream::send(bytes, within_ns);
-  if (guard_ && sent) is_guarded_ = guard_->beat();
+  if (sent) beat();
   return sent;
 }
 
-bool SerialStream::keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
+void GuardedStream::beat() noexcept {
+  if (guard_) is_guarded_ = guard_->beat();
+}
+
+bool GuardedStream::keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
   guard_.reset();
   is_guarded_ = true;
-  if (!last_words.empty()) guard_ = PortGuard::start(descriptor(), last_words, patience_ns);
+  if (!last_words.empty()) {
+    guard_ = PortGuard::start(descriptor(), last_words, patience_ns, use_);
+  }
   return guard_ != nullptr;
 }
 

@@ -54,8 +54,16 @@ class ByteStream {
     static_cast<void>(patience_ns);
     return false;
   }
-  /// Returns false if send() has found that the guard of keep_guard() ended unexpectedly. Used on
+  /// Sends the guard a sign of life, as send() does for a serial port, but sends no bytes to the
+  /// device. Only for a connection that its guard alone uses (TcpStream). Real-time safe; used on
   /// the thread that calls send().
+  virtual void beat() noexcept {}
+  /// Makes the guard of such a connection send its last words now. Real-time safe; any thread.
+  virtual void let_guard_speak() noexcept {}
+  /// Makes it wait for the next beat() without acting, unless this program ends. Real-time safe.
+  virtual void let_guard_rest() noexcept {}
+  /// Returns false if send() or beat() has found that the guard of keep_guard() ended unexpectedly.
+  /// Used on the thread that calls send().
   [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
 };
 
@@ -97,8 +105,32 @@ class DescriptorStream : public ByteStream {
   int errno_ = 0;
 };
 
-/// A TCP connection with Nagle's algorithm disabled.
-class TcpStream final : public DescriptorStream {
+/// A stream that can have a guard.
+class GuardedStream : public DescriptorStream {
+ public:
+  bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) override;
+  void beat() noexcept override;
+  void let_guard_speak() noexcept override {
+    if (guard_) guard_->speak();
+  }
+  void let_guard_rest() noexcept override {
+    if (guard_) guard_->rest();
+  }
+  [[nodiscard]] bool is_guarded() const noexcept override { return is_guarded_; }
+
+ protected:
+  GuardedStream(int descriptor, bool is_socket, PortGuard::Use use) noexcept
+      : DescriptorStream(descriptor, is_socket), use_(use) {}
+
+ private:
+  PortGuard::Use use_;
+  std::unique_ptr<PortGuard> guard_;
+  bool is_guarded_ = true;
+};
+
+/// A TCP connection with Nagle's algorithm disabled. If it has a guard, only the guard may use the
+/// connection: the program sends nothing but signs of life (beat()).
+class TcpStream final : public GuardedStream {
  public:
   /// Connects to a port. `host` is "localhost" (IPv4 first, then IPv6) or a numeric address; other
   /// names are not looked up, because that could block for a minute. Fails with the system's
@@ -107,12 +139,13 @@ class TcpStream final : public DescriptorStream {
                                                      std::int64_t within_ns);
 
  private:
-  using DescriptorStream::DescriptorStream;
+  explicit TcpStream(int descriptor) noexcept
+      : GuardedStream(descriptor, true, PortGuard::Use::kOwnConnection) {}
 };
 
 /// A serial port in raw mode, locked against other programs. Opening it discards bytes that were
-/// waiting.
-class SerialStream final : public DescriptorStream {
+/// waiting. Each successful send() is also a sign of life for the guard.
+class SerialStream final : public GuardedStream {
  public:
   /// Opens a port. Fails with the system's message if the port does not exist, is not a serial port
   /// or is in use by another program, or if access is denied. Used on the edit thread.
@@ -120,14 +153,10 @@ class SerialStream final : public DescriptorStream {
 
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
                                        std::int64_t within_ns) noexcept override;
-  bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) override;
-  [[nodiscard]] bool is_guarded() const noexcept override { return is_guarded_; }
 
  private:
-  using DescriptorStream::DescriptorStream;
-
-  std::unique_ptr<PortGuard> guard_;
-  bool is_guarded_ = true;
+  explicit SerialStream(int descriptor) noexcept
+      : GuardedStream(descriptor, false, PortGuard::Use::kShared) {}
 };
 
 /// The function with which a driver connects to a service; tests pass a fake.

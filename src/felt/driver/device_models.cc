@@ -261,13 +261,15 @@ constexpr std::array<DeviceModel, 23> kModels{{
     {.id = "hapticmaster",
      .label = "Moog HapticMASTER",
      .maker = "Moog",
+     // A tick is two round trips over a network, so the loop has its longest period.
      .capabilities = in_box({360, 360, 360}, {.max_force_n = 100.0,
                                               .continuous_force_n = 100.0,
                                               .advised_force_n = 3.0,
                                               .max_stiffness_n_per_m = 4000.0,
-                                              .position_step_mm = 0.012}),
-     .source = "force, stiffness: as public programs use it; workspace, step: estimate",
-     .is_driven = false},
+                                              .max_damping_n_s_per_m = 20.0,
+                                              .position_step_mm = 0.012,
+                                              .period_ns = 4'000'000}),
+     .source = "force, stiffness: as public programs use it; the rest: estimate"},
 }};
 
 constexpr std::size_t kGeneric = kModels.size() - 2;

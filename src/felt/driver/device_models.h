@@ -21,8 +21,6 @@ struct DeviceModel {
   /// sheet. If the device itself reports other figures, a driver may use these to lower the force
   /// limits, but not to raise them.
   std::string_view source;
-  /// True if one of our drivers can open this model. Other models are listed for reference.
-  bool is_driven = true;
 };
 
 /// Returns all models, ordered by maker; the table never changes.

@@ -152,7 +152,8 @@ class Driver {
   Driver& operator=(const Driver&) = delete;
   virtual ~Driver() = default;
 
-  /// Returns "openhaptics", "forcedimension", "haply", "pantograph", "evdev" or "cue".
+  /// Returns "openhaptics", "forcedimension", "haply", "pantograph", "hapticmaster", "evdev" or
+  /// "cue".
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
   /// Returns the name for the user: "3D Systems (OpenHaptics)".
   [[nodiscard]] virtual std::string_view label() const noexcept = 0;

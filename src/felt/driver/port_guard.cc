@@ -21,6 +21,9 @@ namespace {
 constexpr int kTries =
     20;  // attempts to send the last message; each waits until the port accepts more
 constexpr int kTryMs = 50;
+constexpr int kListenMs = 200;  // wait for the answers to the last message before the guard exits
+constexpr int kMaxReads = 16;
+constexpr char kBeat = 1, kSpeak = 2, kRest = 3;  // signs of the program
 
 struct Watch {
   int port = -1;
@@ -28,6 +31,7 @@ struct Watch {
   std::array<std::byte, PortGuard::kMaxBytes> words{};
   std::size_t size = 0;
   timespec patience{};
+  PortGuard::Use use = PortGuard::Use::kShared;
 };
 
 // Everything below runs in the new process. It may only make calls that are safe between fork() and
@@ -62,6 +66,33 @@ void say(const Watch& watch) noexcept {
   }
 }
 
+// Discards the answers that have arrived on a connection of the guard's own. Returns false if the
+// peer has closed it, so that the guard can no longer protect the device.
+bool discard_answers(const Watch& watch) noexcept {
+  std::array<char, 256> room;
+  for (int i = 0; watch.use == PortGuard::Use::kOwnConnection && i < kMaxReads; ++i) {
+    const ssize_t count = ::recv(watch.port, room.data(), room.size(), MSG_DONTWAIT);
+    if (count == 0) return false;
+    if (count < 0) return errno == EAGAIN || errno == EINTR;
+  }
+  return true;
+}
+
+// Sends the last words and exits. If unread answers were left on the guard's own connection, its
+// end would be a reset, and the peer could lose the last words. Therefore reads until the peer has
+// closed the connection, or has sent nothing for a while.
+[[noreturn]] void say_and_exit(const Watch& watch) noexcept {
+  say(watch);
+  if (watch.use == PortGuard::Use::kOwnConnection) {
+    ::shutdown(watch.port, SHUT_WR);
+    for (int i = 0; i < kMaxReads; ++i) {
+      pollfd answers{.fd = watch.port, .events = POLLIN, .revents = 0};
+      if (poll(&answers, 1, kListenMs) <= 0 || !discard_answers(watch)) break;
+    }
+  }
+  _exit(0);
+}
+
 [[noreturn]] void keep_watch(const Watch& watch) noexcept {
   setsid();
   keep_only(watch.port, watch.connection);
@@ -76,21 +107,25 @@ void say(const Watch& watch) noexcept {
     }
     std::array<char, 64> room;
     const ssize_t count = ready > 0 ? ::read(watch.connection, room.data(), room.size()) : -1;
-    if (count > 0) has_beaten = true;
-    if (count > 0 || (count < 0 && errno == EINTR)) continue;
-    say(watch);
-    _exit(0);
+    const bool goes_on = count > 0 || (count < 0 && errno == EINTR);
+    if (!goes_on) say_and_exit(watch);
+    if (!discard_answers(watch)) _exit(0);
+    for (ssize_t i = 0; i < count; ++i) {
+      const char sign = room[static_cast<std::size_t>(i)];
+      has_beaten = sign == kBeat;
+      if (sign == kSpeak) say(watch);
+    }
   }
 }
 
 }  // namespace
 
 std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte> last_words,
-                                            std::int64_t patience_ns) {
+                                            std::int64_t patience_ns, Use use) {
   if (port < 0 || last_words.size() > kMaxBytes) return nullptr;
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return nullptr;
-  Watch watch{.port = port, .connection = ends[1]};
+  Watch watch{.port = port, .connection = ends[1], .use = use};
   std::copy(last_words.begin(), last_words.end(), watch.words.begin());
   watch.size = last_words.size();
   watch.patience = {.tv_sec = patience_ns / kSecond, .tv_nsec = patience_ns % kSecond};
@@ -116,12 +151,23 @@ PortGuard::~PortGuard() {
   }
 }
 
-bool PortGuard::beat() noexcept {
-  const char life = 1;
+bool PortGuard::send(char sign) noexcept {
   // The socket is full if the guard had no time to read. This is not an error, because enough
   // heartbeats are then waiting in the socket.
-  const ssize_t sent = ::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL);
+  const ssize_t sent = ::send(connection_, &sign, 1, MSG_DONTWAIT | MSG_NOSIGNAL);
   return sent >= 0 || (errno != EPIPE && errno != ECONNRESET);
+}
+
+bool PortGuard::beat() noexcept {
+  return send(kBeat);
+}
+
+void PortGuard::speak() noexcept {
+  static_cast<void>(send(kSpeak));
+}
+
+void PortGuard::rest() noexcept {
+  static_cast<void>(send(kRest));
 }
 
 }  // namespace felt

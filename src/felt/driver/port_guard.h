@@ -25,11 +25,20 @@ class PortGuard {
  public:
   static constexpr std::size_t kMaxBytes = 64;
 
+  /// Who uses the port besides the guard.
+  enum class Use : std::uint8_t {
+    kShared,  ///< our program sends and receives; the guard only sends
+    /// A network connection that only the guard uses. The guard reads and discards the answers, so
+    /// that the peer gets the last words even if it answered earlier ones. If the peer closes the
+    /// connection, the guard ends, and beat() reports that.
+    kOwnConnection,
+  };
+
   /// Starts a guard. `port` is a file descriptor, which the caller still owns. Returns null if
   /// `last_words` are longer than kMaxBytes, or if a process or connection cannot be created. Used
   /// on the edit thread.
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
-                                          std::int64_t patience_ns);
+                                          std::int64_t patience_ns, Use use = Use::kShared);
   /// Ends the guard, which then writes the last words. Waits until the guard has exited and has
   /// closed the port.
   ~PortGuard();
@@ -40,8 +49,15 @@ class PortGuard {
   /// the device. Safe to call from any thread. Real-time safe, because it makes a single system
   /// call that never waits.
   bool beat() noexcept;
+  /// Makes the guard write the last words now, because our program cannot reach the device itself.
+  /// The guard then waits for the next heartbeat. Real-time safe, like beat().
+  void speak() noexcept;
+  /// Makes the guard wait for the next heartbeat without acting, because no force is requested.
+  /// If our program ends, the guard still writes the last words. Real-time safe, like beat().
+  void rest() noexcept;
 
  private:
+  bool send(char sign) noexcept;
   PortGuard(pid_t process, int connection) noexcept : process_(process), connection_(connection) {}
 
   pid_t process_;

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -209,6 +211,94 @@ TEST(PortGuard, TellsThatItWasKilled) {
   const pid_t process = child_of_ours();
   ASSERT_GT(process, 0);
   ASSERT_EQ(::kill(process, SIGKILL), 0);
+  int beats = 0;
+  while (guard->beat() && beats < kLongMs) {
+    ++beats;
+    usleep(1000);
+  }
+  EXPECT_LT(beats, kLongMs);
+}
+
+// A connection that only the guard uses, with the other end of a network service.
+class OwnConnection {
+ public:
+  OwnConnection() {
+    EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends_.data()), 0);
+  }
+  OwnConnection(const OwnConnection&) = delete;
+  OwnConnection& operator=(const OwnConnection&) = delete;
+  ~OwnConnection() {
+    hang_up();
+    ::close(ends_[1]);
+  }
+  std::unique_ptr<PortGuard> guard(std::int64_t patience_ns) const {
+    return PortGuard::start(ends_[1], std::as_bytes(std::span(kWords)), patience_ns,
+                            PortGuard::Use::kOwnConnection);
+  }
+  void answer() const { EXPECT_EQ(::write(ends_[0], "answer", 6), 6); }
+  std::string receive() const {
+    std::array<char, 64> room{};
+    pollfd waits{.fd = ends_[0], .events = POLLIN, .revents = 0};
+    if (poll(&waits, 1, kLongMs) <= 0) return "nothing";
+    const ssize_t count = ::read(ends_[0], room.data(), room.size());
+    return {room.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+  }
+  [[nodiscard]] bool is_quiet() const {
+    pollfd waits{.fd = ends_[0], .events = POLLIN, .revents = 0};
+    return poll(&waits, 1, 0) == 0;
+  }
+  void hang_up() {
+    if (ends_[0] >= 0) ::close(ends_[0]);
+    ends_[0] = -1;
+  }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
+TEST(PortGuard, OnAConnectionOfItsOwnItReadsTheAnswersAndSpeaksAgain) {
+  const OwnConnection line;
+  auto guard = line.guard(20 * kMs);
+  ASSERT_NE(guard, nullptr);
+  for (int i = 0; i < 3; ++i) {
+    guard->beat();
+    EXPECT_EQ(line.receive(), kWords) << i;
+    for (int k = 0; k < 100; ++k) line.answer();
+  }
+  guard.reset();
+  EXPECT_EQ(line.receive(), kWords) << "in spite of answers that it had not read";
+}
+
+TEST(PortGuard, SpeaksWhenItIsAsked) {
+  const OwnConnection line;
+  const auto guard = line.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  guard->beat();
+  guard->speak();
+  EXPECT_EQ(line.receive(), kWords);
+}
+
+TEST(PortGuard, RestsUntilTheNextBeat) {
+  const OwnConnection line;
+  auto guard = line.guard(20 * kMs);
+  ASSERT_NE(guard, nullptr);
+  guard->beat();
+  guard->rest();
+  usleep(60'000);
+  EXPECT_TRUE(line.is_quiet());
+  guard->beat();
+  EXPECT_EQ(line.receive(), kWords);
+  guard->rest();
+  guard.reset();
+  EXPECT_EQ(line.receive(), kWords) << "the end of the program is not a rest";
+}
+
+TEST(PortGuard, TellsThatItsConnectionWasClosed) {
+  OwnConnection line;
+  const auto guard = line.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  EXPECT_TRUE(guard->beat());
+  line.hang_up();
   int beats = 0;
   while (guard->beat() && beats < kLongMs) {
     ++beats;

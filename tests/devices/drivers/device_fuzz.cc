@@ -104,7 +104,7 @@ class Fuzz {
  private:
   [[nodiscard]] std::string name() const { return std::string(bench_); }
 
-  std::string fault(const DriverBench& shown, std::uint64_t seed) {
+  std::string fault(DriverBench& shown, std::uint64_t seed) {
     const FaultCase fault = make_fault_case(shown, seed);
     if (options_.trace)
       std::fprintf(stderr, "%llu: %s\n", static_cast<unsigned long long>(seed),

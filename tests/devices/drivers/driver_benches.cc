@@ -6,6 +6,7 @@
 #include "tests/devices/drivers/evdev_bench.h"
 #include "tests/devices/drivers/forcedimension_bench.h"
 #include "tests/devices/drivers/haply_bench.h"
+#include "tests/devices/drivers/hapticmaster_bench.h"
 #include "tests/devices/drivers/openhaptics_bench.h"
 #include "tests/devices/drivers/pantograph_bench.h"
 #include "tests/devices/drivers/scripted_bench.h"
@@ -25,6 +26,7 @@ constexpr std::array kMakers{
     Maker{"haply", make_haply_bench},
     Maker{"pantograph", make_pantograph_bench},
     Maker{"evdev", make_evdev_bench},
+    Maker{"hapticmaster", make_hapticmaster_bench},
 };
 
 }  // namespace

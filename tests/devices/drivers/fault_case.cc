@@ -117,7 +117,7 @@ std::int64_t landing_ns(PenState state) noexcept {
   return (state == PenState::kEngaging ? 80 : 700) * kMs;
 }
 
-FaultCase make_fault_case(const DriverBench& bench, std::uint64_t seed) {
+FaultCase make_fault_case(DriverBench& bench, std::uint64_t seed) {
   const std::vector<Kind> kinds = kinds_of(bench);
   const std::uint64_t index = seed % kinds.size(), turn = seed / kinds.size();
   FaultCase fault;
@@ -129,6 +129,9 @@ FaultCase make_fault_case(const DriverBench& bench, std::uint64_t seed) {
   Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
   fault.at_ns = moment(fault.state, random);
   choose_amount(fault, random);
+  // A shorter fault could lie between two ticks of a slow loop, or between two looks of its driver.
+  const std::int64_t period_ns = bench.world().preset().capabilities.period_ns;
+  if (period_ns > kMs) fault.lasts_ns = std::max(fault.lasts_ns, period_ns + bench.notice_ns());
   return fault;
 }
 

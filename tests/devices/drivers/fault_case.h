@@ -49,7 +49,7 @@ struct FaultCase {
   std::int64_t lasts_ns = 0;
   double amount = 0.0;
 };
-FaultCase make_fault_case(const DriverBench& bench, std::uint64_t seed);
+FaultCase make_fault_case(DriverBench& bench, std::uint64_t seed);
 
 /// Describes a fault, for example "unplugged for 43 ms at 912 ms, pencil, dragging".
 std::string text_of(const FaultCase& fault);

@@ -105,7 +105,9 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
     case InjectedFault::kSlowAnswers:
     case InjectedFault::kLostAnswers:
     case InjectedFault::kBurstAnswers: {
-      const bool is_prompt = fault_.fault != InjectedFault::kLostAnswers && fault_.amount < 2.0;
+      const double period_ms = 1e-6 * static_cast<double>(period_ns_);
+      const bool is_prompt =
+          fault_.fault != InjectedFault::kLostAnswers && fault_.amount < 2.0 * period_ms;
       if (is_prompt || fault_.lasts_ns < kSlowServiceNs + period_ns_) return std::nullopt;
       return kSlowServiceNs;
     }

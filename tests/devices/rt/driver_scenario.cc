@@ -29,7 +29,7 @@ std::vector<FaultWindow> one_after_the_other(const BenchMaker& make) {
   return faults;
 }
 
-// The device in the frame of the surface. Records whether the device is disconnected.
+// The device in the frame of the surface. Records whether the device must be opened or homed again.
 class DriverInTick final : public Device {
  public:
   DriverInTick(DriverDevice& device, const PlaneCalibration& plane) : device_(device, plane) {}
@@ -40,7 +40,8 @@ class DriverInTick final : public Device {
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
     auto sample = device_.read(now_ns);
-    is_gone_ = !sample && sample.error() == DeviceFault::kDisconnected;
+    is_gone_ = !sample && (sample.error() == DeviceFault::kDisconnected ||
+                           sample.error() == DeviceFault::kNotCalibrated);
     return sample;
   }
   std::optional<PenSample> between() noexcept override { return device_.between(); }

@@ -8,10 +8,10 @@
 
 #include "felt/devices/haply/request_window.h"
 #include "felt/devices/haply/service_messages.h"
-#include "felt/devices/haply/service_pace.h"
 #include "felt/devices/haply/web_socket.h"
 #include "felt/driver/driver.h"
 #include "felt/driver/force_gate.h"
+#include "felt/driver/service_pace.h"
 #include "felt/rt/latest_value.h"
 
 namespace felt::haply {

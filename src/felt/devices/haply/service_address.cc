@@ -1,7 +1,6 @@
 #include "felt/devices/haply/service_address.h"
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,34 +11,6 @@ namespace felt::haply {
 namespace {
 
 constexpr std::size_t kMaxListingBytes = std::size_t{1} << 17;
-
-std::optional<std::uint16_t> port_of(std::string_view digits) {
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-  if (error != std::errc{} || end != digits.data() + digits.size() || port == 0) return {};
-  return port;
-}
-
-// Parses "ws://localhost:10001", with or without scheme, port and path.
-std::optional<Address> address_of(std::string_view url, std::uint16_t usual_port) {
-  for (const std::string_view scheme : {"ws://", "http://"}) {
-    if (url.starts_with(scheme)) url.remove_prefix(scheme.size());
-  }
-  url = url.substr(0, url.find('/'));
-  Address address{.port = usual_port};
-  const std::size_t colon = url.rfind(':');
-  const bool is_bracketed = url.ends_with(']');
-  if (colon != std::string_view::npos && !is_bracketed) {
-    const auto port = port_of(url.substr(colon + 1));
-    if (!port) return std::nullopt;
-    address.port = *port;
-    url = url.substr(0, colon);
-  }
-  if (url.starts_with('[') && url.ends_with(']')) url = url.substr(1, url.size() - 2);
-  if (url.empty()) return std::nullopt;
-  address.host = url;
-  return address;
-}
 
 bool read_port(JsonScanner& json, std::uint16_t& port) {
   JsonScanner ahead = json;
@@ -72,7 +43,7 @@ void from_variable(const SystemView& system, const char* name, Address& address,
                    ServiceAddress& whole) {
   const std::optional<std::string> url = system.environment(name);
   if (!url || url->empty()) return;
-  if (const auto found = address_of(*url, address.port)) {
+  if (const auto found = parse_net_address(*url, address.port)) {
     address = *found;
     whole.source = name;
   } else {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "felt/driver/byte_stream.h"
 #include "felt/driver/diagnosis.h"
+#include "felt/driver/net_address.h"
 
 namespace felt::haply {
 
@@ -13,12 +13,7 @@ inline constexpr const char* kEventsUrlVariable = "FELT_HAPLY_EVENTS_URL";
 inline constexpr const char* kConfigFile =
     "/etc/haply-inverse-service/haply-inverse-service-config.json";
 
-struct Address {
-  std::string host = "localhost";
-  std::uint16_t port = 0;
-
-  [[nodiscard]] std::string text() const { return host + ":" + std::to_string(port); }
-};
+using Address = NetAddress;
 
 /// The address of the service, and the source from which it was read.
 struct ServiceAddress {

@@ -1,11 +1,11 @@
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <utility>
 
 #include "felt/devices/haply/json_walk.h"
 #include "felt/devices/haply/service_messages.h"
+#include "felt/driver/text_writer.h"
 
 namespace felt::haply {
 namespace {
@@ -130,18 +130,6 @@ bool read_entry(JsonScanner& json, bool is_grip, Entry& entry) noexcept {
   });
 }
 
-char* append(char* at, std::string_view text) noexcept {
-  return std::copy(text.begin(), text.end(), at);
-}
-
-char* append(char* at, double number) noexcept {
-  constexpr int kDecimals = 6;  // gives micronewtons
-  constexpr double kMax = 1e6;
-  const double bounded = std::isfinite(number) ? std::min(std::max(number, -kMax), kMax) : 0.0;
-  constexpr std::size_t kMaxDigits = 20;
-  return std::to_chars(at, at + kMaxDigits, bounded, std::chars_format::fixed, kDecimals).ptr;
-}
-
 }  // namespace
 
 bool read_state(std::string_view message, std::string_view device_id, std::string_view grip_id,
@@ -168,17 +156,17 @@ bool read_state(std::string_view message, std::string_view device_id, std::strin
 std::string_view write_command(std::string_view device_id, ForceKey key, const Force& force,
                                char* room) noexcept {
   constexpr std::size_t kMaxId = 64;
-  char* at = append(room, R"({"inverse3":[{"device_id":")");
-  at = append(at, device_id.substr(0, kMaxId));
-  at = append(at, R"(","commands":{"set_cursor_force":{")");
-  at = append(at, key == ForceKey::kValues ? "values" : "vector");
-  at = append(at, R"(":{"x":)");
-  at = append(at, force.x);
-  at = append(at, R"(,"y":)");
-  at = append(at, force.y);
-  at = append(at, R"(,"z":)");
-  at = append(at, force.z);
-  at = append(at, "}}}}]}");
+  char* at = append_text(room, R"({"inverse3":[{"device_id":")");
+  at = append_text(at, device_id.substr(0, kMaxId));
+  at = append_text(at, R"(","commands":{"set_cursor_force":{")");
+  at = append_text(at, key == ForceKey::kValues ? "values" : "vector");
+  at = append_text(at, R"(":{"x":)");
+  at = append_decimal(at, force.x);
+  at = append_text(at, R"(,"y":)");
+  at = append_decimal(at, force.y);
+  at = append_text(at, R"(,"z":)");
+  at = append_decimal(at, force.z);
+  at = append_text(at, "}}}}]}");
   return {room, static_cast<std::size_t>(at - room)};
 }
 

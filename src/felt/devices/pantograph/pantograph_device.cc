@@ -1,7 +1,6 @@
 #include "felt/devices/pantograph/pantograph_device.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <span>
 #include <string>
@@ -15,6 +14,8 @@ constexpr double kLess =
 constexpr int kMaxUnanswered = 4;
 constexpr int kMaxPieces = 8;  // pieces in which one answer may arrive
 constexpr double kNsPerS = 1e9;
+constexpr double kFilterHz = 80.0;
+constexpr double kJumpMm = 0.5;  // a hand cannot move so far in a tick
 
 constexpr std::int64_t kSetUpNs = 300'000'000;
 constexpr int kSetUpTries = 4;
@@ -40,6 +41,7 @@ PantographDevice::PantographDevice(std::unique_ptr<ByteStream> port, const Board
       model_(model),
       descriptor_(std::move(descriptor)),
       gate_(descriptor_.capabilities),
+      filter_(kFilterHz, kJumpMm),
       is_down_(options.pen_begins_down) {
   status_.notice = ShortText("It moves in the plane only: press a key to touch down.");
   shown_.publish(status_);
@@ -151,40 +153,17 @@ tl::expected<PenSample, DeviceFault> PantographDevice::nothing_received(
   return sample_;
 }
 
-// Estimates position and velocity from encoder positions, which have steps of some hundredths of a
-// millimetre. Uses a critically damped alpha-beta filter, which has no lag in steady movement
-// (Brookner, Tracking and Kalman Filtering Made Easy, 1998, section 1.2).
-void PantographDevice::follow(const Vec3& measured, double step_s) noexcept {
-  constexpr double kRadPerS = 6.283185307179586 * 80.0;
-  constexpr double kForgetS = 0.02;
-  constexpr double kJumpMm =
-      0.5;  // a hand cannot move so far in a tick; passed on unfiltered, for the safety chain
-  const Vec3 expected = place_ + step_s * velocity_;
-  const Vec3 error = measured - expected;
-  const bool follows = has_place_ && step_s >= 0.0 && step_s < kForgetS && norm(error) < kJumpMm;
-  has_place_ = true;
-  if (!follows) {
-    place_ = measured;
-    velocity_ = {};
-    return;
-  }
-  if (step_s <= 0.0) return;
-  const double keep = std::exp(-kRadPerS * step_s);
-  place_ = expected + (1.0 - keep * keep) * error;
-  velocity_ += ((1.0 - keep) * (1.0 - keep) / step_s) * error;
-}
-
 void PantographDevice::place_pen(std::int64_t now_ns) noexcept {
   const auto since_s = [](std::int64_t from, std::int64_t to) {
     return (static_cast<double>(to) - static_cast<double>(from)) / kNsPerS;
   };
-  follow(bar_->place(), since_s(received_ns_, sent_ns_));
+  filter_.update(bar_->place(), since_s(received_ns_, sent_ns_));
   received_ns_ = sent_ns_;
   const double age_s = since_s(sent_ns_, now_ns);
   const double max_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
   const double ahead_s = age_s > 0.0 && age_s <= max_s ? age_s : 0.0;
-  sample_.velocity = velocity_;
-  sample_.position = place_ + ahead_s * velocity_;
+  sample_.velocity = filter_.velocity();
+  sample_.position = filter_.position() + ahead_s * filter_.velocity();
   sample_.position.z = is_down_.load(std::memory_order_relaxed) ? kDownMm : kUpMm;
   sample_.time_ns = now_ns;
 }
@@ -322,7 +301,7 @@ Result<void> PantographDevice::find_home() {
   auto done = set_up();
   is_home_ = done.has_value();
   has_sample_ = false;
-  has_place_ = false;
+  filter_.reset();
   return done;
 }
 

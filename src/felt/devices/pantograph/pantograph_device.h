@@ -9,6 +9,7 @@
 #include "felt/driver/byte_stream.h"
 #include "felt/driver/driver.h"
 #include "felt/driver/force_gate.h"
+#include "felt/driver/position_filter.h"
 #include "felt/rt/latest_value.h"
 
 namespace felt::pantograph {
@@ -86,7 +87,6 @@ class PantographDevice final : public DriverDevice {
   Received take_reply() noexcept;
   Received take_replies(Received newest) noexcept;
   void throw_away() noexcept;
-  void follow(const Vec3& measured, double step_s) noexcept;
   void place_pen(std::int64_t now_ns) noexcept;
   tl::expected<PenSample, DeviceFault> nothing_received(Received received) noexcept;
   tl::unexpected<DeviceFault> failed(DeviceFault fault, std::string_view words) noexcept;
@@ -96,6 +96,7 @@ class PantographDevice final : public DriverDevice {
   const BoardModel& model_;
   DeviceDescriptor descriptor_;
   ForceGate gate_;
+  PositionFilter filter_;
   Force sent_;  // the force of the newest frame's torques
   std::atomic<bool> is_down_;
   bool is_home_ = false;
@@ -106,8 +107,6 @@ class PantographDevice final : public DriverDevice {
   std::size_t filled_ = 0;
   std::array<double, 2> angles_rad_{};
   std::optional<FiveBar> bar_;  // linkage at the newest angles
-  Vec3 place_, velocity_;       // filtered, mm and mm/s
-  bool has_place_ = false;
   PenSample sample_;
   bool has_sample_ = false;
   int unanswered_ = 0;

@@ -1,10 +1,10 @@
-#include "felt/devices/haply/service_pace.h"
+#include "felt/driver/service_pace.h"
 
 #include <gtest/gtest.h>
 
 #include "felt/base/constants.h"
 
-namespace felt::haply::service_pace_test {
+namespace felt::service_pace_test {
 namespace {
 
 void run(ServicePace& pace, int ticks, int every, std::int64_t tick_ns = kMs) {
@@ -79,4 +79,4 @@ TEST(ServicePace, ALoopThatStoodStillSaysNothingAboutTheService) {
 }
 
 }  // namespace
-}  // namespace felt::haply::service_pace_test
+}  // namespace felt::service_pace_test

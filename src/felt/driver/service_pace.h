@@ -2,18 +2,19 @@
 
 #include <cstdint>
 
-namespace felt::haply {
+namespace felt {
 
-/// Measures how quickly the service answers, and limits the force while it is slow.
+/// Measures how quickly the service or controller behind a device answers, and limits the force
+/// while it is slow.
 ///
 /// While states are late, the last force holds for at most kHoldNs; then it is set to zero. If a
 /// state comes within kHoldNs, the force is not reduced at all. (The force is not reduced gradually
 /// meanwhile, because no message with a smaller force could be sent: only a message without force
-/// may follow an unanswered one, see RequestWindow.) If states come regularly but too rarely (on
-/// average more than kSlowPeriods apart), the force falls to zero within kSlowRampNs, because the
-/// stiffness was chosen for one state per tick. Once the force is zero, forces are off (is_off()):
-/// they stay zero until states have come in time for kTimelyNs. Each period in which forces are off
-/// counts as one fault, however long it lasts.
+/// may follow an unanswered one, as in haply/request_window.h.) If states come regularly but too
+/// rarely (on average more than kSlowPeriods apart), the force falls to zero within kSlowRampNs,
+/// because the stiffness was chosen for one state per tick. Once the force is zero, forces are off
+/// (is_off()): they stay zero until states have come in time for kTimelyNs. Each period in which
+/// forces are off counts as one fault, however long it lasts.
 ///
 /// Used on the haptic thread; real-time safe.
 class ServicePace {
@@ -56,4 +57,4 @@ class ServicePace {
   std::int64_t timely_ns_ = 0;
 };
 
-}  // namespace felt::haply
+}  // namespace felt

@@ -1,8 +1,8 @@
-#include "felt/devices/haply/service_pace.h"
+#include "felt/driver/service_pace.h"
 
 #include <algorithm>
 
-namespace felt::haply {
+namespace felt {
 namespace {
 
 constexpr double kAverageOf = 32.0;          // number of ticks or states in an average
@@ -46,4 +46,4 @@ void ServicePace::tick(std::int64_t ns, bool has_state) noexcept {
   if (is_off_) timely_ns_ = 0;
 }
 
-}  // namespace felt::haply
+}  // namespace felt
