@@ -85,17 +85,14 @@ class SteadyLine {
   [[nodiscard]] double share_of(double squared_mm2) const noexcept;
   void revise(std::size_t count);
   void update_tip(const Held& held, double dt_s);
-  void add_smoothed(std::size_t model, std::size_t axis, const std::vector<Weights>& weights,
-                    std::vector<Vec>& sum) const;
-  [[nodiscard]] std::vector<Weights> two_sided_weights() const;
   [[nodiscard]] Held& held_at(std::size_t i) noexcept { return ring_[i % kMaxHeld]; }
 
   double amplitude_mm_;
   Vec axis_;  // unit vector along the axis
+  double hz_;
   std::array<Pair, kModels> filters_;
   ChunkedVector<InkSample> raw_;
   ChunkedVector<double> steps_s_;          // before each sample
-  ChunkedVector<Weights> log_likelihood_;  // of each sample
   std::vector<Held> ring_;                 // of the samples from settled_ on
   std::size_t settled_ = 0;
   double held_s_ = 0.0;       // time from the oldest held sample to the newest
