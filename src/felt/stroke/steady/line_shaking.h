@@ -15,8 +15,8 @@ struct AxisShake {
 
 /// The shaking in a complete line.
 struct LineShaking {
-  std::vector<Vec> shaking_mm;      ///< of each sample, along and across the axis
-  double jerk_mm_per_s3 = 0.0;      ///< of the intended motion, as in ShakeModel
+  std::vector<Vec> shaking_mm;  ///< of each sample, along and across the axis
+  double jerk_mm_per_s3 = 0.0;  ///< of the intended motion, as in ShakeModel
 };
 
 /// Estimates the shaking in a complete line of samples, of which `steps_s` are the times since the

@@ -19,10 +19,10 @@ constexpr double kUsualJerk = 8000.0, kJerkCount = 1.0, kSwingCount = 100.0, kTu
 constexpr double kMaxDriftHz = 2.0;
 /// Bounds that keep the equations well-conditioned.
 constexpr double kMinJerk = 50.0, kMaxJerk = 1e7, kMaxSwing = 4.0;
-constexpr double kUsualHz = 133.0;  // sample rate to which the jerk of ShakeModel belongs
+constexpr double kTabletHz = 133.0;  // sample rate to which the jerk of ShakeModel belongs
 
 double third_difference_variance(double jerk_mm_per_s3, double step_s) {
-  return jerk_mm_per_s3 * jerk_mm_per_s3 / kUsualHz * std::pow(step_s, 5.0);
+  return jerk_mm_per_s3 * jerk_mm_per_s3 / kTabletHz * std::pow(step_s, 5.0);
 }
 
 /// Replaces each value by the sum of all, weighted by exp(-distance/width) in both directions.
@@ -38,6 +38,27 @@ void blur(std::vector<T>& values, double width) {
     sum = (sum + values[i]) * left;
     values[i] = before[i] + after;
   }
+}
+
+/// Adds the square of the third difference of x, times a weight, to the lower triangle of a matrix.
+void add_third_difference(double (&m)[8][8], double weight) {
+  constexpr std::array<std::size_t, 4> kX = {0, 3, 6, 7};
+  constexpr std::array<double, 4> kThird = {-1.0, 3.0, -3.0, 1.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) m[kX[i]][kX[j]] += weight * kThird[i] * kThird[j];
+  }
+}
+
+/// Returns the inverse of the first three rows and columns of a symmetric matrix, of which the
+/// lower triangle is given, by its cofactors.
+std::array<std::array<double, 3>, 3> inverse(const double (&m)[8][8]) {
+  const double a = m[0][0], b = m[1][0], d = m[1][1], f = m[2][0], g = m[2][1], h = m[2][2];
+  const double c00 = d * h - g * g, c01 = f * g - b * h, c02 = b * g - d * f;
+  const double one = 1.0 / (a * c00 + b * c01 + f * c02);
+  const double i01 = one * c01, i02 = one * c02, i12 = one * (b * f - a * g);
+  return {{{one * c00, i01, i02},
+           {i01, one * (a * h - f * f), i12},
+           {i02, i12, one * (a * d - b * b)}}};
 }
 
 }  // namespace
@@ -77,14 +98,13 @@ std::span<const Vec> ShakeSmoother::shaking(const Start& start, int passes) {
   return shaking_;
 }
 
-/// Eliminates the unknowns of the nodes one after the other. `left` are the equations that are
-/// left for those of the front.
+/// Eliminates the unknowns of the nodes one after the other, from the equations of the least
+/// squares m * unknowns = right. `left` and `left_right` are the equations that are left for the
+/// front.
 void ShakeSmoother::eliminate(std::size_t axis) {
   constexpr std::size_t kAll = kOwn + kFront;
   // Positions of the old front among the own unknowns and the new front.
   constexpr std::array<std::size_t, kFront> kMoved = {0, 1, 2, 3, 6};
-  constexpr std::array<std::size_t, 4> kX = {0, 3, 6, 7};
-  constexpr std::array<double, 4> kThird = {-1.0, 3.0, -3.0, 1.0};
   const std::size_t n = nodes_.size();
   const double sure = 1.0 / kNoiseMm2, steady = 1.0 / size_[axis];
   const double fresh = steady / (1.0 - decay_ * decay_);
@@ -105,12 +125,7 @@ void ShakeSmoother::eliminate(std::size_t axis) {
     m[1][1] += sure;
     right[0] += sure * y;
     right[1] += sure * y;
-    if (k + 3 < n) {
-      const double weight = 1.0 / jerk_[k];
-      for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j <= i; ++j) m[kX[i]][kX[j]] += weight * kThird[i] * kThird[j];
-      }
-    }
+    if (k + 3 < n) add_third_difference(m, 1.0 / jerk_[k]);
     if (k + 1 < n) {
       const double c = fresh * rotation_[k].real(), s = fresh * rotation_[k].imag();
       m[1][1] += fresh * decay_ * decay_;
@@ -123,14 +138,7 @@ void ShakeSmoother::eliminate(std::size_t axis) {
       m[5][2] -= c;
     }
     Eliminated& e = equations_[k];
-    // The inverse of the own block by its cofactors.
-    const double a = m[0][0], b = m[1][0], d = m[1][1], f = m[2][0], g = m[2][1], h = m[2][2];
-    const double c00 = d * h - g * g, c01 = f * g - b * h, c02 = b * g - d * f;
-    const double one = 1.0 / (a * c00 + b * c01 + f * c02);
-    const double i01 = one * c01, i02 = one * c02, i12 = one * (b * f - a * g);
-    e.covariance = {{{one * c00, i01, i02},
-                     {i01, one * (a * h - f * f), i12},
-                     {i02, i12, one * (a * d - b * b)}}};
+    e.covariance = inverse(m);
     for (std::size_t i = 0; i < kOwn; ++i) {
       const auto& row = e.covariance[i];
       e.mean[i] = row[0] * right[0] + row[1] * right[1] + row[2] * right[2];
@@ -141,8 +149,8 @@ void ShakeSmoother::eliminate(std::size_t axis) {
     }
     for (std::size_t i = 0; i < kFront; ++i) {
       const double* next = m[kOwn + i];
-      left_right[i] = right[kOwn + i] - next[0] * e.mean[0] - next[1] * e.mean[1] -
-                      next[2] * e.mean[2];
+      left_right[i] =
+          right[kOwn + i] - next[0] * e.mean[0] - next[1] * e.mean[1] - next[2] * e.mean[2];
       for (std::size_t j = 0; j <= i; ++j) {
         left[i][j] = next[kOwn + j] - next[0] * e.link[0][j] - next[1] * e.link[1][j] -
                      next[2] * e.link[2][j];
@@ -151,11 +159,11 @@ void ShakeSmoother::eliminate(std::size_t axis) {
   }
 }
 
-/// Substitutes back, from the last node to the first, and sums up what the next pass learns from.
+/// Substitutes back, from the last node to the first.
 void ShakeSmoother::substitute(std::size_t axis) {
   const std::size_t n = nodes_.size();
   double cov[kFront][kFront] = {}, front[kFront] = {};
-  double fresh = 0.0;
+  fresh_[axis] = 0.0;
   for (std::size_t k = n; k-- > 0;) {
     const Eliminated& e = equations_[k];
     double own[kOwn], across[kOwn][kFront], inner[kOwn][kOwn];
@@ -176,24 +184,7 @@ void ShakeSmoother::substitute(std::size_t axis) {
       }
     }
     (axis == 0 ? shaking_[k].x : shaking_[k].y) = own[1];
-    if (k + 3 < n) {
-      const double mean = front[4] - 3.0 * front[3] + 3.0 * front[0] - own[0];
-      const double variance =
-          inner[0][0] + 9.0 * (cov[0][0] + cov[3][3]) + cov[4][4] - 6.0 * across[0][0] +
-          6.0 * across[0][3] - 2.0 * across[0][4] - 18.0 * cov[0][3] + 6.0 * cov[0][4] -
-          6.0 * cov[3][4];
-      jerk_seen_[k] += mean * mean + variance;
-    }
-    if (k + 1 < n) {
-      const std::complex<double> z(own[1], own[2]), next(front[1], front[2]);
-      const std::complex<double> both =
-          std::conj(z) * next + std::complex<double>(across[1][1] + across[2][2],
-                                                     across[1][2] - across[2][1]);
-      const double before = std::norm(z) + inner[1][1] + inner[2][2];
-      const double after = std::norm(next) + cov[1][1] + cov[2][2];
-      fresh += after + decay_ * decay_ * before - 2.0 * (std::conj(rotation_[k]) * both).real();
-      turn_seen_[k] += both / size_[axis];
-    }
+    see(axis, k, {own, front, inner, across, cov});
     // The front of the node before: own, and x of the next two.
     constexpr std::array<std::size_t, 2> kKept = {0, 3};
     double moved[kFront][kFront];
@@ -216,7 +207,30 @@ void ShakeSmoother::substitute(std::size_t axis) {
     front[3] = x1;
     front[4] = x2;
   }
-  fresh_[axis] = fresh;
+}
+
+/// Sums up what the next pass learns from node k.
+void ShakeSmoother::see(std::size_t axis, std::size_t k, const Moments& is) {
+  const auto& [own, front, inner, across, cov] = is;
+  const std::size_t n = nodes_.size();
+  if (k + 3 < n) {
+    const double mean = front[4] - 3.0 * front[3] + 3.0 * front[0] - own[0];
+    const double variance = inner[0][0] + 9.0 * (cov[0][0] + cov[3][3]) + cov[4][4] -
+                            6.0 * across[0][0] + 6.0 * across[0][3] - 2.0 * across[0][4] -
+                            18.0 * cov[0][3] + 6.0 * cov[0][4] - 6.0 * cov[3][4];
+    jerk_seen_[k] += mean * mean + variance;
+  }
+  if (k + 1 < n) {
+    const std::complex<double> z(own[1], own[2]), next(front[1], front[2]);
+    const std::complex<double> both =
+        std::conj(z) * next +
+        std::complex<double>(across[1][1] + across[2][2], across[1][2] - across[2][1]);
+    const double before = std::norm(z) + inner[1][1] + inner[2][2];
+    const double after = std::norm(next) + cov[1][1] + cov[2][2];
+    fresh_[axis] +=
+        after + decay_ * decay_ * before - 2.0 * (std::conj(rotation_[k]) * both).real();
+    turn_seen_[k] += both / size_[axis];
+  }
 }
 
 void ShakeSmoother::learn_jerk() {
@@ -230,7 +244,8 @@ void ShakeSmoother::learn_jerk() {
   const double least = third_difference_variance(kMinJerk, step_s_);
   const double most = third_difference_variance(kMaxJerk, step_s_);
   for (std::size_t k = 0; k < jerk_.size(); ++k) {
-    jerk_[k] = std::clamp((kJerkCount * usual + jerk_seen_[k]) / (kJerkCount + count[k]), least, most);
+    jerk_[k] =
+        std::clamp((kJerkCount * usual + jerk_seen_[k]) / (kJerkCount + count[k]), least, most);
   }
 }
 

@@ -59,21 +59,31 @@ class ShakeSmoother {
     std::array<double, kOwn> mean;
   };
 
+  /// Means and covariances of the own unknowns and the front of a node.
+  struct Moments {
+    const double (&own)[kOwn];
+    const double (&front)[kFront];
+    const double (&inner)[kOwn][kOwn];
+    const double (&across)[kOwn][kFront];
+    const double (&cov)[kFront][kFront];
+  };
+
   void eliminate(std::size_t axis);
   void substitute(std::size_t axis);
+  void see(std::size_t axis, std::size_t k, const Moments& is);
   void learn_jerk();
   void learn_frequency();
   void learn_swing();
 
   std::span<const Vec> nodes_;
-  double step_s_, angle_;              // angle: of the mean frequency over a step
-  std::array<double, 2> prior_, size_; // variances of the shaking
+  double step_s_, angle_;               // angle: of the mean frequency over a step
+  std::array<double, 2> prior_, size_;  // variances of the shaking
   double decay_;
-  std::vector<double> jerk_, turn_;    // v and w at each node
+  std::vector<double> jerk_, turn_;  // v and w at each node
   std::vector<std::complex<double>> rotation_;
-  std::vector<double> jerk_seen_;      // squared third differences, expected
+  std::vector<double> jerk_seen_;                // squared third differences, expected
   std::vector<std::complex<double>> turn_seen_;  // expected conj(z_k) z_k+1, z = c + i s
-  std::array<double, 2> fresh_{};      // squared noise of the shaking, expected sum
+  std::array<double, 2> fresh_{};                // squared noise of the shaking, expected sum
   std::vector<Eliminated> equations_;
   std::vector<Vec> shaking_;
 };

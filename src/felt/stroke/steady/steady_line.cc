@@ -19,7 +19,7 @@ constexpr double kTemper = 3.0;
 /// Memory of the estimate of how much shaking there is now.
 constexpr double kShareMemoryS = 0.4;
 /// Intended jerks between which the share that is removed at pen-up falls from all to nothing.
-constexpr double kSlowJerk = 33000.0, kFastJerk = 50000.0;
+constexpr double kSlowJerk = 39000.0, kFastJerk = 48000.0;
 
 /// Returns the share of the shaking that can be told from an intended motion of this jerk.
 double share_of_slow(double jerk_mm_per_s3) noexcept {
@@ -205,12 +205,12 @@ std::vector<InkSample> SteadyLine::smoothed() const {
     positions.push_back(to_axes(sample.position - samples[0].position));
   }
   const double swing = amplitude_mm_ / std::numbers::sqrt2;
-  const LineShaking found = find_line_shaking(positions, steps_s_.to_vector(),
-                                              {hz_, {swing, kAcross * swing}});
+  const LineShaking found =
+      find_line_shaking(positions, steps_s_.to_vector(), {hz_, {swing, kAcross * swing}});
   double squared = 0.0;
   for (const Vec& v : found.shaking_mm) squared += norm_squared(v);
-  const double share = share_of(squared / static_cast<double>(samples.size())) *
-                       share_of_slow(found.jerk_mm_per_s3);
+  const double share =
+      share_of(squared / static_cast<double>(samples.size())) * share_of_slow(found.jerk_mm_per_s3);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].position =
         without_shaking(samples[i].position, positions[i] - found.shaking_mm[i], share);

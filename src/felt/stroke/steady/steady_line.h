@@ -92,8 +92,8 @@ class SteadyLine {
   double hz_;
   std::array<Pair, kModels> filters_;
   ChunkedVector<InkSample> raw_;
-  ChunkedVector<double> steps_s_;          // before each sample
-  std::vector<Held> ring_;                 // of the samples from settled_ on
+  ChunkedVector<double> steps_s_;  // before each sample
+  std::vector<Held> ring_;         // of the samples from settled_ on
   std::size_t settled_ = 0;
   double held_s_ = 0.0;       // time from the oldest held sample to the newest
   Weights recent_{};          // log-likelihood of the last kMemoryS
