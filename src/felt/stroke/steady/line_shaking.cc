@@ -11,12 +11,12 @@ namespace {
 
 /// Differences to the frequency of the hand, and jerks. Chosen like the numbers of ShakeSmoother.
 constexpr std::array<ShakeSmoother::Start, 5> kStarts = {
-    {{0.0, 8000.0}, {-0.8, 8000.0}, {0.8, 8000.0}, {0.0, 2000.0}, {0.0, 32000.0}}};
+    {{0.0, 8000.0}, {-1.0, 8000.0}, {1.0, 8000.0}, {0.0, 2000.0}, {0.0, 32000.0}}};
 constexpr int kPasses = 8, kQuickPasses = 4;
 constexpr double kMaxCareS = 60.0;
 /// How far the shaking of a line usually is from that of the hand: standard deviation of the
 /// logarithm of their ratio.
-constexpr double kSpread = 0.4;
+constexpr double kSpread = 0.3;
 
 struct TimedVec {
   double s = 0.0;

@@ -9,13 +9,13 @@ namespace felt {
 namespace {
 
 /// Chosen on one half of the strokes of bench/steady, as in ShakeFilter.
-constexpr double kNoiseMm2 = 1e-4;     // of a measured position
-constexpr double kShakeDecayS = 2.5;   // in which a shaking forgets its phase
-constexpr double kJerkWindowS = 0.05;  // over which the jerk is averaged
-constexpr double kTurnWindowS = 0.35;  // over which the frequency is averaged
+constexpr double kNoiseMm2 = 1e-4;      // of a measured position
+constexpr double kShakeDecayS = 2.5;    // in which a shaking forgets its phase
+constexpr double kJerkWindowS = 0.014;  // over which the jerk is averaged
+constexpr double kTurnWindowS = 0.25;   // over which the frequency is averaged
 /// What is assumed counts as much as this number of seen values (jerk, nodes of shaking) or this
 /// share of the window (frequency).
-constexpr double kUsualJerk = 8000.0, kJerkCount = 1.0, kSwingCount = 100.0, kTurnCount = 0.3;
+constexpr double kUsualJerk = 8000.0, kJerkCount = 0.5, kSwingCount = 100.0, kTurnCount = 0.15;
 constexpr double kMaxDriftHz = 2.0;
 /// Bounds that keep the equations well-conditioned.
 constexpr double kMinJerk = 50.0, kMaxJerk = 1e7, kMaxSwing = 4.0;

@@ -19,7 +19,7 @@ constexpr double kTemper = 3.0;
 /// Memory of the estimate of how much shaking there is now.
 constexpr double kShareMemoryS = 0.4;
 /// Intended jerks between which the share that is removed at pen-up falls from all to nothing.
-constexpr double kSlowJerk = 39000.0, kFastJerk = 48000.0;
+constexpr double kSlowJerk = 33000.0, kFastJerk = 50000.0;
 
 /// Returns the share of the shaking that can be told from an intended motion of this jerk.
 double share_of_slow(double jerk_mm_per_s3) noexcept {

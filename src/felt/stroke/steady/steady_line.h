@@ -33,7 +33,7 @@ namespace felt {
 ///
 /// Times are those of the samples; a step counts as at least 0.1 ms and at most kMaxStepS, and
 /// samples without times as 7.5 ms apart. The work per sample is bounded: at most kMaxHeld samples
-/// are held. Memory grows by about 170 bytes for each sample, and is reused for the next line.
+/// are held. Memory grows by about 75 bytes for each sample, and is reused for the next line.
 /// Deterministic. Not thread-safe.
 class SteadyLine {
  public:
@@ -65,7 +65,8 @@ class SteadyLine {
   /// Returns the estimate of the newest sample; it has no lag. Requires a sample.
   [[nodiscard]] Point tip() const noexcept { return tip_; }
   [[nodiscard]] const ChunkedVector<InkSample>& raw() const noexcept { return raw_; }
-  /// Returns all samples, revised by all others. Takes linear time.
+  /// Returns all samples, revised by all others (find_line_shaking()). Removes less if the intended
+  /// motion is too quick to be told from the shaking. Takes linear time.
   [[nodiscard]] std::vector<InkSample> smoothed() const;
 
  private:
