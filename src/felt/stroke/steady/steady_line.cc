@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/stroke/steady/line_shaking.h"
+
 namespace felt {
 namespace {
 
@@ -16,6 +18,15 @@ constexpr std::array<double, 3> kJerks = {1200.0, 8000.0, 52800.0};
 constexpr double kTemper = 3.0;
 /// Memory of the estimate of how much shaking there is now.
 constexpr double kShareMemoryS = 0.4;
+/// Intended jerks between which the share that is removed at pen-up falls from all to nothing.
+constexpr double kSlowJerk = 33000.0, kFastJerk = 50000.0;
+
+/// Returns the share of the shaking that can be told from an intended motion of this jerk.
+double share_of_slow(double jerk_mm_per_s3) noexcept {
+  const double fast = std::log(jerk_mm_per_s3 / kSlowJerk) / std::log(kFastJerk / kSlowJerk);
+  return 1.0 - std::clamp(fast, 0.0, 1.0);
+}
+
 /// Returns the weights that belong to logarithms of likelihoods; their sum is 1.
 template <class Weights>
 Weights weights_of(const Weights& log_likelihood) noexcept {
@@ -43,6 +54,7 @@ SteadyLine::SteadyLine(const Shake& shake)
     : amplitude_mm_(std::clamp(shake.amplitude_mm, Shake::kMinAmplitudeMm, Shake::kMaxAmplitudeMm)),
       axis_{std::cos(shake.axis_deg * std::numbers::pi / 180.0),
             std::sin(shake.axis_deg * std::numbers::pi / 180.0)},
+      hz_(shake.hz),
       ring_(kMaxHeld) {
   for (std::size_t m = 0; m < kModels; ++m) {
     const double hz = shake.hz + kDriftHz * (static_cast<double>(m % 3) - 1.0);
@@ -56,7 +68,6 @@ SteadyLine::SteadyLine(const Shake& shake)
 void SteadyLine::begin() noexcept {
   raw_.clear();
   steps_s_.clear();
-  log_likelihood_.clear();
   settled_ = 0;
   held_s_ = 0.0;
   recent_ = {};
@@ -119,7 +130,6 @@ std::span<const InkSample> SteadyLine::push(const InkSample& sample) {
       next[m] += ShakeFilter::log_likelihood(record);
     }
   }
-  log_likelihood_.push_back(next);
   fade_and_add(recent_, next, dt_s);
   held_s_ += dt_s;
   update_tip(held, dt_s);
@@ -186,59 +196,24 @@ std::span<const InkSample> SteadyLine::held() {
   return shown_;
 }
 
-std::vector<SteadyLine::Weights> SteadyLine::two_sided_weights() const {
-  const std::size_t n = raw_.size();
-  std::vector<Weights> weights(n);
-  Weights sum{};
-  for (std::size_t i = 0; i < n; ++i) {
-    fade_and_add(sum, log_likelihood_[i], steps_s_[i]);
-    weights[i] = sum;
-  }
-  sum = {};
-  for (std::size_t i = n; i-- > 0;) {
-    // What comes after this sample, faded.
-    for (std::size_t m = 0; m < kModels; ++m) weights[i][m] += sum[m];
-    for (std::size_t m = 0; m < kModels; ++m) sum[m] += log_likelihood_[i][m];
-    const double left = std::exp(-steps_s_[i] / kMemoryS);
-    for (double& s : sum) s *= left;
-    weights[i] = weights_of(weights[i]);
-  }
-  return weights;
-}
-
-void SteadyLine::add_smoothed(std::size_t model, std::size_t axis,
-                              const std::vector<Weights>& weights, std::vector<Vec>& sum) const {
-  ShakeFilter filter(filters_[model][axis].model());
-  std::vector<ShakeFilter::Record> records;
-  records.reserve(raw_.size());
-  for (std::size_t i = 0; i < raw_.size(); ++i) {
-    const Vec y = to_axes(raw_[i].position - raw_[0].position);
-    const double position = axis == 0 ? y.x : y.y;
-    records.push_back(i == 0 ? filter.begin(position)
-                             : filter.push(position, shake_step(filter.model().hz, steps_s_[i])));
-  }
-  ShakeFilter::Adjoint adjoint{};
-  for (std::size_t i = records.size(); i-- > 0;) {
-    const double position = weights[i][model] * ShakeFilter::smooth(records[i], adjoint);
-    (axis == 0 ? sum[i].x : sum[i].y) += position;
-  }
-}
-
 std::vector<InkSample> SteadyLine::smoothed() const {
   std::vector<InkSample> samples = raw_.to_vector();
   if (samples.empty()) return samples;
-  const std::vector<Weights> weights = two_sided_weights();
-  std::vector<Vec> sum(samples.size());
-  for (std::size_t m = 0; m < kModels; ++m) {
-    for (std::size_t axis = 0; axis < 2; ++axis) add_smoothed(m, axis, weights, sum);
+  std::vector<Vec> positions;
+  positions.reserve(samples.size());
+  for (const InkSample& sample : samples) {
+    positions.push_back(to_axes(sample.position - samples[0].position));
   }
+  const double swing = amplitude_mm_ / std::numbers::sqrt2;
+  const LineShaking found =
+      find_line_shaking(positions, steps_s_.to_vector(), {hz_, {swing, kAcross * swing}});
   double squared = 0.0;
+  for (const Vec& v : found.shaking_mm) squared += norm_squared(v);
+  const double share =
+      share_of(squared / static_cast<double>(samples.size())) * share_of_slow(found.jerk_mm_per_s3);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    squared += norm_squared(samples[i].position - on_page(sum[i]));
-  }
-  const double share = share_of(squared / static_cast<double>(samples.size()));
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i].position = without_shaking(samples[i].position, sum[i], share);
+    samples[i].position =
+        without_shaking(samples[i].position, positions[i] - found.shaking_mm[i], share);
   }
   return samples;
 }

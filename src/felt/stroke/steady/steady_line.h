@@ -33,7 +33,7 @@ namespace felt {
 ///
 /// Times are those of the samples; a step counts as at least 0.1 ms and at most kMaxStepS, and
 /// samples without times as 7.5 ms apart. The work per sample is bounded: at most kMaxHeld samples
-/// are held. Memory grows by about 170 bytes for each sample, and is reused for the next line.
+/// are held. Memory grows by about 75 bytes for each sample, and is reused for the next line.
 /// Deterministic. Not thread-safe.
 class SteadyLine {
  public:
@@ -65,7 +65,8 @@ class SteadyLine {
   /// Returns the estimate of the newest sample; it has no lag. Requires a sample.
   [[nodiscard]] Point tip() const noexcept { return tip_; }
   [[nodiscard]] const ChunkedVector<InkSample>& raw() const noexcept { return raw_; }
-  /// Returns all samples, revised by all others. Takes linear time.
+  /// Returns all samples, revised by all others (find_line_shaking()). Removes less if the intended
+  /// motion is too quick to be told from the shaking. Takes linear time.
   [[nodiscard]] std::vector<InkSample> smoothed() const;
 
  private:
@@ -85,18 +86,15 @@ class SteadyLine {
   [[nodiscard]] double share_of(double squared_mm2) const noexcept;
   void revise(std::size_t count);
   void update_tip(const Held& held, double dt_s);
-  void add_smoothed(std::size_t model, std::size_t axis, const std::vector<Weights>& weights,
-                    std::vector<Vec>& sum) const;
-  [[nodiscard]] std::vector<Weights> two_sided_weights() const;
   [[nodiscard]] Held& held_at(std::size_t i) noexcept { return ring_[i % kMaxHeld]; }
 
   double amplitude_mm_;
   Vec axis_;  // unit vector along the axis
+  double hz_;
   std::array<Pair, kModels> filters_;
   ChunkedVector<InkSample> raw_;
-  ChunkedVector<double> steps_s_;          // before each sample
-  ChunkedVector<Weights> log_likelihood_;  // of each sample
-  std::vector<Held> ring_;                 // of the samples from settled_ on
+  ChunkedVector<double> steps_s_;  // before each sample
+  std::vector<Held> ring_;         // of the samples from settled_ on
   std::size_t settled_ = 0;
   double held_s_ = 0.0;       // time from the oldest held sample to the newest
   Weights recent_{};          // log-likelihood of the last kMemoryS
