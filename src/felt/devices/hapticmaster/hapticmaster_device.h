@@ -48,7 +48,7 @@ using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
 /// for states and limits.
 class HapticMasterDevice final : public DriverDevice {
  public:
-  static constexpr std::int64_t kWaitNs = 2'000'000;
+  static constexpr std::int64_t kWaitNs = 2'500'000;
   static constexpr std::int64_t kSendNs = 200'000;
   static constexpr std::int64_t kAskNs = 1'000'000'000;  ///< wait for an answer on the edit thread
   static constexpr std::int64_t kMaxHeldNs = 20'000'000;
