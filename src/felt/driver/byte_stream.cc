@@ -91,6 +91,18 @@ std::optional<Address> numeric_address(const std::string& host, std::uint16_t po
   return std::nullopt;
 }
 
+// Makes the system notice within about three seconds that the peer cannot be reached any more, also
+// on a connection on which nothing is sent, such as that of a guard.
+void keep_alive(int socket) {
+  constexpr int kOn = 1, kSeconds = 1, kProbes = 3;
+  constexpr unsigned kTimeoutMs = 3000;
+  setsockopt(socket, SOL_SOCKET, SO_KEEPALIVE, &kOn, sizeof kOn);
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPIDLE, &kSeconds, sizeof kSeconds);
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPINTVL, &kSeconds, sizeof kSeconds);
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPCNT, &kProbes, sizeof kProbes);
+  setsockopt(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, &kTimeoutMs, sizeof kTimeoutMs);
+}
+
 // Connects the socket to the address. Returns 0, or errno.
 int connect_within(int socket, const Address& address, std::int64_t within_ns) {
   const std::int64_t until_ns = monotonic_ns() + within_ns;
@@ -207,6 +219,7 @@ Result<std::unique_ptr<ByteStream>> TcpStream::connect(const std::string& host, 
     if (refused == 0) {
       const int on = 1;
       setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+      keep_alive(socket.get());
       return std::unique_ptr<ByteStream>(new TcpStream(socket.release()));
     }
     if (error == 0) error = refused;  // the error of IPv4

@@ -46,9 +46,13 @@ HapticMasterDevice::HapticMasterDevice(std::unique_ptr<ControllerLink> link, Con
   shown_.publish(status_);
 }
 
-// The guard switches the machine off when its connection is destroyed.
+// The guard switches the machine off when its connection is destroyed. If the guard has ended, the
+// requests on this connection do.
 HapticMasterDevice::~HapticMasterDevice() {
   stop();
+  if (!guard_ || is_gone_) return;
+  static_cast<void>(link_->send("set state off", kSendNs));
+  static_cast<void>(link_->send("remove all", kSendNs));
 }
 
 DeviceStatus HapticMasterDevice::status() noexcept {
@@ -342,10 +346,24 @@ tl::expected<void, DeviceFault> HapticMasterDevice::write(const Force& force) no
   return failed(DeviceFault::kForcesOff, *no_force);
 }
 
-// The loop may now stand still for a while, for example because the user changes settings.
+// The loop may now stand still for a while, for example because the user changes settings. The
+// guard rests only if the controller has confirmed that no force acts; otherwise it switches the
+// machine off if the loop does not go on.
 void HapticMasterDevice::stop() noexcept {
   release();
-  if (guard_ && !is_gone_ && queue_.has(Request::kRelease)) guard_->let_guard_rest();
+  if (!guard_ || is_gone_) return;
+  const StreamDeadline deadline(kWaitNs);
+  for (int i = 0; i < kMaxAnswers && !is_gone_ && queue_.has(Request::kRelease); ++i) {
+    const auto answer = link_->receive(deadline.left_ns());
+    if (answer) {
+      take_answer(*answer);
+    } else if (answer.error() != LinkFault::kTimedOut) {
+      lose("The connection was closed", {});
+    } else {
+      break;
+    }
+  }
+  if (is_home_ && !is_gone_ && !queue_.has(Request::kRelease)) guard_->let_guard_rest();
 }
 
 }  // namespace felt::hapticmaster

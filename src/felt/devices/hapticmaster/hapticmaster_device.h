@@ -75,7 +75,7 @@ class HapticMasterDevice final : public DriverDevice {
   [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
   void stop() noexcept override;
   [[nodiscard]] Homing homing() noexcept override {
-    return is_home_ ? Homing::kNone : Homing::kByItself;
+    return is_home_ && guard_->is_guarded() ? Homing::kNone : Homing::kByItself;
   }
   [[nodiscard]] std::string homing_words() override;
   Result<void> find_home() override;

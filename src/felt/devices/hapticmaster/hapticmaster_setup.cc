@@ -62,7 +62,9 @@ Result<void> HapticMasterDevice::tell(std::string_view text) {
   if (guard_) guard_->beat();
   const Result<std::string> answer = ask(text);
   if (!answer) return tl::unexpected(answer.error());
-  return {};
+  if (kind_of(*answer) == AnswerKind::kSentence) return {};
+  return fail(ErrorCode::kInvalidData, "The controller does not confirm \"" + std::string(text) +
+                                           "\", but answers: " + *answer);
 }
 
 // Waits, and notices a connection that ends meanwhile.
@@ -126,6 +128,12 @@ Result<void> HapticMasterDevice::calibrate() {
   if (!has_force) return tl::unexpected(has_force.error());
   if (*has_force != "true") {
     if (auto done = tell("calibrateforcesensor"); !done) return done;
+    const Result<std::string> is_done = ask("get force_calibrated");
+    if (!is_done) return tl::unexpected(is_done.error());
+    if (*is_done != "true") {
+      return fail(ErrorCode::kIo,
+                  "The machine did not calibrate its force sensor. Do not touch it.");
+    }
   }
   const Result<std::string> has_position = ask("get position_calibrated");
   if (!has_position) return tl::unexpected(has_position.error());
