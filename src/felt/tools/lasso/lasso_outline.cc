@@ -43,7 +43,8 @@ std::vector<Point> LassoOutline::finished() const {
 
 void LassoOutline::simplify_tail() {
   const auto tail = points_.begin() + static_cast<std::ptrdiff_t>(simplified_);
-  const std::vector<Point> kept = simplified(std::span(tail, points_.end()), kSimplifyMm);
+  const std::vector<Point> kept =
+      simplified(std::span<const Point>(points_).subspan(simplified_), kSimplifyMm);
   points_.erase(std::copy(kept.begin(), kept.end(), tail), points_.end());
   simplified_ = points_.empty() ? 0 : points_.size() - 1;
 }

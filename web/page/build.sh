@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# build.sh OBJECTS DIST: compiles the core of the page to WebAssembly in OBJECTS, and bundles the page into DIST.
+# Called by `./dev web`, which installs what this needs. Unchanged sources are not compiled again.
+set -euo pipefail
+shopt -s nullglob
+mkdir -p "$1" "$2"
+objects=$(cd "$1" && pwd) dist=$(cd "$2" && pwd)
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
+root=$(cd ../.. && pwd)
+
+./debian_sources.sh "$objects/debian" simdjson pugixml
+
+# The system's headers of libraries that are templates only; the other system headers are not for emscripten.
+include=$objects/include
+mkdir -p "$include"
+cp -ru /usr/include/tl /usr/include/agg2 /usr/include/toml++ "$include/"
+cp -u "$objects/debian/simdjson/singleheader/simdjson.h" "$objects/debian/pugixml/src/"*.hpp "$include/"
+
+# Units of at most 16 sources of a layer, because a compiler that starts seldom is faster. Names are unique within a
+# layer. -Oz and -flto for size; emscripten adds -fno-inline-functions, which makes the module a quarter larger. The fitter
+# takes half the time with -O2. Sources for files, threads and real devices are left out.
+layers="base geometry material sound stroke gather recognise document fill haptics rt tools session render io
+  devices/simulated formats replay"
+left_out='_(test|bench)\.cc$|/testing/|/make_[a-z_]*\.cc$|/samples/|/base/(check|atomic_file|file_steps|same_file|standard_streams|read_file)\.cc
+/material/material_library\.cc|/rt/(realtime_thread|abandon)\.cc|/render/(plot|plot_axis|plot_canvas|plot_trace|picture_pixels)\.cc
+/io/(unpack|gpl_palette)\.cc|/io/(picture|quickdraw)/|/io/svg/svg_pictures\.cc
+/replay/(forces_csv|live_loop|real_device|record_copy|record_run|replay_drawing|apply_recording|script_run)\.cc'
+left_out=$(tr '\n' '|' <<<"$left_out" | sed 's/|*$//')
+
+write_ninja() {
+  local layer unit number source
+  cat <<END
+paths = -I$root/src -I$root/apps -I$root -I$root/web/page/core/libcxx -isystem $include
+flags = -std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DPUGIXML_NO_EXCEPTIONS -ffp-contract=off -fvisibility=hidden $
+  -flto -finline-functions -msimd128 -mbulk-memory -mnontrapping-fptoint -msign-ext ${FELT_PAGE_FLAGS:-}
+speed = -Oz
+rule compile
+  command = em++ \$flags \$speed \$paths -MMD -MF \$out.d -c \$in -o \$out
+  depfile = \$out.d
+  deps = gcc
+  description = \$out
+END
+  for layer in $layers; do
+    number=0 unit=
+    while read -r source; do
+      if [ $((number % 16)) = 0 ]; then
+        unit=$objects/units/${layer//\//_}_$((number / 16))
+        echo "build $unit.o: compile $unit.cc"
+        [ "$layer" != stroke ] || echo "  speed = -O2"
+        : >"$unit.new"
+      fi
+      echo "#include \"${source#"$root/src/"}\"" >>"$unit.new"
+      number=$((number + 1))
+    done < <(find "$root/src/felt/$layer" -name '*.cc' | grep -vE "$left_out" | LC_ALL=C sort)
+  done
+  for source in "$root"/web/page/core/*.cc "$root"/web/page/core/libcxx/*.cc "$objects"/units/built_in_texts.cc \
+    "$root/src/felt/driver/device_models.cc" \
+    "$objects/debian/simdjson/singleheader/simdjson.cpp" "$objects/debian/pugixml/src/pugixml.cpp"; do
+    unit=$(basename "$source")
+    echo "build $objects/units/own_${unit%.*}.o: compile $source"
+  done
+}
+
+# The materials, as CMake makes them.
+built_in_texts() {
+  local file
+  echo '#include <array>'
+  echo '#include "felt/material/material_library.h"'
+  echo 'namespace felt { namespace {'
+  echo 'constexpr BuiltInText kTexts[] = {'
+  for file in $(sed -n '/^foreach(material_file/,/)$/p' "$root/src/felt/CMakeLists.txt" |
+    grep -oE '(surfaces|media)/[a-z-]+'); do
+    printf '{"%s", R"felt(%s\n)felt"},\n' "${file#*/}" "$(cat "$root/share/materials/$file.toml")"
+  done
+  echo '};'
+  echo '}  std::span<const BuiltInText> built_in_texts() noexcept { return kTexts; } }'
+}
+
+update() { cmp -s "$1" "$2" || mv "$1" "$2"; }
+
+mkdir -p "$objects/units"
+built_in_texts >"$objects/units/built_in_texts.new"
+update "$objects/units/built_in_texts.new" "$objects/units/built_in_texts.cc"
+write_ninja >"$objects/build.new"
+for new in "$objects"/units/*.new; do
+  [ ! -e "$new" ] || update "$new" "${new%.new}.cc"
+done
+update "$objects/build.new" "$objects/build.ninja"
+# The compiler cache of CMake, if one is set.
+export EM_COMPILER_WRAPPER=${EM_COMPILER_WRAPPER:-${CMAKE_CXX_COMPILER_LAUNCHER:-}}
+ninja -C "$objects" -j "${JOBS:-2}" ${FELT_PAGE_NINJA:-}
+
+# link OUT LEFT_OUT: links everything but the unit LEFT_OUT.
+link() {
+  local objects_of_module=()
+  for unit in "$objects"/units/*.o; do
+    [ "$(basename "$unit")" = "$2" ] || objects_of_module+=("$unit")
+  done
+  em++ -Oz -flto "${objects_of_module[@]}" -o "$1" --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH \
+    -sINITIAL_MEMORY=16MB -sTOTAL_STACK=1MB -sMAXIMUM_MEMORY=2GB -sMALLOC=emmalloc -sFILESYSTEM=0 \
+    -sERROR_ON_UNDEFINED_SYMBOLS=0 -sWARN_ON_UNDEFINED_SYMBOLS=0 ${FELT_PAGE_LINK:-}
+}
+
+is_older() { [ ! -e "$1" ] || [ -n "$(find "$objects/units" -name '*.o' -newer "$1" -print -quit)" ]; }
+
+mkdir -p "$objects/generated"
+! is_older "$objects/small.wasm" || link "$objects/small.wasm" own_full.o
+! is_older "$objects/full.wasm" || link "$objects/full.wasm" own_small.o
+em++ -std=c++20 -Oz -fno-exceptions -fno-rtti core/unpack/unpack.cc -o "$objects/unpack.wasm" --no-entry -sSTANDALONE_WASM \
+  -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=16KB -sMAXIMUM_MEMORY=64MB -sMALLOC=none -sFILESYSTEM=0
+echo "export const text = '$(base64 -w0 "$objects/unpack.wasm")';" >"$objects/generated/unpack_text.js"
+node core/pack.mjs "$objects/small.wasm" "$objects/generated/module_text.js"
+node core/pack.mjs "$objects/full.wasm" "$objects/generated/full_text.js"
+node core/make_extras.mjs "$root" >"$objects/generated/extras_text.js"
+options=(--bundle --minify "--target=es2022,safari16.4" --log-level=warning --format=iife)
+NODE_PATH=$objects esbuild core/core.js "${options[@]}" --global-name=feltlineCore --outfile="$dist/core.js"
+esbuild "$objects/generated/full_text.js" "${options[@]}" --global-name=feltlineFull --outfile="$dist/core_full.js"
+for file in "$objects/small.wasm" "$objects/full.wasm" "$dist/core.js" "$dist/core_full.js"; do
+  printf '%-12s %8d bytes, %7d with gzip -9\n' "$(basename "$file")" "$(wc -c <"$file")" "$(gzip -9c "$file" | wc -c)"
+done

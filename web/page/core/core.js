@@ -1,0 +1,496 @@
+// The JavaScript of the core: makes the module, and turns texts and arrays into calls. core.d.ts describes it.
+import { inflate } from '../../npm/src/inflate.js';
+import { full_bytes, module_bytes } from './module.js';
+import { catalog_extras, scripts } from './extras.js';
+
+const kSampleNumbers = 8;
+const kChanges = { ink: 1, marks: 2, state: 4, edits: 8 };
+const kMinDpi = 10, kMaxDpi = 1200;
+
+export class CoreError extends Error {
+  constructor(message) {
+    super(message);
+    this.name = 'CoreError';
+  }
+}
+
+const kEmptyMark = 'feltline-empty-page ';  // files.cc
+const decoder = new TextDecoder(), encoder = new TextEncoder();
+const bytes_of = (data) => (typeof data === 'string' ? encoder.encode(data) : data);
+const number_of = (color) => parseInt(color.replace('#', ''), 16) || 0;
+
+/** Returns the content of gzip data, or the bytes themselves. */
+function unpacked(bytes) {
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  let at = 10;
+  if (bytes[3] & 4) at += 2 + bytes[at] + 256 * bytes[at + 1];
+  for (const flag of [8, 16]) {
+    if (bytes[3] & flag) at = bytes.indexOf(0, at) + 1;
+  }
+  if (bytes[3] & 2) at += 2;
+  const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(bytes.length - 4, true);
+  if (size > 1 << 28) throw new RangeError('is too large when it is unpacked');
+  return inflate(bytes.subarray(at), size);
+}
+
+/** Writes the digits of the shortest decimal that reads back as the number: numbers_text.cc. */
+function shortest_digits(memory, number, to, exponent_at) {
+  const [mantissa, exponent] = number.toExponential().split('e');
+  const digits = mantissa.replace('.', '');
+  const bytes = new Uint8Array(memory.buffer, to, digits.length);
+  for (let i = 0; i < digits.length; ++i) bytes[i] = digits.charCodeAt(i);
+  new DataView(memory.buffer).setInt32(exponent_at, Number(exponent), true);
+  return digits.length;
+}
+
+async function instantiate(bytes) {
+  let memory;
+  const stop = () => {
+    throw new WebAssembly.RuntimeError('the module ended');
+  };
+  const nothing = () => 0;
+  const { instance } = await WebAssembly.instantiate(bytes, {
+    env: {
+      shortest_digits: (number, to, exponent_at) => shortest_digits(memory, number, to, exponent_at),
+      now_ms: () => performance.now(),
+      emscripten_notify_memory_growth: nothing,
+    },
+    wasi_snapshot_preview1: {
+      proc_exit: stop, fd_write: nothing, fd_close: nothing, fd_seek: nothing, fd_read: nothing,
+      environ_sizes_get: nothing, environ_get: nothing, clock_time_get: nothing,
+    },
+  });
+  memory = instance.exports.memory;
+  instance.exports._initialize();
+  return instance.exports;
+}
+
+class Core {
+  constructor(exports, options) {
+    this.sampleSize = kSampleNumbers;
+    this.exports = exports;
+    this.start = options.now ?? 0;
+    this.bits = 15;
+    this.seen_ticks = 0;
+    this.rect = [0, 0, 0, 0];
+    this.load_script = options.loadScript;
+    this.is_full = false;
+    this.kept = { base: new Uint8Array(0), records: '' };  // what the full module continues with
+    this.unread = { rebased: false, records: '' };         // of kept, what the caller has not read
+    this.settings = {};
+    this.now = 0;
+    this.shown = { x: 0, y: 0, scale: 4, angle: 0, mirrored: false };
+    if (options.page) this.call('felt_set_page', options.page.width, options.page.height);
+    this.resize(options.width ?? 800, options.height ?? 600, options.dpr ?? 1);
+    this.fitPage();
+  }
+
+  // --- Calls
+
+  /** Calls a function of the module. If it stops, the core is lost. */
+  call(name, ...values) {
+    if (!this.exports) throw new CoreError('the core has ended');
+    try {
+      return this.exports[name](...values);
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      this.exports = null;
+      throw new CoreError(`${name}: ${error.message}`);
+    }
+  }
+
+  /** Writes the parts one after the other to the input, and returns their size. */
+  write(...parts) {
+    const size = parts.reduce((sum, part) => sum + part.byteLength, 0);
+    let at = this.call('felt_input', size);
+    for (const part of parts) {
+      new Uint8Array(this.exports.memory.buffer, at, part.byteLength)
+        .set(new Uint8Array(part.buffer, part.byteOffset, part.byteLength));
+      at += part.byteLength;
+    }
+    return size;
+  }
+
+  reply(size) {
+    return new Uint8Array(this.exports.memory.buffer, this.call('felt_reply'), size);
+  }
+
+  text(name, ...values) {
+    return decoder.decode(this.reply(this.call(name, ...values)));
+  }
+
+  json(name, ...values) {
+    return JSON.parse(this.text(name, ...values));
+  }
+
+  /** Calls a function that reads a text from the input. */
+  ask(name, text, ...values) {
+    return this.json(name, this.write(bytes_of(text)), ...values);
+  }
+
+  /** Calls a function whose effect the full module needs, too. */
+  set(name, ...values) {
+    this.settings[name] = values;
+    this.call(name, ...values);
+  }
+
+  time(now) {
+    return Math.max(0, now - this.start);
+  }
+
+  // --- Input
+
+  samples(samples) {
+    const numbers = Float64Array.from(samples);
+    for (let i = 0; i < numbers.length; i += kSampleNumbers) numbers[i] = this.time(numbers[i]);
+    this.write(numbers);
+    this.call('felt_samples', Math.floor(numbers.length / kSampleNumbers));
+  }
+
+  event(event) {
+    return this.ask('felt_event', typeof event === 'string' ? event : JSON.stringify(event));
+  }
+
+  setMedium(id) {
+    return this.ask('felt_set_medium', id);
+  }
+
+  setSize(mm) {
+    return this.json('felt_set_size', mm);
+  }
+
+  advance(now) {
+    this.now = now;
+    this.call('felt_advance', this.time(now));
+  }
+
+  finish() {
+    this.call('felt_finish');
+  }
+
+  // --- What changed
+
+  changed(what) {
+    this.bits |= this.call('felt_changes');
+    const bit = kChanges[what] ?? 0;
+    const is_changed = (this.bits & bit) !== 0;
+    this.bits &= ~bit;
+    return is_changed;
+  }
+
+  /** The ticks since the last call. */
+  ticks() {
+    const all = this.call('felt_ticks');
+    const count = Math.max(0, all - this.seen_ticks);
+    this.seen_ticks = all;
+    return count;
+  }
+
+  // --- The picture
+
+  resize(width, height, dpr) {
+    Object.assign(this, { width, height, dpr });
+    this.call('felt_resize', width, height, dpr);
+    this.setView({});
+  }
+
+  view() {
+    return { ...this.shown };
+  }
+
+  setView(view) {
+    const next = { ...this.shown, ...view };
+    next.scale = Math.min(Math.max(next.scale, 0.02), 2000);
+    // The page moves by whole pixels, so that the picture can be moved with it.
+    if (next.angle === 0 && !next.mirrored) {
+      const px = next.scale * this.dpr;
+      next.x = Math.round(next.x * px) / px;
+      next.y = Math.round(next.y * px) / px;
+    }
+    this.shown = next;
+    this.call('felt_set_view', next.x, next.y, next.scale, next.angle, next.mirrored ? 1 : 0);
+  }
+
+  fitPage(margin = 24) {
+    const { width, height } = this.state().page;
+    const scale = Math.max(0.1, Math.min((this.width - 2 * margin) / width, (this.height - 2 * margin) / height));
+    this.setView({ scale, angle: 0, mirrored: false, x: (width - this.width / scale) / 2, y: (height - this.height / scale) / 2 });
+  }
+
+  zoomAt(x, y, factor) {
+    const [mm_x, mm_y] = this.toPage(x, y);
+    this.setView({ scale: this.shown.scale * factor });
+    const [now_x, now_y] = this.toPage(x, y);
+    this.setView({ x: this.shown.x + mm_x - now_x, y: this.shown.y + mm_y - now_y });
+  }
+
+  toPage(x, y) {
+    const { scale, mirrored, x: left, y: top } = this.shown, [cos, sin] = this.turn();
+    const to = mirrored ? -x : x;
+    return [left + (cos * to + sin * y) / scale, top + (cos * y - sin * to) / scale];
+  }
+
+  toCanvas(x_mm, y_mm) {
+    const { scale, mirrored, x: left, y: top } = this.shown, [cos, sin] = this.turn();
+    const dx = scale * (x_mm - left), dy = scale * (y_mm - top);
+    const x = cos * dx - sin * dy;
+    return [mirrored ? -x : x, sin * dx + cos * dy];
+  }
+
+  turn() {
+    const angle = (this.shown.angle * Math.PI) / 180;
+    return [Math.cos(angle), Math.sin(angle)];
+  }
+
+  setDesk(color) {
+    this.set('felt_set_desk', number_of(color));
+  }
+
+  setPaper(color) {
+    this.call('felt_set_paper', color ? 1 : 0, number_of(color));
+  }
+
+  setPage(page) {
+    this.call('felt_set_page', page.width, page.height);
+  }
+
+  setGrain(on) {
+    this.set('felt_set_grain', on ? 1 : 0);
+  }
+
+  warmUp() {
+    this.set('felt_warm_up');
+  }
+
+  paint(context = null, budget = 8) {
+    const more = this.call('felt_paint', budget) === 1;
+    const [x0, y0, x1, y1] = [0, 1, 2, 3].map((side) => this.call('felt_painted', side));
+    this.rect = [x0, y0, Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
+    if (context && this.rect[2] > 0 && this.rect[3] > 0) {
+      const { data, width, height } = this.pixels();
+      context.putImageData(new ImageData(data, width, height), 0, 0, ...this.rect);
+    }
+    return more;
+  }
+
+  pixels() {
+    const width = Math.min(16384, Math.max(1, Math.round(this.width * this.dpr)));
+    const height = Math.min(16384, Math.max(1, Math.round(this.height * this.dpr)));
+    const data = new Uint8ClampedArray(this.exports.memory.buffer, this.call('felt_pixels'), 4 * width * height);
+    return { data, width, height };
+  }
+
+  painted() {
+    return [...this.rect];
+  }
+
+  picture(dpi, options = {}) {
+    const size = this.call('felt_export', Math.min(Math.max(dpi, kMinDpi), kMaxDpi), options.transparent ? 1 : 0);
+    if (size === 0) return null;
+    const width = this.call('felt_export_size', 0), height = this.call('felt_export_size', 1);
+    const data = new Uint8ClampedArray(this.exports.memory.buffer, this.call('felt_export_pixels'), size).slice();
+    this.call('felt_end_export');
+    for (let i = 0; i < size; i += 4) {  // a canvas wants colours that are not multiplied by alpha
+      const alpha = data[i + 3];
+      if (alpha === 0 || alpha === 255) continue;
+      for (let k = i; k < i + 3; ++k) data[k] = Math.round((255 * data[k]) / alpha);
+    }
+    return { data, width, height };
+  }
+
+  marks() {
+    return this.json('felt_marks');
+  }
+
+  pen() {
+    return this.json('felt_pen');
+  }
+
+  // --- Forces and sound
+
+  devices() {
+    return this.json('felt_devices');
+  }
+
+  setDevice(id) {
+    return this.ask('felt_set_device', id);
+  }
+
+  setForces(on) {
+    this.set('felt_set_forces', on ? 1 : 0);
+  }
+
+  setStrength(share) {
+    this.set('felt_set_strength', share);
+  }
+
+  forces() {
+    const numbers = new Float64Array(this.reply(this.call('felt_forces')).slice().buffer);
+    for (let i = 0; i < numbers.length; i += 7) numbers[i] += this.start;
+    return numbers;
+  }
+
+  forceTerms() {
+    return this.json('felt_force_terms');
+  }
+
+  sound(frames) {
+    return new Float32Array(this.reply(this.call('felt_sound', frames)).slice().buffer);
+  }
+
+  // --- State
+
+  catalog() {
+    return catalog_extras(this.json('felt_catalog'));
+  }
+
+  state() {
+    return this.json('felt_state');
+  }
+
+  option(id) {
+    return this.ask('felt_option', id);
+  }
+
+  // --- The simulated hand
+
+  play(script, options = {}) {
+    return this.ask('felt_play', script, options.mmPerUnit ?? 1, options.speed ?? 1);
+  }
+
+  playing() {
+    const fraction = this.call('felt_playing');
+    if (fraction >= 0) return { fraction };
+    return null;
+  }
+
+  playError() {
+    return this.text('felt_play_error');
+  }
+
+  stopPlay() {
+    this.call('felt_stop_play');
+  }
+
+  scripts() {
+    return scripts;
+  }
+
+  // --- Files
+
+  open(bytes, name) {
+    return this.load(bytes, name, 0);
+  }
+
+  add(bytes, name) {
+    return this.load(bytes, name, 1);
+  }
+
+  load(data, name, how) {
+    const title = encoder.encode(name);
+    try {
+      return this.json('felt_open', this.write(title, unpacked(bytes_of(data))), title.length, how);
+    } catch (error) {
+      if (error instanceof CoreError) throw error;
+      return { ok: false, error: `${name}: is damaged (${error.message})` };
+    }
+  }
+
+  save(format) {
+    const size = this.call('felt_save', this.write(encoder.encode(format)));
+    return size > 0 ? this.reply(size).slice() : null;
+  }
+
+  clear(page) {
+    if (page) this.setPage(page);
+    this.call('felt_clear');
+  }
+
+  // --- Autosave
+
+  rebased() {
+    this.collect();
+    const { rebased } = this.unread;
+    this.unread.rebased = false;
+    return rebased;
+  }
+
+  base() {
+    return this.is_full ? this.reply(this.call('felt_base')).slice() : this.kept.base;
+  }
+
+  recorded() {
+    this.collect();
+    const { records } = this.unread;
+    this.unread.records = '';
+    return records;
+  }
+
+  /** Moves the records of the module here. */
+  collect() {
+    if (this.call('felt_autosave') === 1) {
+      this.unread = { rebased: true, records: '' };
+      if (!this.is_full) this.kept = { base: this.reply(this.call('felt_base')).slice(), records: '' };
+    }
+    const records = this.text('felt_recorded');
+    this.unread.records += records;
+    if (!this.is_full) this.kept.records += records;
+  }
+
+  rebase() {
+    this.call('felt_rebase');
+  }
+
+  restore(base, recorded) {
+    const first = base ?? new Uint8Array(0);
+    const done = this.json('felt_restore', this.write(first, encoder.encode(recorded)), first.byteLength);
+    this.unread = { rebased: false, records: '' };
+    if (!this.is_full) this.kept = { base: first, records: recorded };
+    return done;
+  }
+
+  // --- The full module
+
+  needsFiles(base) {
+    return !this.is_full && base?.byteLength > 0 && decoder.decode(base.subarray(0, kEmptyMark.length)) !== kEmptyMark;
+  }
+
+  async loadFiles() {
+    if (this.is_full) return { ok: true };
+    let full;
+    try {
+      full = await instantiate(await full_bytes(this.load_script));
+    } catch (error) {
+      return { ok: false, error: `core_full.js could not be loaded (${error.message})` };
+    }
+    if (this.is_full) return { ok: true };  // loaded twice at the same time
+    this.stopPlay();
+    this.finish();
+    this.collect();
+    const { base, records } = this.kept, { device } = this.state(), unread = this.unread;
+    this.exports = full;
+    this.is_full = true;
+    this.call('felt_resize', this.width, this.height, this.dpr);
+    this.setView({});
+    this.call('felt_advance', this.time(this.now));
+    this.setDevice(device);
+    const done = this.restore(base, records);
+    for (const [name, values] of Object.entries(this.settings)) this.call(name, ...values);
+    Object.assign(this, { unread, kept: null, bits: 15, seen_ticks: this.call('felt_ticks') });
+    return done;
+  }
+
+  replay(script, options = {}) {
+    const device = encoder.encode(options.device ?? 'touch');
+    const how = (options.asRecorded ? 1 : 0) + (options.forces === false ? 2 : 0);
+    return this.json('felt_replay', this.write(device, bytes_of(script)), device.length, how);
+  }
+
+  free() {
+    this.exports = null;
+  }
+}
+
+export async function createCore(options = {}) {
+  return new Core(await instantiate(await module_bytes()), options);
+}

@@ -1,0 +1,145 @@
+#include <utility>
+
+#include "felt/document/visible_strokes.h"
+#include "felt/io/events/event_writer.h"
+#include "web/page/core/api_state.h"
+
+namespace felt::page {
+
+// --- Autosave: a drawing, the base, and the events of the session since then.
+
+/// Appends an event to the records. An undo below the base, and an import, whose file is not
+/// recorded, cannot be played again; then the next autosave() makes a new base.
+void Core::record(const Event& event) {
+  if (std::holds_alternative<ImportEvent>(event.what)) {
+    needs_rebase_ = true;
+    return;
+  }
+  append_event_line(written_, event);
+  const bool moves = std::holds_alternative<UndoEvent>(event.what) ||
+                     std::holds_alternative<RedoEvent>(event.what);
+  const std::uint64_t position = studio.session().history().position();
+  if (moves && (position < base_position_ || position_ < base_position_)) needs_rebase_ = true;
+  position_ = position;
+}
+
+/// Makes the present drawing the base. The records begin with the events that set everything else.
+void Core::rebase() {
+  const Session& session = studio.session();
+  base = base_text(drawing_of(studio));
+  written_.clear();
+  const std::int64_t now = studio.now_ns();
+  append_event_line(written_, {now, UseDevice{session.device()}});
+  for (const std::string& id : session.option_ids()) {
+    const Result<OptionValue> value = session.option(id);
+    if (value) append_event_line(written_, {now, SetOption{id, *value}});
+  }
+  append_event_line(written_, {now, SelectTool{std::string(session.tool().info().id)}});
+  append_event_line(written_, {now, LayerEvent{LayerEvent::Do::kUse, session.layer()}});
+  base_position_ = position_ = session.history().position();
+  replaces_ = true;
+}
+
+bool Core::autosave() {
+  const Session& session = studio.session();
+  constexpr std::size_t kLong = std::size_t{16} << 20;
+  static std::size_t since_base = 0;
+  if ((needs_rebase_ || since_base > kLong) && !session.gesture_in_progress()) {
+    rebase();
+    since_base = 0;
+    // A selection is not in the base, so that commands that use it could not be played again.
+    needs_rebase_ = !session.selection().empty();
+  }
+  since_base += written_.size();
+  recorded += std::exchange(written_, {});
+  return std::exchange(replaces_, false);
+}
+
+Result<void> Core::restore(std::string_view base_bytes, std::string_view lines) {
+  Drawing drawing;
+  if (!base_bytes.empty()) {
+    Result<Drawing> read = drawing_of_base(base_bytes);
+    if (!read) return tl::unexpected(read.error());
+    drawing = *std::move(read);
+  }
+  const std::string text(lines);
+  std::vector<Event> events;
+  ScriptSink sink;
+  sink.event = [&events](const Event& event) -> Result<void> {
+    events.push_back(event);
+    return {};
+  };
+  // What was read before a damaged line, such as the last one of a crash, is restored.
+  Result<void> done = read_script("autosave", read_text(text), sink);
+  Result<void> played = studio.restore(drawing, events);
+  begin_session(drawing);
+  base_position_ = 0;
+  if (done && played) {
+    base = base_bytes;
+    written_.clear();
+    replaces_ = needs_rebase_ = false;
+    return {};
+  }
+  needs_rebase_ = true;
+  return done ? played : done;
+}
+
+// --- Files
+
+/// Shows the document of the session that has just begun.
+void Core::begin_session(const Drawing& drawing) {
+  static_cast<void>(drawing);
+  picture.open(studio.session().document());
+  sound_input_.follow(studio.session());
+  update_grain();
+  set_ground();
+  shows = has_edits_ = true;
+}
+
+Result<void> Core::open(std::string_view bytes, const std::string& name, bool adds,
+                        std::vector<std::string>& notices) {
+  Result<Imported> read = read_drawing(bytes, name);
+  if (!read) return fail(read.error().code, name + ": " + read.error().message);
+  for (const ImportNotice& notice : read->report.notices()) notices.push_back(notice_text(notice));
+  shows = true;
+  if (adds) {
+    studio.add_materials(read->drawing.materials);
+    const VisibleInk ink = visible_ink(read->drawing.document);
+    return studio.import(name, ink.strokes, ink.fills);
+  }
+  if (!read->drawing.has_page) {
+    const Page page = studio.page();
+    read->drawing.page.width_mm = page.width_mm;
+    read->drawing.page.height_mm = page.height_mm;
+  }
+  studio.open(read->drawing);
+  begin_session(read->drawing);
+  needs_rebase_ = true;
+  return {};
+}
+
+Result<std::string> Core::save(std::string_view format) {
+  return write_drawing(drawing_of(studio), format);
+}
+
+void Core::clear() {
+  Drawing empty;
+  empty.page = studio.page();
+  studio.open(empty);
+  begin_session(empty);
+  needs_rebase_ = true;
+}
+
+Result<void> Core::replay(std::string_view script, const ReplayChoice& choice) {
+  Result<Document> document = page::replay(script, choice);
+  if (!document) return tl::unexpected(document.error());
+  Drawing drawing;
+  drawing.document = *std::move(document);
+  drawing.page = studio.page();
+  studio.open(drawing);
+  begin_session(drawing);
+  needs_rebase_ = true;
+  return {};
+}
+
+}  // namespace felt::page

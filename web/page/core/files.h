@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/document/drawing.h"
+#include "felt/formats/file_format.h"
+#include "felt/io/import.h"
+#include "web/page/core/studio.h"
+
+namespace felt::page {
+
+/// Reads a drawing of any format that the page reads, which the content decides; `name` is used if
+/// it does not. The caller has unpacked gzip. Fails if the bytes are no drawing; the message says
+/// why.
+Result<Imported> read_drawing(std::string_view bytes, const std::string& name);
+
+/// Returns the drawing of a session as it is saved.
+Drawing drawing_of(const Studio& studio);
+
+/// Returns a drawing as a file of this format. Fails if the page cannot write it.
+Result<std::string> write_drawing(const Drawing& drawing, std::string_view format);
+
+/// Returns the base of the autosave for a drawing: an .svg file, or a short text if the drawing is
+/// empty.
+std::string base_text(const Drawing& drawing);
+Result<Drawing> drawing_of_base(std::string_view base);
+
+// The following functions are in full.cc; in the small module, they fail.
+
+bool is_full_module() noexcept;
+Result<Imported> import_as(FileFormat format, std::string_view bytes);
+Result<std::string> inkml_of(const Drawing& drawing);
+
+/// Plays a script as `feltline replay` does with the defaults and this simulated device, or draws a
+/// recording unchanged. Returns the document.
+struct ReplayChoice {
+  bool as_recorded = false;
+  bool forces = true;
+  std::string device = "touch";
+};
+Result<Document> replay(std::string_view script, const ReplayChoice& choice);
+
+}  // namespace felt::page

@@ -1,0 +1,45 @@
+// Runs while the page is read, before everything else: collects pointer events of the sheet until the page handles
+// them itself, and shows a plain line for them, so that the first touch draws even if the program is still loading.
+(() => {
+  const sheet = document.getElementById('sheet');
+  const choice = (() => { try { return localStorage.getItem('feltline.theme'); } catch { return null; } })();
+  const dark = choice ? choice === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+
+  const early = { events: [], stop, failed: null };
+  const types = ['pointerdown', 'pointermove', 'pointerup', 'pointercancel'];
+  const ratio = devicePixelRatio;
+  let context = null, last = null;
+
+  function collect(event) {
+    // Coalesced events are lists that a browser empties when the event is over, so they are copied now.
+    early.events.push({ event, coalesced: event.getCoalescedEvents?.() ?? [] });
+    if (event.type === 'pointerdown') last = event;
+    if (event.type === 'pointermove' && last && event.buttons) {
+      if (!context) {
+        sheet.width = innerWidth * ratio;
+        sheet.height = innerHeight * ratio;
+        context = sheet.getContext('2d', { alpha: false, desynchronized: true });
+        context.fillStyle = '#fff';
+        context.fillRect(0, 0, sheet.width, sheet.height);
+        context.scale(ratio, ratio);
+        context.lineWidth = 1.5;
+        context.lineCap = 'round';
+        context.strokeStyle = '#30343899';
+      }
+      context.beginPath();
+      context.moveTo(last.clientX, last.clientY);
+      context.lineTo(event.clientX, event.clientY);
+      context.stroke();
+      last = event;
+    }
+    if (event.type === 'pointerup' || event.type === 'pointercancel') last = null;
+  }
+  function stop() {
+    for (const type of types) sheet.removeEventListener(type, collect);
+    return early.events.splice(0);
+  }
+  for (const type of types) sheet.addEventListener(type, collect);
+  addEventListener('error', (event) => { early.failed ??= event.message; });
+  globalThis.feltlineEarly = early;
+})();

@@ -1,0 +1,104 @@
+// Opening, saving and exporting the drawing.
+import { make } from './dom.js';
+import { t } from './words.js';
+
+const kExportDpi = 192, kMaxPixels = 40e6;
+
+export function download(data, name, type) {
+  const url = URL.createObjectURL(data instanceof Blob ? data : new Blob([data], { type }));
+  const link = make('a', { href: url, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+const kTypes = { svg: 'image/svg+xml', ndjson: 'application/x-ndjson', felt: 'application/x-felt' };
+
+export class Files {
+  constructor(page) {
+    this.page = page;
+    this.name = '';          // of the file, without its ending
+    this.input = document.getElementById('files');
+    this.input.addEventListener('change', () => {
+      const [file] = this.input.files;
+      this.input.value = '';
+      if (file) this.load(file, this.adds);
+    });
+    this.allow_drop();
+  }
+
+  /** Lets the user choose a file; `adds`: to add it to the drawing. */
+  choose(adds) {
+    this.adds = adds;
+    this.input.click();
+  }
+
+  allow_drop() {
+    const carries_files = (event) => [...(event.dataTransfer?.types ?? [])].includes('Files');
+    const mark = (on) => document.body.classList.toggle('drop', on);
+    addEventListener('dragover', (event) => {
+      event.preventDefault();
+      mark(carries_files(event));
+    });
+    addEventListener('dragleave', (event) => { if (!event.relatedTarget) mark(false); });
+    addEventListener('drop', (event) => {
+      event.preventDefault();
+      mark(false);
+      const [file] = event.dataTransfer?.files ?? [];
+      if (file) this.load(file, event.shiftKey);
+    });
+    addEventListener('paste', (event) => {
+      const [file] = event.clipboardData?.files ?? [];
+      if (file) this.load(file, true);
+    });
+  }
+
+  /** Opens a file, or adds it. */
+  async load(file, adds) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+    const { core } = this.page;
+    core.finish();
+    const loaded = await core.loadFiles();
+    if (!loaded.ok) return this.page.say(t('“%1” could not be opened: %2', file.name, loaded.error));
+    const done = adds ? core.add(bytes, file.name) : core.open(bytes, file.name);
+    if (!done.ok) return this.page.say(t('“%1” could not be opened: %2', file.name, done.error));
+    if (!adds) {
+      this.name = file.name.replace(/\.[^.]*$/, '');
+      this.page.begun();
+    }
+    this.page.wake();
+    if (done.notices?.length) this.page.say(done.notices.slice(0, 3).join(' '));
+  }
+
+  file_name(ending) {
+    return `${this.name || t('Drawing')}.${ending}`;
+  }
+
+  async save(format) {
+    const { core } = this.page;
+    core.finish();
+    if (format === 'inkml') await core.loadFiles();
+    const data = core.save(format);
+    if (!data) return this.page.say(t('The drawing could not be saved in this format.'));
+    download(data.slice(), this.file_name(format), kTypes[format]);
+    this.page.saved();
+    this.page.say(t('Saved as %1', this.file_name(format)));
+  }
+
+  async export_png() {
+    const { core } = this.page, { page } = core.state();
+    core.finish();
+    // Large pages get fewer pixels per inch, because a browser limits the size of a picture.
+    const area = (page.width * page.height) / 25.4 ** 2;
+    const dpi = Math.min(kExportDpi, Math.sqrt(kMaxPixels / area));
+    const picture = core.picture(dpi);
+    if (!picture) return this.page.say(t('The drawing could not be saved in this format.'));
+    const canvas = make('canvas', { width: picture.width, height: picture.height });
+    canvas.getContext('2d').putImageData(new ImageData(picture.data.slice(), picture.width, picture.height), 0, 0);
+    const blob = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+    if (!blob) return this.page.say(t('The drawing could not be saved in this format.'));
+    download(blob, this.file_name('png'));
+  }
+}

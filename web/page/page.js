@@ -1,0 +1,645 @@
+// The page: connects the core (session, tools, forces, rasteriser) with the sheet, the bars and the browser.
+import { make, choices } from './dom.js';
+import { t, d, languages, set_language, current_language } from './words.js';
+import { Input } from './input.js';
+import { Keys, key_name, key_table } from './keys.js';
+import { Bars, OfferBar, Menu } from './bars.js';
+import { OptionsPanel, LayersPanel } from './panels.js';
+import { ForcePanel, Sound, play_cue } from './forces.js';
+import { MarksView } from './marks.js';
+import { Files } from './files.js';
+import { Storage } from './storage.js';
+
+const kLifeSize = 96 / 25.4;      // CSS pixels per mm
+const kMinScale = 0.05, kMaxScale = 400;
+const kIdleMs = 400;              // the frames stop when nothing has happened for this time
+const kAutosaveMs = 500;          // longest time between a gesture and its place in the autosave
+const kRebaseBytes = 8e6;         // of recorded events; then the autosave begins again with the drawing
+const kNoticeMs = 6000;
+const kSettleMs = 40;
+const kWarmUpMs = 100, kFullMs = 1500;
+const kCatSpeed = 3, kCatShare = 0.7;  // of the page
+const by_id = (id) => document.getElementById(id);
+
+/** Resolves when the script with this name has run. */
+function script(name) {
+  const element = document.querySelector(`script[src="${name}"]`) ?? make('script', { src: name, async: true });
+  return new Promise((resolve, reject) => {
+    element.addEventListener('load', resolve);
+    element.addEventListener('error', () => reject(new Error(name)));
+    if (!element.isConnected) document.head.append(element);
+  });
+}
+
+/** Returns strokes, which are lines of JSON, moved to the middle of the page, and a scale at which they fit. */
+function in_the_middle(lines, page) {
+  const strokes = lines.trim().split('\n').map((line) => JSON.parse(line));
+  const points = strokes.flatMap((stroke) => stroke.points);
+  const [left, top] = [0, 1].map((axis) => Math.min(...points.map((point) => point[axis])));
+  const [right, bottom] = [0, 1].map((axis) => Math.max(...points.map((point) => point[axis])));
+  const mmPerUnit = Math.min((kCatShare * page.width) / (right - left), (kCatShare * page.height) / (bottom - top));
+  const dx = page.width / mmPerUnit / 2 - (left + right) / 2, dy = page.height / mmPerUnit / 2 - (top + bottom) / 2;
+  for (const point of points) [point[0], point[1]] = [point[0] + dx, point[1] + dy];
+  return { text: strokes.map((stroke) => JSON.stringify(stroke)).join('\n'), mmPerUnit };
+}
+
+class Page {
+  constructor() {
+    this.sheet = by_id('sheet');
+    this.marks = new MarksView(by_id('marks'));
+    this.shown = { forces: false, options: false, layers: false };
+    this.gestures = 0;
+    this.active_until = 0;
+    this.wants_sound = choices.get('sound') === 'on';
+    this.frame = (now) => this.run_frame(now);
+    this.menu = new Menu(this);
+    this.bars = new Bars(this);
+    this.offers = new OfferBar(this);
+    this.files = new Files(this);
+    this.options = new OptionsPanel(this);
+    this.layers = new LayersPanel(this);
+    this.forces = new ForcePanel(this);
+    this.sound = new Sound(() => this.core);
+    by_id('panels').append(this.options.element, this.layers.element, this.forces.element);
+    this.show_words();
+  }
+
+  // --- Start
+
+  async start() {
+    this.context = this.sheet.getContext('2d', { alpha: false, desynchronized: true });
+    const [storage] = await Promise.all([Storage.open(), globalThis.feltlineCore ?? script('core.js')]);
+    this.storage = storage;
+    const last = await storage?.load().catch(() => null);
+    await this.make_core();
+    if (last) await this.restore(last);
+    this.show_words();
+    this.listen();
+    this.wake();
+    performance.mark('interactive');
+    setTimeout(() => this.warm_up(), kWarmUpMs);
+    // The reader of files is loaded now, so that the page needs no request later, even without a network.
+    if (!navigator.connection?.saveData) setTimeout(() => script('core_full.js').catch(() => {}), kFullMs);
+    // Without storage, the user must know before the page is closed.
+    if (!storage) this.say(t('This browser does not store the drawing. Save it before you close the page.'));
+    else storage.failed = () => this.say(t('This browser does not store the drawing. Save it before you close the page.'));
+  }
+
+  /** Lets the core prepare grain, forces and sound. This takes a moment, so it waits until no line is drawn. */
+  warm_up() {
+    if (this.input.drawing !== null) return setTimeout(() => this.warm_up(), kWarmUpMs);
+    this.guard((core) => core.warmUp());
+    this.wake();
+  }
+
+  async make_core() {
+    const { innerWidth: width, innerHeight: height } = globalThis;
+    this.core = await globalThis.feltlineCore.createCore({ width, height, dpr: devicePixelRatio, page: this.window_page(),
+      now: performance.now() });
+    this.catalog = this.core.catalog();
+    by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`).join();
+    this.resize();
+    this.fill_window();
+    this.set_theme(this.theme_choice());
+  }
+
+  /** The size of a sheet that fills the window at life size, in mm. */
+  window_page() {
+    const mm = (px) => Math.max(20, Math.ceil(px / kLifeSize));
+    return { width: mm(innerWidth), height: mm(innerHeight) };
+  }
+
+  /** Continues with a stored drawing. One that was read from a file needs the reader of files. */
+  async restore(last) {
+    if (this.core.needsFiles(last.base)) await this.core.loadFiles();
+    const done = this.core.restore(last.base, last.recorded);
+    if (!done.ok) {
+      this.say(t('The drawing of your last visit could not be restored: %1', done.error));
+      return this.begun();
+    }
+    if (!last.base) this.core.setPage(last.page);
+    this.fit();
+    if (this.core.state().strokes > 0) this.say(t('Restored the drawing of your last visit.'));
+  }
+
+  listen() {
+    this.input = new Input(this.sheet, this);
+    this.keys = new Keys(this, this.input);
+    const { feltlineEarly: early } = globalThis;
+    for (const event of early.stop()) this.input.replay(event);
+    addEventListener('resize', () => this.resize());
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.set_theme(this.theme_choice()));
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'hidden') this.leave();
+      else this.wake();
+    });
+    addEventListener('pagehide', () => this.leave());
+  }
+
+  resize() {
+    const { innerWidth: width, innerHeight: height, devicePixelRatio: ratio } = globalThis;
+    this.sheet.width = Math.round(width * ratio);
+    this.sheet.height = Math.round(height * ratio);
+    this.marks.resize(width, height, ratio);
+    this.core.resize(width, height, ratio);
+    const { strokes, undo, redo } = this.core.state();
+    if (strokes === 0 && undo === null && redo === null) {
+      this.core.setPage(this.window_page());
+      this.core.rebase();
+      this.store_due = true;
+      this.fill_window();
+    }
+    this.marks_due = true;
+    this.wake();
+  }
+
+  // --- Frames
+
+  /** Frames go on for a while from now. */
+  wake() {
+    this.active_until = performance.now() + kIdleMs;
+    if (this.asked || !this.core) return;
+    this.asked = true;
+    requestAnimationFrame(this.frame);
+  }
+
+  run_frame(now) {
+    this.asked = false;
+    this.guard((core) => {
+      core.advance(now);
+      const more = core.paint(this.context);
+      this.show_changes(now);
+      if (more || now < this.active_until || this.plays) this.wake_again();
+      else this.store();
+    });
+  }
+
+  /** Calls the core. If a check in it fails, another core continues with the autosaved drawing. */
+  guard(use) {
+    if (!this.core) return undefined;
+    try {
+      return use(this.core);
+    } catch (error) {
+      this.recover(error);
+      return undefined;
+    }
+  }
+
+  wake_again() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(this.frame);
+  }
+
+  show_changes(now) {
+    const { core } = this;
+    if (core.changed('marks') || this.marks_due) {
+      this.marks_due = false;
+      const marks = core.marks(), pen = core.pen();
+      const is_away = this.is_away && !pen.touching;
+      this.marks.draw(is_away ? marks.filter(({ role }) => role !== 'reach') : marks, is_away ? { known: false } : pen, this.paper_is_dark);
+    }
+    if (core.ticks() > 0) play_cue();
+    if (this.forces.add(core.forces())) this.active_until = Math.max(this.active_until, now + 100);
+    if (this.shown.forces) this.forces.draw(core.forceTerms(), now);
+    this.sound.feed();
+    if (this.plays && !core.playing()) this.end_play(core.playError());
+    if (core.changed('state')) this.show_state();
+    if (core.changed('edits')) {
+      this.is_unsaved = true;
+      this.store_due = true;
+    }
+    if (this.store_due && now - (this.stored ?? -Infinity) > kAutosaveMs) this.store(now);
+  }
+
+  show_state() {
+    const state = this.core.state();
+    this.bars.show(state);
+    this.offers.show(state);
+    this.options.show(state);
+    this.layers.show(state);
+    by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once;
+    const { hint, shift, ctrl } = state.use;
+    const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl]];
+    const texts = [d('tools', hint), ...keys.filter(([, what]) => what).map(([key, what]) => `${key}: ${d('tools', what)}`)];
+    if (texts.join() !== this.hint) {
+      this.hint = texts.join();
+      by_id('hint').replaceChildren(...texts.map((text) => make('span', {}, text, ' ')));
+    }
+    const paper = parseInt(state.paper.slice(1, 7), 16);
+    this.paper_is_dark = (paper >> 16) + ((paper >> 8) & 255) + (paper & 255) < 384;
+    by_id('empty').classList.toggle('on-dark', this.paper_is_dark);
+  }
+
+  async recover(error) {
+    console.warn('Feltline restarts after an error:', error);
+    this.core = null;
+    const last = await this.storage?.load().catch(() => null);
+    await this.make_core();
+    // If the error occurs again, the drawing stays in the autosave of the browser, and the sheet is empty.
+    try {
+      if (last && this.core.needsFiles(last.base)) await this.core.loadFiles();
+      if (last) this.core.restore(last.base, last.recorded);
+    } catch {
+      await this.make_core();
+      this.storage = null;
+    }
+    this.say(t('An error occurred. The drawing was restored up to the last step.'));
+    this.wake();
+  }
+
+  // --- Autosave
+
+  /** Writes what has happened since the last call. */
+  store(now = performance.now()) {
+    this.stored = now;
+    this.store_due = false;
+    const { core, storage } = this;
+    if (!storage || !core) return;
+    if (core.rebased()) storage.restart(core.base(), core.state().page);
+    storage.append(core.recorded());
+    if (storage.bytes > kRebaseBytes) core.rebase();
+  }
+
+  /** The page is hidden or closed, perhaps for good. */
+  leave() {
+    if (!this.core) return;
+    this.core.finish();
+    this.store();
+  }
+
+  /** Another drawing began: it replaces the one in the autosave. */
+  begun() {
+    this.store();
+    this.core.changed('edits');
+    this.is_unsaved = false;
+    this.touched_once = false;
+    this.fit();
+  }
+
+  unsaved() {
+    return this.is_unsaved && this.core.state().strokes > 0;
+  }
+
+  saved() {
+    this.is_unsaved = false;
+  }
+
+  // --- Events
+
+  /** Sends an event to the core. */
+  apply(event) {
+    this.settle();
+    const done = this.guard((core) => core.event(event));
+    if (done && !done.ok) this.say(done.error);
+    this.wake();
+  }
+
+  samples(samples) {
+    this.is_away = false;
+    this.sampled = performance.now();
+    this.guard((core) => core.samples(samples));
+    this.wake();
+  }
+
+  /** A pointer touches the sheet at this point. */
+  touched(x, y) {
+    this.keys.lead_by_pointer(x, y);
+    this.begins();
+  }
+
+  /** A gesture begins, of a pointer or of the keys. */
+  begins() {
+    this.gestures += 1;
+    this.touched_once = true;
+    by_id('empty').hidden = true;
+    if (this.plays) this.stop_hand();
+    if (this.wants_sound && !this.sound.is_on) this.toggle_sound();
+  }
+
+  middle() {
+    return [innerWidth / 2, innerHeight / 2];
+  }
+
+  /** The pointer is no longer over the sheet: the nib and its reach are not shown. */
+  left() {
+    this.is_away = true;
+    this.marks_due = true;
+    this.wake();
+  }
+
+  cancel() {
+    this.apply({ event: 'cancel' });
+  }
+
+  /** The pen of the core follows the pointer with a short delay. After this call, it has handled all samples that were
+   * sent, so that they come before the next event. */
+  settle() {
+    const now = performance.now();
+    if (now - (this.sampled ?? -Infinity) < kSettleMs) this.guard((core) => core.advance(now + kSettleMs));
+  }
+
+  finish() {
+    this.settle();
+    this.guard((core) => core.finish());
+    this.wake();
+  }
+
+  undo() {
+    this.apply({ event: 'undo' });
+  }
+
+  redo() {
+    this.apply({ event: 'redo' });
+  }
+
+  escape() {
+    const { gesture, selected } = this.core.state();
+    if (gesture) this.input.cancel();
+    else if (selected > 0) this.apply({ event: 'select', what: 'none' });
+    this.apply({ event: 'cancel' });
+    this.keys.lift();
+  }
+
+  use_tool(id) {
+    this.apply({ event: 'tool', id });
+  }
+
+  tool_of_kind(kind) {
+    return this.catalog.tools.find((tool) => tool.kind === kind)?.id;
+  }
+
+  borrow(kind) {
+    const { tool } = this.core.state(), other = this.tool_of_kind(kind);
+    if (!other || other === tool) return;
+    this.lender = tool;
+    this.use_tool(other);
+  }
+
+  give_back() {
+    if (this.lender) this.use_tool(this.lender);
+    this.lender = null;
+  }
+
+  set_option(id, value) {
+    this.apply({ event: 'option', id, value });
+  }
+
+  set_medium(medium) {
+    const done = this.core.setMedium(medium);
+    if (!done.ok) this.say(done.error);
+    if (this.core.state().selected > 0) this.apply({ event: 'restyle', medium });
+    this.wake();
+  }
+
+  set_color(color) {
+    this.set_option('ink.color', color);
+    if (this.core.state().selected > 0) this.apply({ event: 'restyle', color });
+  }
+
+  set_size(mm) {
+    const done = this.core.setSize(mm);
+    if (!done.ok) this.say(done.error);
+    this.wake();
+  }
+
+  scale_size(factor) {
+    const { size } = this.core.state();
+    if (size) this.set_size(Math.min(Math.max(size.mm * factor, size.min), size.max));
+  }
+
+  nudge([dx, dy], event) {
+    const mm = event.shiftKey ? 10 : event.ctrlKey ? 0.1 : 1;
+    this.apply({ event: 'move', dx: mm * dx, dy: mm * dy });
+  }
+
+  rename_layer() {
+    if (!this.shown.layers) this.toggle('layers');
+    this.layers.show(this.core.state());
+    this.layers.edit(this.layers.current);
+  }
+
+  // --- View
+
+  view() {
+    return this.core.view();
+  }
+
+  set_view(view) {
+    this.core.setView(view);
+    this.wake();
+  }
+
+  /** Moves the sheet by CSS pixels. */
+  pan(dx, dy) {
+    const [x, y] = this.core.toPage(-dx, -dy);
+    this.set_view({ x, y });
+  }
+
+  zoom(x, y, factor) {
+    const { scale } = this.core.view();
+    this.core.zoomAt(x, y, Math.min(Math.max(factor, kMinScale / scale), kMaxScale / scale));
+    this.wake();
+  }
+
+  zoom_middle(factor) {
+    this.zoom(...this.middle(), factor);
+  }
+
+  life_size() {
+    this.zoom_middle(kLifeSize / this.core.view().scale);
+  }
+
+  fit() {
+    const { width, height } = this.core.state().page;
+    // A sheet that was made for this window fills it.
+    const window = this.window_page();
+    if (width === window.width && height === window.height) return this.fill_window();
+    this.core.fitPage(16);
+    this.wake();
+  }
+
+  fill_window() {
+    this.set_view({ x: 0, y: 0, scale: kLifeSize, angle: 0, mirrored: false });
+  }
+
+  mirror() {
+    this.turn_about_middle((view) => ({ mirrored: !view.mirrored }));
+  }
+
+  /** Turns the view by these degrees; null: upright. */
+  turn(degrees) {
+    this.turn_about_middle((view) => ({ angle: degrees === null ? 0 : (view.angle + degrees + 360) % 360 }));
+  }
+
+  turn_about_middle(change) {
+    const { core } = this, middle = this.middle(), at = core.toPage(...middle);
+    core.setView(change(core.view()));
+    const [x, y] = core.toCanvas(...at);
+    this.pan(middle[0] - x, middle[1] - y);
+  }
+
+  // --- Simulated hand, sound, forces
+
+  toggle_hand() {
+    if (this.plays) return this.stop_hand();
+    const { text, mmPerUnit } = in_the_middle(this.core.scripts().find(({ id }) => id === 'cat').text, this.core.state().page);
+    const done = this.core.play(text, { speed: kCatSpeed, mmPerUnit });
+    if (!done.ok) return this.say(done.error);
+    this.plays = true;
+    this.touched_once = true;
+    this.bars.show_switches();
+    this.say(t('The simulated hand draws. Touch the sheet to stop it.'));
+    this.wake();
+  }
+
+  stop_hand() {
+    this.core.stopPlay();
+    this.end_play();
+  }
+
+  end_play(error) {
+    this.plays = false;
+    if (error) this.say(error);
+    this.bars.show_switches();
+  }
+
+  async toggle_sound() {
+    const on = !this.sound.is_on;
+    choices.set('sound', on ? 'on' : '');
+    this.wants_sound = on;
+    await this.sound.set(on).catch((error) => this.say(error.message));
+    this.bars.show_switches();
+    this.wake();
+  }
+
+  set_moves(on) {
+    const device = this.core.devices().find(({ hasForce }) => hasForce === on);
+    const done = this.core.setDevice(device.id);
+    if (!done.ok) this.say(done.error);
+    this.wake();
+  }
+
+  set_strength(share) {
+    this.core.setStrength(share);
+    this.wake();
+  }
+
+  // --- Panels, words, theme
+
+  toggle(panel) {
+    this.shown[panel] = !this.shown[panel];
+    this[panel].element.hidden = !this.shown[panel];
+    if (!this.shown[panel]) this.bars.panels[panel].focus();
+    // A small screen has room for one panel.
+    if (this.shown[panel] && innerWidth <= 1000) {
+      for (const other of Object.keys(this.shown)) if (other !== panel && this.shown[other]) this.toggle(other);
+    }
+    if (this.core) this[panel].show?.(this.core.state());
+    this.bars.show_switches();
+    this.wake();
+  }
+
+  show_words() {
+    const { sheet } = this;
+    sheet.setAttribute('aria-label',
+      t('Sheet. Draw with pen, finger or mouse; arrow keys move the pen, Enter puts it down and lifts it.'));
+    by_id('empty').firstElementChild.textContent = t('Draw. To correct a line, choose Pull and pull it into shape.');
+    this.keys?.forget_words();
+    this.offers.shown = null;
+    for (const part of [this.bars, this.options, this.layers, this.forces]) part.show_words();
+    if (this.core) this.show_state();
+  }
+
+  language() {
+    return current_language();
+  }
+
+  languages() {
+    return Object.entries(languages);
+  }
+
+  set_language(language) {
+    choices.set('language', language);
+    set_language(language);
+    this.show_words();
+  }
+
+  theme_choice() {
+    return choices.get('theme') ?? '';
+  }
+
+  set_theme(theme) {
+    choices.set('theme', theme);
+    const dark = theme ? theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+    document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+    this.core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
+    this.wake();
+  }
+
+  key_name(keys) {
+    return key_name(keys);
+  }
+
+  // --- Messages
+
+  /** Shows a message for a while. */
+  say(text) {
+    clearTimeout(this.notice);
+    by_id('notice').replaceChildren(make('p', {}, text));
+    this.notice = setTimeout(() => by_id('notice').replaceChildren(), kNoticeMs);
+  }
+
+  /** Tells a screen reader. */
+  tell(text) {
+    by_id('notice').replaceChildren(make('p', { className: 'unseen' }, text));
+  }
+
+  dialog(title, content, buttons) {
+    const form = make('form', { method: 'dialog' }, ...buttons);
+    const dialog = make('dialog', { 'aria-label': title }, make('h2', {}, title), content, form);
+    document.body.append(dialog);
+    dialog.addEventListener('close', () => dialog.remove());
+    dialog.showModal();
+    return new Promise((resolve) => dialog.addEventListener('close', () => resolve(dialog.returnValue)));
+  }
+
+  async ask(question, yes) {
+    const answer = await this.dialog(question, '', [make('button', { value: '' }, t('Cancel')),
+      make('button', { value: 'yes', className: 'main' }, yes)]);
+    return answer === 'yes';
+  }
+
+  async new_drawing() {
+    if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+    this.core.clear(this.window_page());
+    this.files.name = '';
+    this.begun();
+  }
+
+  show_keys() {
+    const content = make('div', {}, key_table(this.keys, this),
+      make('p', { className: 'quiet' }, t('Hold the key of a tool to use it until you release the key.')),
+      make('p', { className: 'quiet' }, t('Two fingers move and zoom the sheet; a tap with two fingers undoes, with three redoes.')));
+    this.dialog(t('Keyboard shortcuts'), content, [make('button', { className: 'main' }, t('Close'))]);
+  }
+
+  show_about() {
+    const texts = ['Feltline is a sketching program you can feel: pull a line and it resists. On this page you draw with the same tools and see and hear the forces.',
+      'Force-feedback devices work with the desktop program and the command line only. There, the safety chain checks each force on the way to the device; a web page must not bypass it.',
+      'The drawing stays in this browser until you save it as a file. The page sends nothing and loads nothing.'];
+    this.dialog(`Feltline ${this.catalog.version}`, make('div', {}, ...texts.map((text) => make('p', {}, t(text)))),
+      [make('button', { className: 'main' }, t('Close'))]);
+  }
+
+  get has_felt() {
+    return Boolean(this.catalog?.formats.some(({ id, saves }) => id === 'felt' && saves));
+  }
+}
+
+const page = new Page();
+globalThis.feltlinePage = page;  // for tests
+page.start().catch((error) => {
+  console.warn(error);
+  page.say(t('This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.'));
+});

@@ -1,0 +1,557 @@
+// page.mjs TOPIC DIST [PICTURE]: tests the built page in Chromium and Firefox. Topics are the functions at the end; `all` runs
+// all of them. `picture` draws the picture of the guide: docs/guide/web-page.png.
+import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
+import { mkdtempSync, readFileSync, rmSync, existsSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { Browser } from './browser.mjs';
+import { Firefox, has_firefox } from './firefox.mjs';
+
+const [topic, dist_folder, picture] = process.argv.slice(2), dist = resolve(dist_folder);
+const file_url = pathToFileURL(join(dist, 'index.html')).href;
+const kMaxBytes = 350_000;
+const wave = (x0, y0, count = 40, height = 40) =>
+  Array.from({ length: count }, (_, i) => [x0 + 6 * i, y0 + height * Math.sin(i / 6)]);
+
+const packed_files = new Map();
+function packed(path) {
+  if (!packed_files.has(path)) packed_files.set(path, gzipSync(readFileSync(path), { level: 9 }));
+  return packed_files.get(path);
+}
+
+/** Serves the page as a web server does, with gzip. */
+async function served(use) {
+  const types = { html: 'text/html', js: 'text/javascript' };
+  const server = createServer((request, response) => {
+    const path = join(dist, request.url === '/' ? 'index.html' : request.url);
+    if (!existsSync(path)) return response.writeHead(404).end();
+    response.writeHead(200, { 'Content-Type': types[path.split('.').pop()] ?? 'application/octet-stream', 'Content-Encoding': 'gzip' });
+    response.end(packed(path));
+  });
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  try {
+    await use(`http://127.0.0.1:${server.address().port}/`);
+  } finally {
+    server.closeAllConnections();
+    server.close();
+  }
+}
+
+async function with_tab(options, use, url = file_url) {
+  const browser = new Browser();
+  try {
+    const tab = await browser.open(url, options);
+    await use(tab, browser);
+    assert.deepEqual(tab.errors, [], 'messages in the console');
+  } finally {
+    await browser.close();
+  }
+}
+
+const strokes = (tab) => tab.run(() => feltlinePage.core.state().strokes);
+const saved = (tab, format = 'ndjson') => tab.run((format) => {
+  const bytes = feltlinePage.core.save(format);
+  return bytes && btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+}, format);
+const text_of = (base64) => Buffer.from(base64, 'base64').toString();
+/** Counts dark pixels of the sheet in a rectangle of CSS pixels. */
+const dark = (tab, ...box) => tab.run((x, y, width, height) => {
+  const { data } = document.getElementById('sheet').getContext('2d').getImageData(x, y, width, height);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) count += data[i] < 160;
+  return count;
+}, ...box);
+
+const topics = {
+  /** A line is drawn, at file://; ink is there in the frame after the pointer went down. */
+  async ink() {
+    await with_tab({}, async (tab) => {
+      await tab.run(() => {
+        const sheet = document.getElementById('sheet');
+        const area = () => sheet.getContext('2d').getImageData(395, 395, 30, 30).data;
+        const before = area();
+        globalThis.first = null;
+        // Registered last, so that the page has handled the event.
+        sheet.addEventListener('pointerdown', () => {
+          const start = performance.now();
+          let frames = 0;
+          const look = () => {
+            frames += 1;
+            if (area().some((value, i) => value !== before[i])) globalThis.first = { frames, ms: performance.now() - start };
+            else if (frames < 60) requestAnimationFrame(look);
+          };
+          requestAnimationFrame(look);
+        });
+      });
+      await tab.mouse('mouseMoved', 400, 400, { button: 'none', buttons: 0 });
+      await tab.frames(3);
+      await tab.mouse('mousePressed', 400, 400);
+      await tab.until(() => globalThis.first);
+      const first = await tab.run(() => globalThis.first);
+      console.log(`first ink ${first.frames} frame(s), ${first.ms.toFixed(1)} ms after pointer-down`);
+      assert.ok(first.frames <= 1, `first ink after ${first.frames} frames`);
+      await tab.mouse('mouseMoved', 500, 420);
+      await tab.mouse('mouseReleased', 500, 420);
+      await tab.stroke(wave(300, 200));
+      assert.equal(await strokes(tab), 2);
+      assert.ok(await dark(tab, 290, 150, 250, 100) > 200, 'the line is not on the sheet');
+      assert.equal(await tab.run(() => document.getElementById('empty').hidden), true);
+    });
+  },
+
+  /** Pressure, tilt and every coalesced sample reach the core; predicted events do not. */
+  async samples() {
+    await with_tab({}, async (tab) => {
+      const rows = await tab.run(() => {
+        const { core } = feltlinePage, rows = [], samples = core.samples.bind(core);
+        core.samples = (array) => {
+          for (let i = 0; i < array.length; i += 8) rows.push(Array.from(array.subarray(i, i + 8), (value) => Number.isNaN(value) ? null : value));
+          samples(array);
+        };
+        const sheet = document.getElementById('sheet');
+        const event = (type, more) => new PointerEvent(type, { bubbles: true, cancelable: true, pointerId: 7, pointerType: 'pen',
+          isPrimary: true, button: type === 'pointermove' ? -1 : 0, buttons: 1, ...more });
+        const at = (i) => ({ clientX: 200 + i, clientY: 300, pressure: 0.2 + i / 400, tiltX: 30, tiltY: -10 });
+        sheet.dispatchEvent(event('pointerdown', at(0)));
+        for (let k = 0; k < 10; ++k) {
+          const coalesced = Array.from({ length: 8 }, (_, j) => event('pointermove', at(8 * k + j + 1)));
+          sheet.dispatchEvent(event('pointermove', { ...at(8 * k + 8), coalescedEvents: coalesced,
+            predictedEvents: [event('pointermove', { clientX: 900, clientY: 700 })] }));
+        }
+        sheet.dispatchEvent(event('pointerup', { ...at(80), pressure: 0, buttons: 0 }));
+        core.samples = samples;
+        return rows;
+      });
+      const touching = rows.filter((row) => row[3] === 1);
+      assert.equal(touching.length, 81);
+      touching.forEach((row, i) => {
+        assert.equal(row[1], 200 + i);
+        assert.ok(Math.abs(row[4] - (0.2 + i / 400)) < 1e-6, `pressure of sample ${i}`);
+        assert.deepEqual(row.slice(5, 7), [30, -10]);
+        assert.ok(i === 0 || row[0] >= touching[i - 1][0], 'times run backwards');
+      });
+      assert.equal(rows.at(-1)[3], 0);
+      await tab.until(() => feltlinePage.core.state().strokes === 1);
+      // A mouse has no pressure: the core simulates it.
+      const mouse = await tab.run(() => {
+        const { core } = feltlinePage, seen = [], samples = core.samples.bind(core);
+        core.samples = (array) => { seen.push(Number.isNaN(array[4])); samples(array); };
+        const sheet = document.getElementById('sheet');
+        const event = (type, x) => sheet.dispatchEvent(new PointerEvent(type, { pointerId: 1, pointerType: 'mouse', clientX: x, clientY: 500,
+          button: type === 'pointermove' ? -1 : 0, buttons: type === 'pointerup' ? 0 : 1, pressure: 0.5, isPrimary: true }));
+        event('pointerdown', 300);
+        for (let i = 0; i < 50; ++i) event('pointermove', 300 + 4 * i);
+        event('pointerup', 500);
+        core.samples = samples;
+        return seen;
+      });
+      assert.equal(mouse.length, 52);
+      assert.ok(mouse.every(Boolean));
+    });
+  },
+
+  /** The drawing survives a reload and a killed browser. */
+  async storage() {
+    const profile = mkdtempSync(join(tmpdir(), 'feltline-profile-'));
+    try {
+      let browser = new Browser(profile);
+      let tab = await browser.open(file_url);
+      for (let i = 0; i < 4; ++i) await tab.stroke(wave(200, 150 + 80 * i));
+      await tab.run(() => feltlinePage.apply({ event: 'layer', do: 'add', name: 'Second' }));
+      await tab.stroke(wave(500, 300));
+      const before = await saved(tab, 'svg');
+      await tab.reload();
+      assert.equal(await strokes(tab), 5);
+      assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a reload');
+      await tab.stroke(wave(500, 500));
+      await new Promise((done) => setTimeout(done, 1500));
+      const last = await saved(tab, 'svg');
+      // The next line is in progress when the browser is killed.
+      await tab.mouse('mousePressed', 300, 600);
+      await tab.mouse('mouseMoved', 350, 620);
+      await browser.kill();
+      browser = new Browser(profile);
+      tab = await browser.open(file_url);
+      assert.ok(await strokes(tab) >= 6, 'more than the gesture in progress was lost');
+      if (await strokes(tab) === 6) assert.ok(await saved(tab, 'svg') === last, 'the drawing differs after a crash');
+      // A second tab has its own drawing.
+      const other = await browser.open(file_url);
+      assert.equal(await strokes(other), 0);
+      assert.deepEqual(tab.errors.concat(other.errors), []);
+      await browser.close();
+    } finally {
+      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    }
+  },
+
+  /** Save and open: the same lines. A damaged file changes nothing and says why. */
+  async files() {
+    await with_tab({}, async (tab) => {
+      for (let i = 0; i < 3; ++i) await tab.stroke(wave(200, 200 + 100 * i));
+      const load = (name, base64) => tab.run(async (name, base64) => {
+        feltlinePage.saved();
+        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+        await feltlinePage.files.load(new File([bytes], name), false);
+        return document.getElementById('notice').textContent;
+      }, name, base64);
+      const lines = await saved(tab);
+      assert.equal(text_of(lines).match(/"type":"stroke"|"segments"/g)?.length >= 3, true);
+      const formats = await tab.run(() => feltlinePage.catalog.formats.filter((one) => one.opens && one.saves).map((one) => one.id));
+      assert.ok(['svg', 'ndjson'].every((one) => formats.includes(one)), `formats: ${formats}`);
+      for (const format of formats) {
+        const bytes = await saved(tab, format);
+        await tab.run(() => feltlinePage.core.clear());
+        assert.equal(await strokes(tab), 0);
+        await load(`drawing.${format}`, bytes);
+        assert.equal(await strokes(tab), 3, format);
+        if (format !== 'inkml' && format !== 'xopp') assert.ok(await saved(tab) === lines, `${format} changed the lines`);
+      }
+      const message = await load('broken.svg', Buffer.from('<svg><path d=').toString('base64'));
+      assert.match(message, /broken\.svg/);
+      assert.equal(await strokes(tab), 3);
+      const png = await tab.run(async () => {
+        let made = null;
+        const make = URL.createObjectURL;
+        URL.createObjectURL = (blob) => { made = blob; return make.call(URL, blob); };
+        await feltlinePage.files.export_png();
+        URL.createObjectURL = make;
+        const head = new Uint8Array(await made.slice(0, 8).arrayBuffer());
+        return { size: made.size, head: [...head] };
+      });
+      assert.deepEqual(png.head.slice(1, 4), [80, 78, 71]);
+      assert.ok(png.size > 5000);
+    });
+  },
+
+  /** Keys, touch, panels, theme and language. */
+  async controls() {
+    await with_tab({}, async (tab) => {
+      const state = (code) => tab.run(code);
+      await tab.stroke(wave(300, 300));
+      await tab.key('a');
+      await tab.frames(3);
+      assert.equal(await state(() => feltlinePage.core.state().tool), 'pull');
+      assert.equal(await state(() => document.querySelector('#tools [aria-pressed=true]').getAttribute('aria-label')), 'Pull');
+      await tab.key('p');
+      await tab.key('z', { modifiers: 2 });
+      assert.equal(await strokes(tab), 0);
+      await tab.key('z', { modifiers: 2 | 8 });
+      assert.equal(await strokes(tab), 1);
+      // With the keys alone: arrows move the pen, Enter puts it down and lifts it.
+      await tab.run(() => document.getElementById('sheet').focus());
+      await tab.key('ArrowDown', { code: 'ArrowDown' });
+      await tab.key('Enter', { code: 'Enter' });
+      for (let i = 0; i < 30; ++i) await tab.key('ArrowRight', { code: 'ArrowRight', up: false });
+      await tab.key('Enter', { code: 'Enter' });
+      await tab.until(() => feltlinePage.core.state().strokes === 2);
+      // A tap with two fingers undoes.
+      await tab.run(() => {
+        const sheet = document.getElementById('sheet');
+        const finger = (type, id, x) => sheet.dispatchEvent(new PointerEvent(type, { pointerId: id, pointerType: 'touch', clientX: x,
+          clientY: 400, isPrimary: id === 11, buttons: type === 'pointerup' ? 0 : 1, button: 0 }));
+        finger('pointerdown', 11, 300);
+        finger('pointerdown', 12, 400);
+        finger('pointerup', 11, 300);
+        finger('pointerup', 12, 400);
+      });
+      await tab.frames(5);
+      assert.equal(await strokes(tab), 1);
+      // Two fingers zoom.
+      const scales = await tab.run(() => {
+        const sheet = document.getElementById('sheet'), before = feltlinePage.view().scale;
+        const finger = (type, id, x) => sheet.dispatchEvent(new PointerEvent(type, { pointerId: id, pointerType: 'touch', clientX: x,
+          clientY: 400, isPrimary: id === 11, buttons: type === 'pointerup' ? 0 : 1, button: 0 }));
+        finger('pointerdown', 11, 300);
+        finger('pointerdown', 12, 400);
+        for (let i = 1; i <= 20; ++i) finger('pointermove', 12, 400 + 5 * i);
+        finger('pointerup', 11, 300);
+        finger('pointerup', 12, 500);
+        return [before, feltlinePage.view().scale];
+      });
+      assert.ok(Math.abs(scales[1] / scales[0] - 2) < 0.05, `zoomed from ${scales}`);
+      assert.equal(await strokes(tab), 1);
+      // Layers.
+      await tab.run(() => document.querySelector('#view [aria-label=Layers]').click());
+      await tab.run(() => document.querySelector('#layers [aria-label="Add a layer"]').click());
+      await tab.until(() => document.querySelectorAll('#layers li').length === 2);
+      await tab.run(() => document.querySelectorAll('#layers li .icon')[1].click());
+      await tab.until(() => feltlinePage.core.state().layers[1].visible === false);
+      // Language and theme.
+      await tab.run(() => feltlinePage.set_language('de'));
+      assert.equal(await state(() => document.querySelector('#tools button').getAttribute('aria-label')), 'Bleistift');
+      assert.equal(await state(() => document.documentElement.lang), 'de');
+      await tab.run(() => feltlinePage.set_theme('dark'));
+      assert.equal(await state(() => document.documentElement.dataset.theme), 'dark');
+    });
+  },
+
+  /** 20,000 random events: no message in the console, and the page still draws. */
+  async events() {
+    const count = Number(process.env.EVENTS ?? 20_000), seed = Number(process.env.EVENTS_SEED ?? Math.floor(Math.random() * 1e6));
+    console.log(`${count} events, seed ${seed}`);
+    await with_tab({}, async (tab) => {
+      await tab.run(() => {
+        // Files and dialogs of the browser itself are left out.
+        HTMLInputElement.prototype.click = () => {};
+        HTMLAnchorElement.prototype.click = () => {};
+      });
+      for (let done = 0; done < count; done += 500) {
+        await tab.run(random_events, Math.min(500, count - done), seed + done);
+        await tab.frames(1);
+      }
+      await tab.run(() => {
+        document.querySelectorAll('dialog').forEach((one) => one.close());
+        const sheet = document.getElementById('sheet');
+        for (const id of [1, 2, 3, 4]) {
+          for (const pointerType of ['mouse', 'pen', 'touch']) sheet.dispatchEvent(new PointerEvent('pointercancel', { pointerId: id, pointerType }));
+        }
+        dispatchEvent(new Event('blur'));
+        feltlinePage.stop_hand();
+        feltlinePage.apply({ event: 'cancel' });
+      });
+      await tab.run(async () => {
+        feltlinePage.core.clear();
+        feltlinePage.begun();
+        feltlinePage.use_tool('pencil');
+      });
+      await tab.frames(3);
+      await tab.stroke(wave(500, 400));
+      await tab.until(() => feltlinePage.core.state().strokes === 1);
+    });
+  },
+
+  /** What is loaded before .felt. */
+  async weight() {
+    let sum = 0;
+    for (const name of ['index.html', 'page.js', 'core.js']) {
+      const bytes = gzipSync(readFileSync(join(dist, name)), { level: 9 }).length;
+      console.log(`${name.padEnd(10)} ${String(bytes).padStart(7)} bytes with gzip -9`);
+      sum += bytes;
+    }
+    console.log(`together   ${String(sum).padStart(7)} bytes`);
+    assert.ok(sum <= kMaxBytes, `more than ${kMaxBytes} bytes`);
+  },
+
+  /** No request after loading, and none is possible. */
+  async requests() {
+    await served(async (url) => {
+      await with_tab({}, async (tab) => {
+        await tab.until(() => globalThis.feltlineFull);
+        const loaded = new Set(tab.requests.map((one) => one.slice(url.length)));
+        const before = tab.requests.length;
+        for (const name of tab.requests) assert.ok(name.startsWith(url), `a request to ${name}`);
+        assert.ok([...loaded].every((name) => ['', 'core.js', 'page.js', 'core_full.js'].includes(name)), [...loaded].join(' '));
+        await tab.stroke(wave(300, 300));
+        for (const panel of ['options', 'layers', 'forces']) await tab.run((one) => feltlinePage.toggle(one), panel);
+        await tab.run(() => feltlinePage.toggle_sound());
+        await tab.run(() => feltlinePage.toggle_hand());
+        await tab.frames(60);
+        assert.equal(tab.requests.length, before, tab.requests.slice(before).join(' '));
+        await tab.run(() => feltlinePage.stop_hand());
+        const refused = await tab.run((url) => fetch(`${url}index.html`).then(() => false, () => true), url);
+        assert.ok(refused, 'the page can send requests');
+        tab.errors = tab.errors.filter((text) => !/Content.Security.Policy|Refused to connect/i.test(text));
+      }, url);
+    });
+  },
+
+  /** No violation that axe-core finds, in all panels, both themes, and on a phone. */
+  async access() {
+    const axe = process.env.AXE_CORE;
+    if (!axe || !existsSync(axe)) {
+      console.log('skipped: axe-core is not installed (AXE_CORE)');
+      process.exit(77);
+    }
+    const source = readFileSync(axe, 'utf8');
+    const check = async (tab, name) => {
+      await new Promise((done) => setTimeout(done, 250));  // panels fade in
+      const found = await tab.run(async () => {
+        const { violations } = await axe.run(document, { resultTypes: ['violations'] });
+        return violations.map((one) => `${one.id}: ${one.nodes.map((node) => `${node.target.join(' ')} ${node.any[0]?.message ?? ''}`).join(', ')}`);
+      });
+      assert.deepEqual(found, [], name);
+    };
+    for (const options of [{}, { width: 390, height: 844, mobile: true }]) {
+      await with_tab(options, async (tab) => {
+        // Not by a script element: the page's policy would refuse it.
+        await tab.send('Runtime.evaluate', { expression: source });
+        for (const theme of ['light', 'dark']) {
+          await tab.run((theme) => feltlinePage.set_theme(theme), theme);
+          await check(tab, theme);
+          for (const panel of ['options', 'layers', 'forces']) {
+            if (!(await tab.run((one) => feltlinePage.shown[one], panel))) await tab.run((one) => feltlinePage.toggle(one), panel);
+            await check(tab, `${theme} ${panel}`);
+          }
+          await tab.run(() => feltlinePage.menu.open());
+          await check(tab, `${theme} menu`);
+          await tab.run(() => { feltlinePage.menu.close(); feltlinePage.show_keys(); });
+          await check(tab, `${theme} keys`);
+          await tab.run(() => { document.querySelector('dialog').close(); });
+        }
+        await tab.stroke(wave(60, 300));
+        await tab.run(() => feltlinePage.apply({ event: 'select', what: 'all' }));
+        await tab.frames(3);
+        await check(tab, 'selection');
+      });
+    }
+  },
+
+  /** In Firefox, where it is installed: a line is drawn and survives a reload. */
+  async firefox() {
+    if (!has_firefox()) {
+      console.log('skipped: firefox-esr is not installed');
+      process.exit(77);
+    }
+    const firefox = await Firefox.start();
+    try {
+      const ready = () => firefox.until(() => Boolean(globalThis.feltlinePage?.input));
+      await firefox.load(file_url);
+      await ready();
+      await firefox.run(() => {
+        window.seen = [];
+        addEventListener('error', (event) => window.seen.push(event.message));
+        for (const kind of ['error', 'warn']) window.console[kind] = (...words) => window.seen.push(words.join(' '));
+      });
+      await firefox.stroke(wave(300, 300));
+      await firefox.until(() => feltlinePage.core.state().strokes === 1);
+      await firefox.run(random_events, 1000, 1);
+      await firefox.run(() => new Promise((done) => setTimeout(done, 1500)));
+      assert.deepEqual(await firefox.run(() => window.seen), []);
+      const strokes = await firefox.run(() => feltlinePage.core.state().strokes);
+      await firefox.load(file_url);
+      await ready();
+      assert.equal(await firefox.run(() => feltlinePage.core.state().strokes), strokes);
+      if (process.env.SCREENSHOT) writeFileSync(process.env.SCREENSHOT, await firefox.screenshot());
+    } finally {
+      await firefox.close();
+    }
+  },
+
+  /** The picture of the guide: the hand has drawn the cat, and a whisker is being pulled. */
+  async picture() {
+    if (!picture) return;
+    await with_tab({ width: 1280, height: 800 }, async (tab) => {
+      await tab.run(() => {
+        feltlinePage.set_theme('dark');
+        feltlinePage.set_medium('pencil-soft');
+        feltlinePage.toggle_hand();
+      });
+      await tab.until(() => !feltlinePage.plays);
+      for (const panel of ['forces', 'layers']) await tab.run((one) => feltlinePage.toggle(one), panel);
+      await tab.key('a');
+      const [x, y] = [Number(process.env.PULL_X ?? 480), Number(process.env.PULL_Y ?? 330)];
+      await tab.mouse('mouseMoved', x, y, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', x, y);
+      for (let i = 1; i <= 40; ++i) {
+        await tab.mouse('mouseMoved', x - i, y - 1.2 * i);
+        await tab.frames(2);
+      }
+      writeFileSync(picture, await tab.screenshot());
+      await tab.mouse('mouseReleased', x - 40, y - 48);
+    });
+  },
+
+  /** Time until the page is interactive, at 10 Mbit/s and a CPU that is 4 times slower. Only printed. */
+  async speed() {
+    await served(async (url) => {
+      for (const [name, prepare] of [['unlimited', null], ['10 Mbit/s, 4 times slower CPU', async (tab) => {
+        await tab.send('Network.emulateNetworkConditions', { offline: false, latency: 0, downloadThroughput: 1.25e6, uploadThroughput: 1.25e6 });
+        await tab.send('Emulation.setCPUThrottlingRate', { rate: 4 });
+      }]]) {
+        for (let i = 0; i < 3; ++i) {
+          await with_tab({ prepare }, async (tab) => {
+            const times = await tab.run(() => ({
+              paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
+              interactive: performance.getEntriesByName('interactive')[0].startTime }));
+            console.log(`${name}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms`);
+          }, url);
+        }
+      }
+    });
+  },
+};
+
+/** Runs in the page: random pointers, keys, clicks and commands. */
+function random_events(count, seed) {
+  let state = seed >>> 0;
+  const random = () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+  const pick = (list) => list[Math.floor(random() * list.length)];
+  const sheet = document.getElementById('sheet'), pointers = (globalThis.monkeyPointers ??= {});
+  const keys = ['p', 'a', 's', 'w', 'e', 'v', 't', 'c', 'x', 'm', '1', '3', '4', '5', '6', '[', ']', '+', '-', '?', 'Escape', 'Delete', 'Home', 'End',
+    'ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown', 'Enter', ' ', 'F2', 'Tab'];
+  const pointer = (kind) => {
+    const one = (pointers[kind] ??= { x: 400, y: 300, down: false });
+    const id = { mouse: 1, pen: 2, touch: 3, touch2: 4 }[kind], type = random() < 0.12 ? (one.down ? 'pointerup' : 'pointerdown') : 'pointermove';
+    one.x += (random() - 0.5) * 60;
+    one.y += (random() - 0.5) * 60;
+    if (random() < 0.01) [one.x, one.y] = [random() * 4000 - 1000, random() * 4000 - 1000];
+    if (type === 'pointerdown') [one.down, one.button] = [true, random() < 0.1 ? 2 : 0];
+    if (type === 'pointerup') one.down = false;
+    if (kind.startsWith('touch') && type === 'pointermove' && !one.down) return;
+    const init = { bubbles: true, cancelable: true, pointerId: id, pointerType: kind.replace('2', ''), clientX: one.x, clientY: one.y,
+      pressure: one.down ? random() : 0, tiltX: Math.round(random() * 120 - 60), tiltY: 0, button: type === 'pointermove' ? -1 : one.button,
+      buttons: one.down ? (one.button === 2 ? 2 : 1) : 0, shiftKey: random() < 0.05, ctrlKey: random() < 0.05 };
+    if (type === 'pointermove') init.coalescedEvents = Array.from({ length: Math.floor(random() * 4) }, () => new PointerEvent(type, init));
+    sheet.dispatchEvent(new PointerEvent(random() < 0.01 && type === 'pointerup' ? 'pointercancel' : type, init));
+  };
+  const key = () => {
+    const init = { key: pick(keys), bubbles: true, cancelable: true, shiftKey: random() < 0.1, ctrlKey: random() < 0.1 };
+    init.code = init.key === ' ' ? 'Space' : init.key;
+    const target = random() < 0.6 ? sheet : document.activeElement ?? document.body;
+    target.dispatchEvent(new KeyboardEvent('keydown', init));
+    if (random() < 0.9) target.dispatchEvent(new KeyboardEvent('keyup', init));
+  };
+  const control = () => {
+    const one = pick([...document.querySelectorAll('button:not(:disabled), select, input:not([type=file])')].filter((e) => !e.closest('[hidden]')));
+    if (!one) return;
+    if (one.tagName === 'SELECT') {
+      one.selectedIndex = Math.floor(random() * one.options.length);
+      one.dispatchEvent(new Event('change'));
+    } else if (one.type === 'range') {
+      one.value = Number(one.min) + random() * (one.max - one.min);
+      one.dispatchEvent(new Event('input'));
+      one.dispatchEvent(new Event('change'));
+    } else if (one.type === 'checkbox') {
+      one.checked = !one.checked;
+      one.dispatchEvent(new Event('change'));
+    } else if (one.type === 'color') {
+      one.value = `#${Math.floor(random() * 0xffffff).toString(16).padStart(6, '0')}`;
+      one.dispatchEvent(new Event('change'));
+    } else if (one.tagName === 'BUTTON') {
+      one.click();
+    }
+  };
+  const wheel = () => sheet.dispatchEvent(new WheelEvent('wheel', { deltaY: (random() - 0.5) * 300, deltaX: random() < 0.2 ? 30 : 0,
+    clientX: random() * innerWidth, clientY: random() * innerHeight, ctrlKey: random() < 0.3, shiftKey: random() < 0.3, cancelable: true }));
+  for (let i = 0; i < count; ++i) {
+    const chance = random();
+    if (chance < 0.45) pointer('mouse');
+    else if (chance < 0.65) pointer('pen');
+    else if (chance < 0.78) pointer(random() < 0.6 ? 'touch' : 'touch2');
+    else if (chance < 0.9) key();
+    else if (chance < 0.96) control();
+    else if (chance < 0.98) wheel();
+    else dispatchEvent(new Event(pick(['blur', 'resize'])));
+    // An undo now and then keeps the drawing small.
+    if (random() < 0.01) feltlinePage.undo();
+    if (random() < 0.002) document.querySelectorAll('dialog').forEach((dialog) => dialog.close());
+  }
+}
+
+if (topic !== 'all' && !(topic in topics)) {
+  console.error(`no topic ${topic}`);
+  process.exit(2);
+}
+for (const name of topic === 'all' ? Object.keys(topics) : [topic]) {
+  await topics[name]();
+  console.log(`${name}: passed`);
+}
+process.exit(0);

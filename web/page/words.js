@@ -1,0 +1,111 @@
+// The words of the page in English, German and Dutch.
+import desktop from 'generated/desktop_words.js';
+import { choices } from './dom.js';
+
+export const languages = { en: 'English', de: 'Deutsch', nl: 'Nederlands' };
+
+// Texts that the desktop program does not have: [german, dutch].
+const own = {
+  'Menu': ['Menü', 'Menu'],
+  'Tools': ['Werkzeuge', 'Gereedschappen'],
+  'View': ['Ansicht', 'Beeld'],
+  'Ink': ['Tinte', 'Inkt'],
+  'Medium': ['Zeichenmittel', 'Tekenmiddel'],
+  'Surface': ['Untergrund', 'Ondergrond'],
+  'Colour': ['Farbe', 'Kleur'],
+  'Size': ['Größe', 'Grootte'],
+  'Options': ['Optionen', 'Opties'],
+  'Layers': ['Ebenen', 'Lagen'],
+  'Forces': ['Kräfte', 'Krachten'],
+  'Close': ['Schließen', 'Sluiten'],
+  'New drawing': ['Neue Zeichnung', 'Nieuwe tekening'],
+  'Open…': ['Öffnen …', 'Openen…'],
+  'Add a file to the drawing…': ['Datei zur Zeichnung hinzufügen …', 'Bestand aan de tekening toevoegen…'],
+  'Save as Feltline drawing': ['Als Feltline-Zeichnung speichern', 'Opslaan als Feltline-tekening'],
+  'Save as SVG': ['Als SVG speichern', 'Opslaan als SVG'],
+  'Save as lines of JSON': ['Als JSON-Zeilen speichern', 'Opslaan als JSON-regels'],
+  'Export as PNG': ['Als PNG exportieren', 'Exporteren als PNG'],
+  'Theme': ['Farbschema', 'Thema'],
+  'Language': ['Sprache', 'Taal'],
+  'as in the system': ['wie im System', 'zoals het systeem'],
+  'light': ['hell', 'licht'],
+  'dark': ['dunkel', 'donker'],
+  'Let the simulated hand draw the cat': ['Die simulierte Hand die Katze zeichnen lassen', 'De gesimuleerde hand de kat laten tekenen'],
+  'Stop the simulated hand': ['Die simulierte Hand anhalten', 'De gesimuleerde hand stoppen'],
+  'The simulated hand draws. Touch the sheet to stop it.': ['Die simulierte Hand zeichnet. Berühren Sie das Blatt, um sie anzuhalten.', 'De gesimuleerde hand tekent. Raak het blad aan om haar te stoppen.'],
+  'Keyboard shortcuts': ['Tastenkürzel', 'Sneltoetsen'],
+  'About Feltline': ['Über Feltline', 'Over Feltline'],
+  'Sound of drawing': ['Ton beim Zeichnen', 'Geluid van het tekenen'],
+  'Show forces': ['Kräfte anzeigen', 'Krachten tonen'],
+  'Pen moves with forces': ['Stift folgt den Kräften', 'Pen beweegt met krachten'],
+  'The plot shows what a force-feedback pen would let you feel.': ['Das Diagramm zeigt, was ein Stift mit Kraftrückmeldung spüren ließe.', 'Het diagram toont wat een pen met krachtterugkoppeling zou laten voelen.'],
+  'Fit page': ['Seite einpassen', 'Pagina passend'],
+  'Draw. To correct a line, choose Pull and pull it into shape.': ['Zeichnen Sie. Um eine Linie zu korrigieren, wählen Sie Ziehen und ziehen Sie sie in Form.', 'Teken. Om een lijn te verbeteren kiest u Trekken en trekt u de lijn in vorm.'],
+  'Sheet. Draw with pen, finger or mouse; arrow keys move the pen, Enter puts it down and lifts it.': ['Blatt. Zeichnen Sie mit Stift, Finger oder Maus; Pfeiltasten bewegen den Stift, Enter setzt ihn auf und hebt ihn ab.', 'Blad. Teken met pen, vinger of muis; pijltoetsen bewegen de pen, Enter zet haar neer en tilt haar op.'],
+  'The pen is down': ['Der Stift liegt auf', 'De pen is neer'],
+  'The pen is up': ['Der Stift ist abgehoben', 'De pen is los'],
+  'Loading…': ['Wird geladen …', 'Laden…'],
+  'This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.': ['Dieser Browser kann die Seite nicht ausführen: Sie braucht WebAssembly und JavaScript von 2023 oder neuer.', 'Deze browser kan de pagina niet uitvoeren: ze heeft WebAssembly en JavaScript van 2023 of later nodig.'],
+  'Restored the drawing of your last visit.': ['Die Zeichnung Ihres letzten Besuchs ist wieder da.', 'De tekening van uw vorige bezoek is hersteld.'],
+  'The drawing of your last visit could not be restored: %1': ['Die Zeichnung Ihres letzten Besuchs ließ sich nicht wiederherstellen: %1', 'De tekening van uw vorige bezoek kon niet worden hersteld: %1'],
+  'This browser does not store the drawing. Save it before you close the page.': ['Dieser Browser bewahrt die Zeichnung nicht auf. Speichern Sie sie, bevor Sie die Seite schließen.', 'Deze browser bewaart de tekening niet. Sla haar op voordat u de pagina sluit.'],
+  'An error occurred. The drawing was restored up to the last step.': ['Ein Fehler ist aufgetreten. Die Zeichnung wurde bis zum letzten Schritt wiederhergestellt.', 'Er is een fout opgetreden. De tekening is tot de laatste stap hersteld.'],
+  'The former drawing was replaced. Undo does not bring it back.': ['Die vorige Zeichnung wurde ersetzt. Rückgängig bringt sie nicht zurück.', 'De vorige tekening is vervangen. Ongedaan maken brengt haar niet terug.'],
+  'Replace the drawing? It is not in a file yet.': ['Zeichnung ersetzen? Sie ist noch in keiner Datei gespeichert.', 'De tekening vervangen? Ze staat nog niet in een bestand.'],
+  'Replace': ['Ersetzen', 'Vervangen'],
+  'Cancel': ['Abbrechen', 'Annuleren'],
+  '“%1” could not be opened: %2': ['„%1“ lässt sich nicht öffnen: %2', '‘%1’ kan niet worden geopend: %2'],
+  'The drawing could not be saved in this format.': ['Die Zeichnung ließ sich in diesem Format nicht speichern.', 'De tekening kon niet in dit formaat worden opgeslagen.'],
+  'Saved as %1': ['Gespeichert als %1', 'Opgeslagen als %1'],
+  'Drawing': ['Zeichnung', 'Tekening'],
+  'Show “%1”': ['„%1“ anzeigen', '‘%1’ tonen'],
+  'Hide “%1”': ['„%1“ ausblenden', '‘%1’ verbergen'],
+  'Draw on “%1”': ['Auf „%1“ zeichnen', 'Tekenen op ‘%1’'],
+  'Name of the layer': ['Name der Ebene', 'Naam van de laag'],
+  'Rename the layer': ['Ebene umbenennen', 'Laag hernoemen'],
+  'on': ['an', 'aan'],
+  'off': ['aus', 'uit'],
+  'Pan': ['Ansicht verschieben', 'Beeld verschuiven'],
+  'Space and drag': ['Leertaste und ziehen', 'Spatie en slepen'],
+  'Hold the key of a tool to use it until you release the key.': ['Halten Sie die Taste eines Werkzeugs, um es nur bis zum Loslassen zu benutzen.', 'Houd de toets van een gereedschap vast om het tot het loslaten te gebruiken.'],
+  'Two fingers move and zoom the sheet; a tap with two fingers undoes, with three redoes.': ['Zwei Finger verschieben und vergrößern das Blatt; ein Tippen mit zwei Fingern macht rückgängig, mit drei wiederholt.', 'Twee vingers verschuiven en vergroten het blad; een tik met twee vingers maakt ongedaan, met drie opnieuw.'],
+  'Larger, smaller': ['Größer, kleiner', 'Groter, kleiner'],
+  'Zoom in, zoom out': ['Vergrößern, verkleinern', 'Inzoomen, uitzoomen'],
+  'Move the pen': ['Stift bewegen', 'Pen bewegen'],
+  'Move selected lines': ['Ausgewählte Linien verschieben', 'Geselecteerde lijnen verplaatsen'],
+  'Pen down, pen up': ['Stift aufsetzen, abheben', 'Pen neer, pen op'],
+  'arrow keys': ['Pfeiltasten', 'pijltoetsen'],
+  'with Ctrl': ['mit Strg', 'met Ctrl'],
+  'Feltline is a sketching program you can feel: pull a line and it resists. On this page you draw with the same tools and see and hear the forces.': ['Feltline ist ein Skizzenprogramm zum Fühlen: Ziehen Sie an einer Linie, und sie wehrt sich. Auf dieser Seite zeichnen Sie mit denselben Werkzeugen und sehen und hören die Kräfte.', 'Feltline is een schetsprogramma dat u kunt voelen: trek aan een lijn en ze biedt weerstand. Op deze pagina tekent u met hetzelfde gereedschap en ziet en hoort u de krachten.'],
+  'Force-feedback devices work with the desktop program and the command line only. There, the safety chain checks each force on the way to the device; a web page must not bypass it.': ['Geräte mit Kraftrückmeldung arbeiten nur mit dem Desktop-Programm und der Kommandozeile. Dort prüft die Sicherheitskette jede Kraft auf dem Weg zum Gerät; eine Webseite darf sie nicht umgehen.', 'Apparaten met krachtterugkoppeling werken alleen met het desktopprogramma en de opdrachtregel. Daar controleert de veiligheidsketen elke kracht op weg naar het apparaat; een webpagina mag die niet omzeilen.'],
+  'The drawing stays in this browser until you save it as a file. The page sends nothing and loads nothing.': ['Die Zeichnung bleibt in diesem Browser, bis Sie sie als Datei speichern. Die Seite sendet nichts und lädt nichts nach.', 'De tekening blijft in deze browser totdat u haar als bestand opslaat. De pagina verstuurt niets en laadt niets.'],
+};
+
+let language = 'en';
+
+export function set_language(wanted) {
+  const asked = wanted || navigator.languages?.map((name) => name.slice(0, 2)).find((name) => name in languages);
+  language = asked in languages ? asked : 'en';
+  document.documentElement.lang = language;
+}
+export const current_language = () => language;
+set_language(choices.get('language'));
+
+/** Returns the text in the language of the page; `values` replace %1, %2. */
+export function t(text, ...values) {
+  return filled(own[text]?.[language === 'de' ? 0 : 1] && language !== 'en'
+    ? own[text][language === 'de' ? 0 : 1] : text, values);
+}
+
+/** Returns a text of the desktop program; `context` is that of its translations. */
+export function d(context, text, ...values) {
+  const both = language === 'en' ? null : desktop[context]?.[text];
+  return filled(both?.[language === 'de' ? 0 : 1] || text, values);
+}
+
+const filled = (text, values) => values.reduce((all, value, i) => all.replace(`%${i + 1}`, value), text);
+
+/** Returns a number with this many decimals, as one writes it in the language of the page. */
+export function number(value, decimals = 0) {
+  return value.toLocaleString(language, { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+}
