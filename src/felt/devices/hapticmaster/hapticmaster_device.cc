@@ -50,7 +50,7 @@ HapticMasterDevice::HapticMasterDevice(std::unique_ptr<ControllerLink> link, Con
 // requests on this connection do.
 HapticMasterDevice::~HapticMasterDevice() {
   stop();
-  if (!guard_ || is_gone_) return;
+  if (!guard_ || guard_->is_guarded() || is_gone_) return;
   static_cast<void>(link_->send("set state off", kSendNs));
   static_cast<void>(link_->send("remove all", kSendNs));
 }
