@@ -10,11 +10,12 @@ namespace {
 
 constexpr int kMaxAnswers = 8;  // answers read in one tick
 constexpr int kStopTries = 4;
-constexpr double kMaxModelMmPerS = 10'000.0;  // of the virtual mass
+constexpr double kMaxModelMmPerS = 1e5;  // the safety chain cuts the force far below
 constexpr double kSecondsPerNs = 1e-9;
-// A position that no hand can have reached since the last one is invalid. The safety chain would
-// not call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
-constexpr double kMaxMmPerS = 1500.0;
+// A position that the reported velocities do not explain is invalid. The safety chain would not
+// call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
+constexpr double kMaxErrorMmPerS = 1500.0;
+constexpr int kSteadyPositions = 5;  // before a jump can be told from a hand that has just begun
 constexpr double kMaxStepS = 0.05;
 
 const ShortText kNotHome("The machine is not ready: it must be calibrated and switched on first.");
@@ -170,10 +171,14 @@ HapticMasterDevice::Received HapticMasterDevice::take_position(std::string_view 
   }
   const Vec3 position_mm = kMmPerM * *position_m;
   const double step_s = since_s(measured_ns_, sent_ns);
-  const bool is_steady = has_sample_ && step_s > 0.0 && step_s < kMaxStepS;
-  if (is_steady && norm(position_mm - measured_mm_) > kMaxMmPerS * step_s) return Received::kBad;
+  const bool is_next = step_s > 0.0 && step_s < kMaxStepS;
+  const bool is_steady = is_next && positions_ >= kSteadyPositions;
+  const double mm_per_s =
+      kMaxErrorMmPerS + std::max(norm(sample_.velocity), norm(velocity_mm_per_s_));
+  if (is_steady && norm(position_mm - measured_mm_) > mm_per_s * step_s) return Received::kBad;
   measured_mm_ = position_mm;
   measured_ns_ = sent_ns;
+  positions_ = is_next ? std::min(positions_ + 1, kSteadyPositions) : 0;
   return Received::kPosition;
 }
 

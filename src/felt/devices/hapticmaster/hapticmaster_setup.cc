@@ -209,6 +209,7 @@ Result<void> HapticMasterDevice::find_home() {
     return done;
   }
   gate_.release();
+  positions_ = 0;
   pace_ = ServicePace(descriptor_.capabilities.period_ns);
   pace_words_.reset();
   is_in_force_ = is_home_ = true;

@@ -242,7 +242,7 @@ void FakeController::tick(std::int64_t now_ns) {
       port->held_.clear();
     }
   }
-  watch_guards();
+  if (options_.guard_watches_ticks) watch_guards();
   work_until(now_ns);
 }
 

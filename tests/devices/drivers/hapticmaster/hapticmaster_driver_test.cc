@@ -41,6 +41,7 @@ class Desk {
                 double mass_kg = 0.3)
       : world(machine_preset(mass_kg), faults),
         controller(world, faults, PlaneCalibration(), std::move(with)) {
+    controller.options().guard_watches_ticks = true;
     system.set_environment(kAddressVariable, "192.168.0.25");
     HapticMasterOptions options;
     options.connect = [this](const std::string& host, std::uint16_t port, std::int64_t) {
