@@ -129,7 +129,7 @@ class HapticMasterDevice final : public DriverDevice {
 
   // These are used by the haptic thread, or by the edit thread while no loop runs.
   Vec3 measured_mm_, velocity_mm_per_s_;
-  int positions_ = 0;          // in a row, counted up to kSteadyPositions
+  int positions_ = 0;             // in a row, counted up to kSteadyPositions
   bool has_velocity_ = false;     // since the velocity was last asked for
   std::int64_t measured_ns_ = 0;  // when the newest position was asked for
   PenSample sample_;

@@ -25,8 +25,9 @@ struct FakeControllerOptions {
   bool ignores_guard = false;  ///< the guard's connection is dead, but stays open
   bool refuses_guard = false;  ///< no guard process can be started
   int max_connections = 8;
-  /// The guard also acts if no tick comes for its patience. The suites of all drivers let time stand
-  /// still, and expect that a device can be read afterwards; this machine must be homed again.
+  /// The guard also acts if no tick comes for its patience. The suites of all drivers let time
+  /// stand still, and expect that a device can be read afterwards; this machine must be homed
+  /// again.
   bool guard_watches_ticks = false;
   std::string workspace_r = "[-0.18,0.6,0.18]";
 };
