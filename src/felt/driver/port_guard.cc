@@ -69,7 +69,7 @@ void say(const Watch& watch) noexcept {
 // Discards the answers that have arrived on a connection of the guard's own. Returns false if the
 // peer has closed it, so that the guard can no longer protect the device.
 bool discard_answers(const Watch& watch) noexcept {
-  std::array<char, 256> room;
+  std::array<char, 256> room{};
   for (int i = 0; watch.use == PortGuard::Use::kOwnConnection && i < kMaxReads; ++i) {
     const ssize_t count = ::recv(watch.port, room.data(), room.size(), MSG_DONTWAIT);
     if (count == 0) return false;
@@ -105,7 +105,7 @@ bool discard_answers(const Watch& watch) noexcept {
       has_beaten = false;
       continue;
     }
-    std::array<char, 64> room;
+    std::array<char, 64> room{};
     const ssize_t count = ready > 0 ? ::read(watch.connection, room.data(), room.size()) : -1;
     const bool goes_on = count > 0 || (count < 0 && errno == EINTR);
     if (!goes_on) say_and_exit(watch);

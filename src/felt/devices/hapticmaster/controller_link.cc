@@ -39,7 +39,7 @@ tl::unexpected<LinkFault> ControllerLink::end(LinkFault fault) noexcept {
 tl::expected<void, LinkFault> ControllerLink::send(std::string_view text,
                                                    std::int64_t within_ns) noexcept {
   if (is_over_) return tl::unexpected(fault_);
-  std::array<std::byte, kHeaderBytes + kMaxRequest> room;
+  std::array<std::byte, kHeaderBytes + kMaxRequest> room{};
   const std::size_t size = write_request(text, room);
   const auto sent = stream_->send(std::span(room).first(size), within_ns);
   if (sent) return {};

@@ -86,7 +86,7 @@ tl::unexpected<DeviceFault> HapticMasterDevice::gone() noexcept {
 HapticMasterDevice::Received HapticMasterDevice::lose(std::string_view words,
                                                       std::string_view answer) noexcept {
   if (is_gone_) return Received::kClosed;
-  std::array<char, ShortText::kBytes> room;
+  std::array<char, ShortText::kBytes> room{};
   const std::string_view part = answer.substr(0, 60);
   words = words.substr(0, ShortText::kBytes - part.size() - 2);
   char* at = std::copy(words.begin(), words.end(), room.data());

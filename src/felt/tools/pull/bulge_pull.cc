@@ -35,6 +35,16 @@ int circle_looks(const Cubic& c, double radius_mm) noexcept {
   return static_cast<int>(std::clamp<double>(wanted, kMinCircleLooks, kMaxCircleLooks));
 }
 
+/// Returns where a curve crosses the circle between two parameters, of which one is inside.
+double circle_crossing(const RadialMap& map, const Cubic& c, double low, double high) noexcept {
+  const bool before = map.reaches(evaluate(c, low));
+  for (int halving = 0; halving < kCircleHalvings; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (map.reaches(evaluate(c, middle)) == before ? low : high) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 Point RadialMap::operator()(Point p) const noexcept {
@@ -114,12 +124,7 @@ std::vector<double> BulgePull::crossings() const {
     for (std::size_t k = 1; k < ts.size(); ++k) {
       const bool before = map_.reaches(evaluate(c, ts[k - 1]));
       if (before == map_.reaches(evaluate(c, ts[k]))) continue;
-      double low = ts[k - 1], high = ts[k];
-      for (int halving = 0; halving < kCircleHalvings; ++halving) {
-        const double middle = 0.5 * (low + high);
-        (map_.reaches(evaluate(c, middle)) == before ? low : high) = middle;
-      }
-      us.push_back(static_cast<double>(i) + high);
+      us.push_back(static_cast<double>(i) + circle_crossing(map_, c, ts[k - 1], ts[k]));
     }
   }
   return us;

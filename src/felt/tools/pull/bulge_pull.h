@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/edit.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
