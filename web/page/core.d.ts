@@ -208,6 +208,9 @@ export interface Core {
   rebased(): boolean;
   base(): Uint8Array;
   recorded(): string;
+  /** The drawing as it was at the last `rebased()` or `recorded()`, for `restore()` of another core. Works even after a
+   * CoreError. */
+  copy(): { base: Uint8Array; recorded: string };
   /** The next `rebased()` makes the present drawing the new base (as soon as no gesture is in progress; undo stays until
    * a reload). Call it when the records exceed some MB. */
   rebase(): void;

@@ -87,6 +87,12 @@ export class Files {
     this.page.say(t('Saved as %1', this.file_name(format)));
   }
 
+  /** Saves a stored drawing that could not be restored: its base as a drawing, and the events since then. */
+  save_stored({ base, recorded }) {
+    if (base?.byteLength > 0) download(base, `${t('Drawing')}.svg`, kTypes.svg);
+    if (recorded) download(recorded, `${t('Drawing')}-events.ndjson`, kTypes.ndjson);
+  }
+
   async export_png() {
     const { core } = this.page, { page } = core.state();
     core.finish();

@@ -15,6 +15,8 @@ const kMinScale = 0.05, kMaxScale = 400;
 const kIdleMs = 400;              // the frames stop when nothing has happened for this time
 const kAutosaveMs = 500;          // longest time between a gesture and its place in the autosave
 const kRebaseBytes = 8e6;         // of recorded events; then the autosave begins again with the drawing
+const kRetryMs = 10_000;          // after a failed write, the whole drawing is written again
+const kRestartMs = 20_000, kMaxRestarts = 3;  // a core that ends more often within this time ends because of the drawing
 const kNoticeMs = 6000;
 const kSettleMs = 40;
 const kWarmUpMs = 100, kFullMs = 1500;
@@ -70,9 +72,14 @@ class Page {
     this.context = this.sheet.getContext('2d', { alpha: false, desynchronized: true });
     const [storage] = await Promise.all([Storage.open(), globalThis.feltlineCore ?? script('core.js')]);
     this.storage = storage;
-    const last = await storage?.load().catch(() => null);
-    await this.make_core();
-    if (last) await this.restore(last);
+    let last = null;
+    try {
+      last = await storage?.load() ?? null;
+    } catch {
+      this.storage = null;  // what is stored stays as it is
+    }
+    const done = await this.make_core(last);
+    if (this.storage?.is_broken) this.core.rebase();
     this.show_words();
     this.listen();
     this.wake();
@@ -80,9 +87,11 @@ class Page {
     setTimeout(() => this.warm_up(), kWarmUpMs);
     // The reader of files is loaded now, so that the page needs no request later, even without a network.
     if (!navigator.connection?.saveData) setTimeout(() => script('core_full.js').catch(() => {}), kFullMs);
+    if (!done.ok) this.ask_about(last, done.error);
+    else if (last && this.core.state().strokes > 0) this.say(t('Restored the drawing of your last visit.'));
     // Without storage, the user must know before the page is closed.
-    if (!storage) this.say(t('This browser does not store the drawing. Save it before you close the page.'));
-    else storage.failed = () => this.say(t('This browser does not store the drawing. Save it before you close the page.'));
+    if (!this.storage) this.say_not_stored();
+    else this.watch_storage();
   }
 
   /** Lets the core prepare grain, forces and sound. This takes a moment, so it waits until no line is drawn. */
@@ -92,15 +101,36 @@ class Page {
     this.wake();
   }
 
-  async make_core() {
+  /**
+   * Makes a core that continues with the drawing `last`, { base, page, recorded }, if there is one. The page has no core
+   * until this is done, so that nothing is stored meanwhile. If it fails, the sheet is empty or has a part of the drawing,
+   * and nothing is stored until the user decides: ask_about().
+   */
+  async make_core(last = null) {
     const { innerWidth: width, innerHeight: height } = globalThis;
-    this.core = await globalThis.feltlineCore.createCore({ width, height, dpr: devicePixelRatio, page: this.window_page(),
+    const make_one = () => globalThis.feltlineCore.createCore({ width, height, dpr: devicePixelRatio, page: this.window_page(),
       now: performance.now() });
-    this.catalog = this.core.catalog();
+    let core = await make_one(), done = { ok: true };
+    if (last) {
+      try {
+        done = await this.restore(core, last);
+      } catch (error) {
+        done = { ok: false, error: error.message };
+        core = await make_one();
+      }
+    }
+    this.is_paused = !done.ok;
+    this.record_bytes = last?.recorded.length ?? 0;
+    this.core = core;
+    this.catalog = core.catalog();
     by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`).join();
+    if (this.device) core.setDevice(this.device);
+    if (this.strength !== undefined) core.setStrength(this.strength);
     this.resize();
-    this.fill_window();
+    if (last) this.fit();
+    else this.fill_window();
     this.set_theme(this.theme_choice());
+    return done;
   }
 
   /** The size of a sheet that fills the window at life size, in mm. */
@@ -110,16 +140,14 @@ class Page {
   }
 
   /** Continues with a stored drawing. One that was read from a file needs the reader of files. */
-  async restore(last) {
-    if (this.core.needsFiles(last.base)) await this.core.loadFiles();
-    const done = this.core.restore(last.base, last.recorded);
-    if (!done.ok) {
-      this.say(t('The drawing of your last visit could not be restored: %1', done.error));
-      return this.begun();
+  async restore(core, last) {
+    if (core.needsFiles(last.base)) {
+      const loaded = await core.loadFiles();
+      if (!loaded.ok) return loaded;
     }
-    if (!last.base) this.core.setPage(last.page);
-    this.fit();
-    if (this.core.state().strokes > 0) this.say(t('Restored the drawing of your last visit.'));
+    const done = core.restore(last.base, last.recorded);
+    if (done.ok && !last.base) core.setPage(last.page);
+    return done;
   }
 
   listen() {
@@ -141,6 +169,7 @@ class Page {
     this.sheet.width = Math.round(width * ratio);
     this.sheet.height = Math.round(height * ratio);
     this.marks.resize(width, height, ratio);
+    if (!this.core) return;
     this.core.resize(width, height, ratio);
     const { strokes, undo, redo } = this.core.state();
     if (strokes === 0 && undo === null && redo === null) {
@@ -170,17 +199,20 @@ class Page {
       const more = core.paint(this.context);
       this.show_changes(now);
       if (more || now < this.active_until || this.plays) this.wake_again();
-      else this.store();
+      else this.store(now);
     });
   }
 
-  /** Calls the core. If a check in it fails, another core continues with the autosaved drawing. */
+  /** Calls the core. If a check in it fails, another core continues with the drawing. Other errors do not concern the
+   * drawing. */
   guard(use) {
-    if (!this.core) return undefined;
+    const { core } = this;
+    if (!core) return undefined;
     try {
-      return use(this.core);
+      return use(core);
     } catch (error) {
-      this.recover(error);
+      if (error.name === 'CoreError') this.recover(core, error);
+      else console.warn('Feltline: an error of the page:', error);
       return undefined;
     }
   }
@@ -231,47 +263,114 @@ class Page {
     by_id('empty').classList.toggle('on-dark', this.paper_is_dark);
   }
 
-  async recover(error) {
+  /** Replaces a core that has ended. */
+  async recover(core, error) {
+    if (this.core !== core) return;
     console.warn('Feltline restarts after an error:', error);
     this.core = null;
-    const last = await this.storage?.load().catch(() => null);
-    await this.make_core();
-    // If the error occurs again, the drawing stays in the autosave of the browser, and the sheet is empty.
+    this.plays = false;
+    const now = performance.now();
+    this.restarts = [...(this.restarts ?? []).filter((time) => now - time < kRestartMs), now];
+    const is_again = this.restarts.length >= kMaxRestarts;
+    if (this.restarts.length > 2 * kMaxRestarts) return this.say_ended();
+    // If the error occurs again, the drawing causes it. Then the sheet is empty, and the drawing stays stored.
+    const was_paused = this.is_paused, last = was_paused ? null : core.copy?.() ?? null;
     try {
-      if (last && this.core.needsFiles(last.base)) await this.core.loadFiles();
-      if (last) this.core.restore(last.base, last.recorded);
-    } catch {
-      await this.make_core();
-      this.storage = null;
+      const done = await this.make_core(is_again ? null : last);
+      if (was_paused || is_again || !done.ok) {
+        this.is_paused = true;  // what is stored stays
+        if (last) this.ask_about(last, done.error ?? error.message);
+      } else {
+        this.core.rebase();
+        this.say(t('An error occurred. The drawing was restored up to the last step.'));
+      }
+    } catch (failure) {
+      console.warn(failure);
+      this.core = null;
+      return this.say_ended();
     }
-    this.say(t('An error occurred. The drawing was restored up to the last step.'));
+    this.bars.show_switches();
+    setTimeout(() => this.warm_up(), kWarmUpMs);
     this.wake();
+  }
+
+  say_ended() {
+    this.say(t('An error occurred, and the page cannot continue. The stored drawing is unchanged. Reload the page.'), true);
   }
 
   // --- Autosave
 
-  /** Writes what has happened since the last call. */
+  /** Writes what has happened since the last call. Without storage, the records are dropped. */
   store(now = performance.now()) {
     this.stored = now;
     this.store_due = false;
-    const { core, storage } = this;
-    if (!storage || !core) return;
-    if (core.rebased()) storage.restart(core.base(), core.state().page);
-    storage.append(core.recorded());
-    if (storage.bytes > kRebaseBytes) core.rebase();
+    this.guard((core) => {
+      const { storage } = this;
+      if (storage?.is_broken && !this.is_paused && now - (this.retried ?? -Infinity) > kRetryMs) {
+        this.retried = now;
+        core.rebase();
+      }
+      const rebased = core.rebased(), base = rebased ? core.base() : null, recorded = core.recorded();
+      this.record_bytes = (rebased ? 0 : this.record_bytes) + recorded.length;
+      if (this.record_bytes > kRebaseBytes) core.rebase();
+      if (!storage || this.is_paused) return;
+      if (rebased) storage.restart(base, core.state().page, recorded);
+      else storage.append(recorded);
+    });
   }
 
-  /** The page is hidden or closed, perhaps for good. */
-  leave() {
-    if (!this.core) return;
-    this.core.finish();
+  watch_storage() {
+    const { storage } = this;
+    let is_said = false;
+    storage.failed = async (error) => {
+      console.info('Feltline: the drawing was not stored:', error);
+      if (!is_said) this.say_not_stored();
+      is_said = true;
+      await storage.reopen().catch(() => {});
+      // The next attempt comes even if nothing is drawn.
+      setTimeout(() => { if (storage.is_broken) this.store(); }, kRetryMs + 1);
+    };
+    storage.restarted = () => { is_said = false; };
+    storage.moved = () => {
+      this.guard((core) => core.rebase());
+      this.store();
+    };
+  }
+
+  say_not_stored() {
+    this.say(t('This browser does not store the drawing. Save it before you close the page.'));
+  }
+
+  /** A stored drawing could not be continued. It stays stored, and nothing else is, until the user decides. */
+  async ask_about(last, error) {
+    const button = (value, text) => make('button', { value, className: value === 'again' ? 'main' : '' }, text);
+    const text = t('It is still stored in this browser. What you draw now is not, until you continue without the stored drawing, which deletes it.');
+    for (;;) {
+      const answer = await this.dialog(t('The drawing of your last visit could not be restored: %1', error), make('p', {}, text),
+        [button('go', t('Continue without it')), button('save', t('Save it as files')), button('again', t('Try again'))]);
+      if (answer === 'again') return location.reload();
+      if (answer === 'save') this.files.save_stored(last);
+      if (answer === 'go') break;
+      if (!answer) return this.say_not_stored();
+    }
+    this.is_paused = false;
+    this.guard((core) => core.rebase());
     this.store();
+  }
+
+  /** The page is hidden or closed, perhaps without coming back. */
+  leave() {
+    this.guard((core) => core.finish());
+    this.retried = -Infinity;
+    if (this.storage) this.storage.is_leaving = true;
+    this.store();
+    if (this.storage) this.storage.is_leaving = false;
   }
 
   /** Another drawing began: it replaces the one in the autosave. */
   begun() {
     this.store();
-    this.core.changed('edits');
+    this.guard((core) => core.changed('edits'));
     this.is_unsaved = false;
     this.touched_once = false;
     this.fit();
@@ -354,6 +453,7 @@ class Page {
   }
 
   escape() {
+    if (!this.core) return;
     const { gesture, selected } = this.core.state();
     if (gesture) this.input.cancel();
     else if (selected > 0) this.apply({ event: 'select', what: 'none' });
@@ -422,21 +522,23 @@ class Page {
   // --- View
 
   view() {
-    return this.core.view();
+    return this.core?.view() ?? {};
   }
 
   set_view(view) {
-    this.core.setView(view);
+    this.guard((core) => core.setView(view));
     this.wake();
   }
 
   /** Moves the sheet by CSS pixels. */
   pan(dx, dy) {
+    if (!this.core) return;
     const [x, y] = this.core.toPage(-dx, -dy);
     this.set_view({ x, y });
   }
 
   zoom(x, y, factor) {
+    if (!this.core) return;
     const { scale } = this.core.view();
     this.core.zoomAt(x, y, Math.min(Math.max(factor, kMinScale / scale), kMaxScale / scale));
     this.wake();
@@ -516,11 +618,13 @@ class Page {
   set_moves(on) {
     const device = this.core.devices().find(({ hasForce }) => hasForce === on);
     const done = this.core.setDevice(device.id);
-    if (!done.ok) this.say(done.error);
+    if (done.ok) this.device = device.id;
+    else this.say(done.error);
     this.wake();
   }
 
   set_strength(share) {
+    this.strength = share;
     this.core.setStrength(share);
     this.wake();
   }
@@ -583,11 +687,11 @@ class Page {
 
   // --- Messages
 
-  /** Shows a message for a while. */
-  say(text) {
+  /** Shows a message, for a while if it does not stay. */
+  say(text, stays = false) {
     clearTimeout(this.notice);
     by_id('notice').replaceChildren(make('p', {}, text));
-    this.notice = setTimeout(() => by_id('notice').replaceChildren(), kNoticeMs);
+    if (!stays) this.notice = setTimeout(() => by_id('notice').replaceChildren(), kNoticeMs);
   }
 
   /** Tells a screen reader. */

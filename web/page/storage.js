@@ -1,45 +1,142 @@
 // The autosave: the drawing of the last visit is in the browser's database, as a base and the events since then. If
-// the tab is killed, at most the gesture in progress is lost.
+// the tab is killed, at most the last half second and the gesture in progress are lost.
+//
+// Each open tab has a slot of its own. The store `bases` has the base of a slot, `records` has its events, at the keys
+// [slot, number]. Numbers without a gap belong together; a base says which is its first. So events that follow a
+// failed write are never read as part of the drawing.
 
 const kDatabase = 'feltline', kStores = ['bases', 'records'];
+const kReloadMs = 300;               // the page before a reload may hold its slot for this time
+const kBeatMs = 3000, kLostMs = 10_000;  // an owner that has not been seen for kLostMs has closed
 
 const done = (request) => new Promise((resolve, reject) => {
   request.onsuccess = () => resolve(request.result);
   request.onerror = () => reject(request.error);
 });
 
-/** Reserves a place for the drawing of this tab. Each tab that is open at the same time has its own. */
-async function free_slot() {
-  if (!navigator.locks) return 1;
-  for (let slot = 1; slot <= 16; ++slot) {
-    const got = await new Promise((resolve) => {
-      navigator.locks.request(`feltline-drawing-${slot}`, { ifAvailable: true }, (lock) => {
-        resolve(Boolean(lock));
-        return lock ? new Promise(() => {}) : undefined;  // held as long as the tab lives
-      }).catch(() => resolve(true));
-    });
-    if (got) return slot;
-  }
-  return 16;
+/** Values that last as long as the tab, also over a reload. */
+const of_tab = {
+  get(name) {
+    try {
+      return sessionStorage.getItem(`feltline.${name}`);
+    } catch {
+      return null;
+    }
+  },
+  set(name, value) {
+    try {
+      sessionStorage.setItem(`feltline.${name}`, value);
+    } catch { /* after a reload, the tab begins with the first free slot */ }
+  },
+};
+
+/** Returns 1, 2, ..., after the slot that the tab had before a reload. */
+function* slots() {
+  const last = Number(of_tab.get('slot'));
+  if (last > 0) yield last;
+  for (let slot = 1; ; ++slot) if (slot !== last) yield slot;
 }
+
+/** Holds the lock of a slot as long as the tab lives. Returns false if another tab has it. */
+function lock_slot(slot, options) {
+  return new Promise((resolve, reject) => {
+    navigator.locks.request(`feltline-drawing-${slot}`, options, (lock) => {
+      resolve(Boolean(lock));
+      return lock ? new Promise(() => {}) : undefined;
+    }).catch((error) => (error.name === 'TimeoutError' || error.name === 'AbortError' ? resolve(false) : reject(error)));
+  });
+}
+
+async function locked_slot() {
+  const last = Number(of_tab.get('slot'));
+  for (const slot of slots()) {
+    if (await lock_slot(slot, { ifAvailable: true })) return slot;
+    if (slot === last && await lock_slot(slot, { signal: AbortSignal.timeout(kReloadMs) })) return slot;
+  }
+}
+
+/** The keys of the owners are texts, those of the bases are numbers. */
+const owner_key = (slot) => `owner-${slot}`;
 
 export class Storage {
   /** Opens the store. Returns null if the browser does not allow it. */
   static async open() {
     try {
-      const request = indexedDB.open(kDatabase, 1);
-      request.onupgradeneeded = () => {
-        for (const name of kStores) request.result.createObjectStore(name);
-      };
       const storage = new Storage();
-      [storage.database, storage.slot] = await Promise.all([done(request), free_slot()]);
-      storage.next = 0;
-      storage.bytes = 0;
+      await storage.connect();
+      await storage.find_slot();
       return storage;
     } catch {
       return null;
     }
   }
+
+  constructor() {
+    this.id = `${Date.now()}-${Math.random()}`;
+    this.next = 0;
+    this.is_leaving = false;  // the page may end now
+    this.is_broken = false;   // the stored drawing ends before the present one; only restart() mends that
+  }
+
+  async connect() {
+    const request = indexedDB.open(kDatabase, 1);
+    request.onupgradeneeded = () => {
+      for (const name of kStores) request.result.createObjectStore(name);
+    };
+    this.database = await done(request);
+    this.database.onclose = () => this.fail(new Error('the database was closed'));
+  }
+
+  async find_slot() {
+    // Without a secure context, such as http in a local network, a browser has no locks.
+    this.slot = navigator.locks ? await locked_slot() : await this.owned_slot();
+    of_tab.set('slot', this.slot);
+    of_tab.set('id', this.id);
+    if (navigator.locks || this.beat) return;
+    this.beat = setInterval(() => this.seen(Date.now()), kBeatMs);
+    addEventListener('pagehide', () => this.seen(0));
+    addEventListener('pageshow', (event) => { if (event.persisted) this.seen(Date.now()); });
+  }
+
+  // --- Slots without locks: their owners, with the time when they were last seen, are in the database
+
+  /** Makes this tab the owner of a free slot. A reloaded tab has its slot back immediately, and so has a copy of a tab;
+   * then the original moves to another slot with its next write. */
+  async owned_slot() {
+    const before = of_tab.get('id'), now = Date.now();
+    const bases = this.database.transaction('bases', 'readwrite').objectStore('bases');
+    for (const slot of slots()) {
+      const owner = await done(bases.get(owner_key(slot)));
+      if (owner && owner.id !== this.id && owner.id !== before && now - owner.time < kLostMs) continue;
+      await done(bases.put({ id: this.id, time: now }, owner_key(slot)));
+      return slot;
+    }
+  }
+
+  /** Notes that this tab lives; `time` 0: that it ends. */
+  seen(time) {
+    try {
+      const transaction = this.database.transaction('bases', 'readwrite');
+      this.check_owner(transaction);
+      transaction.objectStore('bases').put({ id: this.id, time }, owner_key(this.slot));
+      transaction.onabort = () => this.fail(transaction.error);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** Undoes the transaction if another tab has the slot. */
+  check_owner(transaction) {
+    if (navigator.locks) return;
+    const request = transaction.objectStore('bases').get(owner_key(this.slot));
+    request.onsuccess = () => {
+      if (request.result?.id === this.id) return;
+      this.is_taken = true;
+      transaction.abort();
+    };
+  }
+
+  // --- The drawing
 
   /** Returns the drawing of the last visit, { base, page, recorded }, or null. */
   async load() {
@@ -49,34 +146,72 @@ export class Storage {
       done(transaction.objectStore('records').getAllKeys(this.range())),
       done(transaction.objectStore('records').getAll(this.range())),
     ]);
-    this.next = keys.length ? keys[keys.length - 1][1] + 1 : 0;
-    this.bytes = records.reduce((sum, text) => sum + text.length, 0);
-    return first ? { ...first, recorded: records.join('') } : null;
+    const begin = first?.first ?? keys[0]?.[1] ?? 0;
+    this.next = begin;
+    const recorded = records.filter((_, i) => keys[i][1] === this.next && ++this.next);
+    // Records behind a gap are of a failed write.
+    if (keys.length > 0 && keys.at(-1)[1] >= this.next) this.is_broken = true;
+    return first ? { base: first.base, page: first.page, recorded: recorded.join('') } : null;
   }
 
   /** Appends events. */
   append(recorded) {
-    if (!recorded) return;
-    this.bytes += recorded.length;
-    const transaction = this.write();
-    transaction.objectStore('records').put(recorded, [this.slot, this.next++]);
+    if (recorded && !this.is_broken) this.write(null, recorded);
   }
 
-  /** Begins a new drawing: all events so far are removed. `base` is null for an empty drawing, whose page is `page`. */
-  restart(base, page) {
-    this.bytes = 0;
-    const transaction = this.write();
-    transaction.objectStore('records').delete(this.range());
-    transaction.objectStore('bases').put({ base, page }, this.slot);
+  /** Begins a new drawing, followed by these events: all events so far are removed. `base` is null for an empty drawing,
+   * whose page is `page`. */
+  restart(base, page, recorded) {
+    this.is_broken = false;
+    this.write({ base, page, first: ++this.next }, recorded);
   }
 
   range() {
     return IDBKeyRange.bound([this.slot, 0], [this.slot, Number.MAX_SAFE_INTEGER]);
   }
 
-  write() {
-    const transaction = this.database.transaction(kStores, 'readwrite', { durability: 'relaxed' });
-    transaction.onerror = transaction.onabort = (event) => this.failed?.(event.target.error);
-    return transaction;
+  /** Writes a base, or null, and events; all or nothing. */
+  write(base, recorded) {
+    try {
+      const transaction = this.database.transaction(kStores, 'readwrite', { durability: 'relaxed' });
+      transaction.onabort = () => this.fail(transaction.error);
+      if (!this.is_leaving) this.check_owner(transaction);
+      const records = transaction.objectStore('records');
+      if (base) {
+        records.delete(this.range());
+        transaction.objectStore('bases').put(base, this.slot);
+      }
+      if (recorded) records.put(recorded, [this.slot, this.next++]);
+      if (base) transaction.oncomplete = () => this.restarted?.();
+      // The end of the page would abort a transaction that waits for the answers of its requests.
+      if (navigator.locks || this.is_leaving) transaction.commit();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** A write failed: nothing is appended until restart(). */
+  fail(error) {
+    this.is_broken = true;
+    if (this.is_taken) this.move();
+    else this.failed?.(error);
+  }
+
+  /** Continues in another slot, because another tab took this one. */
+  async move() {
+    this.is_taken = false;
+    try {
+      await this.find_slot();
+      this.next = 0;
+      this.moved?.();
+    } catch (error) {
+      this.failed?.(error);
+    }
+  }
+
+  /** Opens the database again after a failure. */
+  async reopen() {
+    this.database?.close();
+    await this.connect();
   }
 }

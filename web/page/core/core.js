@@ -75,7 +75,7 @@ class Core {
     this.rect = [0, 0, 0, 0];
     this.load_script = options.loadScript;
     this.is_full = false;
-    this.kept = { base: new Uint8Array(0), records: '' };  // what the full module continues with
+    this.kept = { base: new Uint8Array(0), records: '' };  // what the full module, or another core, continues with
     this.unread = { rebased: false, records: '' };         // of kept, what the caller has not read
     this.settings = {};
     this.now = 0;
@@ -93,7 +93,8 @@ class Core {
     try {
       return this.exports[name](...values);
     } catch (error) {
-      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      // A RangeError: the stack of the module is full.
+      if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error;
       this.exports = null;
       throw new CoreError(`${name}: ${error.message}`);
     }
@@ -416,7 +417,7 @@ class Core {
   }
 
   base() {
-    return this.is_full ? this.reply(this.call('felt_base')).slice() : this.kept.base;
+    return this.kept.base;
   }
 
   recorded() {
@@ -430,11 +431,16 @@ class Core {
   collect() {
     if (this.call('felt_autosave') === 1) {
       this.unread = { rebased: true, records: '' };
-      if (!this.is_full) this.kept = { base: this.reply(this.call('felt_base')).slice(), records: '' };
+      this.kept = { base: this.reply(this.call('felt_base')).slice(), records: '' };
     }
     const records = this.text('felt_recorded');
     this.unread.records += records;
-    if (!this.is_full) this.kept.records += records;
+    this.kept.records += records;
+  }
+
+  copy() {
+    const { base, records } = this.kept;
+    return { base, recorded: records };
   }
 
   rebase() {
@@ -445,7 +451,7 @@ class Core {
     const first = base ?? new Uint8Array(0);
     const done = this.json('felt_restore', this.write(first, encoder.encode(recorded)), first.byteLength);
     this.unread = { rebased: false, records: '' };
-    if (!this.is_full) this.kept = { base: first, records: recorded };
+    this.kept = { base: first, records: recorded };
     return done;
   }
 
@@ -467,7 +473,7 @@ class Core {
     this.stopPlay();
     this.finish();
     this.collect();
-    const { base, records } = this.kept, { device } = this.state(), unread = this.unread;
+    const { base, records } = this.kept, { device } = this.state(), unread = this.unread, small = this.exports;
     this.exports = full;
     this.is_full = true;
     this.call('felt_resize', this.width, this.height, this.dpr);
@@ -475,8 +481,12 @@ class Core {
     this.call('felt_advance', this.time(this.now));
     this.setDevice(device);
     const done = this.restore(base, records);
+    if (!done.ok) {  // the small module still has the drawing
+      Object.assign(this, { exports: small, is_full: false, unread });
+      return done;
+    }
     for (const [name, values] of Object.entries(this.settings)) this.call(name, ...values);
-    Object.assign(this, { unread, kept: null, bits: 15, seen_ticks: this.call('felt_ticks') });
+    Object.assign(this, { unread, bits: 15, seen_ticks: this.call('felt_ticks') });
     return done;
   }
 

@@ -24,11 +24,11 @@ function packed(path) {
 }
 
 /** Serves the page as a web server does, with gzip. */
-async function served(use) {
+async function served(use, is_missing = () => false) {
   const types = { html: 'text/html', js: 'text/javascript' };
   const server = createServer((request, response) => {
     const path = join(dist, request.url === '/' ? 'index.html' : request.url);
-    if (!existsSync(path)) return response.writeHead(404).end();
+    if (!existsSync(path) || is_missing(request.url)) return response.writeHead(404).end();
     response.writeHead(200, { 'Content-Type': types[path.split('.').pop()] ?? 'application/octet-stream', 'Content-Encoding': 'gzip' });
     response.end(packed(path));
   });
@@ -52,6 +52,14 @@ async function with_tab(options, use, url = file_url) {
   }
 }
 
+/** Waits until the autosave has what was drawn. */
+const stored = (tab) => tab.run(() => new Promise((done) => { setTimeout(done, 1100); }));
+/** A tab in the background has no frames. */
+async function in_front(tab, act) {
+  await tab.send('Page.bringToFront');
+  await act();
+}
+const draw = (tab, points) => in_front(tab, () => tab.stroke(points));
 const strokes = (tab) => tab.run(() => feltlinePage.core.state().strokes);
 const saved = (tab, format = 'ndjson') => tab.run((format) => {
   const bytes = feltlinePage.core.save(format);
@@ -186,6 +194,201 @@ const topics = {
     } finally {
       rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
     }
+  },
+
+  /** A drawing whose base is a file is restored, again and again. If it cannot be restored, it stays stored. */
+  async restore() {
+    let is_missing = false;
+    await served(async (url) => {
+      await with_tab({}, async (tab) => {
+        await tab.stroke(wave(200, 200));
+        await tab.run(() => { feltlinePage.core.rebase(); feltlinePage.store(); });
+        for (let count = 2; count < 5; ++count) {
+          await tab.stroke(wave(200, 100 + 100 * count));
+          const before = await saved(tab, 'svg');
+          await stored(tab);
+          await tab.reload();
+          assert.equal(await strokes(tab), count);
+          assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a reload');
+          await stored(tab);
+        }
+        // Without the reader of files, nothing can be restored; what is drawn now must not replace what is stored.
+        is_missing = true;
+        await tab.reload();
+        await tab.until(() => document.querySelector('dialog'));
+        assert.equal(await strokes(tab), 0);
+        const files = await tab.run(async () => {
+          const names = [];
+          HTMLAnchorElement.prototype.click = function () { names.push(this.download); };
+          document.querySelector('dialog button[value=save]').click();
+          await new Promise((done) => setTimeout(done, 100));
+          return names;
+        });
+        assert.deepEqual(files, ['Drawing.svg', 'Drawing-events.ndjson']);
+        await tab.run(() => document.querySelector('dialog').close());
+        await tab.stroke(wave(300, 300));
+        await stored(tab);
+        is_missing = false;
+        await tab.reload();
+        assert.equal(await strokes(tab), 4, 'the stored drawing was replaced');
+        // The user continues without it.
+        is_missing = true;
+        await tab.reload();
+        await tab.until(() => document.querySelector('dialog'));
+        await tab.run(() => document.querySelector('dialog button[value=go]').click());
+        await tab.until(() => !document.querySelector('dialog'));
+        await tab.stroke(wave(300, 300));
+        await stored(tab);
+        await tab.reload();
+        assert.equal(await strokes(tab), 1);
+        tab.errors = tab.errors.filter((text) => !/core_full\.js/.test(text));
+      }, url);
+    }, (path) => is_missing && path.includes('core_full'));
+  },
+
+  /** Writes that fail, such as for a full disk, leave no gap in the stored drawing. */
+  async quota() {
+    await with_tab({}, async (tab) => {
+      await tab.stroke(wave(200, 200));
+      await stored(tab);
+      // Appended events are refused, then accepted again.
+      const refuse = () => tab.run(() => {
+        const put = (globalThis.put ??= IDBObjectStore.prototype.put);
+        IDBObjectStore.prototype.put = function (...all) {
+          const request = put.apply(this, all);
+          this.transaction.abort();
+          return request;
+        };
+      });
+      const accept = () => tab.run(() => { IDBObjectStore.prototype.put = globalThis.put; });
+      await refuse();
+      await tab.stroke(wave(200, 300));
+      await stored(tab);
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /does not store/);
+      await accept();
+      await tab.stroke(wave(200, 400));
+      await tab.run(() => feltlinePage.leave());
+      await tab.stroke(wave(200, 500));
+      const before = await saved(tab, 'svg');
+      await stored(tab);
+      await tab.reload();
+      assert.equal(await strokes(tab), 4);
+      assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a failed write');
+      // A new base is refused: the former drawing stays, without the events of the new one.
+      await refuse();
+      await tab.run(() => { feltlinePage.core.clear(); feltlinePage.begun(); });
+      await stored(tab);
+      await accept();
+      await tab.run(() => { feltlinePage.storage.is_broken = false; });  // the event is appended, after a gap
+      await tab.stroke(wave(500, 500));
+      await tab.run(() => feltlinePage.storage.append(feltlinePage.core.recorded() || '{}'));
+      await tab.run(() => { feltlinePage.storage = null; });
+      await tab.reload();
+      assert.equal(await strokes(tab), 4, 'events behind a gap were read');
+    });
+  },
+
+  /** Each tab keeps its drawing, with the browser's locks and without. */
+  async tabs() {
+    for (const has_locks of [true, false]) {
+      const prepare = has_locks ? null : (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument',
+        { source: 'delete Navigator.prototype.locks' });
+      await with_tab({ prepare }, async (first, browser) => {
+        assert.equal(await first.run(() => Boolean(navigator.locks)), has_locks);
+        const second = await browser.open(file_url, { prepare });
+        await draw(first, wave(200, 200));
+        for (const y of [200, 300]) await draw(second, wave(200, y));
+        await stored(first);
+        await stored(second);
+        await in_front(second, () => second.reload());
+        assert.equal(await strokes(second), 2, `reloaded, ${has_locks ? 'with' : 'without'} locks`);
+        await stored(second);
+        // The slot of the first tab becomes free, and the second tab must not take it.
+        await browser.send('Target.closeTarget', { targetId: first.target });
+        await new Promise((done) => setTimeout(done, 300));
+        await in_front(second, () => second.reload());
+        assert.equal(await strokes(second), 2, `alone, ${has_locks ? 'with' : 'without'} locks`);
+        const third = await browser.open(file_url, { prepare });
+        assert.equal(await strokes(third), 1, 'the drawing of the first tab');
+        assert.deepEqual(second.errors.concat(third.errors), []);
+      });
+    }
+    // Without locks, another tab takes the slot of one that seemed to be closed: both drawings stay.
+    const prepare = (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source: 'delete Navigator.prototype.locks' });
+    await with_tab({ prepare }, async (first, browser) => {
+      await draw(first, wave(200, 200));
+      await stored(first);
+      await first.run(() => feltlinePage.storage.seen(1));
+      const second = await browser.open(file_url, { prepare });
+      await draw(second, wave(200, 300));
+      await draw(first, wave(200, 400));
+      await draw(first, wave(200, 500));
+      await stored(second);
+      for (const tab of [first, second]) await in_front(tab, () => tab.reload());
+      assert.deepEqual([await strokes(first), await strokes(second)], [3, 2]);
+      assert.deepEqual(second.errors, []);
+    });
+  },
+
+  /** A core that ends is replaced, without and with a storage; a drawing that ends it again and again stays stored. An error of
+   * the page alone replaces nothing. */
+  async restarts() {
+    await with_tab({}, async (tab) => {
+      for (const y of [200, 300]) await tab.stroke(wave(200, y));
+      await tab.run(() => feltlinePage.set_strength(0.25));
+      await stored(tab);
+      const before = await saved(tab, 'svg');
+      const end_core = async () => {
+        await tab.run(() => { globalThis.former = feltlinePage.core; former.exports = null; feltlinePage.wake(); });
+        await tab.until(() => feltlinePage.core && feltlinePage.core !== former);
+        await tab.until(() => feltlinePage.core.state().strokes > 0);
+      };
+      await end_core();
+      assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after an error');
+      assert.equal(await tab.run(() => feltlinePage.core.state().strength), 0.25);
+      await tab.run(() => { feltlinePage.storage = null; feltlinePage.store(); feltlinePage.restarts = []; });
+      await end_core();
+      assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after an error without storage');
+      await tab.reload();
+      assert.equal(await strokes(tab), 2);
+      // An error of the storage.
+      await tab.run(() => {
+        globalThis.former = feltlinePage.core;
+        feltlinePage.storage.append = () => { throw new Error('append'); };
+      });
+      await tab.stroke(wave(200, 400));
+      await stored(tab);
+      assert.ok(await tab.run(() => feltlinePage.core === former), 'the core was replaced');
+      assert.equal(await strokes(tab), 3);
+      await tab.reload();
+      // Painting the drawing ends the core, each time.
+      const kept = await strokes(tab);
+      await tab.run(() => {
+        const { createCore } = feltlineCore;
+        const broken = (core) => {
+          const { paint } = core;
+          core.paint = (...all) => {
+            if (core.state().strokes > 0) core.call('felt_none');
+            return paint.apply(core, all);
+          };
+          const { call } = core;
+          core.call = (name, ...all) => {
+            if (name === 'felt_none') core.exports = null;
+            return call.call(core, name, ...all);
+          };
+          return core;
+        };
+        globalThis.feltlineCore = { createCore: async (...all) => broken(await createCore(...all)) };
+        broken(feltlinePage.core);
+        feltlinePage.wake();
+      });
+      await tab.until(() => document.querySelector('dialog'));
+      await tab.run(() => document.querySelector('dialog').close());
+      await stored(tab);
+      await tab.reload();
+      assert.equal(await strokes(tab), kept, 'the drawing was replaced');
+      tab.errors = tab.errors.filter((text) => !/^Feltline/.test(text));
+    });
   },
 
   /** Save and open: the same lines. A damaged file changes nothing and says why. */
