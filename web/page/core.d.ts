@@ -103,7 +103,7 @@ export interface Core {
   /** Size of the page in mm. */
   setPage(page: { width: number; height: number }): void;
   /** Computes the relief of the surface (some 50 ms), which the grain of dry media, forces and sound need. Until this
-   * call there are none of them, so that one can draw at once. Call it when the page is idle, after the first frame;
+   * call there are none of them, so that the user can draw immediately. Call it when the page is idle, after the first frame;
    * play() and sound() do it, too. */
   warmUp(): void;
   /** True: media have their grain. False: solid ink, which is faster. */
@@ -182,7 +182,7 @@ export interface Core {
   needsFiles(base: Uint8Array | null): boolean;
   /**
    * Replaces the drawing by that of a file: .svg, .ndjson, .inkml, .xopp (`catalog().formats`); the content decides, and
-   * `name` if it does not. Undo history and selection become empty. Fails without a change.
+   * `name` if it does not. Compressed files (.svgz, .xopp) must be unpacked before. Undo history and selection become empty. Fails without a change.
    */
   open(bytes: Uint8Array | string, name: string): Done;
   /** Adds the strokes of a file to the drawing, selected, as one undo step (drag and drop, paste). */

@@ -6,12 +6,14 @@
   const dark = choice ? choice === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
   document.documentElement.dataset.theme = dark ? 'dark' : 'light';
 
-  const early = { events: [], stop, failed: null };
+  const kMaxEvents = 50_000;  // if the program never comes
+  const early = { events: [], stop, failed: null, missing: [] };
   const types = ['pointerdown', 'pointermove', 'pointerup', 'pointercancel'];
   const ratio = devicePixelRatio;
   let context = null, last = null;
 
   function collect(event) {
+    if (early.events.length > kMaxEvents) return;
     // Coalesced events are lists that a browser empties when the event is over, so they are copied now.
     early.events.push({ event, coalesced: event.getCoalescedEvents?.() ?? [] });
     if (event.type === 'pointerdown') last = event;
@@ -40,6 +42,12 @@
     return early.events.splice(0);
   }
   for (const type of types) sheet.addEventListener(type, collect);
-  addEventListener('error', (event) => { early.failed ??= event.message; });
+  addEventListener('error', (event) => {
+    const name = event.target.getAttribute?.('src');
+    if (!name) return void (early.failed ??= event.message);
+    early.missing.push(name);
+    // The program itself cannot tell that.
+    if (name === 'page.js') document.getElementById('notice').innerHTML = '<p>page.js could not be loaded. Reload the page.</p>';
+  }, true);
   globalThis.feltlineEarly = early;
 })();

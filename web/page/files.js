@@ -3,6 +3,7 @@ import { make } from './dom.js';
 import { t } from './words.js';
 
 const kExportDpi = 192, kMaxPixels = 40e6;
+const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
 
 export function download(data, name, type) {
   const url = URL.createObjectURL(data instanceof Blob ? data : new Blob([data], { type }));
@@ -14,6 +15,22 @@ export function download(data, name, type) {
 }
 
 const kTypes = { svg: 'image/svg+xml', ndjson: 'application/x-ndjson', felt: 'application/x-felt' };
+
+/** Returns the content of gzip data, or the bytes themselves. */
+async function unpacked(bytes) {
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')).getReader(), parts = [];
+  for (let size = 0; ;) {
+    const { done, value } = await reader.read().catch(() => { throw new Error(t('it is damaged')); });
+    if (done) break;
+    parts.push(value);
+    size += value.length;
+    if (size <= kMaxBytes) continue;
+    reader.cancel().catch(() => {});
+    throw new Error(t('it is too large'));
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
 
 export class Files {
   constructor(page) {
@@ -56,35 +73,59 @@ export class Files {
 
   /** Opens a file, or adds it. */
   async load(file, adds) {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
-    const { core } = this.page;
-    core.finish();
-    const loaded = await core.loadFiles();
-    if (!loaded.ok) return this.page.say(t('“%1” could not be opened: %2', file.name, loaded.error));
-    const done = adds ? core.add(bytes, file.name) : core.open(bytes, file.name);
-    if (!done.ok) return this.page.say(t('“%1” could not be opened: %2', file.name, done.error));
-    if (!adds) {
-      this.name = file.name.replace(/\.[^.]*$/, '');
-      this.page.begun();
+    const refuse = (error) => this.page.say(t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, '')));
+    try {
+      if (file.size > kMaxBytes) return refuse(t('it is too large'));
+      const bytes = await unpacked(new Uint8Array(await file.arrayBuffer()));
+      if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+      const done = await this.read(bytes, file.name, adds);
+      if (!done.ok) return refuse(done.error);
+      if (!adds) {
+        this.name = file.name.replace(/\.[^.]*$/, '');
+        this.page.begun();
+      }
+      if (done.notices?.length) this.page.say(done.notices.slice(0, 3).join(' '));
+    } catch (error) {
+      refuse(error.message);
     }
     this.page.wake();
-    if (done.notices?.length) this.page.say(done.notices.slice(0, 3).join(' '));
+  }
+
+  async read(bytes, name, adds) {
+    this.page.core.finish();
+    const loaded = await this.page.core.loadFiles();
+    if (!loaded.ok) return loaded;
+    const { core } = this.page;  // another one, if the former one has ended meanwhile
+    return adds ? core.add(bytes, name) : core.open(bytes, name);
   }
 
   file_name(ending) {
     return `${this.name || t('Drawing')}.${ending}`;
   }
 
-  async save(format) {
-    const { core } = this.page;
-    core.finish();
-    if (format === 'inkml') await core.loadFiles();
-    const data = core.save(format);
-    if (!data) return this.page.say(t('The drawing could not be saved in this format.'));
-    download(data.slice(), this.file_name(format), kTypes[format]);
-    this.page.saved();
-    this.page.say(t('Saved as %1', this.file_name(format)));
+  /** Runs one of the functions below. If it fails, the page says so. */
+  async try_to(act) {
+    try {
+      if (await act()) return;
+    } catch (error) {
+      console.info('Feltline: not saved:', error);
+    }
+    this.page.say(t('The drawing could not be saved in this format.'));
+    this.page.wake();
+  }
+
+  save(format) {
+    return this.try_to(async () => {
+      if (format === 'inkml') await this.page.core.loadFiles();
+      const { core } = this.page;
+      core.finish();
+      const data = core.save(format);
+      if (!data) return false;
+      download(data.slice(), this.file_name(format), kTypes[format]);
+      this.page.saved();
+      this.page.say(t('Saved as %1', this.file_name(format)));
+      return true;
+    });
   }
 
   /** Saves a stored drawing that could not be restored: its base as a drawing, and the events since then. */
@@ -93,18 +134,19 @@ export class Files {
     if (recorded) download(recorded, `${t('Drawing')}-events.ndjson`, kTypes.ndjson);
   }
 
-  async export_png() {
-    const { core } = this.page, { page } = core.state();
-    core.finish();
-    // Large pages get fewer pixels per inch, because a browser limits the size of a picture.
-    const area = (page.width * page.height) / 25.4 ** 2;
-    const dpi = Math.min(kExportDpi, Math.sqrt(kMaxPixels / area));
-    const picture = core.picture(dpi);
-    if (!picture) return this.page.say(t('The drawing could not be saved in this format.'));
-    const canvas = make('canvas', { width: picture.width, height: picture.height });
-    canvas.getContext('2d').putImageData(new ImageData(picture.data.slice(), picture.width, picture.height), 0, 0);
-    const blob = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (!blob) return this.page.say(t('The drawing could not be saved in this format.'));
-    download(blob, this.file_name('png'));
+  export_png() {
+    return this.try_to(async () => {
+      const { core } = this.page, { page } = core.state();
+      core.finish();
+      // Large pages get fewer pixels per inch, because a browser limits the size of a picture.
+      const area = (page.width * page.height) / 25.4 ** 2;
+      const picture = core.picture(Math.min(kExportDpi, Math.sqrt(kMaxPixels / area)));
+      if (!picture) return false;
+      const canvas = make('canvas', { width: picture.width, height: picture.height });
+      canvas.getContext('2d').putImageData(new ImageData(picture.data.slice(), picture.width, picture.height), 0, 0);
+      const blob = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+      if (blob) download(blob, this.file_name('png'));
+      return Boolean(blob);
+    });
   }
 }

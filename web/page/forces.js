@@ -40,6 +40,15 @@ export class ForcePanel {
       make('p', { className: 'quiet' }, t('The plot shows what a force-feedback pen would let you feel.')));
   }
 
+  /** Shows the state of the core. */
+  show(state) {
+    if (this.element.hidden) return;
+    this.strength.value = state.strength;
+    if (state.device === this.device) return;
+    this.device = state.device;
+    this.moves.checked = this.page.core.devices().some(({ id, hasForce }) => id === state.device && hasForce);
+  }
+
   /** Adds ticks: Core.forces(). Returns true if one of them has a force. */
   add(ticks) {
     let moves = false;
@@ -149,22 +158,37 @@ export class Sound {
   }
 
   async set(on) {
-    this.is_on = on;
-    if (!on) return void this.context?.suspend();
-    if (!this.context) await this.start();
+    if (!on) {
+      this.is_on = false;
+      return void this.context?.suspend();
+    }
+    this.started ??= this.start();
+    try {
+      await this.started;
+    } catch (error) {
+      this.started = null;  // the next call tries again
+      throw error;
+    }
     await this.context.resume();
-    this.feed(0);
+    this.is_on = true;
+    this.feed();
   }
 
   async start() {
-    this.context = new AudioContext({ sampleRate: 48000, latencyHint: 'interactive' });
-    // At file://, a worklet can be loaded only from a blob.
-    const url = URL.createObjectURL(new Blob([kWorklet], { type: 'text/javascript' }));
-    await this.context.audioWorklet.addModule(url);
-    URL.revokeObjectURL(url);
-    this.node = new AudioWorkletNode(this.context, 'feltline', { numberOfInputs: 0, outputChannelCount: [1] });
-    this.node.connect(this.context.destination);
-    this.asked = 0;
+    let context;
+    try {
+      context = new AudioContext({ sampleRate: 48000, latencyHint: 'interactive' });
+      // At file://, a worklet can be loaded only from a blob.
+      const url = URL.createObjectURL(new Blob([kWorklet], { type: 'text/javascript' }));
+      await context.audioWorklet.addModule(url);
+      URL.revokeObjectURL(url);
+      this.node = new AudioWorkletNode(context, 'feltline', { numberOfInputs: 0, outputChannelCount: [1] });
+    } catch (error) {
+      context?.close();
+      throw error;
+    }
+    this.context = context;
+    this.node.connect(context.destination);
     this.node.port.onmessage = ({ data: left }) => { this.left = left; };
   }
 

@@ -44,7 +44,8 @@ export function packed(event, coalesced, touching, modifiers) {
 export class Input {
   constructor(sheet, page) {
     Object.assign(this, { sheet, page, fingers: new Map(), drawing: null, panning: null, modifiers: 0,
-      space: false, pen_seen: -Infinity, tap: null, pinch: null, last: null });
+      space: false, pen_seen: -Infinity, tap: null, pinch: null, last: null,
+      keys_draw: false });  // the pen of the keys is down, so that nothing else moves the pen
     const on = (type, handler, options) => sheet.addEventListener(type, handler.bind(this), options);
     on('pointerdown', (event) => this.down(event, event.getCoalescedEvents?.()));
     on('pointermove', (event) => this.move(event, event.getCoalescedEvents?.()));
@@ -89,6 +90,7 @@ export class Input {
     if (this.drawing !== null && this.drawing !== event.pointerId) return;
     // If several buttons are held, a release of one of them is a move.
     if (this.drawing !== null && !(event.buttons & this.button)) return this.end(event);
+    if (this.drawing === null && this.keys_draw) return;
     this.send(event, coalesced, this.drawing !== null);
   }
 
@@ -104,7 +106,7 @@ export class Input {
   }
 
   leave(event) {
-    if (this.drawing === null && !is_touch(event)) this.page.left();
+    if (this.drawing === null && !this.keys_draw && !is_touch(event)) this.page.left();
   }
 
   lost(event) {
@@ -129,7 +131,9 @@ export class Input {
 
   end(event) {
     this.drawing = null;
-    this.send(event, null, false);
+    // These events may have no position.
+    if (event.type === 'pointercancel' || event.type === 'lostpointercapture') this.lift(event.timeStamp);
+    else this.send(event, null, false);
     if (this.erases) this.page.give_back();
     this.erases = false;
   }
@@ -139,18 +143,20 @@ export class Input {
     if (this.drawing === null) return;
     this.drawing = null;
     this.page.cancel();
-    this.page.samples(this.lifted(performance.now()));
-    // The core waits whether the pen comes back at once; after this, an undo is for the step before.
+    this.lift(performance.now());
+    // The core waits whether the pen comes back immediately; after this, an undo is for the step before.
     this.page.finish();
     if (this.erases) this.page.give_back();
     this.erases = false;
   }
 
-  lifted(time) {
+  /** Lifts the pen at its last position. */
+  lift(time) {
     const samples = this.last.slice();
     samples[0] = Math.max(time, samples[0]);
     samples[3] = 0;
-    return samples;
+    this.last = samples;
+    this.page.samples(samples);
   }
 
   // --- View
@@ -234,6 +240,8 @@ export class Input {
   finger_up(event) {
     this.fingers.delete(event.pointerId);
     const tap = this.tap;
+    // The browser took over the finger, or it is a palm.
+    if (this.drawing === event.pointerId && event.type === 'pointercancel') this.cancel();
     if (this.drawing === event.pointerId) this.end(event);
     if (this.pinch) this.begin_pinch();
     if (this.fingers.size > 0) return;
@@ -266,7 +274,7 @@ export class Input {
     const modifiers = (event.shiftKey ? 1 : 0) + (event.ctrlKey || event.metaKey ? 2 : 0);
     if (modifiers === this.modifiers) return;
     this.modifiers = modifiers;
-    if (!this.last) return;
+    if (!this.last || this.keys_draw) return;
     const samples = this.last.slice();
     samples[0] = Math.max(event.timeStamp, samples[0]);
     samples[7] = modifiers;
@@ -274,9 +282,13 @@ export class Input {
     this.page.samples(samples);
   }
 
-  /** The window lost the focus: keys and buttons count as released. */
-  release_all() {
+  /** The window lost the focus: keys and fingers count as released; if it is hidden, so does every pointer. */
+  release_all(is_hidden = false) {
     this.space = false;
+    this.sheet.classList.remove('pans');
+    this.panning = this.pinch = this.tap = null;
+    if (this.drawing !== null && (is_hidden || this.fingers.has(this.drawing))) this.end({ type: 'pointercancel', timeStamp: performance.now() });
+    this.fingers.clear();
     this.set_modifiers({ shiftKey: false, ctrlKey: false, metaKey: false, timeStamp: performance.now() });
   }
 }

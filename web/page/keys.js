@@ -68,6 +68,7 @@ export class Keys {
   }
 
   down(event) {
+    if (!this.page.core) return;
     if (event.target.matches?.('input:not([type=range], [type=checkbox], [type=color]), textarea') || document.querySelector('dialog[open]')) return;
     if (event.key === 'Tab' || event.key in kArrows) document.body.classList.add('keys');
     this.input.set_modifiers(event);
@@ -117,7 +118,7 @@ export class Keys {
   give_back() {
     const { held, page } = this;
     this.held = null;
-    if (!held || held.tool === page.core.state().tool) return;
+    if (!page.core || !held || held.tool === page.core.state().tool) return;
     if (held.always || (performance.now() - held.since > kHoldMs && page.gestures !== held.gestures)) page.use_tool(held.tool);
   }
 
@@ -168,6 +169,7 @@ export class Keys {
     if (this.input.drawing !== null) return;
     this.page.begins();
     this.place().down = down;
+    this.input.keys_draw = down;
     this.send(performance.now());
     this.page.tell(t(down ? 'The pen is down' : 'The pen is up'));
   }

@@ -17,18 +17,21 @@ const kAutosaveMs = 500;          // longest time between a gesture and its plac
 const kRebaseBytes = 8e6;         // of recorded events; then the autosave begins again with the drawing
 const kRetryMs = 10_000;          // after a failed write, the whole drawing is written again
 const kRestartMs = 20_000, kMaxRestarts = 3;  // a core that ends more often within this time ends because of the drawing
-const kNoticeMs = 6000;
+const kNoticeMs = 6000, kSlowMs = 3000;
 const kSettleMs = 40;
 const kWarmUpMs = 100, kFullMs = 1500;
 const kCatSpeed = 3, kCatShare = 0.7;  // of the page
 const by_id = (id) => document.getElementById(id);
 
+class LoadError extends Error {}
+
 /** Resolves when the script with this name has run. */
 function script(name) {
+  if (globalThis.feltlineEarly?.missing.includes(name)) return Promise.reject(new LoadError(name));
   const element = document.querySelector(`script[src="${name}"]`) ?? make('script', { src: name, async: true });
   return new Promise((resolve, reject) => {
     element.addEventListener('load', resolve);
-    element.addEventListener('error', () => reject(new Error(name)));
+    element.addEventListener('error', () => reject(new LoadError(name)));
     if (!element.isConnected) document.head.append(element);
   });
 }
@@ -109,7 +112,8 @@ class Page {
   async make_core(last = null) {
     const { innerWidth: width, innerHeight: height } = globalThis;
     const make_one = () => globalThis.feltlineCore.createCore({ width, height, dpr: devicePixelRatio, page: this.window_page(),
-      now: performance.now() });
+      // The first samples may be older than the core.
+      now: globalThis.feltlineEarly?.events[0]?.event.timeStamp ?? performance.now() });
     let core = await make_one(), done = { ok: true };
     if (last) {
       try {
@@ -158,8 +162,9 @@ class Page {
     addEventListener('resize', () => this.resize());
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.set_theme(this.theme_choice()));
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden') this.leave();
-      else this.wake();
+      if (document.visibilityState !== 'hidden') return this.wake();
+      this.leave();
+      this.input.release_all(true);
     });
     addEventListener('pagehide', () => this.leave());
   }
@@ -250,6 +255,7 @@ class Page {
     this.offers.show(state);
     this.options.show(state);
     this.layers.show(state);
+    this.forces.show(state);
     by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once;
     const { hint, shift, ctrl } = state.use;
     const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl]];
@@ -455,7 +461,8 @@ class Page {
   escape() {
     if (!this.core) return;
     const { gesture, selected } = this.core.state();
-    if (gesture) this.input.cancel();
+    // The core starts the gesture a moment after the pointer is down.
+    if (gesture || this.input.drawing !== null) this.input.cancel();
     else if (selected > 0) this.apply({ event: 'select', what: 'none' });
     this.apply({ event: 'cancel' });
     this.keys.lift();
@@ -610,7 +617,11 @@ class Page {
     const on = !this.sound.is_on;
     choices.set('sound', on ? 'on' : '');
     this.wants_sound = on;
-    await this.sound.set(on).catch((error) => this.say(error.message));
+    await this.sound.set(on).catch((error) => {
+      this.wants_sound = false;
+      choices.set('sound', '');
+      this.say(error.message);
+    });
     this.bars.show_switches();
     this.wake();
   }
@@ -743,7 +754,12 @@ class Page {
 
 const page = new Page();
 globalThis.feltlinePage = page;  // for tests
-page.start().catch((error) => {
+const is_slow = setTimeout(() => page.say(t('Loading…'), true), kSlowMs);
+page.start().finally(() => {
+  clearTimeout(is_slow);
+  if (by_id('notice').textContent === t('Loading…')) by_id('notice').replaceChildren();
+}).catch((error) => {
   console.warn(error);
-  page.say(t('This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.'));
+  if (error instanceof LoadError) return page.say(t('%1 could not be loaded. Reload the page.', error.message), true);
+  page.say(t('This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.'), true);
 });

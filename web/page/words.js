@@ -45,6 +45,10 @@ const own = {
   'The pen is down': ['Der Stift liegt auf', 'De pen is neer'],
   'The pen is up': ['Der Stift ist abgehoben', 'De pen is los'],
   'Loading…': ['Wird geladen …', 'Laden…'],
+  '%1 could not be loaded. Reload the page.': ['%1 konnte nicht geladen werden. Laden Sie die Seite neu.', '%1 kon niet worden geladen. Laad de pagina opnieuw.'],
+  'it is too large': ['Sie ist zu groß', 'het is te groot'],
+  'it is damaged': ['Sie ist beschädigt', 'het is beschadigd'],
+  'Selection': ['Auswahl', 'Selectie'],
   'This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.': ['Dieser Browser kann die Seite nicht ausführen: Sie braucht WebAssembly und JavaScript von 2023 oder neuer.', 'Deze browser kan de pagina niet uitvoeren: ze heeft WebAssembly en JavaScript van 2023 of later nodig.'],
   'Restored the drawing of your last visit.': ['Die Zeichnung Ihres letzten Besuchs ist wieder da.', 'De tekening van uw vorige bezoek is hersteld.'],
   'The drawing of your last visit could not be restored: %1': ['Die Zeichnung Ihres letzten Besuchs ließ sich nicht wiederherstellen: %1', 'De tekening van uw vorige bezoek kon niet worden hersteld: %1'],
@@ -55,7 +59,6 @@ const own = {
   'An error occurred, and the page cannot continue. The stored drawing is unchanged. Reload the page.': ['Ein Fehler ist aufgetreten, und die Seite kann nicht fortfahren. Die gespeicherte Zeichnung ist unverändert. Laden Sie die Seite neu.', 'Er is een fout opgetreden en de pagina kan niet doorgaan. De opgeslagen tekening is ongewijzigd. Laad de pagina opnieuw.'],
   'This browser does not store the drawing. Save it before you close the page.': ['Dieser Browser bewahrt die Zeichnung nicht auf. Speichern Sie sie, bevor Sie die Seite schließen.', 'Deze browser bewaart de tekening niet. Sla haar op voordat u de pagina sluit.'],
   'An error occurred. The drawing was restored up to the last step.': ['Ein Fehler ist aufgetreten. Die Zeichnung wurde bis zum letzten Schritt wiederhergestellt.', 'Er is een fout opgetreden. De tekening is tot de laatste stap hersteld.'],
-  'The former drawing was replaced. Undo does not bring it back.': ['Die vorige Zeichnung wurde ersetzt. Rückgängig bringt sie nicht zurück.', 'De vorige tekening is vervangen. Ongedaan maken brengt haar niet terug.'],
   'Replace the drawing? It is not in a file yet.': ['Zeichnung ersetzen? Sie ist noch in keiner Datei gespeichert.', 'De tekening vervangen? Ze staat nog niet in een bestand.'],
   'Replace': ['Ersetzen', 'Vervangen'],
   'Cancel': ['Abbrechen', 'Annuleren'],
@@ -74,13 +77,9 @@ const own = {
   'Space and drag': ['Leertaste und ziehen', 'Spatie en slepen'],
   'Hold the key of a tool to use it until you release the key.': ['Halten Sie die Taste eines Werkzeugs, um es nur bis zum Loslassen zu benutzen.', 'Houd de toets van een gereedschap vast om het tot het loslaten te gebruiken.'],
   'Two fingers move and zoom the sheet; a tap with two fingers undoes, with three redoes.': ['Zwei Finger verschieben und vergrößern das Blatt; ein Tippen mit zwei Fingern macht rückgängig, mit drei wiederholt.', 'Twee vingers verschuiven en vergroten het blad; een tik met twee vingers maakt ongedaan, met drie opnieuw.'],
-  'Larger, smaller': ['Größer, kleiner', 'Groter, kleiner'],
-  'Zoom in, zoom out': ['Vergrößern, verkleinern', 'Inzoomen, uitzoomen'],
   'Move the pen': ['Stift bewegen', 'Pen bewegen'],
-  'Move selected lines': ['Ausgewählte Linien verschieben', 'Geselecteerde lijnen verplaatsen'],
   'Pen down, pen up': ['Stift aufsetzen, abheben', 'Pen neer, pen op'],
   'arrow keys': ['Pfeiltasten', 'pijltoetsen'],
-  'with Ctrl': ['mit Strg', 'met Ctrl'],
   'Feltline is a sketching program you can feel: pull a line and it resists. On this page you draw with the same tools and see and hear the forces.': ['Feltline ist ein Skizzenprogramm zum Fühlen: Ziehen Sie an einer Linie, und sie wehrt sich. Auf dieser Seite zeichnen Sie mit denselben Werkzeugen und sehen und hören die Kräfte.', 'Feltline is een schetsprogramma dat u kunt voelen: trek aan een lijn en ze biedt weerstand. Op deze pagina tekent u met hetzelfde gereedschap en ziet en hoort u de krachten.'],
   'Force-feedback devices work with the desktop program and the command line only. There, the safety chain checks each force on the way to the device; a web page must not bypass it.': ['Geräte mit Kraftrückmeldung arbeiten nur mit dem Desktop-Programm und der Kommandozeile. Dort prüft die Sicherheitskette jede Kraft auf dem Weg zum Gerät; eine Webseite darf sie nicht umgehen.', 'Apparaten met krachtterugkoppeling werken alleen met het desktopprogramma en de opdrachtregel. Daar controleert de veiligheidsketen elke kracht op weg naar het apparaat; een webpagina mag die niet omzeilen.'],
   'The drawing stays in this browser until you save it as a file. The page sends nothing and loads nothing.': ['Die Zeichnung bleibt in diesem Browser, bis Sie sie als Datei speichern. Die Seite sendet nichts und lädt nichts nach.', 'De tekening blijft in deze browser totdat u haar als bestand opslaat. De pagina verstuurt niets en laadt niets.'],
@@ -108,7 +107,8 @@ export function d(context, text, ...values) {
   return filled(both?.[language === 'de' ? 0 : 1] || text, values);
 }
 
-const filled = (text, values) => values.reduce((all, value, i) => all.replace(`%${i + 1}`, value), text);
+/** In one pass, because a value may contain %2 or $&. */
+const filled = (text, values) => text.replace(/%(\d)/g, (all, i) => values[i - 1] ?? all);
 
 /** Returns a number with this many decimals, as one writes it in the language of the page. */
 export function number(value, decimals = 0) {

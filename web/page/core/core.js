@@ -1,5 +1,4 @@
 // The JavaScript of the core: makes the module, and turns texts and arrays into calls. core.d.ts describes it.
-import { inflate } from '../../npm/src/inflate.js';
 import { full_bytes, module_bytes } from './module.js';
 import { catalog_extras, scripts } from './extras.js';
 
@@ -18,20 +17,6 @@ const kEmptyMark = 'feltline-empty-page ';  // files.cc
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 const bytes_of = (data) => (typeof data === 'string' ? encoder.encode(data) : data);
 const number_of = (color) => parseInt(color.replace('#', ''), 16) || 0;
-
-/** Returns the content of gzip data, or the bytes themselves. */
-function unpacked(bytes) {
-  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
-  let at = 10;
-  if (bytes[3] & 4) at += 2 + bytes[at] + 256 * bytes[at + 1];
-  for (const flag of [8, 16]) {
-    if (bytes[3] & flag) at = bytes.indexOf(0, at) + 1;
-  }
-  if (bytes[3] & 2) at += 2;
-  const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(bytes.length - 4, true);
-  if (size > 1 << 28) throw new RangeError('is too large when it is unpacked');
-  return inflate(bytes.subarray(at), size);
-}
 
 /** Writes the digits of the shortest decimal that reads back as the number: numbers_text.cc. */
 function shortest_digits(memory, number, to, exponent_at) {
@@ -389,12 +374,7 @@ class Core {
 
   load(data, name, how) {
     const title = encoder.encode(name);
-    try {
-      return this.json('felt_open', this.write(title, unpacked(bytes_of(data))), title.length, how);
-    } catch (error) {
-      if (error instanceof CoreError) throw error;
-      return { ok: false, error: `${name}: is damaged (${error.message})` };
-    }
+    return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how);
   }
 
   save(format) {

@@ -413,8 +413,26 @@ const topics = {
         assert.equal(await strokes(tab), 3, format);
         if (format !== 'inkml' && format !== 'xopp') assert.ok(await saved(tab) === lines, `${format} changed the lines`);
       }
+      // Compressed: as it is, with stored blocks, damaged, and cut.
+      const svg = Buffer.from(await saved(tab, 'svg'), 'base64'), packed = gzipSync(svg), damaged = Buffer.from(packed);
+      damaged.fill(255, 200, 260);
+      for (const bytes of [packed, gzipSync(svg, { level: 0 })]) {
+        await tab.run(() => feltlinePage.core.clear());
+        await load('drawing.svgz', bytes.toString('base64'));
+        assert.equal(await strokes(tab), 3, 'a compressed file was refused');
+      }
+      for (const bytes of [damaged, packed.subarray(0, packed.length / 2)]) {
+        assert.match(await load('$& %2.svgz', bytes.toString('base64')), /^“\$& %2\.svgz” could not be opened: it is damaged$/);
+        assert.equal(await strokes(tab), 3);
+      }
       const message = await load('broken.svg', Buffer.from('<svg><path d=').toString('base64'));
       assert.match(message, /broken\.svg/);
+      assert.equal(message.split('broken.svg').length, 2, message);
+      // A file that cannot be read, such as one that was deleted meanwhile.
+      assert.match(await tab.run(async () => {
+        await feltlinePage.files.load({ name: 'gone.svg', size: 1, arrayBuffer: () => Promise.reject(new Error('gone')) }, false);
+        return document.getElementById('notice').textContent;
+      }), /gone\.svg/);
       assert.equal(await strokes(tab), 3);
       const png = await tab.run(async () => {
         let made = null;
@@ -451,6 +469,45 @@ const topics = {
       for (let i = 0; i < 30; ++i) await tab.key('ArrowRight', { code: 'ArrowRight', up: false });
       await tab.key('Enter', { code: 'Enter' });
       await tab.until(() => feltlinePage.core.state().strokes === 2);
+      // The mouse and its modifiers do not move the pen of the keys.
+      await tab.key('Enter', { code: 'Enter' });
+      const pens = await tab.run(() => {
+        const { core, input } = feltlinePage, sent = [], samples = core.samples.bind(core);
+        core.samples = (array) => { sent.push(array[3]); samples(array); };
+        input.sheet.dispatchEvent(new PointerEvent('pointermove', { pointerId: 1, pointerType: 'mouse', clientX: 10, clientY: 10 }));
+        input.set_modifiers({ shiftKey: true, timeStamp: performance.now() });
+        input.set_modifiers({ timeStamp: performance.now() });
+        delete core.samples;
+        return sent;
+      });
+      assert.deepEqual(pens, [], 'a pointer moved the pen of the keys');
+      for (let i = 0; i < 30; ++i) await tab.key('ArrowLeft', { code: 'ArrowLeft', up: false });
+      await tab.key('Enter', { code: 'Enter' });
+      await tab.until(() => feltlinePage.core.state().strokes === 3);
+      await tab.run(() => feltlinePage.undo());
+      // After a cancelled line, a key does not put the pen down; a cancelled pointer draws no line to its position (0, 0).
+      const rows = await tab.run(() => {
+        const { core, input } = feltlinePage, rows = [], samples = core.samples.bind(core);
+        core.samples = (array) => { for (let i = 0; i < array.length; i += 8) rows.push([array[1 + i], array[3 + i]]); samples(array); };
+        const event = (type, x) => input.sheet.dispatchEvent(new PointerEvent(type, { pointerId: 1, pointerType: 'pen', clientX: x, clientY: x,
+          button: type === 'pointermove' ? -1 : 0, buttons: type === 'pointerup' ? 0 : 1, isPrimary: true }));
+        event('pointerdown', 400);
+        event('pointermove', 450);
+        feltlinePage.escape();
+        rows.length = 0;
+        input.set_modifiers({ shiftKey: true, timeStamp: performance.now() });
+        input.set_modifiers({ timeStamp: performance.now() });
+        const keys = rows.splice(0).map(([, down]) => down);
+        event('pointerdown', 400);
+        event('pointermove', 450);
+        event('pointercancel', 0);
+        delete core.samples;
+        input.pen_seen = -Infinity;  // the fingers below are no palm
+        return { keys, last: rows.at(-1) };
+      });
+      assert.deepEqual([rows.keys, rows.last], [[0, 0], [450, 0]]);
+      await tab.until(() => feltlinePage.core.state().strokes === 3);
+      await tab.run(() => feltlinePage.undo());
       // A tap with two fingers undoes.
       await tab.run(() => {
         const sheet = document.getElementById('sheet');
@@ -483,6 +540,22 @@ const topics = {
       await tab.until(() => document.querySelectorAll('#layers li').length === 2);
       await tab.run(() => document.querySelectorAll('#layers li .icon')[1].click());
       await tab.until(() => feltlinePage.core.state().layers[1].visible === false);
+      // The panel of the forces shows the state.
+      await tab.run(() => { feltlinePage.set_moves(true); feltlinePage.set_strength(0.75); feltlinePage.toggle('forces'); });
+      assert.deepEqual(await state(() => [document.getElementById('strength').value, document.getElementById('moves').checked]), ['0.75', true]);
+      await tab.run(() => { feltlinePage.set_moves(false); feltlinePage.toggle('forces'); });
+      // A sound that fails leaves its button off.
+      assert.deepEqual(await state(async () => {
+        const { AudioContext } = globalThis;
+        globalThis.AudioContext = class { constructor() { throw new Error('no sound'); } };
+        await feltlinePage.toggle_sound();
+        const pressed = [document.querySelector('#view [aria-label="Sound of drawing"]').getAttribute('aria-pressed')];
+        globalThis.AudioContext = AudioContext;
+        await feltlinePage.toggle_sound();
+        pressed.push(document.querySelector('#view [aria-label="Sound of drawing"]').getAttribute('aria-pressed'));
+        await feltlinePage.toggle_sound();
+        return pressed;
+      }), ['false', 'true']);
       // Language and theme.
       await tab.run(() => feltlinePage.set_language('de'));
       assert.equal(await state(() => document.querySelector('#tools button').getAttribute('aria-label')), 'Bleistift');
