@@ -23,7 +23,7 @@ export class Bars {
   top() {
     const { page } = this;
     this.menu = icon_button('menu', t('Menu'), () => page.menu.toggle());
-    this.menu.setAttribute('aria-haspopup', 'menu');
+    this.menu.setAttribute('aria-haspopup', 'dialog');
     this.menu.setAttribute('aria-expanded', 'false');
     this.undo = icon_button('undo', d('EditActions', 'Undo'), () => page.apply({ event: 'undo' }), page.key_name('Ctrl+Z'));
     this.redo = icon_button('redo', d('EditActions', 'Redo'), () => page.apply({ event: 'redo' }), page.key_name('Ctrl+Shift+Z'));
@@ -155,7 +155,7 @@ export class OfferBar {
         command('select-none', 'Select none', { event: 'select', what: 'none' }));
     }
     this.element.hidden = buttons.length === 0;
-    this.element.setAttribute('aria-label', t('Options'));
+    this.element.setAttribute('aria-label', t(state.selected > 0 ? 'Selection' : 'Suggestions'));
     this.element.replaceChildren(...buttons);
   }
 }
@@ -176,7 +176,7 @@ export class Menu {
 
   open() {
     const { page } = this;
-    const entry = (name, text, act, keys = '') => make('button', { type: 'button', onclick: () => { this.close(); act(); } },
+    const entry = (name, text, act, keys = '') => make('button', { type: 'button', onclick: () => { this.close(); page.bars.menu.focus(); act(); } },
       icon(name), make('span', {}, text), keys ? make('kbd', {}, page.key_name(keys)) : null);
     const small = (button) => {
       button.classList.add('small');
@@ -205,7 +205,7 @@ export class Menu {
       make('hr'),
       choice('Theme', page.theme_choice(), [['', t('as in the system')], ['light', t('light')], ['dark', t('dark')]],
         (value) => page.set_theme(value)),
-      choice('Language', page.language(), page.languages(), (value) => { this.close(); page.set_language(value); }),
+      choice('Language', page.language(), page.languages(), (value) => { this.close(); page.set_language(value); page.bars.menu.focus(); }),
       make('hr'),
       entry('keyboard', t('Keyboard shortcuts'), () => page.show_keys(), '?'),
       entry('info', t('About Feltline'), () => page.show_about()));
@@ -214,6 +214,10 @@ export class Menu {
       this.close();
       page.bars.menu.focus();
       event.stopPropagation();
+    });
+    // Tab leaves the menu.
+    this.element.addEventListener('focusout', ({ relatedTarget: to }) => {
+      if (to && !this.element?.contains(to) && to !== page.bars.menu) this.close();
     });
     arrow_keys(this.element);
     document.getElementById('top').after(this.element);

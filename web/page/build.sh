@@ -90,18 +90,23 @@ update "$objects/build.new" "$objects/build.ninja"
 export EM_COMPILER_WRAPPER=${EM_COMPILER_WRAPPER:-${CMAKE_CXX_COMPILER_LAUNCHER:-}}
 ninja -C "$objects" -j "${JOBS:-2}" ${FELT_PAGE_NINJA:-}
 
-# link OUT LEFT_OUT: links everything but the unit LEFT_OUT.
+# link OUT LEFT_OUT: links everything but the unit LEFT_OUT. Units of removed sources may still be in the folder.
 link() {
-  local objects_of_module=()
-  for unit in "$objects"/units/*.o; do
+  local objects_of_module=() unit new=${1%.wasm}_new.wasm
+  while read -r unit; do
     [ "$(basename "$unit")" = "$2" ] || objects_of_module+=("$unit")
-  done
-  em++ -Oz -flto "${objects_of_module[@]}" -o "$1" --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH \
+  done < <(sed -n 's/^build \(.*\.o\): compile .*/\1/p' "$objects/build.ninja")
+  em++ -Oz -flto "${objects_of_module[@]}" -o "$new" --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH \
     -sINITIAL_MEMORY=16MB -sTOTAL_STACK=1MB -sMAXIMUM_MEMORY=2GB -sMALLOC=emmalloc -sFILESYSTEM=0 \
     -sERROR_ON_UNDEFINED_SYMBOLS=0 -sWARN_ON_UNDEFINED_SYMBOLS=0 ${FELT_PAGE_LINK:-}
+  mv "$new" "$1"
 }
 
-is_older() { [ ! -e "$1" ] || [ -n "$(find "$objects/units" -name '*.o' -newer "$1" -print -quit)" ]; }
+# build.ninja is newer if a source was added or removed.
+is_older() {
+  [ ! -e "$1" ] || [ -n "$(find "$objects/build.ninja" "$objects/units" -name '*.o' -newer "$1" -print -quit -o \
+    -name build.ninja -newer "$1" -print -quit)" ]
+}
 
 mkdir -p "$objects/generated"
 ! is_older "$objects/small.wasm" || link "$objects/small.wasm" own_full.o

@@ -22,4 +22,5 @@ options=(--minify "--target=es2022,safari16.4" --log-level=warning)
 NODE_PATH=$work esbuild page.js --bundle "${options[@]}" --format=iife --outfile="$dist/page.js"
 esbuild early.js "${options[@]}" --format=iife --outfile="$work/early.js"
 esbuild style.css --minify --log-level=warning --outfile="$work/style.css"
-node make_page.mjs index.html "$work" "$root/share/icons/org.feltline.Feltline.svg" >"$dist/index.html"
+node make_page.mjs index.html "$work" "$root/share/icons/org.feltline.Feltline.svg" >"$work/index.html"
+mv "$work/index.html" "$dist/index.html"

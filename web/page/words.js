@@ -49,6 +49,7 @@ const own = {
   'it is too large': ['Sie ist zu groß', 'het is te groot'],
   'it is damaged': ['Sie ist beschädigt', 'het is beschadigd'],
   'Selection': ['Auswahl', 'Selectie'],
+  'Suggestions': ['Vorschläge', 'Suggesties'],
   'This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.': ['Dieser Browser kann die Seite nicht ausführen: Sie braucht WebAssembly und JavaScript von 2023 oder neuer.', 'Deze browser kan de pagina niet uitvoeren: ze heeft WebAssembly en JavaScript van 2023 of later nodig.'],
   'Restored the drawing of your last visit.': ['Die Zeichnung Ihres letzten Besuchs ist wieder da.', 'De tekening van uw vorige bezoek is hersteld.'],
   'The drawing of your last visit could not be restored: %1': ['Die Zeichnung Ihres letzten Besuchs ließ sich nicht wiederherstellen: %1', 'De tekening van uw vorige bezoek kon niet worden hersteld: %1'],

@@ -162,6 +162,18 @@ const topics = {
     });
   },
 
+  /** A script that does not come: the page says so. */
+  async missing() {
+    for (const name of ['core.js', 'page.js']) {
+      await served(async (url) => {
+        await with_tab({ wait: false }, async (tab) => {
+          await tab.until((name) => document.getElementById('notice').textContent.includes(name), name);
+          tab.errors = [];
+        }, url);
+      }, (path) => path.endsWith(name));
+    }
+  },
+
   /** The drawing survives a reload and a killed browser. */
   async storage() {
     const profile = mkdtempSync(join(tmpdir(), 'feltline-profile-'));
@@ -556,6 +568,15 @@ const topics = {
         await feltlinePage.toggle_sound();
         return pressed;
       }), ['false', 'true']);
+      // The menu: an entry gives the focus back, and Tab leaves it.
+      const menu = () => state(() => [Boolean(feltlinePage.menu.element), document.activeElement.getAttribute('aria-label')]);
+      await state(() => { feltlinePage.menu.open(); [...document.querySelectorAll('.menu button')].at(-1).focus(); });
+      await tab.key('Tab', { code: 'Tab' });
+      await state(() => document.querySelector('#tools button').focus());
+      assert.deepEqual(await menu(), [false, 'Pencil']);
+      await state(() => { feltlinePage.menu.open(); [...document.querySelectorAll('.menu button')].at(-1).click(); });
+      await state(() => document.querySelector('dialog').close());
+      assert.deepEqual(await menu(), [false, 'Menu']);
       // Language and theme.
       await tab.run(() => feltlinePage.set_language('de'));
       assert.equal(await state(() => document.querySelector('#tools button').getAttribute('aria-label')), 'Bleistift');
@@ -593,6 +614,7 @@ const topics = {
         feltlinePage.core.clear();
         feltlinePage.begun();
         feltlinePage.use_tool('pencil');
+        feltlinePage.set_moves(false);
       });
       await tab.frames(3);
       await tab.stroke(wave(500, 400));
