@@ -117,9 +117,10 @@ export class Storage {
   seen(time) {
     try {
       const transaction = this.database.transaction('bases', 'readwrite');
-      this.check_owner(transaction);
+      if (time > 0) this.check_owner(transaction);
       transaction.objectStore('bases').put({ id: this.id, time }, owner_key(this.slot));
       transaction.onabort = () => this.fail(transaction.error);
+      if (time === 0) transaction.commit();
     } catch (error) {
       this.fail(error);
     }

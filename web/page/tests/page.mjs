@@ -321,7 +321,7 @@ const topics = {
         await in_front(second, () => second.reload());
         assert.equal(await strokes(second), 2, `alone, ${has_locks ? 'with' : 'without'} locks`);
         const third = await browser.open(file_url, { prepare });
-        assert.equal(await strokes(third), 1, 'the drawing of the first tab');
+        assert.equal(await strokes(third), 1, `the drawing of the first tab, ${has_locks ? 'with' : 'without'} locks`);
         assert.deepEqual(second.errors.concat(third.errors), []);
       });
     }
