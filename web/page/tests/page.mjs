@@ -162,6 +162,30 @@ const topics = {
     });
   },
 
+  /** A line that is drawn while the page is loading keeps its times. */
+  async early() {
+    const prepare = (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source: `(${() => {
+      const look = () => {
+        if (!globalThis.feltlineEarly) return setTimeout(look, 0);
+        const sheet = document.getElementById('sheet'), event = (type, x) => sheet.dispatchEvent(new PointerEvent(type, { pointerId: 1,
+          pointerType: 'mouse', clientX: x, clientY: 300, button: type === 'pointermove' ? -1 : 0, buttons: type === 'pointerup' ? 0 : 1 }));
+        const pause = () => { for (const end = performance.now() + 3; performance.now() < end;); };
+        sheet.addEventListener('pointerdown', ({ timeStamp }) => { globalThis.firstTime = timeStamp; }, { once: true });
+        event('pointerdown', 300);
+        for (let x = 310; x < 500; x += 10) pause(event('pointermove', x));
+        event('pointerup', 500);
+      };
+      look();
+    }})()` });
+    await served(async (url) => {
+      await with_tab({ prepare }, async (tab) => {
+        await tab.until(() => feltlinePage.core.state().strokes === 1);
+        const { start, first } = await tab.run(() => ({ start: feltlinePage.core.start, first: globalThis.firstTime }));
+        assert.ok(start <= first, `the core begins ${start - first} ms after the first sample, so that samples have the same time`);
+      }, url);
+    });
+  },
+
   /** A script that does not come: the page says so. */
   async missing() {
     for (const name of ['core.js', 'page.js']) {
