@@ -199,13 +199,20 @@ class Page {
 
   run_frame(now) {
     this.asked = false;
+    let more = false;
     this.guard((core) => {
       core.advance(now);
-      const more = core.paint(this.context);
-      this.show_changes(now);
-      if (more || now < this.active_until || this.plays) this.wake_again();
-      else this.store(now);
+      more = core.paint(this.context);
     });
+    this.guard(() => this.show_changes(now));
+    // An error of the steps above does not keep the drawing from being stored.
+    this.guard((core) => {
+      if (core.changed('edits')) this.is_unsaved = this.store_due = true;
+      if (this.store_due && now - (this.stored ?? -Infinity) > kAutosaveMs) this.store(now);
+    });
+    if (!this.core) return;
+    if (more || now < this.active_until || this.plays) this.wake_again();
+    else this.store(now);
   }
 
   /** Calls the core. If a check in it fails, another core continues with the drawing. Other errors do not concern the
@@ -242,11 +249,6 @@ class Page {
     this.sound.feed();
     if (this.plays && !core.playing()) this.end_play(core.playError());
     if (core.changed('state')) this.show_state();
-    if (core.changed('edits')) {
-      this.is_unsaved = true;
-      this.store_due = true;
-    }
-    if (this.store_due && now - (this.stored ?? -Infinity) > kAutosaveMs) this.store(now);
   }
 
   show_state() {
@@ -288,6 +290,7 @@ class Page {
         if (last) this.ask_about(last, done.error ?? error.message);
       } else {
         this.core.rebase();
+        this.set_view(core.view());
         this.say(t('An error occurred. The drawing was restored up to the last step.'));
       }
     } catch (failure) {
@@ -320,8 +323,13 @@ class Page {
       this.record_bytes = (rebased ? 0 : this.record_bytes) + recorded.length;
       if (this.record_bytes > kRebaseBytes) core.rebase();
       if (!storage || this.is_paused) return;
-      if (rebased) storage.restart(base, core.state().page, recorded);
-      else storage.append(recorded);
+      const page = rebased ? core.state().page : null;
+      try {
+        if (rebased) storage.restart(base, page, recorded);
+        else storage.append(recorded);
+      } catch (error) {
+        storage.fail(error);
+      }
     });
   }
 

@@ -382,7 +382,10 @@ const topics = {
       await end_core();
       assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after an error');
       assert.equal(await tab.run(() => feltlinePage.core.state().strength), 0.25);
-      await tab.run(() => { feltlinePage.storage = null; feltlinePage.store(); feltlinePage.restarts = []; });
+      await tab.run(() => { feltlinePage.storage = null; feltlinePage.restarts = []; });
+      await tab.run(() => feltlinePage.set_strength(0.5));
+      await stored(tab);
+      assert.equal(await tab.run(() => { feltlinePage.store(); return feltlinePage.core.unread.records; }), '', 'records pile up');
       await end_core();
       assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after an error without storage');
       await tab.reload();
@@ -397,6 +400,14 @@ const topics = {
       assert.ok(await tab.run(() => feltlinePage.core === former), 'the core was replaced');
       assert.equal(await strokes(tab), 3);
       await tab.reload();
+      assert.equal(await strokes(tab), 3);
+      // An error of the controls does not keep the drawing from being stored.
+      await tab.run(() => { feltlinePage.show_state = () => { throw new Error('controls'); }; });
+      await tab.stroke(wave(200, 500));
+      await stored(tab);
+      await tab.run(() => { feltlinePage.store = feltlinePage.leave = () => {}; });
+      await tab.reload();
+      assert.equal(await strokes(tab), 4);
       // Painting the drawing ends the core, each time.
       const kept = await strokes(tab);
       await tab.run(() => {
