@@ -310,6 +310,14 @@ const topics = {
       await tab.reload();
       assert.equal(await strokes(tab), 4);
       assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a failed write');
+      // The browser closes the database: it is opened again.
+      await tab.run(() => feltlinePage.storage.database.close());
+      await tab.stroke(wave(500, 200));
+      await stored(tab);
+      await tab.run(() => feltlinePage.leave());
+      await stored(tab);
+      await tab.reload();
+      assert.equal(await strokes(tab), 5);
       // A new base is refused: the former drawing stays, without the events of the new one.
       await refuse();
       await tab.run(() => { feltlinePage.core.clear(); feltlinePage.begun(); });
@@ -320,7 +328,7 @@ const topics = {
       await tab.run(() => feltlinePage.storage.append(feltlinePage.core.recorded() || '{}'));
       await tab.run(() => { feltlinePage.storage = null; });
       await tab.reload();
-      assert.equal(await strokes(tab), 4, 'events behind a gap were read');
+      assert.equal(await strokes(tab), 5, 'events behind a gap were read');
     });
   },
 
@@ -587,6 +595,16 @@ const topics = {
       await tab.until(() => document.querySelectorAll('#layers li').length === 2);
       await tab.run(() => document.querySelectorAll('#layers li .icon')[1].click());
       await tab.until(() => feltlinePage.core.state().layers[1].visible === false);
+      // A window that loses the focus has no fingers and no space key any more.
+      assert.deepEqual(await state(() => {
+        const { input } = feltlinePage;
+        input.sheet.focus();
+        input.sheet.dispatchEvent(new KeyboardEvent('keydown', { key: ' ', code: 'Space', bubbles: true }));
+        input.sheet.dispatchEvent(new PointerEvent('pointerdown', { pointerId: 21, pointerType: 'touch', clientX: 300, clientY: 300 }));
+        const before = [input.sheet.className, input.fingers.size, input.drawing];
+        dispatchEvent(new Event('blur'));
+        return [...before, input.sheet.className, input.fingers.size, input.drawing];
+      }), ['pans', 1, 21, '', 0, null]);
       // The panel of the forces shows the state.
       await tab.run(() => { feltlinePage.set_moves(true); feltlinePage.set_strength(0.75); feltlinePage.toggle('forces'); });
       assert.deepEqual(await state(() => [document.getElementById('strength').value, document.getElementById('moves').checked]), ['0.75', true]);
