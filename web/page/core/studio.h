@@ -94,7 +94,7 @@ class Studio {
   [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
   [[nodiscard]] const TickReport& tick() { return servo_->latest(); }
   /// The first force of a session needs the relief of the surface, which takes some 50 ms. Until
-  /// this call there are no forces, so that the page can be drawn on at once.
+  /// this call there are no forces, so that the user can draw immediately.
   void begin_forces() { has_forces_ = true; }
 
   /// Lets the simulated hand play a script from now on, at `speed` times the speed of a hand. Fails
