@@ -129,8 +129,10 @@ bool FakeController::Port::take(std::span<const std::byte> bytes) {
   in_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   while (is_open_ && controller_ != nullptr && in_.size() >= kHeader) {
     const auto size = static_cast<std::size_t>(static_cast<unsigned char>(in_[3]));
-    for (const std::size_t i : {0, 1, 2, 4, 5, 6, 7}) {
-      if (in_[i] != 0) controller_->break_rule("a header that is not a length and zeros");
+    for (std::size_t i = 0; i < kHeader; ++i) {
+      if (i != 3 && in_[i] != 0) {
+        controller_->break_rule("a header that is not a length and zeros");
+      }
     }
     if (in_.size() < kHeader + size) break;
     std::array<char, 256> text{};
