@@ -15,9 +15,15 @@ command -v apt-get >/dev/null || {
   exit 1
 }
 
-mkdir -p "$folder/apt/lists/partial" "$folder/apt/archives/partial"
-echo 'deb-src http://deb.debian.org/debian bookworm main' >"$folder/apt/sources.list"
-options=(-q -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=/dev/null
+# The sources come from where the system's programs come from.
+mkdir -p "$folder/apt/lists/partial" "$folder/apt/archives/partial" "$folder/apt/parts"
+touch "$folder/apt/sources.list"
+if [ -f /etc/apt/sources.list.d/debian.sources ]; then
+  sed 's/^Types:.*/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >"$folder/apt/parts/debian.sources"
+else
+  sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >"$folder/apt/sources.list"
+fi
+options=(-q -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o "Dir::Etc::sourceparts=$folder/apt/parts"
   -o "Dir::State::lists=$folder/apt/lists" -o "Dir::Cache=$folder/apt" -o APT::Sandbox::User=)
 apt-get "${options[@]}" update >&2
 cd "$folder/apt"
