@@ -158,7 +158,7 @@ fs::path cached(const fs::path& self, std::size_t offset) {
   fs::path folder = cache / FELT_APPIMAGE_ID;
   std::error_code error;
   if (fs::is_directory(folder, error)) return folder;
-  std::string name = (cache / "new-XXXXXX").string();
+  std::string name = (cache / "new-XXXXXX").string();  // mkdtemp() replaces the X
   if (!::mkdtemp(name.data())) return {};
   const int fd = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (fd >= 0) ::flock(fd, LOCK_SH);
@@ -182,6 +182,7 @@ fs::path cached(const fs::path& self, std::size_t offset) {
 /// Unpacks into a temporary folder, runs the program as a child, and removes the folder.
 int run_from_temporary(const fs::path& self, std::size_t offset, char** argv) {
   std::error_code error;
+  // mkdtemp() replaces the X.
   std::string folder = (fs::temp_directory_path(error) / "feltline-XXXXXX").string();
   if (!::mkdtemp(folder.data())) fail("neither the cache nor a temporary folder can be written");
   const std::string failed = unpack(self, offset, folder);

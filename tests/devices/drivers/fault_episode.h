@@ -74,6 +74,7 @@ class FaultEpisode {
   void check_end();
   void check_ink();
   [[nodiscard]] std::optional<std::int64_t> zero_within_ns() const;
+  [[nodiscard]] std::optional<std::int64_t> zero_after_device_fault_ns() const;
   [[nodiscard]] bool is_hard() const noexcept;
   [[nodiscard]] bool acts_after_its_watchdog() const noexcept;
   [[nodiscard]] bool is_truthful() const noexcept;

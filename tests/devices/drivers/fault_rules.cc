@@ -55,11 +55,9 @@ void FaultEpisode::broken(std::string rule) {
 
 /// Returns how long a force may stay after the first tick of the fault, or nullopt if it may stay.
 std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
-  const std::int64_t notice = bench_->notice_ns();
-  const std::int64_t jump_ns = kJumpHoldNs + 3 * period_ns_ + notice;
   switch (fault_.happening) {
     case Happening::kDeviceFault:
-      break;
+      return zero_after_device_fault_ns();
     case Happening::kStall:
       if (fault_.lasts_ns > 25 * kMs) return 0;
       if (fault_.lasts_ns > 7 * kMs) return kSoftFallNs;
@@ -68,7 +66,7 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
     case Happening::kSuspend:
       return 0;
     case Happening::kOtherModel:
-      return notice;
+      return bench_->notice_ns();
     case Happening::kBadForce:
       // A third force model waits until the first of two has faded out.
       if (std::isnan(fault_.amount)) return period_ns_ + kCrossFadeNs;
@@ -79,6 +77,12 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
     default:
       return std::nullopt;
   }
+}
+
+/// The same for a fault of the device.
+std::optional<std::int64_t> FaultEpisode::zero_after_device_fault_ns() const {
+  const std::int64_t notice = bench_->notice_ns();
+  const std::int64_t jump_ns = kJumpHoldNs + 3 * period_ns_ + notice;
   switch (fault_.fault) {
     case InjectedFault::kReadError:
     case InjectedFault::kUnplugged:

@@ -78,7 +78,7 @@ Result<Document> replay(std::string_view script, const ReplayChoice& choice) {
     return session.document();
   }
   const StylusPreset* preset = find_stylus_preset(choice.device);
-  if (!preset) return fail(ErrorCode::kNotFound, "there is no device " + choice.device);
+  if (!preset) return fail(ErrorCode::kNotFound, "unknown device " + choice.device);
   ReplayMachine machine(replay_settings(*preset, typical_hand(), choice.forces, {}, {}), {}, {});
   if (Result<void> done = play(machine, script); !done) return tl::unexpected(done.error());
   return machine.session().document();

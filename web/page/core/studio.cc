@@ -128,7 +128,7 @@ Result<void> Studio::use_device(std::string_view id) {
   const bool is_simulated = id.starts_with("simulated:");
   const StylusPreset* found = find_stylus_preset(is_simulated ? id.substr(10) : id);
   if (!found || found->capabilities.has_force() != is_simulated) {
-    return fail(ErrorCode::kNotFound, "there is no pen device \"" + std::string(id) + "\"");
+    return fail(ErrorCode::kNotFound, "unknown pen device \"" + std::string(id) + "\"");
   }
   if (session_) process();
   StylusPreset preset = *found;

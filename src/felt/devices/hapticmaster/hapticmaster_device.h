@@ -56,7 +56,7 @@ class HapticMasterDevice final : public DriverDevice {
   static constexpr std::int64_t kGuardNs = 50'000'000;
   static constexpr std::int64_t kMaxGuardNs = 100'000'000;  ///< by then all effects must be gone
   static constexpr int kStateTicks = 2;
-  static constexpr double kBeyondMm = 50.0;  ///< a position this far outside is no position
+  static constexpr double kBeyondMm = 50.0;  ///< a position farther outside is invalid
   static constexpr double kInertiaKg = 3.0;
 
   /// `link` has no request under way. `sector` is the workspace that the controller reported.

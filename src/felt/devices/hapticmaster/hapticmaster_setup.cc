@@ -52,7 +52,7 @@ Result<std::string> ask_controller(ControllerLink& link, std::string_view text) 
 // An answer that is missing would later be taken for that of another request, so the device is
 // disconnected then.
 Result<std::string> HapticMasterDevice::ask(std::string_view text) {
-  if (is_gone_) return fail(ErrorCode::kIo, "The controller is no longer connected.");
+  if (is_gone_) return fail(ErrorCode::kIo, "The controller has been disconnected.");
   Result<std::string> answer = ask_controller(*link_, text);
   if (!answer && answer.error().code != ErrorCode::kUnsupported) lose(answer.error().message, {});
   return answer;
@@ -83,7 +83,7 @@ Result<void> HapticMasterDevice::settle() {
     if (!link_->receive(kAskNs)) lose("The controller does not answer", {});
     static_cast<void>(queue_.answered());
   }
-  if (is_gone_) return fail(ErrorCode::kIo, "The controller is no longer connected.");
+  if (is_gone_) return fail(ErrorCode::kIo, "The controller has been disconnected.");
   return {};
 }
 
