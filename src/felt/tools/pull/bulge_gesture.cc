@@ -48,10 +48,13 @@ class BulgeGesture final : public PullGesture {
     pen_ = on_page(pen.position);
     const double gain = bulge_gain(distance(pen_, map_.centre), options_);
     if (gain == map_.gain || pulls_.empty()) return std::nullopt;
+    if (gain == 0.0) {
+      map_.gain = 0.0;
+      return Edit{.label = shown_.label, .changes = {}};
+    }
     std::optional<Edit> now = edit([&](const BulgePull& pull) { return pull.at(gain); });
     if (!now) return std::nullopt;  // keep the last valid shapes
     map_.gain = gain;
-    if (gain == 0.0) return Edit{.label = now->label, .changes = {}};
     return shown_ = *std::move(now);
   }
 

@@ -105,7 +105,10 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     case PullMode::kSweep:
       gesture_ = make_sweep(sample, scene, *hit, settings_.sweep);
       break;
-    default:
+    case PullMode::kBrush:
+    case PullMode::kPush:
+    case PullMode::kBulge:
+    case PullMode::kPinch:
       gesture_ = make_brush(sample, scene, *hit, brush, settings_.offset);
       break;
   }
