@@ -1,8 +1,24 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <QApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+
+namespace {
+
+/// Ends the process if one test takes longer than any test needs, so that the last line of the
+/// output names the test that waits for ever.
+class TestTimeLimit : public ::testing::EmptyTestEventListener {
+ public:
+  void OnTestStart(const ::testing::TestInfo&) override { ::alarm(kSeconds); }
+  void OnTestEnd(const ::testing::TestInfo&) override { ::alarm(0); }
+
+ private:
+  static constexpr unsigned kSeconds = 300;
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
@@ -17,5 +33,6 @@ int main(int argc, char** argv) {
   QCoreApplication::setOrganizationName(QStringLiteral("feltline"));
   QCoreApplication::setApplicationName(QStringLiteral("feltline-test"));
   const QApplication app(argc, argv);
+  ::testing::UnitTest::GetInstance()->listeners().Append(new TestTimeLimit);
   return RUN_ALL_TESTS();
 }
