@@ -30,7 +30,10 @@ bool FileWorker::is_busy() const {
   return in_progress_ > 0;
 }
 
+/// Calls the functions that were returned before without the event loop: if the caller handles a
+/// posted event, Qt's nested loop may sleep although deliver() was posted already.
 void FileWorker::wait() {
+  deliver();
   if (!is_busy()) return;
   QEventLoop loop;
   connect(this, &FileWorker::idle, &loop, &QEventLoop::quit);
