@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHeader = 8;
 constexpr std::size_t kRoom = std::size_t{1} << 16;
-constexpr std::size_t kMaxWaiting = 5;  // requests that may be unanswered at the same time
+constexpr std::size_t kMaxWaiting = 6;  // requests that may be unanswered at the same time
 constexpr double kMaxN = 250.0;
 constexpr std::string_view kNoSuch = "--- ERROR: unknown effect";
 constexpr std::string_view kUnknown = "--- ERROR: unknown command";
@@ -319,6 +319,8 @@ void FakeController::work_until(std::int64_t until_ns) {
 }
 
 void FakeController::handle(Port& port, std::string_view text) {
+  const bool is_of_other = has_remote_guard_ && &port != ports_.front();
+  if (is_of_other && text == "remove all" && effects() > 0) ++guard_acts_;
   const std::string_view answer = answer_to(text);
   if (is_silent_) return;
   if (is_active(InjectedFault::kLostAnswers)) {
@@ -337,8 +339,7 @@ std::string_view FakeController::answer_to(std::string_view text) {
   if (take_word(text, "set ")) return answer_to_set(text);
   if (take_word(text, "create biasforce ")) return create(text);
   if (text == "remove all") {
-    if (has_remote_guard_ && effects() > 0) ++guard_acts_;
-    remove_all();
+    if (!options_.keeps_effects) remove_all();
     return "All effects removed";
   }
   if (text == "calibrateforcesensor") {

@@ -24,6 +24,7 @@ struct FakeControllerOptions {
   bool quotes = true;          ///< answers `"force"` instead of `force;`
   bool ignores_guard = false;  ///< the guard's connection is dead, but stays open
   bool refuses_guard = false;  ///< no guard process can be started
+  bool keeps_effects = false;  ///< confirms `remove all`, but does not carry it out
   int max_connections = 8;
   /// The guard also acts if no tick comes for its patience. The suites of all drivers let time
   /// stand still, and expect that a device can be read afterwards; this machine must be homed
@@ -60,7 +61,8 @@ class FakeController {
   void babble(std::string_view bytes);
   void be_silent(bool is_silent) noexcept { is_silent_ = is_silent; }
   /// Cannot see which connection belongs to a guard, because that is another process. From now on,
-  /// counts each removal of an existing effect as an act of the guard.
+  /// counts each removal of an existing effect over another connection than the first one as an act
+  /// of the guard.
   void count_every_guard() noexcept { has_remote_guard_ = true; }
   void set_state(std::string_view state) { enter(state); }
   /// Ends the connections of the driver, or that of the guard.

@@ -206,7 +206,7 @@ TEST(HapticMasterDriver, R49_ARefusedReleaseSwitchesTheMachineOff) {
   Desk desk;
   ASSERT_TRUE(desk.open_at_home());
   desk.push({1, 0, 0});
-  desk.controller.say_instead("--- ERROR: effect not found", "set feltforce force", 1000);
+  desk.controller.say_instead("--- ERROR: effect not found", "set felt", 1000);
   desk.device->stop();
   desk.tick();
   EXPECT_EQ(desk.world.held_force(), Force{});
@@ -252,8 +252,8 @@ TEST(HapticMasterDriver, R49_AnswersOutOfOrderEndTheConnection) {
   for (const auto& [request, answer] :
        {Case{"get measpos", "Bias force's force set"}, Case{"get measpos", "force"},
         Case{"get measpos", "?!"}, Case{"get modelvel", "force"}, Case{"get state", "[0,0,0]"},
-        Case{"get state", "Bias force's force set"}, Case{"set feltforce", "[0,0,0]"},
-        Case{"set feltforce", "force"}}) {
+        Case{"get state", "Bias force's force set"}, Case{"set felt", "[0,0,0]"},
+        Case{"set felt", "force"}}) {
     Desk desk;
     ASSERT_TRUE(desk.open_at_home());
     desk.push({1, 0, 0});
@@ -349,7 +349,7 @@ TEST(HapticMasterDriver, R49_OneLateAnswerDoesNotChopTheForce) {
   EXPECT_EQ(desk.device->status().faults, 0u);
 }
 
-TEST(HapticMasterDriver, R49_ASilentControllerLosesTheForceAndThenTheDevice) {
+TEST(HapticMasterDriver, R49_ASilentControllerLosesTheForceAndIsSwitchedOff) {
   Desk desk;
   ASSERT_TRUE(desk.open_at_home());
   desk.push({1, 0, 0});
@@ -357,9 +357,12 @@ TEST(HapticMasterDriver, R49_ASilentControllerLosesTheForceAndThenTheDevice) {
   for (int i = 0; i < 5; ++i) desk.tick({1, 0, 0});
   EXPECT_EQ(desk.world.held_force(), Force{}) << "after 20 ms";
   EXPECT_EQ(desk.first_fault(3), DeviceFault::kOther);
-  for (int i = 0; i < 300; ++i) desk.tick({1, 0, 0});
-  EXPECT_EQ(desk.tick().read.error(), DeviceFault::kDisconnected);
+  for (int i = 0; i < 25; ++i) desk.tick({1, 0, 0});
+  EXPECT_EQ(desk.tick().read.error(), DeviceFault::kNotCalibrated) << "after 0.1 s";
   EXPECT_EQ(desk.controller.state(), "off");
+  EXPECT_EQ(desk.controller.effects(), 0);
+  ASSERT_FALSE(desk.device->find_home().has_value());
+  EXPECT_EQ(desk.tick().read.error(), DeviceFault::kDisconnected);
   desk.controller.be_silent(false);
   EXPECT_EQ(desk.tick().read.error(), DeviceFault::kDisconnected) << "for ever";
 }
