@@ -26,7 +26,7 @@ constexpr int kTryMs = 50;
 constexpr int kListenMs = 200;  // wait for the answers to the last message before the guard exits
 constexpr int kMaxReads = 16;
 constexpr char kBeat = 1, kSpeak = 2, kRest = 3;  // signs of the program
-constexpr std::int64_t kLookNs = kMs;  // between two looks whether the guard has exited
+constexpr std::int64_t kLookNs = kMs;             // between two looks whether the guard has exited
 
 std::int64_t monotonic_now_ns() noexcept {
   timespec now{};
@@ -87,9 +87,9 @@ bool PortGuard::Process::discard_answers(const Watch& watch) noexcept {
   return true;
 }
 
-// Sends the last words for the last time. If unread answers were left on the guard's own connection, its
-// end would be a reset, and the peer could lose the last words. Therefore reads until the peer has
-// closed the connection, or has sent nothing for a while.
+// Sends the last words for the last time. If unread answers were left on the guard's own
+// connection, its end would be a reset, and the peer could lose the last words. Therefore reads
+// until the peer has closed the connection, or has sent nothing for a while.
 void PortGuard::Process::say_finally(const Watch& watch) noexcept {
   say(watch);
   if (watch.use != Use::kOwnConnection) return;

@@ -51,9 +51,9 @@ class PortGuard {
   PortGuard& operator=(const PortGuard&) = delete;
 
   /// Sends a heartbeat. Returns false if the guard does not protect the device, because it has
-  /// ended (it was killed) or does not run (it was stopped): heartbeats have been waiting for it for
-  /// kMaxUnreadNs. Call it from one thread at a time. Real-time safe, because it makes only system
-  /// calls that never wait.
+  /// ended (it was killed) or does not run (it was stopped): heartbeats have been waiting for it
+  /// for kMaxUnreadNs. Call it from one thread at a time. Real-time safe, because it makes only
+  /// system calls that never wait.
   bool beat() noexcept;
   /// Makes the guard write the last words now, because our program cannot reach the device itself.
   /// The guard then waits for the next heartbeat. Real-time safe, like beat().

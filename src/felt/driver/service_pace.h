@@ -17,8 +17,8 @@ namespace felt {
 /// forces are off counts as one fault, however long it lasts.
 ///
 /// Limits that take a force away count all of the time, however late the ticks are. In averages and
-/// in times that allow a force, a tick counts as at most kMaxTickNs, because a pause of our own loop
-/// says nothing about the service.
+/// in times that allow a force, a tick counts as at most kMaxTickNs, because a pause of our own
+/// loop says nothing about the service.
 ///
 /// Used on the haptic thread; real-time safe.
 class ServicePace {

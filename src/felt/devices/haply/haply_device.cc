@@ -167,7 +167,8 @@ void HaplyDevice::receive_events() noexcept {
     const auto message = events_->receive(0);
     if (!message) {
       if (message.error() == SocketFault::kTimedOut) return;
-      if (!events_are_over_) report_.status().notice = ShortText("The service stopped sending events.");
+      if (!events_are_over_)
+        report_.status().notice = ShortText("The service stopped sending events.");
       events_are_over_ = true;
       return;
     }
@@ -199,7 +200,8 @@ void HaplyDevice::count_rate(std::int64_t now_ns) noexcept {
   const auto span_ns = static_cast<double>(now_ns) - static_cast<double>(rate_since_ns_);
   if (rate_reads_ != 0 && span_ns >= 0.0 && span_ns < kNsPerS) return;
   if (rate_reads_ != 0 && span_ns > 0.0) {
-    report_.status().rate_hz = kNsPerS * static_cast<double>(report_.status().reads - rate_reads_) / span_ns;
+    report_.status().rate_hz =
+        kNsPerS * static_cast<double>(report_.status().reads - rate_reads_) / span_ns;
   }
   rate_since_ns_ = now_ns;
   rate_reads_ = report_.status().reads;
@@ -246,7 +248,8 @@ tl::expected<PenSample, DeviceFault> HaplyDevice::read(std::int64_t now_ns) noex
     case Received::kNothing:
       return nothing_received();
     case Received::kBad:
-      return report_.failed(DeviceFault::kBadData, ShortText("The service's message could not be parsed."));
+      return report_.failed(DeviceFault::kBadData,
+                            ShortText("The service's message could not be parsed."));
     case Received::kState:
       break;
   }

@@ -33,8 +33,8 @@ std::optional<Vec3> read_vector(std::string_view answer) noexcept;
 
 /// Room for "set NAME force [x,y,z]".
 using ForceText = std::array<char, 96>;
-/// Writes the request that sets the bias force of this effect, N, in the machine's axes. Numbers have six
-/// decimals, and a vector has no blanks, as in the public clients. Real-time safe.
+/// Writes the request that sets the bias force of this effect, N, in the machine's axes. Numbers
+/// have six decimals, and a vector has no blanks, as in the public clients. Real-time safe.
 std::string_view write_force(const EffectName& effect, const Force& force,
                              ForceText& room) noexcept;
 

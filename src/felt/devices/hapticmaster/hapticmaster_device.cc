@@ -13,7 +13,8 @@ constexpr int kStopTries = 4;
 constexpr double kSecondsPerNs = 1e-9;
 
 const ShortText kUnguarded(
-    "The process that switches the machine off when Feltline cannot does not run: prepare it again.");
+    "The process that switches the machine off when Feltline cannot does not run: prepare it "
+    "again.");
 const ShortText kNotSent("The controller does not accept the request to end the force.");
 
 std::optional<Vec3> in_mm(const std::optional<Vec3>& m) noexcept {
@@ -297,9 +298,18 @@ void HapticMasterDevice::place_pen() noexcept {
   has_sample_ = true;
 }
 
-tl::expected<PenSample, DeviceFault> HapticMasterDevice::read(std::int64_t now_ns) noexcept {
+// Returns the time since the last tick. A pause after a confirmed stop() does not count if it is so
+// long that the guard would have acted. Shorter ones do, because after a fault the loop calls
+// stop() in each tick.
+std::int64_t HapticMasterDevice::tick(std::int64_t now_ns) noexcept {
   const std::int64_t ns = time_.tick(now_ns);
   now_ns_ = now_ns;
+  const bool was_resting = std::exchange(is_resting_, false);
+  return was_resting && ns > kGuardNs ? 0 : ns;
+}
+
+tl::expected<PenSample, DeviceFault> HapticMasterDevice::read(std::int64_t now_ns) noexcept {
+  const std::int64_t ns = tick(now_ns);
   if (mode_ != Mode::kReady) return not_ready();
   guard_->beat();
   request_all();
@@ -359,7 +369,7 @@ void HapticMasterDevice::stop() noexcept {
   }
   if (mode_ != Mode::kReady || is_release_pending_) return;
   guard_->let_guard_rest();
-  time_.restart();
+  is_resting_ = true;
 }
 
 }  // namespace felt::hapticmaster

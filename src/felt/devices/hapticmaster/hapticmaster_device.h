@@ -98,6 +98,7 @@ class HapticMasterDevice final : public DriverDevice {
   enum class Received : std::uint8_t { kNothing, kPosition, kDoubtful, kBad, kRefused, kClosed };
 
   // hapticmaster_device.cc: the haptic loop.
+  std::int64_t tick(std::int64_t now_ns) noexcept;
   bool send(Request request, std::string_view text) noexcept;
   void request_all() noexcept;
   Received receive(std::int64_t within_ns) noexcept;
@@ -154,6 +155,7 @@ class HapticMasterDevice final : public DriverDevice {
   bool is_in_force_ = false;  // the machine's state as far as it is known
   // The force is to be zero since the last confirmed release, and that is not confirmed yet.
   bool is_release_pending_ = false;
+  bool is_resting_ = false;  // since a confirmed stop(), until the next read()
   ShortText refused_words_;  // the controller's error, or what is wrong with its state
   int ticks_ = 0;
   std::int64_t now_ns_ = 0;

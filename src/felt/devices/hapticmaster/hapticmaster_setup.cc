@@ -155,8 +155,7 @@ Result<void> HapticMasterDevice::calibrate_force() {
   const Result<std::string> is_done = ask("get force_calibrated");
   if (!is_done) return tl::unexpected(is_done.error());
   if (*is_done == "true") return {};
-  return fail(ErrorCode::kIo,
-              "The machine did not calibrate its force sensor. Do not touch it.");
+  return fail(ErrorCode::kIo, "The machine did not calibrate its force sensor. Do not touch it.");
 }
 
 // Gives the guard signs of life while the machine looks for its end stops: at most for kInitNs, and
@@ -191,10 +190,9 @@ Result<void> HapticMasterDevice::find_end_stops() {
 // The state `force`, in which the machine follows the hand, and one effect without force.
 Result<void> HapticMasterDevice::create_effect() {
   const std::string name(text_of(effect_));
-  for (const std::string& text :
-       {std::string("remove all"), "create biasforce " + name,
-        "set " + name + " force [0.000000,0.000000,0.000000]", std::string("set state force"),
-        "set " + name + " enable"}) {
+  for (const std::string& text : {std::string("remove all"), "create biasforce " + name,
+                                  "set " + name + " force [0.000000,0.000000,0.000000]",
+                                  std::string("set state force"), "set " + name + " enable"}) {
     if (auto done = tell(text); !done) return done;
   }
   return expect_state("force");
@@ -249,7 +247,7 @@ Result<void> HapticMasterDevice::find_home() {
     return done;
   }
   gate_.release();
-  is_release_pending_ = false;
+  is_release_pending_ = is_resting_ = false;
   watch_.restart();
   motion_.restart();
   report_.restart_pace();

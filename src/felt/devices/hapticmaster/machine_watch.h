@@ -9,10 +9,10 @@ namespace felt::hapticmaster {
 
 /// The conditions that may last only for a limited time. Then the machine is switched off.
 enum class Condition : std::uint8_t {
-  kReleasePending,         ///< the force is to be zero, and the controller has not confirmed it
-  kNoAnswer,               ///< the controller does not answer when asked for the position
-  kImpossiblePosition,     ///< no position, or one that cannot be (MotionVerdict::kImpossible)
-  kInconsistentPosition,   ///< positions and velocities contradict each other
+  kReleasePending,        ///< the force is to be zero, and the controller has not confirmed it
+  kNoAnswer,              ///< the controller does not answer when asked for the position
+  kImpossiblePosition,    ///< no position, or one that cannot be (MotionVerdict::kImpossible)
+  kInconsistentPosition,  ///< positions and velocities contradict each other
   kCount
 };
 inline constexpr std::size_t kConditions = static_cast<std::size_t>(Condition::kCount);

@@ -38,8 +38,7 @@ bool MotionCheck::is_possible(const MotionReport& report) const noexcept {
 // Adds a step of the position, and subtracts the way that the velocity explains.
 void MotionCheck::add(const Vec3& step_mm, const Vec3& mean_mm_per_s, double step_s) noexcept {
   error_mm_ = (1.0 - step_s / kMemoryS) * error_mm_ + step_mm - step_s * mean_mm_per_s;
-  speed_mm_per_s_ =
-      std::max(norm(mean_mm_per_s), (1.0 - step_s / kSpeedMemoryS) * speed_mm_per_s_);
+  speed_mm_per_s_ = std::max(norm(mean_mm_per_s), (1.0 - step_s / kSpeedMemoryS) * speed_mm_per_s_);
 }
 
 void MotionCheck::follow_still(const Vec3& position_mm, const Vec3& mm_per_s,

@@ -31,8 +31,8 @@ enum class MotionVerdict : std::uint8_t {
 /// movement of the position and the integral of the velocity over about kMemoryS is larger than the
 /// controller's delays explain: kErrorMm, and the way of kLagS at the highest recent speed. Second,
 /// a coordinate stays within kStillMm although its velocity is above kMovingMmPerS, until the part
-/// above that adds up to kFrozenMm. This finds a coordinate that is frozen while a hand moves to and
-/// fro. A hand that rests shows neither: its velocity is below kMovingMmPerS, or its position
+/// above that adds up to kFrozenMm. This finds a coordinate that is frozen while a hand moves to
+/// and fro. A hand that rests shows neither: its velocity is below kMovingMmPerS, or its position
 /// changes.
 ///
 /// It cannot be noticed that position and velocity are frozen together while the hand had been at
