@@ -4,6 +4,7 @@
 #include <linux/sockios.h>
 #include <poll.h>
 #include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -25,6 +26,7 @@ constexpr int kTries =
 constexpr int kTryMs = 50;
 constexpr int kListenMs = 200;  // wait for the answers to the last message before the guard exits
 constexpr int kMaxReads = 16;
+constexpr int kPriority = 85;  // above the haptic loop (LoopOptions::fifo_priority)
 constexpr char kBeat = 1, kSpeak = 2, kRest = 3;  // signs of the program
 constexpr std::int64_t kLookNs = kMs;             // between two looks whether the guard has exited
 
@@ -102,6 +104,10 @@ void PortGuard::Process::say_finally(const Watch& watch) noexcept {
 
 void PortGuard::Process::keep_watch(const Watch& watch) noexcept {
   setsid();
+  // It must act in time on a busy computer, too. It sleeps nearly always. If this is not permitted,
+  // it runs as other processes do.
+  const sched_param scheduling{.sched_priority = kPriority};
+  sched_setscheduler(0, SCHED_FIFO, &scheduling);
   keep_only(watch.port, watch.connection);
   const timespec patience{.tv_sec = watch.patience_ns / kSecond,
                           .tv_nsec = watch.patience_ns % kSecond};
