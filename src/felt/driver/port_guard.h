@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,6 +25,8 @@ namespace felt {
 class PortGuard {
  public:
   static constexpr std::size_t kMaxBytes = 64;
+  static constexpr std::int64_t kEndNs = 2'000'000'000;
+  static constexpr std::int64_t kMaxUnreadNs = 50'000'000;
 
   /// Who uses the port besides the guard.
   enum class Use : std::uint8_t {
@@ -40,14 +43,17 @@ class PortGuard {
   static std::unique_ptr<PortGuard> start(int port, std::span<const std::byte> last_words,
                                           std::int64_t patience_ns, Use use = Use::kShared);
   /// Ends the guard, which then writes the last words. Waits until the guard has exited and has
-  /// closed the port.
+  /// closed the port. A guard that was stopped (SIGSTOP) is continued. If the guard has not exited
+  /// after kEndNs, it is killed, and this function writes the last words. So the caller must keep
+  /// the port open until then.
   ~PortGuard();
   PortGuard(const PortGuard&) = delete;
   PortGuard& operator=(const PortGuard&) = delete;
 
-  /// Sends a heartbeat. Returns false if the guard has ended (it was killed) and no longer protects
-  /// the device. Safe to call from any thread. Real-time safe, because it makes a single system
-  /// call that never waits.
+  /// Sends a heartbeat. Returns false if the guard does not protect the device, because it has
+  /// ended (it was killed) or does not run (it was stopped): heartbeats have been waiting for it
+  /// for kMaxUnreadNs. Call it from one thread at a time. Real-time safe, because it makes only
+  /// system calls that never wait.
   bool beat() noexcept;
   /// Makes the guard write the last words now, because our program cannot reach the device itself.
   /// The guard then waits for the next heartbeat. Real-time safe, like beat().
@@ -57,11 +63,25 @@ class PortGuard {
   void rest() noexcept;
 
  private:
+  /// What the guard and the program know of each other. The connection differs.
+  struct Watch {
+    int port = -1;
+    int connection = -1;
+    std::array<std::byte, kMaxBytes> words{};
+    std::size_t size = 0;
+    std::int64_t patience_ns = 0;
+    Use use = Use::kShared;
+  };
+  struct Process;  // the functions of the guard process
+
+  PortGuard(pid_t process, const Watch& watch) noexcept : process_(process), watch_(watch) {}
   bool send(char sign) noexcept;
-  PortGuard(pid_t process, int connection) noexcept : process_(process), connection_(connection) {}
+  [[nodiscard]] bool has_exited(std::int64_t within_ns) const noexcept;
 
   pid_t process_;
-  int connection_;
+  Watch watch_;
+  /// On the monotonic clock. 0 if the guard had read everything at the last heartbeat.
+  std::int64_t unread_since_ns_ = 0;
 };
 
 }  // namespace felt

@@ -219,6 +219,51 @@ TEST(PortGuard, TellsThatItWasKilled) {
   EXPECT_LT(beats, kLongMs);
 }
 
+// A guard that is stopped accepts heartbeats, but would not act.
+TEST(PortGuard, R49_TellsThatItIsStopped) {
+  const Port port;
+  const auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  const pid_t process = child_of_ours();
+  ASSERT_GT(process, 0);
+  ASSERT_EQ(::kill(process, SIGSTOP), 0);
+  int beats = 0;
+  for (; guard->beat() && beats < 200; ++beats) usleep(1000);
+  EXPECT_LT(beats, 200) << "long before its socket is full";
+  ASSERT_EQ(::kill(process, SIGCONT), 0);
+  for (beats = 0; !guard->beat() && beats < kLongMs; ++beats) usleep(1000);
+  EXPECT_LT(beats, kLongMs) << "it protects again";
+}
+
+TEST(PortGuard, R49_AStoppedGuardIsContinuedWhenItIsEnded) {
+  const Port port;
+  auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  const pid_t process = child_of_ours();
+  ASSERT_GT(process, 0);
+  ASSERT_EQ(::kill(process, SIGSTOP), 0);
+  guard.reset();  // would wait for ever
+  EXPECT_EQ(port.receive(), kWords);
+}
+
+// If somebody stops it again and again, its last words are written without it.
+TEST(PortGuard, R49_AGuardThatDoesNotEndIsKilledAndItsWordsAreWritten) {
+  const Port port;
+  auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  const pid_t process = child_of_ours();
+  ASSERT_GT(process, 0);
+  std::atomic<bool> is_over{false};
+  std::thread somebody([&] {
+    while (!is_over && ::kill(process, SIGSTOP) == 0) {
+    }
+  });
+  guard.reset();
+  is_over = true;
+  somebody.join();
+  EXPECT_EQ(port.receive(), kWords);
+}
+
 // A connection that only the guard uses, with the other end of a network service.
 class OwnConnection {
  public:

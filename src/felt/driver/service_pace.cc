@@ -16,9 +16,9 @@ ServicePace::ServicePace(std::int64_t period_ns) noexcept
 void ServicePace::follow_interval(bool has_state) noexcept {
   const double expected_ns = std::max(period_ns_, tick_ns_);
   if (has_state) {
-    const double last_ns = std::min(static_cast<double>(waited_ns_), kLongestInterval);
+    const double last_ns = std::min(static_cast<double>(counted_ns_), kLongestInterval);
     interval_ns_ += (last_ns - interval_ns_) / kAverageOf;
-    waited_ns_ = 0;
+    waited_ns_ = counted_ns_ = 0;
   }
   is_slow_ = interval_ns_ > kSlowPeriods * expected_ns;
   const bool is_timely = interval_ns_ < kTimelyPeriods * expected_ns && waited_ns_ < kHoldNs;
@@ -29,18 +29,19 @@ void ServicePace::follow_interval(bool has_state) noexcept {
 // share falls along a ramp; otherwise it rises along the same ramp. Once the share is zero, the
 // pace is off until states have come in time for kTimelyNs.
 void ServicePace::tick(std::int64_t ns, bool has_state) noexcept {
-  ns = std::clamp<std::int64_t>(ns, 0, kMaxTickNs);
-  const auto dt_ns = static_cast<double>(ns);
-  tick_ns_ += (dt_ns - tick_ns_) / kAverageOf;
+  ns = std::max<std::int64_t>(ns, 0);
+  const std::int64_t counted_ns = std::min(ns, kMaxTickNs);
+  tick_ns_ += (static_cast<double>(counted_ns) - tick_ns_) / kAverageOf;
   waited_ns_ += ns;
-  timely_ns_ = std::min(timely_ns_ + ns, kTimelyNs);
+  counted_ns_ += counted_ns;
+  timely_ns_ = std::min(timely_ns_ + counted_ns, kTimelyNs);
   follow_interval(has_state);
   if (is_off_) {
     is_off_ = timely_ns_ < kTimelyNs;
     return;
   }
-  double change = dt_ns / static_cast<double>(kSlowRampNs);
-  if (is_slow_) change = -change;
+  const double change =
+      static_cast<double>(is_slow_ ? -ns : counted_ns) / static_cast<double>(kSlowRampNs);
   share_ = waited_ns_ > kHoldNs ? 0.0 : std::clamp(share_ + change, 0.0, 1.0);
   is_off_ = share_ == 0.0;
   if (is_off_) timely_ns_ = 0;

@@ -78,5 +78,18 @@ TEST(ServicePace, ALoopThatStoodStillSaysNothingAboutTheService) {
   EXPECT_EQ(pace.share(), 1.0);
 }
 
+// A slow computer makes few ticks. The limit of the last force must not grow with them.
+TEST(ServicePace, R49_TheLastForceIsHeldForARealTimeHoweverRareTheTicksAre) {
+  for (const std::int64_t tick_ns : {4 * kMs, 9 * kMs, 17 * kMs, 40 * kMs}) {
+    ServicePace pace(kMs);
+    run(pace, 100, 1, tick_ns);
+    ASSERT_GT(pace.share(), 0.0);
+    std::int64_t held_ns = 0;
+    for (; pace.share() > 0.0 && held_ns < kSecond; held_ns += tick_ns) pace.tick(tick_ns, false);
+    EXPECT_LE(held_ns, ServicePace::kHoldNs + tick_ns) << tick_ns;
+    EXPECT_EQ(pace.waited_ns(), held_ns);
+  }
+}
+
 }  // namespace
 }  // namespace felt::service_pace_test

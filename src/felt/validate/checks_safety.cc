@@ -79,6 +79,16 @@ double sent_after_stall(const Trial& trial) {
   return largest;
 }
 
+/// The outcome if the device was switched off during a stall, by itself or by the guard process of
+/// its driver, and must be prepared again.
+CheckOutcome switched_off(const Series& pushed) {
+  const double way = std::abs(pushed.mean());
+  const std::string measured =
+      "pushed " + figure(way, 2) + " mm; without commands for 100 ms it was switched off";
+  if (way < kMinPushedMm) return not_possible("no force was felt", measured);
+  return passed(measured);
+}
+
 }  // namespace
 
 CheckOutcome check_limits(CheckContext& context) {
@@ -166,9 +176,10 @@ CheckOutcome check_watchdog(CheckContext& context) {
     const double there = sign * away(trial, *axis, rest, 0.05);
     pushed.add(there);
     trial.forget();
-    if (stalls) {
+    if (stalls && trial.trouble().empty()) {
       trial.stall(kStallS);
       trial.pass(0.1);
+      if (trial.fault() == DeviceFault::kNotCalibrated) return switched_off(pushed);
       sent_n = std::max(sent_n, sent_after_stall(trial));
       if (const auto place = after_stall(trial, *axis)) limp.add(there - sign * (*place - rest));
     } else {

@@ -74,6 +74,7 @@ void Trial::see(const ProbeTick& tick) {
   if (keeps_) ticks_.push_back(tick);
   const std::optional<DeviceFault> fault = tick.read_fault ? tick.read_fault : tick.write_fault;
   if (!fault || expects_faults_ || !trouble_.empty()) return;
+  fault_ = fault;
   trouble_ = std::string("the device failed: ") + std::string(describe(*fault));
   OpenDevice* const device = subject_.device();
   const DeviceStatus status = device ? device->status() : DeviceStatus();

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,8 @@ class Trial {
   [[nodiscard]] Vec3 mean_place(double last_seconds) const;
   /// Returns the reason why the trial cannot continue; empty if it can continue.
   [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
+  /// Returns the fault of the device that is the trouble, if it is one.
+  [[nodiscard]] std::optional<DeviceFault> fault() const noexcept { return fault_; }
   [[nodiscard]] bool was_cancelled() const noexcept { return was_cancelled_; }
   [[nodiscard]] Servo& servo() noexcept { return *servo_; }
   [[nodiscard]] ProbeDevice& probe() noexcept { return probe_; }
@@ -81,6 +84,7 @@ class Trial {
   std::vector<ProbeTick> ticks_;
   Force force_;
   std::string trouble_;
+  std::optional<DeviceFault> fault_;
   bool keeps_ = true;
   bool was_cancelled_ = false;
   bool expects_faults_ = false;

@@ -47,7 +47,12 @@ class BadDevice final : public Device {
   [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    is_off_ = is_off_ || (off_after_ns > 0 && has_read_ && now_ns - last_ns_ > off_after_ns);
+    has_read_ = true;
+    last_ns_ = now_ns;
     auto sample = device_.read(now_ns);
+    if (is_off_) device_.stop();
+    if (is_off_) return tl::unexpected(DeviceFault::kNotCalibrated);
     if (sample && bend_sample) bend_sample(*sample);
     return sample;
   }
@@ -66,12 +71,15 @@ class BadDevice final : public Device {
   std::function<Force(const Force&)> bend_force;
   std::function<void(PenSample&)> bend_sample;
   std::size_t late_ticks = 0;
+  std::int64_t off_after_ns = 0;  // without a read(), it is switched off; 0: never
   Capabilities& bend_capabilities() { return capabilities_; }
 
  private:
   Device& device_;
   Capabilities capabilities_;
   std::deque<Force> waiting_;
+  bool is_off_ = false, has_read_ = false;
+  std::int64_t last_ns_ = 0;
 };
 
 struct Setting {
@@ -169,6 +177,18 @@ TEST(ValidatorTest, NoiseIsFound) {
 TEST(ValidatorTest, AMissingWatchdogIsFound) {
   const ValidationReport report = test({.subject = {.watchdog_ns = 0}});
   EXPECT_THAT(ids_with(report, Verdict::kFailed), ElementsAre("watchdog")) << report_text(report);
+}
+
+// Like a HapticMASTER, whose guard switches it off: it must be prepared again.
+TEST(ValidatorTest, ADeviceThatIsSwitchedOffWithoutCommandsPasses) {
+  ValidationOptions options = quick();
+  options.level = 8;
+  const ValidationReport report =
+      test({.plant = [](BadDevice& device) { device.off_after_ns = 50'000'000; }}, options);
+  EXPECT_TRUE(report.passed()) << report_text(report);
+  EXPECT_EQ(report.checks.back().id, "watchdog");
+  EXPECT_EQ(report.checks.back().verdict, Verdict::kPassed);
+  EXPECT_THAT(report_text(report), HasSubstr("it was switched off"));
 }
 
 TEST(ValidatorTest, ADeviceThatIgnoresForceIsFound) {

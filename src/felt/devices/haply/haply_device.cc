@@ -30,11 +30,14 @@ HaplyDevice::HaplyDevice(Connection connection)
       grip_id_(std::move(connection.grip_id)),
       key_(force_key_of(connection.version)),
       gate_(descriptor_.capabilities),
-      pace_(descriptor_.capabilities.period_ns),
       is_calibrated_(inventory_.calibrated.value_or(true)),
-      has_power_(inventory_.has_power.value_or(true)) {
-  status_.notice = ShortText(first_notice(events_ != nullptr));
-  shown_.publish(status_);
+      has_power_(inventory_.has_power.value_or(true)),
+      time_(descriptor_.capabilities.period_ns),
+      report_(descriptor_.capabilities.period_ns,
+              {.late = ShortText("The Inverse Service does not answer in time."),
+               .slow = ShortText("The Inverse Service answers too slowly.")}) {
+  report_.status().notice = ShortText(first_notice(events_ != nullptr));
+  report_.publish();
 }
 
 HaplyDevice::~HaplyDevice() {
@@ -64,36 +67,13 @@ std::string HaplyDevice::first_notice(bool has_events) const {
   return notice;
 }
 
-DeviceStatus HaplyDevice::status() noexcept {
-  shown_.update();
-  return shown_.get();
-}
-
-tl::unexpected<DeviceFault> HaplyDevice::failed(DeviceFault fault,
-                                                const ShortText& words) noexcept {
-  // While forces are off because the service is late, a missing state is not a new fault.
-  const bool is_known =
-      pace_words_ && status_.fault == DeviceFault::kForcesOff && fault == DeviceFault::kOther;
-  const bool is_same = status_.fault == fault && status_.vendor_words == words;
-  if (is_known || is_same) return tl::unexpected(fault);
-  status_.fault = status_.last_fault = fault;
-  status_.vendor_words = words;
-  // After another fault such as a brake, the service may still be late. Then shows that fault
-  // again, but does not count it again.
-  const bool is_pace = pace_words_ && fault == DeviceFault::kForcesOff && words == *pace_words_;
-  if (!(is_pace && is_pace_reported_)) ++status_.faults;
-  is_pace_reported_ = is_pace_reported_ || is_pace;
-  shown_.publish(status_);
-  return tl::unexpected(fault);
-}
-
 tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
   if (!is_gone_) {
     is_gone_ = true;
     gone_words_ = ShortText(words);
     release();
   }
-  return failed(DeviceFault::kDisconnected, gone_words_);
+  return report_.failed(DeviceFault::kDisconnected, gone_words_);
 }
 
 // Sends zero force in every state of this object, because the service must not hold a force: even a
@@ -161,20 +141,19 @@ void HaplyDevice::take_event(const Event& event) noexcept {
     case EventKind::kNone:
       return;
     case EventKind::kNotice:
-      status_.notice = event.words;
+      report_.status().notice = event.words;
       return;
     case EventKind::kBrakeOn:
       brake_is_on_ = true;
       brake_words_ = event.words;
-      force_stopped_ =
-          event.words;  // reported once, even if the brake is released before the next write()
+      report_.stop_force(event.words);  // reported once, even if the brake is released before
       return;
     case EventKind::kBrakeOff:
       brake_is_on_ = false;
-      status_.notice = event.words;
+      report_.status().notice = event.words;
       return;
     case EventKind::kForceStopped:
-      force_stopped_ = event.words;
+      report_.stop_force(event.words);
       return;
     case EventKind::kGone:
       gone(event.words.view());
@@ -188,7 +167,8 @@ void HaplyDevice::receive_events() noexcept {
     const auto message = events_->receive(0);
     if (!message) {
       if (message.error() == SocketFault::kTimedOut) return;
-      if (!events_are_over_) status_.notice = ShortText("The service stopped sending events.");
+      if (!events_are_over_)
+        report_.status().notice = ShortText("The service stopped sending events.");
       events_are_over_ = true;
       return;
     }
@@ -206,13 +186,13 @@ void HaplyDevice::check_that_force_is_received() noexcept {
   if (deaf_states_ < kDeafStates || keys_tried_ > 2) return;
   deaf_states_ = 0;
   if (keys_tried_++ == 2) {
-    status_.notice = ShortText("The service reports no force in its states.");
+    report_.status().notice = ShortText("The service reports no force in its states.");
     return;
   }
-  force_stopped_ =
+  report_.stop_force(
       key_ == ForceKey::kValues
           ? ShortText("The service did not accept a force as \"values\"; trying \"vector\".")
-          : ShortText("The service did not accept a force as \"vector\"; trying \"values\".");
+          : ShortText("The service did not accept a force as \"vector\"; trying \"values\"."));
   key_ = other(key_);
 }
 
@@ -220,41 +200,27 @@ void HaplyDevice::count_rate(std::int64_t now_ns) noexcept {
   const auto span_ns = static_cast<double>(now_ns) - static_cast<double>(rate_since_ns_);
   if (rate_reads_ != 0 && span_ns >= 0.0 && span_ns < kNsPerS) return;
   if (rate_reads_ != 0 && span_ns > 0.0) {
-    status_.rate_hz = kNsPerS * static_cast<double>(status_.reads - rate_reads_) / span_ns;
+    report_.status().rate_hz =
+        kNsPerS * static_cast<double>(report_.status().reads - rate_reads_) / span_ns;
   }
   rate_since_ns_ = now_ns;
-  rate_reads_ = status_.reads;
+  rate_reads_ = report_.status().reads;
 }
 
 tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_received() noexcept {
-  if (pace_.waited_ns() > kMaxSilentNs) return gone("The Inverse Service sends nothing.");
-  if (pace_.waited_ns() > kMaxHeldNs || !has_sample_) {
-    return failed(DeviceFault::kOther, ShortText("The Inverse Service does not answer."));
+  if (report_.pace().counted_ns() > kMaxSilentNs) return gone("The Inverse Service sends nothing.");
+  if (report_.pace().waited_ns() > kMaxHeldNs || !has_sample_) {
+    return report_.failed(DeviceFault::kOther, ShortText("The Inverse Service does not answer."));
   }
   return sample_;
 }
 
-// Updates the time. Accepts a clock that goes back or stands still.
+// Updates the time. After a pause of our own loop, answers may be waiting in the socket, so the
+// window counts only a part of it.
 void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
-  const double ns = static_cast<double>(now_ns) - static_cast<double>(now_ns_);
-  const auto longest = static_cast<double>(ServicePace::kMaxTickNs);
-  tick_ns_ = has_ticked_ ? static_cast<std::int64_t>(std::clamp(ns, 0.0, longest)) : 0;
-  has_ticked_ = true;
+  tick_ns_ = time_.tick(now_ns);
   now_ns_ = now_ns;
-  window_.wait(tick_ns_);
-}
-
-// Updates the ServicePace, and sets the message for the user while forces are off.
-void HaplyDevice::follow_pace(bool has_state) noexcept {
-  pace_.tick(tick_ns_, has_state);
-  if (!pace_.is_off()) {
-    pace_words_.reset();
-    is_pace_reported_ = false;
-  } else if (!pace_words_) {
-    pace_words_ = pace_.waited_ns() > ServicePace::kHoldNs
-                      ? ShortText("The Inverse Service does not answer in time.")
-                      : ShortText("The Inverse Service answers too slowly.");
-  }
+  window_.wait(std::min(tick_ns_, ServicePace::kMaxTickNs));
 }
 
 // Returns the age of the received state, s, which is the time since the message was sent. Returns 0
@@ -268,35 +234,36 @@ double HaplyDevice::ahead_s(std::int64_t now_ns) const noexcept {
 tl::expected<PenSample, DeviceFault> HaplyDevice::read(std::int64_t now_ns) noexcept {
   wait_until(now_ns);
   if (!is_gone_) receive_events();
-  if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_);
+  if (is_gone_) return report_.failed(DeviceFault::kDisconnected, gone_words_);
   if (window_.is_clear() || window_.is_overdue()) {
     gate_.release();
     send({});
   }
   const Received received =
       is_gone_ ? Received::kClosed : receive_all(has_sample_ ? kWaitNs : kFirstWaitNs);
-  follow_pace(received == Received::kState || received == Received::kBad);
+  report_.follow(tick_ns_, received == Received::kState || received == Received::kBad);
   switch (received) {
     case Received::kClosed:
       return gone("The connection to the service was closed.");
     case Received::kNothing:
       return nothing_received();
     case Received::kBad:
-      return failed(DeviceFault::kBadData, ShortText("The service's message could not be parsed."));
+      return report_.failed(DeviceFault::kBadData,
+                            ShortText("The service's message could not be parsed."));
     case Received::kState:
       break;
   }
   if (!state_.has_device) return gone("The service no longer knows the device.");
   is_calibrated_ = state_.calibrated.value_or(is_calibrated_);
   if (!is_calibrated_) {
-    return failed(DeviceFault::kNotCalibrated, ShortText("The device is not calibrated."));
+    return report_.failed(DeviceFault::kNotCalibrated, ShortText("The device is not calibrated."));
   }
   take_state();
   check_that_force_is_received();
-  if (!no_force_words()) status_.fault.reset();
-  ++status_.reads;
+  if (!no_force_words()) report_.status().fault.reset();
+  ++report_.status().reads;
   count_rate(now_ns);
-  shown_.publish(status_);
+  report_.publish();
   return sample_;
 }
 
@@ -312,24 +279,18 @@ void HaplyDevice::take_state() noexcept {
 
 // Returns the reason why no force is sent, or nullopt if forces are sent.
 std::optional<ShortText> HaplyDevice::no_force_words() const noexcept {
-  if (force_stopped_) return force_stopped_;
+  if (report_.stopped_words()) return report_.stopped_words();
   if (brake_is_on_) return brake_words_;
   if (!has_power_) return ShortText("The device has no power: plug in its power supply.");
-  return pace_words_;
+  return report_.pace_words();
 }
 
 tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept {
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
-  const bool is_number = is_finite(force);
   const std::optional<ShortText> no_force = no_force_words();
-  put(is_number && !no_force ? pace_.share() * force : Force{});
+  put(report_.allowed(force, no_force));
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
-  if (!is_number) {
-    return failed(DeviceFault::kBadData, ShortText("The requested force is not a number."));
-  }
-  if (!no_force) return {};
-  force_stopped_.reset();
-  return failed(DeviceFault::kForcesOff, *no_force);
+  return report_.written(force, no_force);
 }
 
 void HaplyDevice::stop() noexcept {

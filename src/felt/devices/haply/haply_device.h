@@ -11,8 +11,8 @@
 #include "felt/devices/haply/web_socket.h"
 #include "felt/driver/driver.h"
 #include "felt/driver/force_gate.h"
-#include "felt/driver/service_pace.h"
-#include "felt/rt/latest_value.h"
+#include "felt/driver/loop_time.h"
+#include "felt/driver/service_report.h"
 
 namespace felt::haply {
 
@@ -68,7 +68,7 @@ class HaplyDevice final : public DriverDevice {
     return descriptor_.capabilities;
   }
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
-  [[nodiscard]] DeviceStatus status() noexcept override;
+  [[nodiscard]] DeviceStatus status() noexcept override { return report_.shown(); }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   std::optional<Vec3> pen_axis() noexcept override { return axis_; }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
@@ -87,7 +87,6 @@ class HaplyDevice final : public DriverDevice {
   void put(const Force& force) noexcept;
   void release() noexcept;
   void wait_until(std::int64_t now_ns) noexcept;
-  void follow_pace(bool has_state) noexcept;
   void take_state() noexcept;
   [[nodiscard]] std::optional<ShortText> no_force_words() const noexcept;
   Received receive(std::int64_t within_ns) noexcept;
@@ -98,7 +97,6 @@ class HaplyDevice final : public DriverDevice {
   [[nodiscard]] double ahead_s(std::int64_t now_ns) const noexcept;
   void count_rate(std::int64_t now_ns) noexcept;
   tl::expected<PenSample, DeviceFault> nothing_received() noexcept;
-  tl::unexpected<DeviceFault> failed(DeviceFault fault, const ShortText& words) noexcept;
   tl::unexpected<DeviceFault> gone(std::string_view words) noexcept;
   [[nodiscard]] std::string first_notice(bool has_events) const;
 
@@ -109,7 +107,6 @@ class HaplyDevice final : public DriverDevice {
   ForceKey key_;
   ForceGate gate_;  // its held() is the force of the newest message
   RequestWindow window_;
-  ServicePace pace_;
 
   // These are used by the haptic thread, or by the edit thread while no loop runs.
   State state_;
@@ -121,22 +118,17 @@ class HaplyDevice final : public DriverDevice {
   bool brake_is_on_ = false;
   bool events_are_over_ = false;
   bool has_power_;
-  std::optional<ShortText> force_stopped_;  // until write() has reported it
   ShortText brake_words_, gone_words_;
-  std::optional<ShortText> pace_words_;  // message for the user while the pace is off
-  bool is_pace_reported_ = false;
   int deaf_states_ = 0;
   int keys_tried_ = 1;
+  LoopTime time_;
   std::int64_t now_ns_ = 0;
   std::int64_t tick_ns_ = 0;  // time since the previous read
-  bool has_ticked_ = false;
   std::int64_t sent_ns_ = 0;  // time of the newest message
   std::int64_t rate_since_ns_ = 0;
   std::uint64_t rate_reads_ = 0;
   std::array<char, kMaxCommand> command_{};
-  DeviceStatus status_;
-
-  LatestValue<DeviceStatus> shown_;
+  ServiceReport report_;
 };
 
 }  // namespace felt::haply

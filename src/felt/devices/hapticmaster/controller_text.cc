@@ -1,10 +1,15 @@
 #include "felt/devices/hapticmaster/controller_text.h"
 
+#include <time.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 
 #include "felt/base/constants.h"
+#include "felt/base/random.h"
 #include "felt/driver/text_writer.h"
 
 namespace felt::hapticmaster {
@@ -51,9 +56,31 @@ std::optional<Vec3> read_vector(std::string_view answer) noexcept {
   return read;
 }
 
-std::string_view write_force(const Force& force, ForceText& room) noexcept {
+// The letters are the digits of a hash of the process, the time and a counter.
+EffectName new_effect_name() {
+  static std::atomic<std::uint64_t> count{0};
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  const std::array<std::uint64_t, 4> parts{static_cast<std::uint64_t>(getpid()),
+                                           static_cast<std::uint64_t>(now.tv_sec),
+                                           static_cast<std::uint64_t>(now.tv_nsec), ++count};
+  std::uint64_t hash = 0;
+  for (const std::uint64_t part : parts) hash = Random(hash ^ part).bits();
+  constexpr std::string_view kStart = "felt";
+  EffectName name{};
+  char* at = std::copy(kStart.begin(), kStart.end(), name.data());
+  for (; at != name.data() + name.size(); hash >>= 4) *at++ = static_cast<char>('a' + (hash & 15u));
+  return name;
+}
+
+std::string_view text_of(const EffectName& name) noexcept {
+  return {name.data(), name.size()};
+}
+
+std::string_view write_force(const EffectName& effect, const Force& force,
+                             ForceText& room) noexcept {
   char* at = append_text(room.data(), "set ");
-  at = append_text(at, kEffect);
+  at = append_text(at, text_of(effect));
   at = append_text(at, " force [");
   at = append_decimal(at, force.x);
   at = append_text(at, ",");

@@ -10,8 +10,13 @@
 
 namespace felt::hapticmaster {
 
-/// The only effect that the driver enables: a bias force.
-inline constexpr std::string_view kEffect = "feltforce";
+/// The name of the only effect that the driver enables, a bias force: "felt" and letters.
+using EffectName = std::array<char, 16>;
+/// Returns a name that no other effect has, also not one of another program, of another computer or
+/// of an earlier session. So a command of a program that has lost the machine to another one is an
+/// error, and cannot change the force of the other. Used on the edit thread.
+EffectName new_effect_name();
+std::string_view text_of(const EffectName& name) noexcept;
 
 /// What the text of an answer looks like.
 enum class AnswerKind : std::uint8_t {
@@ -26,11 +31,12 @@ AnswerKind kind_of(std::string_view answer) noexcept;
 /// Reads three finite numbers in brackets. Returns nullopt for any other text.
 std::optional<Vec3> read_vector(std::string_view answer) noexcept;
 
-/// Room for "set feltforce force [x,y,z]".
+/// Room for "set NAME force [x,y,z]".
 using ForceText = std::array<char, 96>;
-/// Writes the request that sets the bias force, N, in the machine's axes. Numbers have six
-/// decimals, and a vector has no blanks, as in the public clients. Real-time safe.
-std::string_view write_force(const Force& force, ForceText& room) noexcept;
+/// Writes the request that sets the bias force of this effect, N, in the machine's axes. Numbers
+/// have six decimals, and a vector has no blanks, as in the public clients. Real-time safe.
+std::string_view write_force(const EffectName& effect, const Force& force,
+                             ForceText& room) noexcept;
 
 /// A sector around the machine's vertical axis, as `get workspace_r|phi|z` report it: low and high
 /// stop of the arm and its distance from the axis, m; angle, rad; height, m.

@@ -1,5 +1,7 @@
 // The part of HapticMasterDevice that the edit thread runs: everything that moves the machine for
 // the first time.
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,19 +11,28 @@
 namespace felt::hapticmaster {
 namespace {
 
-constexpr std::int64_t kPauseNs = 10 * kMs;  // between two looks while the guard is to speak
+constexpr std::int64_t kEarlyNs = 10 * kMs;  // the guard must not have acted so soon in a trial
 constexpr std::int64_t kInitPauseNs = 20 * kMs;
-constexpr int kInitTries = 3000;  // a minute for the machine to find its end stops
+constexpr std::int64_t kInitNs = 60 * kSecond;   // for the machine to find its end stops
+constexpr std::int64_t kStillNs = 10 * kSecond;  // it must move more often than this meanwhile
+constexpr double kMovedM = 0.001;
 
 constexpr const char* kNoGuard =
     "The second process, which switches the machine off if Feltline cannot, ";
 
-std::string create_text() {
-  return "create biasforce " + std::string(kEffect);
-}
-std::string effect_text(std::string_view what) {
-  return "set " + std::string(kEffect) + " " + std::string(what);
-}
+// Measures time on the edit thread: the time of the clock, or the sum of the pauses if that is
+// longer (with the fakes of tests, pauses take no time).
+class SearchTime {
+ public:
+  void paused(std::int64_t ns) noexcept { paused_ns_ += ns; }
+  [[nodiscard]] std::int64_t elapsed_ns() const noexcept {
+    return std::max(paused_ns_, 2 * kInitNs - until_.left_ns());
+  }
+
+ private:
+  StreamDeadline until_{2 * kInitNs};
+  std::int64_t paused_ns_ = 0;
+};
 
 }  // namespace
 
@@ -52,7 +63,7 @@ Result<std::string> ask_controller(ControllerLink& link, std::string_view text) 
 // An answer that is missing would later be taken for that of another request, so the device is
 // disconnected then.
 Result<std::string> HapticMasterDevice::ask(std::string_view text) {
-  if (is_gone_) return fail(ErrorCode::kIo, "The controller has been disconnected.");
+  if (mode_ == Mode::kGone) return fail(ErrorCode::kIo, "The controller has been disconnected.");
   Result<std::string> answer = ask_controller(*link_, text);
   if (!answer && answer.error().code != ErrorCode::kUnsupported) lose(answer.error().message, {});
   return answer;
@@ -79,11 +90,11 @@ void HapticMasterDevice::pause(std::int64_t ns) {
 
 // Waits for the answers to the requests of the loop.
 Result<void> HapticMasterDevice::settle() {
-  while (!queue_.empty() && !is_gone_) {
+  while (!queue_.empty() && mode_ != Mode::kGone) {
     if (!link_->receive(kAskNs)) lose("The controller does not answer", {});
     static_cast<void>(queue_.answered());
   }
-  if (is_gone_) return fail(ErrorCode::kIo, "The controller has been disconnected.");
+  if (mode_ == Mode::kGone) return fail(ErrorCode::kIo, "The controller has been disconnected.");
   return {};
 }
 
@@ -104,47 +115,73 @@ Result<void> HapticMasterDevice::start_guard() {
   return {};
 }
 
-// Creates the effect, gives no sign of life, and expects that the guard removes the effect and
-// switches the machine off. The effect is not enabled.
-Result<void> HapticMasterDevice::prove_guard() {
-  if (auto done = tell(create_text()); !done) return done;
-  for (std::int64_t ns = 0; ns < kMaxGuardNs && !is_gone_; ns += kPauseNs) {
-    pause(kPauseNs);
-    const Result<std::string> answer = ask(effect_text("disable"));
-    if (answer || is_gone_) continue;  // the effect is still there
-    const Result<std::string> state = ask("get state");
-    if (state && *state == "off" && guard_->is_guarded()) return {};
-    break;
+Result<void> HapticMasterDevice::expect_state(std::string_view expected) {
+  const Result<std::string> state = ask("get state");
+  if (!state) return tl::unexpected(state.error());
+  if (*state == expected) return {};
+  return fail(ErrorCode::kIo, "The machine reports the state \"" + *state + "\" instead of \"" +
+                                  std::string(expected) + "\". Is its emergency button released?");
+}
+
+// Gives the guard a reason to act, in this state of the machine. An effect is created, and there is
+// no sign of life after that. The effect is not enabled. The trial succeeds only if the effect is
+// there until the guard may act, if it is not there 0.1 s later, which a second "create" confirms,
+// and if the machine is off then. An error message alone proves nothing.
+Result<void> HapticMasterDevice::prove_guard(std::string_view state) {
+  const std::string create = "create biasforce " + std::string(text_of(effect_));
+  const std::string look = "set " + std::string(text_of(effect_)) + " disable";
+  if (auto done = expect_state(state); !done) return done;
+  if (auto done = tell(create); !done) return done;
+  if (auto done = tell(look); !done) return done;  // the last sign of life
+  pause(kEarlyNs);
+  const bool was_there = ask(look).has_value();
+  pause(kMaxGuardNs - kEarlyNs);
+  const bool is_there = ask(look).has_value();
+  const bool is_off = expect_state("off").has_value();
+  const bool is_created_again = tell(create).has_value();
+  if (was_there && !is_there && is_off && is_created_again && guard_->is_guarded()) {
+    return tell("remove all");
   }
   return fail(ErrorCode::kIo, std::string(kNoGuard) +
                                   "did not switch it off within 0.1 s in a trial. No force is "
                                   "possible.");
 }
 
-// Lets the machine find its end stops and its zero force, if it has not done so since it was
-// started.
-Result<void> HapticMasterDevice::calibrate() {
+Result<void> HapticMasterDevice::calibrate_force() {
   const Result<std::string> has_force = ask("get force_calibrated");
   if (!has_force) return tl::unexpected(has_force.error());
-  if (*has_force != "true") {
-    if (auto done = tell("calibrateforcesensor"); !done) return done;
-    const Result<std::string> is_done = ask("get force_calibrated");
-    if (!is_done) return tl::unexpected(is_done.error());
-    if (*is_done != "true") {
-      return fail(ErrorCode::kIo,
-                  "The machine did not calibrate its force sensor. Do not touch it.");
-    }
-  }
+  if (*has_force == "true") return {};
+  if (auto done = tell("calibrateforcesensor"); !done) return done;
+  const Result<std::string> is_done = ask("get force_calibrated");
+  if (!is_done) return tl::unexpected(is_done.error());
+  if (*is_done == "true") return {};
+  return fail(ErrorCode::kIo, "The machine did not calibrate its force sensor. Do not touch it.");
+}
+
+// Gives the guard signs of life while the machine looks for its end stops: at most for kInitNs, and
+// only as long as the machine moves, if it says where it is.
+Result<void> HapticMasterDevice::find_end_stops() {
   const Result<std::string> has_position = ask("get position_calibrated");
   if (!has_position) return tl::unexpected(has_position.error());
   if (*has_position == "true") return {};
   if (auto done = tell("set state init"); !done) return done;
-  for (int i = 0; i < kInitTries && !is_gone_; ++i) {
+  SearchTime time;
+  std::optional<Vec3> at_m;
+  std::int64_t moved_ns = 0;
+  while (mode_ != Mode::kGone && time.elapsed_ns() < kInitNs) {
     guard_->beat();
     pause(kInitPauseNs);
+    time.paused(kInitPauseNs);
     const Result<std::string> state = ask("get state"), is_done = ask("get position_calibrated");
     if (state && is_done && *state == "stop" && *is_done == "true") return {};
-    if (state && *state == "off") break;
+    if (state && *state != "stop" && *state != "init") break;
+    const Result<std::string> answer = ask("get measpos");
+    const std::optional<Vec3> now_m = answer ? read_vector(*answer) : std::nullopt;
+    if (now_m && (!at_m || norm(*now_m - *at_m) > kMovedM)) {
+      at_m = now_m;
+      moved_ns = time.elapsed_ns();
+    }
+    if (at_m && time.elapsed_ns() - moved_ns > kStillNs) break;
   }
   return fail(ErrorCode::kIo,
               "The machine did not find its end stops. Is its emergency button released?");
@@ -152,22 +189,17 @@ Result<void> HapticMasterDevice::calibrate() {
 
 // The state `force`, in which the machine follows the hand, and one effect without force.
 Result<void> HapticMasterDevice::create_effect() {
-  for (const std::string& text :
-       {std::string("remove all"), create_text(), effect_text("force [0.000000,0.000000,0.000000]"),
-        std::string("set state force"), effect_text("enable")}) {
+  const std::string name(text_of(effect_));
+  for (const std::string& text : {std::string("remove all"), "create biasforce " + name,
+                                  "set " + name + " force [0.000000,0.000000,0.000000]",
+                                  std::string("set state force"), "set " + name + " enable"}) {
     if (auto done = tell(text); !done) return done;
   }
-  const Result<std::string> state = ask("get state");
-  if (!state) return tl::unexpected(state.error());
-  if (*state != "force") {
-    return fail(ErrorCode::kIo, "The machine reports the state \"" + *state +
-                                    "\" instead of \"force\". Is its emergency button released?");
-  }
-  return {};
+  return expect_state("force");
 }
 
 std::string HapticMasterDevice::homing_words() {
-  if (is_home_) return {};
+  if (mode_ == Mode::kReady) return {};
   return "Read docs/devices/hapticmaster.md before you agree: this machine can push with 250 N, "
          "nobody has tried it with Feltline, and no limit of Feltline has met its motors. It is "
          "switched on, moves to its end stops if it has to, and then follows the hand. Keep its "
@@ -180,20 +212,22 @@ Result<void> HapticMasterDevice::prepare() {
   for (const char* const text : {"set state off", "remove all"}) {  // whoever used it before
     if (auto done = tell(text); !done) return done;
   }
-  if (auto done = prove_guard(); !done) return done;
-  if (auto done = calibrate(); !done) return done;
+  effect_ = new_effect_name();
+  if (auto done = prove_guard("off"); !done) return done;
+  if (auto done = calibrate_force(); !done) return done;
+  if (auto done = find_end_stops(); !done) return done;
   for (const std::string& text :
-       {"set inertia " + std::to_string(kInertiaKg), std::string("set coulombfriction 0.0"),
-        std::string("set state force")}) {
+       {"set inertia " + std::to_string(kInertiaKg),
+        "set coulombfriction " + std::to_string(kFrictionN), std::string("set state force")}) {
     if (auto done = tell(text); !done) return done;
   }
   // The second trial: now the machine is in the state that the guard must end.
-  if (auto done = prove_guard(); !done) return done;
+  if (auto done = prove_guard("force"); !done) return done;
   return create_effect();
 }
 
-void HapticMasterDevice::switch_off() {
-  if (!is_gone_) {
+void HapticMasterDevice::shut_down() {
+  if (mode_ != Mode::kGone) {
     static_cast<void>(ask("set state off"));
     static_cast<void>(ask("remove all"));
   }
@@ -201,19 +235,26 @@ void HapticMasterDevice::switch_off() {
 }
 
 Result<void> HapticMasterDevice::find_home() {
-  is_home_ = is_in_force_ = has_sample_ = false;
-  force_stopped_.reset();
-  release();
+  if (mode_ == Mode::kReady) {
+    static_cast<void>(release());
+    mode_ = Mode::kNotReady;
+  }
+  is_in_force_ = has_sample_ = false;
+  report_.clear_stop();
   if (auto done = prepare(); !done) {
-    switch_off();
+    if (mode_ != Mode::kGone) mode_words_ = ShortText(kNotPrepared);
+    shut_down();
     return done;
   }
   gate_.release();
-  positions_ = 0;
-  pace_ = ServicePace(descriptor_.capabilities.period_ns);
-  pace_words_.reset();
-  is_in_force_ = is_home_ = true;
-  guard_->let_guard_rest();  // the loop begins at any time
+  is_release_pending_ = is_resting_ = false;
+  watch_.restart();
+  motion_.restart();
+  report_.restart_pace();
+  time_.restart();  // the loop begins at any time
+  is_in_force_ = true;
+  mode_ = Mode::kReady;
+  guard_->let_guard_rest();
   return {};
 }
 

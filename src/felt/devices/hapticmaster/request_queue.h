@@ -14,6 +14,7 @@ enum class Request : std::uint8_t {
   kState,     ///< get state
   kForce,     ///< sets a force
   kRelease,   ///< sets the force to zero
+  kOff,       ///< set state off
 };
 
 /// The requests that the controller has not answered, in order, so that each answer can be matched
@@ -23,7 +24,7 @@ enum class Request : std::uint8_t {
 /// newest command in the socket is the one that counts. Real-time safe.
 class RequestQueue {
  public:
-  static constexpr std::size_t kMaxUnanswered = 5;
+  static constexpr std::size_t kMaxUnanswered = 6;
 
   struct Sent {
     Request request = Request::kPosition;

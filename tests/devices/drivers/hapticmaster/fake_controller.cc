@@ -8,13 +8,15 @@
 #include <utility>
 
 #include "felt/base/constants.h"
+#include "tests/devices/drivers/hapticmaster/fake_stream.h"
 
 namespace felt::hapticmaster {
 namespace {
 
 constexpr std::size_t kHeader = 8;
 constexpr std::size_t kRoom = std::size_t{1} << 16;
-constexpr std::size_t kMaxWaiting = 5;  // requests that may be unanswered at the same time
+// Requests that may be unanswered at the same time: those of the loop, and two when it is closed.
+constexpr std::size_t kMaxWaiting = 8;
 constexpr double kMaxN = 250.0;
 constexpr std::string_view kNoSuch = "--- ERROR: unknown effect";
 constexpr std::string_view kUnknown = "--- ERROR: unknown command";
@@ -39,63 +41,6 @@ std::optional<Vec3> vector_of(std::string_view text) {
 }
 
 }  // namespace
-
-// The driver's end of a connection.
-class FakeStream final : public ByteStream {
- public:
-  explicit FakeStream(FakeController& controller)
-      : controller_(controller), port_(std::make_unique<FakeController::Port>(controller)) {}
-  ~FakeStream() override {
-    if (port_->is_guard_alive_) port_->act_as_guard();
-  }
-
-  tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
-                                       std::int64_t) noexcept override {
-    if (!port_->is_open()) return tl::unexpected(StreamFault::kClosed);
-    if (controller_.refusals_ > 0) {
-      --controller_.refusals_;
-      return tl::unexpected(StreamFault::kTimedOut);
-    }
-    if (!port_->take(bytes)) return tl::unexpected(StreamFault::kClosed);
-    return {};
-  }
-  tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
-                                                 std::int64_t within_ns) noexcept override {
-    std::string& out = port_->out();
-    if (out.empty() && port_->is_open() && within_ns > 0) controller_.pass_time(within_ns);
-    if (out.empty()) {
-      return tl::unexpected(port_->is_open() ? StreamFault::kTimedOut : StreamFault::kClosed);
-    }
-    std::size_t count = std::min(room.size(), out.size());
-    if (controller_.options_.piece > 0) count = std::min(count, controller_.options_.piece);
-    const auto bytes = std::as_bytes(std::span(out)).first(count);
-    std::copy(bytes.begin(), bytes.end(), room.begin());
-    out.erase(0, count);
-    return count;
-  }
-  bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) override {
-    if (controller_.options_.refuses_guard) return false;
-    port_->last_words_.assign(reinterpret_cast<const char*>(last_words.data()), last_words.size());
-    port_->patience_ns_ = patience_ns;
-    port_->is_guard_alive_ = true;
-    return true;
-  }
-  void beat() noexcept override {
-    port_->has_beaten_ = true;
-    port_->beat_ns_ = controller_.now_ns_ + controller_.idle_ns_;
-  }
-  void let_guard_speak() noexcept override {
-    if (port_->is_guard_alive_) port_->act_as_guard();
-  }
-  void let_guard_rest() noexcept override { port_->has_beaten_ = false; }
-  [[nodiscard]] bool is_guarded() const noexcept override {
-    return port_->is_guard_alive_ && port_->is_open();
-  }
-
- private:
-  FakeController& controller_;
-  std::unique_ptr<FakeController::Port> port_;
-};
 
 FakeController::Port::Port(FakeController& controller) : controller_(&controller) {
   in_.reserve(kRoom);
@@ -184,10 +129,11 @@ const FaultWindow* FakeController::window_of(InjectedFault fault) const noexcept
   return nullptr;
 }
 
-void FakeController::say_instead(std::string text, std::string request, int count) {
+void FakeController::say_instead(std::string text, std::string request, int count, int skip) {
   instead_ = std::move(text);
   instead_of_ = std::move(request);
   insteads_ = count;
+  skips_ = skip;
 }
 
 void FakeController::say_unasked(std::string_view text) {
@@ -254,6 +200,7 @@ void FakeController::pass_time(std::int64_t ns) {
   const bool is_short = ns < 5 * kMs;  // in the loop, time passes with the ticks
   if (is_short || ns >= kSecond) return;
   idle_ns_ += ns;
+  if (options_.gives_up_force && state_ == "force") enter("off");
   watch_guards();
 }
 
@@ -297,6 +244,9 @@ void FakeController::accept(Port& port, std::string_view text) {
   }
   request.done_ns = port.is_guard_alive_ ? now_ns_ : done_at();
   if (!port.is_guard_alive_) busy_until_ns_ = request.done_ns;
+  if (is_stalled_ && !port.is_guard_alive_) {
+    request.done_ns = std::numeric_limits<std::int64_t>::max();
+  }
   if (request.done_ns <= now_ns_ && (waiting_.empty() || port.is_guard_alive_)) {
     return handle(port, text);
   }
@@ -319,13 +269,16 @@ void FakeController::work_until(std::int64_t until_ns) {
 }
 
 void FakeController::handle(Port& port, std::string_view text) {
+  const bool is_of_other = has_remote_guard_ && &port != ports_.front();
+  if (is_of_other && text == "remove all" && effects() > 0) ++guard_acts_;
   const std::string_view answer = answer_to(text);
   if (is_silent_) return;
   if (is_active(InjectedFault::kLostAnswers)) {
     owes_answer_ = !owes_answer_;
     if (owes_answer_) return;
   }
-  if (insteads_ > 0 && !port.is_guard_alive_ && text.starts_with(instead_of_)) {
+  const bool is_meant = insteads_ > 0 && !port.is_guard_alive_ && text.starts_with(instead_of_);
+  if (is_meant && skips_-- <= 0) {
     --insteads_;
     return port.say(instead_);
   }
@@ -337,8 +290,7 @@ std::string_view FakeController::answer_to(std::string_view text) {
   if (take_word(text, "set ")) return answer_to_set(text);
   if (take_word(text, "create biasforce ")) return create(text);
   if (text == "remove all") {
-    if (has_remote_guard_ && effects() > 0) ++guard_acts_;
-    remove_all();
+    if (!options_.keeps_effects) remove_all();
     return "All effects removed";
   }
   if (text == "calibrateforcesensor") {
@@ -391,6 +343,7 @@ std::string_view FakeController::answer_to_get(std::string_view what) {
 
 void FakeController::enter(std::string_view state) {
   state_ = state;
+  if (state_ == "off") newest_ = {};
   static_cast<void>(apply());
 }
 
@@ -416,7 +369,10 @@ std::string_view FakeController::answer_to_set(std::string_view what) {
     if (inertia_kg_ < 2.0) break_rule("an inertia that no public client dares");
     return "Inertia set";
   }
-  if (take_word(what, "coulombfriction ")) return "Coulomb friction set";
+  if (take_word(what, "coulombfriction ")) {
+    std::from_chars(what.data(), what.data() + what.size(), friction_n_);
+    return "Coulomb friction set";
+  }
   const std::size_t blank = what.find(' ');
   if (blank == std::string_view::npos) return kUnknown;
   return set_effect(what.substr(0, blank), what.substr(blank + 1));
@@ -430,6 +386,7 @@ FakeController::Effect* FakeController::find(std::string_view name) noexcept {
 }
 
 std::string_view FakeController::create(std::string_view what) {
+  if (find(what) != nullptr && options_.creates_twice) return "Effect biasforce created";
   if (find(what) != nullptr) return "--- ERROR: the effect exists already";
   for (Effect& effect : effects_) {
     if (effect.exists) continue;
@@ -475,6 +432,7 @@ std::string_view FakeController::set_bias(Effect& effect, std::string_view vecto
 
 void FakeController::remove_all() noexcept {
   for (Effect& effect : effects_) effect = {};
+  newest_ = {};
   static_cast<void>(apply());
 }
 

@@ -18,12 +18,15 @@ namespace felt::hapticmaster {
 struct FakeControllerOptions {
   bool is_force_calibrated = true;
   bool is_position_calibrated = true;
-  int init_looks = 5;          ///< `get state` requests until the machine has found its end stops
-  bool has_emergency = false;  ///< its emergency button is pressed: it does not leave `off`
-  std::size_t piece = 0;       ///< answers arrive in pieces of this size; 0: whole
-  bool quotes = true;          ///< answers `"force"` instead of `force;`
-  bool ignores_guard = false;  ///< the guard's connection is dead, but stays open
-  bool refuses_guard = false;  ///< no guard process can be started
+  int init_looks = 5;           ///< `get state` requests until the machine has found its end stops
+  bool has_emergency = false;   ///< its emergency button is pressed: it does not leave `off`
+  std::size_t piece = 0;        ///< answers arrive in pieces of this size; 0: whole
+  bool quotes = true;           ///< answers `"force"` instead of `force;`
+  bool ignores_guard = false;   ///< the guard's connection is dead, but stays open
+  bool refuses_guard = false;   ///< no guard process can be started
+  bool gives_up_force = false;  ///< leaves the state `force` for `off` after a while
+  bool creates_twice = false;   ///< confirms that it has created an effect that exists already
+  bool keeps_effects = false;   ///< confirms `remove all`, but does not carry it out
   int max_connections = 8;
   /// The guard also acts if no tick comes for its patience. The suites of all drivers let time
   /// stand still, and expect that a device can be read afterwards; this machine must be homed
@@ -51,16 +54,19 @@ class FakeController {
   Result<std::unique_ptr<ByteStream>> connect(const std::string& host, std::uint16_t port);
 
   // Faults that only a controller has.
-  /// Sends this text instead of the next `count` answers to requests that begin with `request`. The
-  /// requests are carried out all the same.
-  void say_instead(std::string text, std::string request, int count = 1);
+  /// Sends this text instead of `count` answers to requests that begin with `request`, after `skip`
+  /// right ones. The requests are carried out all the same.
+  void say_instead(std::string text, std::string request, int count = 1, int skip = 0);
   /// Sends an answer that belongs to no request to all connections.
   void say_unasked(std::string_view text);
   /// Sends these bytes to all connections, without a header.
   void babble(std::string_view bytes);
+  /// From now on, the requests of the driver stay in its socket. Those of its guard do not.
+  void stall() noexcept { is_stalled_ = true; }
   void be_silent(bool is_silent) noexcept { is_silent_ = is_silent; }
   /// Cannot see which connection belongs to a guard, because that is another process. From now on,
-  /// counts each removal of an existing effect as an act of the guard.
+  /// counts each removal of an existing effect over another connection than the first one as an act
+  /// of the guard.
   void count_every_guard() noexcept { has_remote_guard_ = true; }
   void set_state(std::string_view state) { enter(state); }
   /// Ends the connections of the driver, or that of the guard.
@@ -74,7 +80,8 @@ class FakeController {
   [[nodiscard]] int effects() const noexcept;
   [[nodiscard]] double largest_asked_n() const noexcept { return largest_n_; }
   [[nodiscard]] std::string_view broken_rule() const noexcept { return rule_; }
-  /// Returns the force of the newest request that sets one, in the machine's axes, N.
+  /// Returns the force of the newest request that sets one, or zero after one that takes all forces
+  /// away, in the machine's axes, N.
   [[nodiscard]] const Force& newest_force() const noexcept { return newest_; }
   /// Returns the largest number of requests that waited at the same time.
   [[nodiscard]] std::size_t max_waiting() const noexcept { return max_waiting_; }
@@ -82,6 +89,7 @@ class FakeController {
   [[nodiscard]] int guard_acts() const noexcept { return guard_acts_; }
   [[nodiscard]] int requests() const noexcept { return requests_; }
   [[nodiscard]] double inertia_kg() const noexcept { return inertia_kg_; }
+  [[nodiscard]] double friction_n() const noexcept { return friction_n_; }
 
   class Port;  ///< one connection, with both ends
 
@@ -139,10 +147,10 @@ class FakeController {
   tl::expected<PenSample, DeviceFault> pen_;
   std::string state_ = "off", instead_, instead_of_, rule_;
   std::array<char, 128> room_{};
-  int insteads_ = 0;
+  int insteads_ = 0, skips_ = 0;
   Force newest_;
   double largest_n_ = 0.0;
-  double inertia_kg_ = 0.0;
+  double inertia_kg_ = 0.0, friction_n_ = 0.0;
   std::size_t max_waiting_ = 0;
   std::int64_t busy_until_ns_ = 0;
   std::int64_t late_window_ns_ = -1;  // the window of the late answer that was already simulated
@@ -150,7 +158,7 @@ class FakeController {
   bool has_remote_guard_ = false;
   bool is_there_ = true;
   bool was_stopped_ = false;  // by the fault kForcesOff
-  bool is_silent_ = false;
+  bool is_silent_ = false, is_stalled_ = false;
   int looks_ = 0;
   int refusals_ = 0;
   int guard_acts_ = 0;

@@ -66,14 +66,16 @@ bool FakeServer::transfer(Line& line) {
 
 void FakeServer::serve() {
   std::vector<pollfd> waits{{.fd = listener_, .events = POLLIN, .revents = 0}};
-  for (const Line& line : lines_) {
+  const std::span<const Line> served = std::span(lines_).subspan(is_first_stalled_ ? 1 : 0);
+  for (const Line& line : served) {
     waits.push_back({.fd = line.socket, .events = POLLIN, .revents = 0});
   }
   poll(waits.data(), waits.size(), 1);
   controller_.tick(now_ns());
   if (waits[0].revents != 0) accept_line();
-  std::erase_if(lines_, [](Line& line) {
-    if (transfer(line)) return false;
+  const int stalled = is_first_stalled_ ? lines_.front().socket : -1;
+  std::erase_if(lines_, [stalled](Line& line) {
+    if (line.socket == stalled || transfer(line)) return false;
     ::close(line.socket);
     return true;
   });

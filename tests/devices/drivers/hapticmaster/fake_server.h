@@ -19,6 +19,8 @@ class FakeServer {
   FakeServer& operator=(const FakeServer&) = delete;
 
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  /// From now on, nothing is read from the first connection, that of the driver.
+  void stall_first() noexcept { is_first_stalled_ = true; }
   /// Waits at most 1 ms for bytes and handles what has arrived.
   void serve();
   /// Returns the time since the server was made.
@@ -37,6 +39,7 @@ class FakeServer {
   std::uint16_t port_ = 0;
   std::int64_t begin_ns_ = 0;
   std::vector<Line> lines_;
+  bool is_first_stalled_ = false;
 };
 
 }  // namespace felt::hapticmaster
