@@ -35,7 +35,8 @@ class Core {
     this.now = 0;
     this.shown = { x: 0, y: 0, scale: 4, angle: 0, mirrored: false };
     if (options.page) this.call('felt_set_page', options.page.width, options.page.height);
-    this.resize(options.width ?? 800, options.height ?? 600, options.dpr ?? 1);
+    Object.assign(this, { width: options.width ?? 800, height: options.height ?? 600, dpr: options.dpr ?? 1 });
+    this.call('felt_resize', this.width, this.height, this.dpr);
     this.fitPage();
   }
 
@@ -96,6 +97,7 @@ class Core {
   // --- Input
 
   samples(samples) {
+    this.use_view();
     const numbers = Float64Array.from(samples);
     for (let i = 0; i < numbers.length; i += kSampleNumbers) numbers[i] = this.time(numbers[i]);
     this.write(numbers);
@@ -128,6 +130,7 @@ class Core {
   // --- What changed
 
   changed(what) {
+    this.use_view();
     this.bits |= this.call('felt_changes');
     const bit = kChanges[what] ?? 0;
     const is_changed = (this.bits & bit) !== 0;
@@ -146,6 +149,7 @@ class Core {
   // --- The picture
 
   resize(width, height, dpr) {
+    if (width === this.width && height === this.height && dpr === this.dpr) return;
     Object.assign(this, { width, height, dpr });
     this.call('felt_resize', width, height, dpr);
     this.setView({});
@@ -165,7 +169,15 @@ class Core {
       next.y = Math.round(next.y * px) / px;
     }
     this.shown = next;
-    this.call('felt_set_view', next.x, next.y, next.scale, next.angle, next.mirrored ? 1 : 0);
+    this.has_view = false;
+  }
+
+  /** Sets the view of the module, which scales the picture, when it is needed: the page sets several views when it starts. */
+  use_view() {
+    if (this.has_view) return;
+    this.has_view = true;
+    const { x, y, scale, angle, mirrored } = this.shown;
+    this.call('felt_set_view', x, y, scale, angle, mirrored ? 1 : 0);
   }
 
   fitPage(margin = 24) {
@@ -220,6 +232,7 @@ class Core {
   }
 
   paint(context = null, budget = 8) {
+    this.use_view();
     const more = this.call('felt_paint', budget) === 1;
     const [x0, y0, x1, y1] = [0, 1, 2, 3].map((side) => this.call('felt_painted', side));
     this.rect = [x0, y0, Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
@@ -256,10 +269,12 @@ class Core {
   }
 
   marks() {
+    this.use_view();
     return this.json('felt_marks');
   }
 
   pen() {
+    this.use_view();
     return this.json('felt_pen');
   }
 
@@ -290,6 +305,7 @@ class Core {
 
   forceTerms() {
     if (!this.isComplete) return [];
+    this.use_view();
     return this.json('felt_force_terms');
   }
 
@@ -432,7 +448,7 @@ class Core {
     this.exports = full;
     this.isComplete = true;
     this.call('felt_resize', this.width, this.height, this.dpr);
-    this.setView({});
+    this.has_view = false;
     this.call('felt_advance', this.time(this.now));
     const done = this.restore(base, records);
     if (!done.ok) {  // the first module still has the drawing
