@@ -1,6 +1,7 @@
 // The reader of the materials in the first module, in place of felt/material/toml_entries.cc, which
 // is large. It reads only the texts of built_in_texts(): tables, and one value on each line.
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <utility>
