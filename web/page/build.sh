@@ -27,8 +27,28 @@ left_out='_(test|bench)\.cc$|/testing/|/make_[a-z_]*\.cc$|/samples/|/base/(check
 /replay/(forces_csv|live_loop|real_device|record_copy|record_run|replay_drawing|apply_recording|script_run)\.cc'
 left_out=$(tr '\n' '|' <<<"$left_out" | sed 's/|*$//')
 
+# Sources that only the full module links. In the first module, a call of one of their functions ends the core.
+only_full='/tools/all_tools\.cc|/fill/|/material/(toml_entries|custom_relief|relief|material_writer)\.cc
+/session/(selection_edit|group_edit|guide_edit|symmetry_edit)\.cc'
+only_full=$(tr '\n' '|' <<<"$only_full" | sed 's/|*$//')
+
+# units LAYER NAME: writes units with the sources of the input, and the lines that compile them.
+units() {
+  local number=0 unit='' source
+  while read -r source; do
+    if [ $((number % 16)) = 0 ]; then
+      unit=$objects/units/$2_$((number / 16))
+      echo "build $unit.o: compile $unit.cc"
+      [ "$1" != stroke ] || echo "  speed = -O2"
+      : >"$unit.new"
+    fi
+    echo "#include \"${source#"$root/src/"}\"" >>"$unit.new"
+    number=$((number + 1))
+  done
+}
+
 write_ninja() {
-  local layer unit number source
+  local layer unit source
   cat <<END
 paths = -I$root/src -I$root/apps -I$root -I$root/web/page/core/libcxx -isystem $include
 flags = -std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DPUGIXML_NO_EXCEPTIONS -ffp-contract=off -fvisibility=hidden $
@@ -41,17 +61,9 @@ rule compile
   description = \$out
 END
   for layer in $layers; do
-    number=0 unit=
-    while read -r source; do
-      if [ $((number % 16)) = 0 ]; then
-        unit=$objects/units/${layer//\//_}_$((number / 16))
-        echo "build $unit.o: compile $unit.cc"
-        [ "$layer" != stroke ] || echo "  speed = -O2"
-        : >"$unit.new"
-      fi
-      echo "#include \"${source#"$root/src/"}\"" >>"$unit.new"
-      number=$((number + 1))
-    done < <(find "$root/src/felt/$layer" -name '*.cc' | grep -vE "$left_out" | LC_ALL=C sort)
+    find "$root/src/felt/$layer" -name '*.cc' | grep -vE "$left_out" | LC_ALL=C sort >"$objects/sources"
+    units "$layer" "${layer//\//_}" < <(grep -vE "$only_full" "$objects/sources")
+    units "$layer" "full_${layer//\//_}" < <(grep -E "$only_full" "$objects/sources")
   done
   for source in "$root"/web/page/core/*.cc "$root"/web/page/core/libcxx/*.cc "$objects"/units/built_in_texts.cc \
     "$root/src/felt/driver/device_models.cc" \
@@ -70,7 +82,7 @@ built_in_texts() {
   echo 'constexpr BuiltInText kTexts[] = {'
   for file in $(sed -n '/^foreach(material_file/,/)$/p' "$root/src/felt/CMakeLists.txt" |
     grep -oE '(surfaces|media)/[a-z-]+'); do
-    printf '{"%s", R"felt(%s\n)felt"},\n' "${file#*/}" "$(cat "$root/share/materials/$file.toml")"
+    printf '{"%s", R"felt(%s\n)felt"},\n' "${file#*/}" "$(sed '/^#/d; s/  # [^"]*$//' "$root/share/materials/$file.toml")"
   done
   echo '};'
   echo '}  std::span<const BuiltInText> built_in_texts() noexcept { return kTexts; } }'
@@ -90,11 +102,11 @@ update "$objects/build.new" "$objects/build.ninja"
 export EM_COMPILER_WRAPPER=${EM_COMPILER_WRAPPER:-${CMAKE_CXX_COMPILER_LAUNCHER:-}}
 ninja -C "$objects" -j "${JOBS:-2}" ${FELT_PAGE_NINJA:-}
 
-# link OUT LEFT_OUT: links everything but the unit LEFT_OUT. Units of removed sources may still be in the folder.
+# link OUT LEFT_OUT: links everything but the units that match LEFT_OUT. Units of removed sources may still be in the folder.
 link() {
   local objects_of_module=() unit new=${1%.wasm}_new.wasm
   while read -r unit; do
-    [ "$(basename "$unit")" = "$2" ] || objects_of_module+=("$unit")
+    [[ "$(basename "$unit")" =~ $2 ]] || objects_of_module+=("$unit")
   done < <(sed -n 's/^build \(.*\.o\): compile .*/\1/p' "$objects/build.ninja")
   em++ -Oz -flto "${objects_of_module[@]}" -o "$new" --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH \
     -sINITIAL_MEMORY=16MB -sTOTAL_STACK=1MB -sMAXIMUM_MEMORY=2GB -sMALLOC=emmalloc -sFILESYSTEM=0 \
@@ -109,17 +121,17 @@ is_older() {
 }
 
 mkdir -p "$objects/generated"
-! is_older "$objects/small.wasm" || link "$objects/small.wasm" own_full.o
-! is_older "$objects/full.wasm" || link "$objects/full.wasm" own_small.o
-em++ -std=c++20 -Oz -fno-exceptions -fno-rtti core/unpack/unpack.cc -o "$objects/unpack.wasm" --no-entry -sSTANDALONE_WASM \
+! is_older "$objects/first.wasm" || link "$objects/first.wasm" '^full_|^own_(api_full|full|simdjson|pugixml)\.o$'
+! is_older "$objects/full.wasm" || link "$objects/full.wasm" '^own_first'
+em++ -std=c++20 -O2 -fno-exceptions -fno-rtti core/unpack/unpack.cc -o "$objects/unpack.wasm" --no-entry -sSTANDALONE_WASM \
   -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=16KB -sMAXIMUM_MEMORY=64MB -sMALLOC=none -sFILESYSTEM=0
 echo "export const text = '$(base64 -w0 "$objects/unpack.wasm")';" >"$objects/generated/unpack_text.js"
-node core/pack.mjs "$objects/small.wasm" "$objects/generated/module_text.js"
+node core/pack.mjs "$objects/first.wasm" "$objects/generated/module_text.js"
 node core/pack.mjs "$objects/full.wasm" "$objects/generated/full_text.js"
-node core/make_extras.mjs "$root" >"$objects/generated/extras_text.js"
+node core/make_extras.mjs "$root" "$objects/full.wasm" >"$objects/generated/extras_text.js"
 options=(--bundle --minify "--target=es2022,safari16.4" --log-level=warning --format=iife)
 NODE_PATH=$objects esbuild core/core.js "${options[@]}" --global-name=feltlineCore --outfile="$dist/core.js"
 esbuild "$objects/generated/full_text.js" "${options[@]}" --global-name=feltlineFull --outfile="$dist/core_full.js"
-for file in "$objects/small.wasm" "$objects/full.wasm" "$dist/core.js" "$dist/core_full.js"; do
+for file in "$objects/first.wasm" "$objects/full.wasm" "$dist/core.js" "$dist/core_full.js"; do
   printf '%-12s %8d bytes, %7d with gzip -9\n' "$(basename "$file")" "$(wc -c <"$file")" "$(gzip -9c "$file" | wc -c)"
 done

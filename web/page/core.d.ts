@@ -174,12 +174,16 @@ export interface Core {
   // --- Files
 
   /**
-   * Loads what reads files (`core_full.js` beside the page, once) and continues the drawing with it, undo included.
-   * Call and await it before open(), add(), replay(), save('inkml'), and before restore() if `needsFiles(base)`. It ends
-   * a gesture and a play. Fails if the script cannot be loaded.
+   * True if the core has everything below. A new core has only a first module, which draws with the pencil: samples, undo,
+   * redo, cancel, view, picture without grain, state, and the autosave except restore(). It has no forces and no sound.
    */
-  loadFiles(): Promise<Done>;
-  needsFiles(base: Uint8Array | null): boolean;
+  readonly isComplete: boolean;
+  /**
+   * Loads the full module (`core_full.js` beside the page, once) and continues the drawing with it, undo included. Takes
+   * over when `isFree` resolves, which is called when the module is ready, because this ends a gesture. Fails if the script
+   * cannot be loaded.
+   */
+  complete(isFree?: () => Promise<void>): Promise<Done>;
   /**
    * Replaces the drawing by that of a file: .svg, .ndjson, .inkml, .xopp (`catalog().formats`); the content decides, and
    * `name` if it does not. Compressed files (.svgz, .xopp) must be unpacked before. Undo history and selection become empty. Fails without a change.

@@ -93,7 +93,7 @@ export class Files {
 
   async read(bytes, name, adds) {
     this.page.core.finish();
-    const loaded = await this.page.core.loadFiles();
+    const loaded = await this.page.complete();
     if (!loaded.ok) return loaded;
     const { core } = this.page;  // another one, if the former one has ended meanwhile
     return adds ? core.add(bytes, name) : core.open(bytes, name);
@@ -116,7 +116,7 @@ export class Files {
 
   save(format) {
     return this.try_to(async () => {
-      if (format === 'inkml') await this.page.core.loadFiles();
+      if (!(await this.page.complete()).ok) return false;
       const { core } = this.page;
       core.finish();
       const data = core.save(format);
@@ -136,6 +136,7 @@ export class Files {
 
   export_png() {
     return this.try_to(async () => {
+      if (!(await this.page.complete()).ok) return false;
       const { core } = this.page, { page } = core.state();
       core.finish();
       // Large pages get fewer pixels per inch, because a browser limits the size of a picture.

@@ -19,11 +19,14 @@ const kRetryMs = 10_000;          // after a failed write, the whole drawing is 
 const kRestartMs = 20_000, kMaxRestarts = 3;  // a core that ends more often within this time ends because of the drawing
 const kNoticeMs = 6000, kSlowMs = 3000;
 const kSettleMs = 40;
-const kWarmUpMs = 100, kFullMs = 1500;
+const kWarmUpMs = 100;
+const kFirstEvents = ['undo', 'redo', 'cancel'];  // the first module handles them
 const kCatSpeed = 3, kCatShare = 0.7;  // of the page
 const by_id = (id) => document.getElementById(id);
 
 class LoadError extends Error {}
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** Resolves when the script with this name has run. */
 function script(name) {
@@ -55,6 +58,7 @@ class Page {
     this.shown = { forces: false, options: false, layers: false };
     this.gestures = 0;
     this.active_until = 0;
+    this.waiting = [];  // what to do when the core is complete
     this.wants_sound = choices.get('sound') === 'on';
     this.frame = (now) => this.run_frame(now);
     this.menu = new Menu(this);
@@ -87,9 +91,8 @@ class Page {
     this.listen();
     this.wake();
     performance.mark('interactive');
-    setTimeout(() => this.warm_up(), kWarmUpMs);
-    // The reader of files is loaded now, so that the page needs no request later, even without a network.
-    if (!navigator.connection?.saveData) setTimeout(() => script('core_full.js').catch(() => {}), kFullMs);
+    // Loaded now, so that the page needs no request later, even without a network.
+    if (!navigator.connection?.saveData || this.core.isComplete) this.complete();
     if (!done.ok) this.ask_about(last, done.error);
     else if (last && this.core.state().strokes > 0) this.say(t('Restored the drawing of your last visit.'));
     // Without storage, the user must know before the page is closed.
@@ -97,11 +100,51 @@ class Page {
     else this.watch_storage();
   }
 
-  /** Lets the core prepare grain, forces and sound. This takes a moment, so it waits until no line is drawn. */
+  /**
+   * Loads the full module, which has everything that the first one lacks, and continues with it. This takes a moment, so it
+   * waits until no line is drawn. Then does what has waited for it.
+   */
+  complete() {
+    this.completing ??= this.complete_core().finally(() => { this.completing = null; });
+    return this.completing;
+  }
+
+  async complete_core() {
+    const { core } = this, is_free = async () => {
+      while (this.input && this.input.drawing !== null && this.waiting.length === 0) await pause(kWarmUpMs);
+    };
+    let done;
+    try {
+      done = await core.complete(is_free);
+    } catch (error) {
+      this.recover(core, error);
+      return { ok: false, error: error.message };
+    }
+    if (this.core !== core) return done;  // it has ended meanwhile
+    this.incomplete = !done.ok;
+    if (done.ok) performance.mark('complete');
+    if (done.ok && this.device) core.setDevice(this.device);
+    const waiting = this.waiting.splice(0);
+    if (done.ok) for (const act of waiting) act();
+    else if (waiting.length > 0) this.say(done.error);
+    if (done.ok) setTimeout(() => this.warm_up(), kWarmUpMs);
+    this.wake();
+    return done;
+  }
+
+  /** Lets the core prepare grain, forces and sound, when no line is drawn. */
   warm_up() {
     if (this.input.drawing !== null) return setTimeout(() => this.warm_up(), kWarmUpMs);
     this.guard((core) => core.warmUp());
     this.wake();
+  }
+
+  /** Does this as soon as the core is complete. While something waits, everything else that changes the drawing does, too. */
+  when_complete(act) {
+    if (!this.core || this.core.isComplete) return act();
+    this.waiting.push(act);
+    this.complete();
+    return undefined;
   }
 
   /**
@@ -128,7 +171,6 @@ class Page {
     this.core = core;
     this.catalog = core.catalog();
     by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`).join();
-    if (this.device) core.setDevice(this.device);
     if (this.strength !== undefined) core.setStrength(this.strength);
     this.resize();
     if (last) this.fit();
@@ -143,12 +185,10 @@ class Page {
     return { width: mm(innerWidth), height: mm(innerHeight) };
   }
 
-  /** Continues with a stored drawing. One that was read from a file needs the reader of files. */
+  /** Continues with a stored drawing. */
   async restore(core, last) {
-    if (core.needsFiles(last.base)) {
-      const loaded = await core.loadFiles();
-      if (!loaded.ok) return loaded;
-    }
+    const loaded = await core.complete();
+    if (!loaded.ok) return loaded;
     const done = core.restore(last.base, last.recorded);
     if (done.ok && !last.base) core.setPage(last.page);
     return done;
@@ -201,7 +241,7 @@ class Page {
     this.asked = false;
     let more = false;
     this.guard((core) => {
-      core.advance(now);
+      if (this.waiting.length === 0) core.advance(now);
       more = core.paint(this.context);
     });
     this.guard(() => this.show_changes(now));
@@ -299,7 +339,7 @@ class Page {
       return this.say_ended();
     }
     this.bars.show_switches();
-    setTimeout(() => this.warm_up(), kWarmUpMs);
+    this.complete();
     this.wake();
   }
 
@@ -402,6 +442,11 @@ class Page {
 
   /** Sends an event to the core. */
   apply(event) {
+    if (!kFirstEvents.includes(event.event) || this.waiting.length > 0) return this.when_complete(() => this.apply_now(event));
+    return this.apply_now(event);
+  }
+
+  apply_now(event) {
     this.settle();
     const done = this.guard((core) => core.event(event));
     if (done && !done.ok) this.say(done.error);
@@ -410,6 +455,7 @@ class Page {
 
   samples(samples) {
     this.is_away = false;
+    if (this.waiting.length > 0) return void this.waiting.push(() => this.samples(samples));
     this.sampled = performance.now();
     this.guard((core) => core.samples(samples));
     this.wake();
@@ -448,6 +494,7 @@ class Page {
   /** The pen of the core follows the pointer with a short delay. After this call, it has handled all samples that were
    * sent, so that they come before the next event. */
   settle() {
+    if (this.waiting.length > 0) return;
     const now = performance.now();
     if (now - (this.sampled ?? -Infinity) < kSettleMs) this.guard((core) => core.advance(now + kSettleMs));
   }
@@ -501,6 +548,7 @@ class Page {
   }
 
   set_medium(medium) {
+    if (!this.core.isComplete) return this.when_complete(() => this.set_medium(medium));
     const done = this.core.setMedium(medium);
     if (!done.ok) this.say(done.error);
     if (this.core.state().selected > 0) this.apply({ event: 'restyle', medium });
@@ -513,6 +561,7 @@ class Page {
   }
 
   set_size(mm) {
+    if (!this.core.isComplete) return this.when_complete(() => this.set_size(mm));
     const done = this.core.setSize(mm);
     if (!done.ok) this.say(done.error);
     this.wake();
@@ -600,6 +649,7 @@ class Page {
 
   toggle_hand() {
     if (this.plays) return this.stop_hand();
+    if (!this.core.isComplete) return this.when_complete(() => this.toggle_hand());
     const { text, mmPerUnit } = in_the_middle(this.core.scripts().find(({ id }) => id === 'cat').text, this.core.state().page);
     const done = this.core.play(text, { speed: kCatSpeed, mmPerUnit });
     if (!done.ok) return this.say(done.error);
@@ -635,6 +685,7 @@ class Page {
   }
 
   set_moves(on) {
+    if (!this.core.isComplete) return this.when_complete(() => this.set_moves(on));
     const device = this.core.devices().find(({ hasForce }) => hasForce === on);
     const done = this.core.setDevice(device.id);
     if (done.ok) this.device = device.id;
@@ -735,6 +786,8 @@ class Page {
 
   async new_drawing() {
     if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+    const done = await this.complete();
+    if (!done.ok) return this.say(done.error);
     this.core.clear(this.window_page());
     this.files.name = '';
     this.begun();

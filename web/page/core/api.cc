@@ -1,18 +1,15 @@
-// The functions that core.js calls. Texts and bytes from JavaScript are written to the buffer that
-// felt_input() returns; those for JavaScript are in the reply: the functions return its size, and
-// felt_reply() its place.
+// The functions that core.js calls in both modules; api_full.cc has those of the full module alone.
+// Texts and bytes from JavaScript are written to the buffer that felt_input() returns; those for
+// JavaScript are in the reply: the functions return its size, and felt_reply() its place.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "web/page/core/api_state.h"
-
-#define FELT_EXPORT(name) extern "C" __attribute__((export_name(#name), used))
+#include "web/page/core/api_reply.h"
 
 /// The time in ms, for the budget of paint().
 extern "C" __attribute__((import_module("env"), import_name("now_ms"))) double now_ms();
@@ -27,17 +24,6 @@ Core& core() {
 namespace {
 
 constexpr std::size_t kSampleNumbers = 8;
-
-std::size_t reply(std::string text) {
-  core().reply = std::move(text);
-  return core().reply.size();
-}
-std::size_t reply(const Result<void>& done, const std::vector<std::string>& notices = {}) {
-  return reply(done_text(done, notices));
-}
-std::string_view input(std::size_t size) {
-  return {core().input.data(), size};
-}
 
 std::int64_t ns_of(double ms) {
   return static_cast<std::int64_t>(std::clamp(std::round(ms * 1e6), -9e15, 9e15));
@@ -78,14 +64,12 @@ FELT_EXPORT(felt_samples) void felt_samples(std::size_t count) {
   core().shows = true;
 }
 
-FELT_EXPORT(felt_event) std::size_t felt_event(std::size_t size) {
-  return reply(core().event(input(size)));
-}
-FELT_EXPORT(felt_set_medium) std::size_t felt_set_medium(std::size_t size) {
-  return reply(core().set_medium(std::string(input(size))));
-}
-FELT_EXPORT(felt_set_size) std::size_t felt_set_size(double mm) {
-  return reply(core().set_size(mm));
+/// Undo, redo, cancel: 0, 1, 2.
+FELT_EXPORT(felt_command) std::size_t felt_command(int command) {
+  core().shows = true;
+  if (command == 0) return reply(core().studio.apply(UndoEvent{}));
+  if (command == 1) return reply(core().studio.apply(RedoEvent{}));
+  return reply(core().studio.apply(CancelEvent{}));
 }
 FELT_EXPORT(felt_advance) void felt_advance(double ms) {
   core().advance(ns_of(ms));
@@ -115,9 +99,6 @@ FELT_EXPORT(felt_set_desk) void felt_set_desk(unsigned rgb) {
                  static_cast<std::uint8_t>(rgb), 255};
   core().set_ground();
 }
-FELT_EXPORT(felt_set_paper) void felt_set_paper(int is_set, unsigned rgb) {
-  core().set_paper(is_set != 0, rgb);
-}
 FELT_EXPORT(felt_set_page) void felt_set_page(double width, double height) {
   Page page = core().studio.page();
   page.width_mm = std::clamp(width, Page::kMinMm, Page::kMaxMm);
@@ -125,13 +106,6 @@ FELT_EXPORT(felt_set_page) void felt_set_page(double width, double height) {
   core().studio.set_page(page);
   core().wants_rebase();
   core().set_ground();
-}
-FELT_EXPORT(felt_set_grain) void felt_set_grain(int on) {
-  core().wants_grain = on != 0;
-  core().update_grain();
-}
-FELT_EXPORT(felt_warm_up) void felt_warm_up() {
-  core().warm_up();
 }
 FELT_EXPORT(felt_paint) int felt_paint(double budget_ms) {
   core().show();
@@ -146,19 +120,6 @@ FELT_EXPORT(felt_painted) int felt_painted(int side) {
   const PixelRect r = core().picture.painted();
   return std::array{r.x0, r.y0, r.x1, r.y1}[static_cast<std::size_t>(side & 3)];
 }
-FELT_EXPORT(felt_export) std::size_t felt_export(double dpi, int transparent) {
-  return core().export_picture(dpi, transparent != 0);
-}
-FELT_EXPORT(felt_export_size) int felt_export_size(int side) {
-  const std::optional<Image>& image = core().exported;
-  return image ? (side == 0 ? image->width() : image->height()) : 0;
-}
-FELT_EXPORT(felt_export_pixels) const std::uint8_t* felt_export_pixels() {
-  return core().exported ? core().exported->bytes().data() : nullptr;
-}
-FELT_EXPORT(felt_end_export) void felt_end_export() {
-  core().exported.reset();
-}
 FELT_EXPORT(felt_marks) std::size_t felt_marks() {
   core().show();
   return reply(marks_text(core().marks, core().picture.view(), core().dpr));
@@ -167,80 +128,17 @@ FELT_EXPORT(felt_pen) std::size_t felt_pen() {
   return reply(pen_text(core().studio, core().picture, core().dpr));
 }
 
-// --- Forces and sound
+// --- State
 
 FELT_EXPORT(felt_devices) std::size_t felt_devices() {
   return reply(devices_text());
 }
-FELT_EXPORT(felt_set_device) std::size_t felt_set_device(std::size_t size) {
-  const Result<void> done = core().studio.use_device(input(size));
-  core().shows = true;
-  return reply(done);
-}
-FELT_EXPORT(felt_set_forces) void felt_set_forces(int on) {
-  core().studio.set_forces(on != 0);
-}
-FELT_EXPORT(felt_set_strength) void felt_set_strength(double share) {
-  core().studio.set_strength(share);
-}
-FELT_EXPORT(felt_forces) std::size_t felt_forces() {
-  return core().take_forces();
-}
-FELT_EXPORT(felt_force_terms) std::size_t felt_force_terms() {
-  return reply(terms_text(core().studio.tick(), core().picture.view()));
-}
-FELT_EXPORT(felt_sound) std::size_t felt_sound(std::size_t frames) {
-  return core().render_sound(frames);
-}
-
-// --- State
-
-FELT_EXPORT(felt_catalog) std::size_t felt_catalog() {
-  return reply(catalog_text(core().studio.session()));
-}
 FELT_EXPORT(felt_state) std::size_t felt_state() {
   return reply(state_text(core().studio));
 }
-FELT_EXPORT(felt_option) std::size_t felt_option(std::size_t size) {
-  return reply(option_text(core().studio.session(), std::string(input(size))));
-}
 
-// --- The simulated hand
+// --- Autosave
 
-FELT_EXPORT(felt_play) std::size_t felt_play(std::size_t size, double mm_per_unit, double speed) {
-  const std::string script(input(size));
-  core().warm_up();
-  return reply(core().studio.play("script", script, mm_per_unit, speed));
-}
-FELT_EXPORT(felt_playing) double felt_playing() {
-  return core().studio.is_playing() ? core().studio.played() : -1.0;
-}
-FELT_EXPORT(felt_play_error) std::size_t felt_play_error() {
-  return reply(core().studio.take_play_error());
-}
-FELT_EXPORT(felt_stop_play) void felt_stop_play() {
-  core().studio.stop_play();
-}
-
-// --- Files
-
-/// The input is the name of the file, which has `name_size` bytes, and the file. `how`: 0 opens, 1
-/// adds.
-FELT_EXPORT(felt_open) std::size_t felt_open(std::size_t size, std::size_t name_size, int how) {
-  const std::string all(input(size));
-  std::vector<std::string> notices;
-  const std::string name = all.substr(0, name_size);
-  const std::string_view bytes = std::string_view(all).substr(name_size);
-  const Result<void> done = core().open(bytes, name, how == 1, notices);
-  return reply(done, notices);
-}
-FELT_EXPORT(felt_save) std::size_t felt_save(std::size_t size) {
-  Result<std::string> bytes = core().save(input(size));
-  return reply(bytes ? *std::move(bytes) : std::string());
-}
-FELT_EXPORT(felt_clear) void felt_clear() {
-  core().clear();
-}
 /// Prepares what felt_base() and felt_recorded() return. Returns 1 if it replaces what was stored.
 FELT_EXPORT(felt_autosave) int felt_autosave() {
   return core().autosave() ? 1 : 0;
@@ -250,26 +148,6 @@ FELT_EXPORT(felt_base) std::size_t felt_base() {
 }
 FELT_EXPORT(felt_recorded) std::size_t felt_recorded() {
   return reply(std::exchange(core().recorded, {}));
-}
-FELT_EXPORT(felt_rebase) void felt_rebase() {
-  core().wants_rebase();
-}
-/// The input is the base, which has `base_size` bytes, and the recorded events.
-FELT_EXPORT(felt_restore) std::size_t felt_restore(std::size_t size, std::size_t base_size) {
-  const std::string all(input(size));
-  return reply(core().restore(std::string_view(all).substr(0, base_size),
-                              std::string_view(all).substr(base_size)));
-}
-/// `how`: 1 draws a recording unchanged, 2 is without forces. The input is the id of the device and
-/// the script.
-FELT_EXPORT(felt_replay)
-std::size_t felt_replay(std::size_t size, std::size_t device_size, int how) {
-  const std::string all(input(size));
-  ReplayChoice choice;
-  choice.as_recorded = (how & 1) != 0;
-  choice.forces = (how & 2) == 0;
-  choice.device = all.substr(0, device_size);
-  return reply(core().replay(std::string_view(all).substr(device_size), choice));
 }
 
 }  // namespace felt::page

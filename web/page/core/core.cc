@@ -46,7 +46,7 @@ void Core::listen() {
   studio.on_event = [this](const Event& event) { record(event); };
   studio.on_sample = [this](const PenSample& pen) {
     shows = true;
-    if (!sounds_) return;
+    if (!is_full_module() || !sounds_) return;
     sound_.push(sound_input_.sample(pen));
     if (!(sound_input_.pair() == pair_)) sound_.set_pair(pair_ = sound_input_.pair());
   };
@@ -94,6 +94,7 @@ void Core::set_paper(bool is_set, unsigned value) {
 
 void Core::update_grain() {
   const Session& session = studio.session();
+  if (!is_full_module()) return;
   picture.set_grain(wants_grain && is_warm
                         ? Grain(surface_grain(session.surface()), session.materials())
                         : Grain());
@@ -114,8 +115,10 @@ void Core::show() {
   if (studio.has_force()) session.draw_guide_spring(overlay_);
   picture.show_wet(overlay_, drawing_medium(session), opacity_of(session));
   marks.clear();
-  add_guide_pictures(marks, session.document(), preview ? &*preview : nullptr,
-                     studio.page().area());
+  if (is_full_module()) {
+    add_guide_pictures(marks, session.document(), preview ? &*preview : nullptr,
+                       studio.page().area());
+  }
   const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };

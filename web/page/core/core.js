@@ -1,6 +1,7 @@
 // The JavaScript of the core: makes the module, and turns texts and arrays into calls. core.d.ts describes it.
-import { full_bytes, module_bytes } from './module.js';
-import { catalog_extras, scripts } from './extras.js';
+import { instantiate } from './instantiate.mjs';
+import { first_module, full_module } from './module.js';
+import { catalog, cat } from 'generated/extras_text.js';
 
 const kSampleNumbers = 8;
 const kChanges = { ink: 1, marks: 2, state: 4, edits: 8 };
@@ -13,42 +14,10 @@ export class CoreError extends Error {
   }
 }
 
-const kEmptyMark = 'feltline-empty-page ';  // files.cc
+const kCommands = ['undo', 'redo', 'cancel'];  // api.cc
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 const bytes_of = (data) => (typeof data === 'string' ? encoder.encode(data) : data);
 const number_of = (color) => parseInt(color.replace('#', ''), 16) || 0;
-
-/** Writes the digits of the shortest decimal that reads back as the number: numbers_text.cc. */
-function shortest_digits(memory, number, to, exponent_at) {
-  const [mantissa, exponent] = number.toExponential().split('e');
-  const digits = mantissa.replace('.', '');
-  const bytes = new Uint8Array(memory.buffer, to, digits.length);
-  for (let i = 0; i < digits.length; ++i) bytes[i] = digits.charCodeAt(i);
-  new DataView(memory.buffer).setInt32(exponent_at, Number(exponent), true);
-  return digits.length;
-}
-
-async function instantiate(bytes) {
-  let memory;
-  const stop = () => {
-    throw new WebAssembly.RuntimeError('the module ended');
-  };
-  const nothing = () => 0;
-  const { instance } = await WebAssembly.instantiate(bytes, {
-    env: {
-      shortest_digits: (number, to, exponent_at) => shortest_digits(memory, number, to, exponent_at),
-      now_ms: () => performance.now(),
-      emscripten_notify_memory_growth: nothing,
-    },
-    wasi_snapshot_preview1: {
-      proc_exit: stop, fd_write: nothing, fd_close: nothing, fd_seek: nothing, fd_read: nothing,
-      environ_sizes_get: nothing, environ_get: nothing, clock_time_get: nothing,
-    },
-  });
-  memory = instance.exports.memory;
-  instance.exports._initialize();
-  return instance.exports;
-}
 
 class Core {
   constructor(exports, options) {
@@ -59,14 +28,15 @@ class Core {
     this.seen_ticks = 0;
     this.rect = [0, 0, 0, 0];
     this.load_script = options.loadScript;
-    this.is_full = false;
+    this.isComplete = false;
     this.kept = { base: new Uint8Array(0), records: '' };  // what the full module, or another core, continues with
     this.unread = { rebased: false, records: '' };         // of kept, what the caller has not read
     this.settings = {};
     this.now = 0;
     this.shown = { x: 0, y: 0, scale: 4, angle: 0, mirrored: false };
     if (options.page) this.call('felt_set_page', options.page.width, options.page.height);
-    this.resize(options.width ?? 800, options.height ?? 600, options.dpr ?? 1);
+    Object.assign(this, { width: options.width ?? 800, height: options.height ?? 600, dpr: options.dpr ?? 1 });
+    this.call('felt_resize', this.width, this.height, this.dpr);
     this.fitPage();
   }
 
@@ -114,10 +84,10 @@ class Core {
     return this.json(name, this.write(bytes_of(text)), ...values);
   }
 
-  /** Calls a function whose effect the full module needs, too. */
+  /** Calls a function whose effect the full module needs, too. The first module may not have it. */
   set(name, ...values) {
     this.settings[name] = values;
-    this.call(name, ...values);
+    if (!this.exports || name in this.exports) this.call(name, ...values);
   }
 
   time(now) {
@@ -127,6 +97,7 @@ class Core {
   // --- Input
 
   samples(samples) {
+    this.use_view();
     const numbers = Float64Array.from(samples);
     for (let i = 0; i < numbers.length; i += kSampleNumbers) numbers[i] = this.time(numbers[i]);
     this.write(numbers);
@@ -134,6 +105,8 @@ class Core {
   }
 
   event(event) {
+    const command = kCommands.indexOf(event.event);
+    if (command >= 0) return this.json('felt_command', command);
     return this.ask('felt_event', typeof event === 'string' ? event : JSON.stringify(event));
   }
 
@@ -157,6 +130,7 @@ class Core {
   // --- What changed
 
   changed(what) {
+    this.use_view();
     this.bits |= this.call('felt_changes');
     const bit = kChanges[what] ?? 0;
     const is_changed = (this.bits & bit) !== 0;
@@ -175,6 +149,7 @@ class Core {
   // --- The picture
 
   resize(width, height, dpr) {
+    if (width === this.width && height === this.height && dpr === this.dpr) return;
     Object.assign(this, { width, height, dpr });
     this.call('felt_resize', width, height, dpr);
     this.setView({});
@@ -194,7 +169,15 @@ class Core {
       next.y = Math.round(next.y * px) / px;
     }
     this.shown = next;
-    this.call('felt_set_view', next.x, next.y, next.scale, next.angle, next.mirrored ? 1 : 0);
+    this.has_view = false;
+  }
+
+  /** Sets the view of the module, which scales the picture, when it is needed: the page sets several views when it starts. */
+  use_view() {
+    if (this.has_view) return;
+    this.has_view = true;
+    const { x, y, scale, angle, mirrored } = this.shown;
+    this.call('felt_set_view', x, y, scale, angle, mirrored ? 1 : 0);
   }
 
   fitPage(margin = 24) {
@@ -249,6 +232,7 @@ class Core {
   }
 
   paint(context = null, budget = 8) {
+    this.use_view();
     const more = this.call('felt_paint', budget) === 1;
     const [x0, y0, x1, y1] = [0, 1, 2, 3].map((side) => this.call('felt_painted', side));
     this.rect = [x0, y0, Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
@@ -285,10 +269,12 @@ class Core {
   }
 
   marks() {
+    this.use_view();
     return this.json('felt_marks');
   }
 
   pen() {
+    this.use_view();
     return this.json('felt_pen');
   }
 
@@ -311,23 +297,27 @@ class Core {
   }
 
   forces() {
+    if (!this.isComplete) return new Float64Array(0);
     const numbers = new Float64Array(this.reply(this.call('felt_forces')).slice().buffer);
     for (let i = 0; i < numbers.length; i += 7) numbers[i] += this.start;
     return numbers;
   }
 
   forceTerms() {
+    if (!this.isComplete) return [];
+    this.use_view();
     return this.json('felt_force_terms');
   }
 
   sound(frames) {
+    if (!this.isComplete) return new Float32Array(0);
     return new Float32Array(this.reply(this.call('felt_sound', frames)).slice().buffer);
   }
 
   // --- State
 
   catalog() {
-    return catalog_extras(this.json('felt_catalog'));
+    return catalog;
   }
 
   state() {
@@ -335,6 +325,7 @@ class Core {
   }
 
   option(id) {
+    if (!this.isComplete) return null;
     return this.ask('felt_option', id);
   }
 
@@ -345,6 +336,7 @@ class Core {
   }
 
   playing() {
+    if (!this.isComplete) return null;
     const fraction = this.call('felt_playing');
     if (fraction >= 0) return { fraction };
     return null;
@@ -359,7 +351,7 @@ class Core {
   }
 
   scripts() {
-    return scripts;
+    return [{ id: 'cat', text: cat }];
   }
 
   // --- Files
@@ -424,7 +416,10 @@ class Core {
   }
 
   rebase() {
-    this.call('felt_rebase');
+    if (this.isComplete) return this.call('felt_rebase');
+    // The first module cannot write a drawing, but all its records are here.
+    this.collect();
+    this.unread = { rebased: true, records: this.kept.records };
   }
 
   restore(base, recorded) {
@@ -437,32 +432,27 @@ class Core {
 
   // --- The full module
 
-  needsFiles(base) {
-    return !this.is_full && base?.byteLength > 0 && decoder.decode(base.subarray(0, kEmptyMark.length)) !== kEmptyMark;
-  }
-
-  async loadFiles() {
-    if (this.is_full) return { ok: true };
+  async complete(isFree = async () => {}) {
+    if (this.isComplete) return { ok: true };
     let full;
     try {
-      full = await instantiate(await full_bytes(this.load_script));
+      full = await instantiate(await full_module(this.load_script));
     } catch (error) {
       return { ok: false, error: `core_full.js could not be loaded (${error.message})` };
     }
-    if (this.is_full) return { ok: true };  // loaded twice at the same time
-    this.stopPlay();
+    await isFree();
+    if (this.isComplete) return { ok: true };  // called twice at the same time
     this.finish();
     this.collect();
-    const { base, records } = this.kept, { device } = this.state(), unread = this.unread, small = this.exports;
+    const { base, records } = this.kept, unread = this.unread, first = this.exports;
     this.exports = full;
-    this.is_full = true;
+    this.isComplete = true;
     this.call('felt_resize', this.width, this.height, this.dpr);
-    this.setView({});
+    this.has_view = false;
     this.call('felt_advance', this.time(this.now));
-    this.setDevice(device);
     const done = this.restore(base, records);
-    if (!done.ok) {  // the small module still has the drawing
-      Object.assign(this, { exports: small, is_full: false, unread });
+    if (!done.ok) {  // the first module still has the drawing
+      Object.assign(this, { exports: first, isComplete: false, unread });
       return done;
     }
     for (const [name, values] of Object.entries(this.settings)) this.call(name, ...values);
@@ -482,5 +472,5 @@ class Core {
 }
 
 export async function createCore(options = {}) {
-  return new Core(await instantiate(await module_bytes()), options);
+  return new Core(await instantiate(await first_module), options);
 }

@@ -26,7 +26,7 @@ void Core::record(const Event& event) {
 /// Makes the present drawing the base. The records begin with the events that set everything else.
 void Core::rebase() {
   const Session& session = studio.session();
-  base = base_text(drawing_of(studio));
+  base = base_of(studio);
   written_.clear();
   const std::int64_t now = studio.now_ns();
   append_event_line(written_, {now, UseDevice{session.device()}});
@@ -44,7 +44,10 @@ bool Core::autosave() {
   const Session& session = studio.session();
   constexpr std::size_t kLong = std::size_t{16} << 20;
   static std::size_t since_base = 0;
-  if ((needs_rebase_ || since_base > kLong) && !session.gesture_in_progress()) {
+  // The first module cannot write a drawing; core.js keeps all its records.
+  const bool is_new = !session.history().can_undo() && !session.history().can_redo();
+  const bool can_rebase = is_full_module() || is_new;
+  if ((needs_rebase_ || since_base > kLong) && can_rebase && !session.gesture_in_progress()) {
     rebase();
     since_base = 0;
     // A selection is not in the base, so that commands that use it could not be played again.
@@ -78,6 +81,7 @@ Result<void> Core::restore(std::string_view base_bytes, std::string_view lines) 
     base = base_bytes;
     written_.clear();
     replaces_ = needs_rebase_ = false;
+    studio.complete_options(events);
     return {};
   }
   needs_rebase_ = true;

@@ -13,7 +13,7 @@
 namespace felt::page {
 namespace {
 
-/// Begins the text for an empty drawing, which the small module reads, too.
+/// Begins the text for an empty drawing, which the first module writes, too.
 constexpr std::string_view kEmptyMark = "feltline-empty-page ";
 
 /// Returns a drawing without ink as text: the width and height of its page, its paper and its
@@ -42,10 +42,16 @@ Drawing empty_drawing(std::string_view text) {
   return drawing;
 }
 
-bool is_empty(const Drawing& drawing) {
-  const std::span<const Layer> layers = drawing.document.layers();
+bool is_empty(const Document& document) {
+  const std::span<const Layer> layers = document.layers();
   return layers.size() == 1 && layers[0].strokes.empty() && layers[0].fills.empty() &&
-         drawing.document.guides().empty() && drawing.materials.empty();
+         document.guides().empty();
+}
+
+Page page_of(const Studio& studio) {
+  Page page = studio.page();
+  page.surface = studio.session().surface().id;
+  return page;
 }
 
 }  // namespace
@@ -66,8 +72,7 @@ Drawing drawing_of(const Studio& studio) {
   const Session& session = studio.session();
   Drawing drawing;
   drawing.document = session.document();
-  drawing.page = studio.page();
-  drawing.page.surface = session.surface().id;
+  drawing.page = page_of(studio);
   drawing.color = session.ink_color();
   drawing.layer = session.layer();
   drawing.materials = texts_of_used(drawing.document, drawing.page.surface, session.materials(),
@@ -83,8 +88,10 @@ Result<std::string> write_drawing(const Drawing& drawing, std::string_view forma
   return bytes_of(*parts);
 }
 
-std::string base_text(const Drawing& drawing) {
-  if (is_empty(drawing)) return empty_text(drawing.page);
+std::string base_of(const Studio& studio) {
+  if (!is_full_module()) return empty_text(page_of(studio));
+  const Drawing drawing = drawing_of(studio);
+  if (is_empty(drawing.document) && drawing.materials.empty()) return empty_text(drawing.page);
   return write_drawing(drawing, "svg").value_or(std::string());
 }
 

@@ -22,14 +22,17 @@ Drawing drawing_of(const Studio& studio);
 /// Returns a drawing as a file of this format. Fails if the page cannot write it.
 Result<std::string> write_drawing(const Drawing& drawing, std::string_view format);
 
-/// Returns the base of the autosave for a drawing: an .svg file, or a short text if the drawing is
-/// empty.
-std::string base_text(const Drawing& drawing);
+/// Returns the base of the autosave: the drawing as an .svg file, or a short text if it is empty.
+/// The first module requires that it is empty.
+std::string base_of(const Studio& studio);
 Result<Drawing> drawing_of_base(std::string_view base);
 
-// The following functions are in full.cc; in the small module, they fail.
-
+/// Returns false in the first module, with which the page starts. The linker then leaves out the
+/// code that only the full module can reach.
 bool is_full_module() noexcept;
+
+// The following functions are in full.cc.
+
 Result<Imported> import_as(FileFormat format, std::string_view bytes);
 Result<std::string> inkml_of(const Drawing& drawing);
 

@@ -1,5 +1,4 @@
-// The readers of files and the replay of scripts: only in the full module, which is loaded when it
-// is needed.
+// The readers of files and the replay of scripts: only in the full module.
 
 #include <utility>
 

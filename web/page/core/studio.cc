@@ -11,6 +11,7 @@
 #include "felt/haptics/safety/safety_limits.h"
 #include "felt/material/material_file.h"
 #include "felt/stroke/color_text.h"
+#include "web/page/core/files.h"
 
 namespace felt::page {
 namespace {
@@ -81,16 +82,29 @@ Result<void> Studio::restore(const Drawing& drawing, std::span<const Event> even
   return done;
 }
 
+void Studio::apply_first_options(const Tool& tool) {
+  for (const OptionSpec& row : tool.info().options) {
+    const OptionValue first = default_value(desktop::as_at_first(tool.info().kind, row));
+    if (first == default_value(row)) continue;
+    const std::string id = std::string(tool.info().id) + "." + std::string(row.id);
+    static_cast<void>(session_->apply({event_time_ns(), SetOption{id, first}}));
+  }
+}
+
+void Studio::complete_options(std::span<const Event> events) {
+  for (const auto& tool : session_->tools()) {
+    const std::string prefix = std::string(tool->info().id) + ".";
+    const bool is_known = std::any_of(events.begin(), events.end(), [&](const Event& event) {
+      const auto* option = std::get_if<SetOption>(&event.what);
+      return option && option->id.starts_with(prefix);
+    });
+    if (!is_known) apply_first_options(*tool);
+  }
+}
+
 /// Applies the initial options of the desktop program.
 void Studio::apply_first_options() {
-  for (const auto& tool : session_->tools()) {
-    for (const OptionSpec& row : tool->info().options) {
-      const OptionValue first = default_value(desktop::as_at_first(tool->info().kind, row));
-      if (first == default_value(row)) continue;
-      const std::string id = std::string(tool->info().id) + "." + std::string(row.id);
-      static_cast<void>(session_->apply({event_time_ns(), SetOption{id, first}}));
-    }
-  }
+  for (const auto& tool : session_->tools()) apply_first_options(*tool);
   if (const Medium* medium = find_medium(desktop::kFirstMedium)) {
     const Rgba ink = desktop::usual_color({}, {}, medium->color_rgb, {});
     static_cast<void>(
@@ -259,7 +273,7 @@ void Studio::end_frame(std::int64_t time_ns) {
 void Studio::step() {
   has_point_ = false;
   now_ns_ += servo_->options().period_ns;
-  if (play_) step_play();
+  if (is_full_module() && play_) step_play();
   const TickReport& report = servo_->step(now_ns_ - start_ns_);
   if (on_tick) on_tick(report);
   if (++ticks_to_process_ >= kProcessTicks) process();
@@ -297,7 +311,7 @@ void Studio::handle(PenSample sample) {
 
 void Studio::publish() {
   servo_->heartbeat(now_ns_ - start_ns_);
-  if (has_forces_) servo_->publish(session_->force());
+  if (is_full_module() && has_forces_) servo_->publish(session_->force());
 }
 
 /// Returns the time for an event, which is not before the samples that the session has handled.

@@ -57,6 +57,9 @@ class Studio {
   /// events unchanged, and continues after the last of them. Stops at the first event that does not
   /// fit.
   Result<void> restore(const Drawing& drawing, std::span<const Event> events);
+  /// Sets the initial options of those tools that no restored event names, because the first
+  /// module, which recorded the events, does not have them.
+  void complete_options(std::span<const Event> events);
   /// Called with each edit of the document, and when another session begins (null).
   std::function<void(const Edit*)> on_edit;
   /// Called with each event that the session handled, pen samples included.
@@ -114,6 +117,7 @@ class Studio {
   enum class Options { kFirst, kOfLastSession, kDefaults };
   void make_session(Document document, std::span<const std::string> materials, Options options);
   void apply_first_options();
+  void apply_first_options(const Tool& tool);
   void use_surface_of_session(std::uint32_t before_rgb);
   void start_loop();
   void step();

@@ -105,7 +105,9 @@ export class Tab {
     if (url) await this.send('Page.navigate', { url });
     else await this.send('Page.reload');
     await loaded;
-    if (wait) await this.until(() => globalThis.feltlinePage?.input);
+    // The first module draws immediately; most tests need the full one.
+    if (wait) await this.until((is_first) => globalThis.feltlinePage?.input && (is_first || feltlinePage.core?.isComplete || feltlinePage.incomplete),
+      wait === 'first');
   }
 
   reload() {

@@ -8,7 +8,7 @@ const createCore = load_core(dist);
 const make = (options = {}) => createCore({ width: 800, height: 600, dpr: 1, ...options });
 const tests = {
   async 'ink is in the picture of the frame after pen-down'() {
-    const core = await make();
+    const core = await make({ isFirst: true });
     core.paint(null, 1000);
     assert.ok(!has_ink(core, 400, 300));
     core.samples(packed([{ time: 100, x: 400, y: 300, touching: false }]));
@@ -56,8 +56,6 @@ const tests = {
     draw(core, wave(200, 400), 1000, { pressure: 0.9 });
     const svg = core.save('svg'), lines = core.save('ndjson');
     const other = await make();
-    assert.equal(other.open(svg, 'a.svg').ok, false);
-    assert.deepEqual(await other.loadFiles(), { ok: true });
     assert.deepEqual(other.open(svg, 'a.svg'), { ok: true });
     assert.deepEqual(other.save('svg'), svg);
     assert.deepEqual(other.save('ndjson'), lines);
@@ -108,37 +106,58 @@ const tests = {
     now = draw(core, wave(200, 400), now + 100);
     store();
     const other = await make();
-    assert.ok(other.needsFiles(base));
-    await other.loadFiles();
     assert.deepEqual(other.restore(base, records), { ok: true });
     assert.equal(text_of(other.save('ndjson')), text_of(core.save('ndjson')));
   },
 
-  async 'the full module continues the drawing'() {
-    const core = await make();
-    draw(core, wave(200, 200), 100);
-    core.event({ event: 'tool', id: 'pull' });
-    core.event({ event: 'option', id: 'pull.radius_mm', value: 9 });
-    let now = draw(core, [...Array(40)].map((_, i) => [300, 200 + i]), 1000);
+  async 'the full module continues the drawing of the first'() {
+    const core = await make({ isFirst: true }), whole = await make();
+    const options_of = (one) => one.catalog().tools.flatMap((tool) => tool.options.map(({ id }) => [id, one.option(id)]));
+    let records = '', now = 100;
+    const both = (act) => [core, whole].map(act);
     assert.equal(core.rebased(), true);
-    let records = core.recorded();
-    now = draw(core, wave(200, 400), now + 100);
-    const before = core.save('ndjson'), { undo, options } = core.state(), view = core.view();
-    assert.deepEqual(await core.loadFiles(), { ok: true });
-    assert.deepEqual(core.save('ndjson'), before);
-    assert.deepEqual(core.state().options, options);
-    assert.equal(core.state().undo, undo);
+    for (const y of [150, 250, 350]) {
+      both((one) => draw(one, wave(200, y), now));
+      now += 1000;
+    }
+    both((one) => one.event({ event: 'undo' }));
+    records += core.recorded();
+    both((one) => draw(one, wave(200, 400), now));
+    const state = core.state(), view = core.view();
+    assert.equal(state.strokes, 3);
+    assert.deepEqual(state, whole.state());
+    assert.deepEqual(core.pixels().data, whole.pixels().data);
+    assert.deepEqual(await core.complete(), { ok: true });
+    assert.deepEqual(core.state(), state);
+    assert.deepEqual(options_of(core), options_of(whole));
+    assert.deepEqual(core.save('ndjson'), whole.save('ndjson'));
     assert.deepEqual(core.view(), view);
     assert.equal(core.rebased(), false);
-    records += core.recorded();
-    draw(core, wave(200, 500), now + 100);
+    core.event({ event: 'tool', id: 'pull' });
+    draw(core, [...Array(40)].map((_, i) => [300, 150 + i]), now += 1000);
     records += core.recorded();
     core.event({ event: 'undo' });
     records += core.recorded();
     const other = await make();
-    assert.ok(!other.needsFiles(core.base()));
     assert.deepEqual(other.restore(core.base(), records), { ok: true });
     assert.equal(text_of(other.save('ndjson')), text_of(core.save('ndjson')));
+  },
+
+  async 'the records of the first module alone give the drawing and the options of a new one'() {
+    const core = await make({ isFirst: true }), whole = await make();
+    draw(core, wave(200, 200), 100);
+    core.rebase();
+    assert.equal(core.rebased(), true);
+    const records = core.recorded();
+    const other = await make();
+    assert.deepEqual(other.restore(core.base(), records), { ok: true });
+    for (const { id } of whole.catalog().tools.flatMap(({ options }) => options)) assert.deepEqual(other.option(id), whole.option(id), id);
+    // The options that the full module has added are stored, too.
+    other.event({ event: 'option', id: 'pull.radius_mm', value: 9 });
+    const third = await make();
+    assert.deepEqual(third.restore(core.base(), records + other.recorded()), { ok: true });
+    for (const { id } of whole.catalog().tools.flatMap(({ options }) => options)) assert.deepEqual(third.option(id), other.option(id), id);
+    assert.equal(text_of(third.save('ndjson')), text_of(other.save('ndjson')));
   },
 
   async 'the hand plays the cat'() {

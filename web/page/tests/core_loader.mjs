@@ -2,13 +2,20 @@
 import { readFileSync } from 'node:fs';
 import { runInThisContext } from 'node:vm';
 
-/** Returns createCore of the bundle. */
+/** Returns createCore of the bundle, whose cores have the full module, unless the option `isFirst` is set. */
 export function load_core(dist) {
   const load = (name, global) => runInThisContext(`${readFileSync(`${dist}/${name}`, 'utf8')}\nglobalThis.${global} = ${global};`,
     { filename: name });
   load('core.js', 'feltlineCore');
   const loadScript = async (name) => load(name, 'feltlineFull');
-  return (options) => globalThis.feltlineCore.createCore({ loadScript, ...options });
+  return async ({ isFirst = false, ...options } = {}) => {
+    const core = await globalThis.feltlineCore.createCore({ loadScript, ...options });
+    if (!isFirst) {
+      const { ok, error } = await core.complete();
+      if (!ok) throw new Error(error);
+    }
+    return core;
+  };
 }
 
 /** Packs samples { time, x, y, touching, pressure, tilt } for core.samples(). */

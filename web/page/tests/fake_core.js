@@ -36,7 +36,7 @@ globalThis.feltlineCore = {
       catalog: () => ({ version: '0', tools, surfaces: [{ id: 'paper', label: 'Paper' }], media: [{ id: 'pencil', label: 'Pencil' }],
         formats: [{ id: 'svg', extension: '.svg', saves: true, opens: true }, { id: 'ndjson', extension: '.ndjson', saves: true, opens: true }] }),
       state: () => state, option: () => 'pencil', playing: () => null, playError: () => '', setMedium: () => ({ ok: true }), rebased: () => false, recorded: () => '', base: () => null, scripts: () => [{ id: 'cat', text: '' }], play: () => ({ ok: true }),
-      loadFiles: async () => ({ ok: true }), needsFiles: () => false, restore: () => ({ ok: true }), setSize: () => ({ ok: true }), setDevice: () => ({ ok: true }),
+      isComplete: true, complete: async () => ({ ok: true }), restore: () => ({ ok: true }), setSize: () => ({ ok: true }), setDevice: () => ({ ok: true }),
     };
     return new Proxy(handler, { get: (target, name) => target[name] ?? calls[name] ?? (name === 'then' ? undefined : () => undefined) });
   },

@@ -9,7 +9,6 @@ import { load_core } from './core_loader.mjs';
 
 const [, , dist, feltline, root] = process.argv;
 const core = await load_core(dist)();
-await core.loadFiles();
 const folder = mkdtempSync(join(tmpdir(), 'feltline-fitting-'));
 const lines = readFileSync(join(root, 'share/samples/page.ndjson'), 'utf8').split('\n').filter((line) => line.includes('"points"'));
 const copies = 20, all = join(folder, 'all.ndjson');

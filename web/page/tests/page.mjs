@@ -12,8 +12,7 @@ import { Firefox, has_firefox } from './firefox.mjs';
 
 const [topic, dist_folder, picture] = process.argv.slice(2), dist = resolve(dist_folder);
 const file_url = pathToFileURL(join(dist, 'index.html')).href;
-// The aim is 350,000 bytes, which the core does not reach yet; this limit keeps it from growing.
-const kAimBytes = 350_000, kMaxBytes = 600_000;
+const kMaxBytes = 350_000;  // of what is loaded before the page is interactive
 const wave = (x0, y0, count = 40, height = 40) =>
   Array.from({ length: count }, (_, i) => [x0 + 6 * i, y0 + height * Math.sin(i / 6)]);
 
@@ -24,9 +23,11 @@ function packed(path) {
 }
 
 /** Serves the page as a web server does, with gzip. */
-async function served(use, is_missing = () => false) {
+async function served(use, is_missing = () => false, is_free = async () => {}) {
   const types = { html: 'text/html', js: 'text/javascript' };
-  const server = createServer((request, response) => {
+  const server = createServer(async (request, response) => {
+    if (request.url === '/empty') return response.writeHead(200, { 'Content-Type': 'text/html' }).end('<link rel="icon" href="data:,">');
+    await is_free(request.url);
     const path = join(dist, request.url === '/' ? 'index.html' : request.url);
     if (!existsSync(path) || is_missing(request.url)) return response.writeHead(404).end();
     response.writeHead(200, { 'Content-Type': types[path.split('.').pop()] ?? 'application/octet-stream', 'Content-Encoding': 'gzip' });
@@ -186,6 +187,42 @@ const topics = {
     });
   },
 
+  /** Before the full module is loaded, the page draws; what needs the full module is done in order when it is there. */
+  async first() {
+    let release = null;
+    const held = new Promise((done) => { release = done; });
+    await served(async (url) => {
+      await with_tab({ wait: 'first' }, async (tab) => {
+        await tab.stroke(wave(300, 300));
+        assert.equal(await strokes(tab), 1);
+        assert.ok(await dark(tab, 290, 250, 250, 100) > 200, 'the line is not on the sheet');
+        for (const [act, count] of [['undo', 0], ['redo', 1]]) {
+          await tab.run((name) => feltlinePage[name](), act);
+          assert.equal(await strokes(tab), count, act);
+        }
+        await tab.key('a');
+        await tab.stroke(Array.from({ length: 20 }, (_, i) => [420, 290 + 3 * i]));
+        await tab.run(() => { feltlinePage.use_tool('pencil'); feltlinePage.set_medium('chalk'); });
+        await tab.stroke(wave(300, 500));
+        assert.deepEqual(await tab.run(() => [feltlinePage.core.isComplete, feltlinePage.core.state().undo]), [false, 'Draw']);
+        release();
+        await tab.until(() => feltlinePage.core.isComplete && feltlinePage.core.state().strokes === 2);
+        const labels = [];
+        for (let i = 0; i < 3; ++i) {
+          labels.push(await tab.run(() => feltlinePage.core.state().undo));
+          await tab.run(() => feltlinePage.undo());
+        }
+        assert.deepEqual(labels, ['Draw', 'Pull', 'Draw']);
+        for (let i = 0; i < 3; ++i) await tab.run(() => feltlinePage.redo());
+        await stored(tab);
+        const before = await saved(tab, 'svg');
+        assert.equal(await tab.run(() => feltlinePage.core.state().medium), 'chalk');
+        await tab.reload();
+        assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a reload');
+      }, url);
+    }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
   /** A script that does not come: the page says so. */
   async missing() {
     for (const name of ['core.js', 'page.js']) {
@@ -275,6 +312,7 @@ const topics = {
         await tab.until(() => !document.querySelector('dialog'));
         await tab.stroke(wave(300, 300));
         await stored(tab);
+        is_missing = false;
         await tab.reload();
         assert.equal(await strokes(tab), 1);
         tab.errors = tab.errors.filter((text) => !/core_full\.js/.test(text));
@@ -676,7 +714,7 @@ const topics = {
     });
   },
 
-  /** What is loaded before .felt. */
+  /** What is loaded before the page is interactive, and after that. */
   async weight() {
     let sum = 0;
     for (const name of ['index.html', 'page.js', 'core.js']) {
@@ -684,7 +722,8 @@ const topics = {
       console.log(`${name.padEnd(10)} ${String(bytes).padStart(7)} bytes with gzip -9`);
       sum += bytes;
     }
-    console.log(`together   ${String(sum).padStart(7)} bytes; the aim is ${kAimBytes}`);
+    console.log(`together   ${String(sum).padStart(7)} bytes; the limit is ${kMaxBytes}`);
+    console.log(`core_full.js, which comes then: ${gzipSync(readFileSync(join(dist, 'core_full.js')), { level: 9 }).length} bytes`);
     assert.ok(sum <= kMaxBytes, `more than ${kMaxBytes} bytes`);
   },
 
@@ -760,7 +799,7 @@ const topics = {
     }
     const firefox = await Firefox.start();
     try {
-      const ready = () => firefox.until(() => Boolean(globalThis.feltlinePage?.input));
+      const ready = () => firefox.until(() => Boolean(globalThis.feltlinePage?.input && feltlinePage.core?.isComplete));
       await firefox.load(file_url);
       await ready();
       await firefox.run(() => {
@@ -807,19 +846,29 @@ const topics = {
     });
   },
 
-  /** Time until the page is interactive, at 10 Mbit/s and a CPU that is 4 times slower. Only printed. */
+  /**
+   * Time until the page is interactive and until all tools are there, at 10 Mbit/s and a CPU that is 4 times slower. Only
+   * printed. An empty page comes first, because Chromium prepares itself for some 0.5 s before its first request.
+   */
   async speed() {
     await served(async (url) => {
-      for (const [name, prepare] of [['unlimited', null], ['10 Mbit/s, 4 times slower CPU', async (tab) => {
+      for (const [name, limit] of [['unlimited', async () => {}], ['10 Mbit/s, 4 times slower CPU', async (tab) => {
         await tab.send('Network.emulateNetworkConditions', { offline: false, latency: 0, downloadThroughput: 1.25e6, uploadThroughput: 1.25e6 });
         await tab.send('Emulation.setCPUThrottlingRate', { rate: 4 });
       }]]) {
+        const prepare = async (tab) => {
+          await tab.load(`${url}empty`, false);
+          await limit(tab);
+        };
         for (let i = 0; i < 3; ++i) {
-          await with_tab({ prepare }, async (tab) => {
+          await with_tab({ prepare, wait: 'first' }, async (tab) => {
+            await tab.until(() => performance.getEntriesByName('complete').length > 0);
             const times = await tab.run(() => ({
               paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
-              interactive: performance.getEntriesByName('interactive')[0].startTime }));
-            console.log(`${name}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms`);
+              interactive: performance.getEntriesByName('interactive')[0].startTime,
+              complete: performance.getEntriesByName('complete')[0].startTime }));
+            console.log(`${name}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms, ` +
+              `all tools ${times.complete.toFixed(0)} ms`);
           }, url);
         }
       }

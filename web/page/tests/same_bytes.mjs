@@ -48,7 +48,6 @@ function scripts() {
 }
 
 const core = await createCore();
-await core.loadFiles();
 const counts = { same: 0, close: 0, other: [], refused: 0 };
 let largest = 0, drawn = 0;
 for (const script of scripts()) {

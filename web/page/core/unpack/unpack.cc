@@ -15,7 +15,7 @@ using Prob = std::uint16_t;
 
 /// Reads bits of an adaptive binary range code.
 struct Decoder {
-  const std::uint8_t* in;
+  const std::uint8_t* in = nullptr;
   std::uint32_t range = 0xFFFFFFFFU, code = 0;
 
   void normalise() {
@@ -156,38 +156,91 @@ unsigned match(Decoder& from, History& history, unsigned position) {
   return length + 2;
 }
 
+/// A file that is being unpacked.
+struct Job {
+  Decoder from;
+  History history;
+  std::uint8_t* out = nullptr;
+  std::size_t size = 0, at = 0;
+  unsigned position_mask = 0, literal_mask = 0, literal_bits = 0;
+};
+Job job;
+
+void read_literal() {
+  History& history = job.history;
+  std::uint8_t* const out = job.out;
+  const std::size_t at = job.at;
+  const unsigned before = at > 0 ? out[at - 1] : 0;
+  const unsigned context = ((static_cast<unsigned>(at) & job.literal_mask) << job.literal_bits) +
+                           (before >> (8 - job.literal_bits));
+  const bool after_match = !history.after_literal();
+  const unsigned match_byte = after_match ? out[at - history.rep[0] - 1] : 0;
+  Prob* const probs = tables.literals + std::size_t{0x300} * context;
+  out[job.at++] = static_cast<std::uint8_t>(literal(job.from, probs, match_byte, after_match));
+  history.state = history.state < 4    ? 0
+                  : history.state < 10 ? history.state - 3
+                                       : history.state - 6;
+}
+
 }  // namespace
 
-/// Unpacks a .lzma file to `size` bytes. Returns 1 on success. Does not check the packed bytes,
-/// which come with the page.
-extern "C" __attribute__((export_name("unpack"))) int unpack(const std::uint8_t* packed,
-                                                             std::uint8_t* out, std::size_t size) {
+/// Replaces base64 text by its bytes, in place. The text has only letters of base64, and = at the
+/// end. JavaScript copies a text into memory fast, but reads its letters slowly.
+extern "C" __attribute__((export_name("decode"))) void decode(std::uint8_t* text,
+                                                              std::size_t size) {
+  std::uint8_t* out = text;
+  for (std::size_t i = 0; i + 4 <= size; i += 4) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = i; k < i + 4; ++k) {
+      const std::uint32_t c = text[k];
+      const std::uint32_t value = c >= 'a'   ? c - 'a' + 26
+                                  : c >= 'A' ? c - 'A'
+                                  : c >= '0' ? c - '0' + 52
+                                             : (c == '+' ? 62 : 63);
+      bits = bits << 6U | (value & 63U);
+    }
+    *out++ = static_cast<std::uint8_t>(bits >> 16U);
+    *out++ = static_cast<std::uint8_t>(bits >> 8U);
+    *out++ = static_cast<std::uint8_t>(bits);
+  }
+}
+
+/// Begins to unpack a .lzma file to `size` bytes. Returns 1 on success. Does not check the packed
+/// bytes, which come with the page.
+extern "C" __attribute__((export_name("begin"))) int begin(const std::uint8_t* packed,
+                                                           std::uint8_t* out, std::size_t size) {
   const unsigned props = packed[0];
   const unsigned lc = props % 9, lp = props / 9 % 5, pb = props / 45;
   if (lc + lp > 4 || pb > 4) return 0;
-  const unsigned position_mask = (1U << pb) - 1, literal_mask = (1U << lp) - 1;
   reset();
-  Decoder from{packed + kHeaderBytes + 1};
-  for (int i = 0; i < 4; ++i) from.code = from.code << 8U | *from.in++;
-  History history;
-  for (std::size_t at = 0; at < size;) {
-    const auto place = static_cast<unsigned>(at);
-    const unsigned position = place & position_mask;
-    if (from.bit(tables.is_match[history.state][position]) == 0) {
-      const unsigned before = at > 0 ? out[at - 1] : 0;
-      const unsigned context = ((place & literal_mask) << lc) + (before >> (8 - lc));
-      const bool after_match = !history.after_literal();
-      const unsigned match_byte = after_match ? out[at - history.rep[0] - 1] : 0;
-      Prob* const probs = tables.literals + std::size_t{0x300} * context;
-      out[at++] = static_cast<std::uint8_t>(literal(from, probs, match_byte, after_match));
-      history.state = history.state < 4    ? 0
-                      : history.state < 10 ? history.state - 3
-                                           : history.state - 6;
+  job = {};
+  job.out = out;
+  job.size = size;
+  job.position_mask = (1U << pb) - 1;
+  job.literal_mask = (1U << lp) - 1;
+  job.literal_bits = lc;
+  job.from.in = packed + kHeaderBytes + 1;
+  for (int i = 0; i < 4; ++i) job.from.code = job.from.code << 8U | *job.from.in++;
+  return 1;
+}
+
+/// Unpacks at least `count` more bytes, or the rest. Returns the number of all unpacked bytes, or 0
+/// if the file is damaged. The caller calls it in parts, because an engine can only replace the
+/// code of a function by faster code between two calls.
+extern "C" __attribute__((export_name("unpack"))) std::size_t unpack(std::size_t count) {
+  const std::size_t end = count < job.size - job.at ? job.at + count : job.size;
+  while (job.at < end) {
+    const unsigned position = static_cast<unsigned>(job.at) & job.position_mask;
+    if (job.from.bit(tables.is_match[job.history.state][position]) == 0) {
+      read_literal();
       continue;
     }
-    unsigned length = match(from, history, position);
-    if (history.rep[0] >= at) return 0;  // also at the mark of the end
-    for (; length > 0 && at < size; --length, ++at) out[at] = out[at - history.rep[0] - 1];
+    unsigned length = match(job.from, job.history, position);
+    const std::size_t distance = std::size_t{job.history.rep[0]} + 1;
+    if (distance > job.at) return 0;  // also at the mark of the end
+    for (; length > 0 && job.at < job.size; --length, ++job.at) {
+      job.out[job.at] = job.out[job.at - distance];
+    }
   }
-  return 1;
+  return job.at;
 }
