@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-constexpr double kShapeWeight = 0.6, kLengthWeight = 0.35, kTurningWeight = 0.1, kOrderWeight = 0.1;
+constexpr double kShapeWeight = 0.6, kLengthWeight = 0.35, kTurningWeight = 0.1, kOrderWeight = 0.2;
 /// The mean distance of the points of a straight line from its middle, per length: with this, the
 /// difference of two shapes is relative to their size.
 constexpr double kSizeOfLength = 0.25;

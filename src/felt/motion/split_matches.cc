@@ -16,6 +16,8 @@ constexpr double kSplitGain = 0.08;
 constexpr double kMaxGapShare = 0.35;
 /// ... and each half must be at least this share of it.
 constexpr double kMinHalfShare = 0.08;
+/// A split costs at most this share of the limit.
+constexpr double kMaxSplitShare = 0.5;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// One stroke, and the two of the other drawing that it is or was.
@@ -119,7 +121,7 @@ class SplitFinder {
       line.insert(line.end(), rest.begin(), rest.end());
       const MatchCost cost = match_cost(one_.shapes[whole], shape_of(line), scale_, 0.0, limit_);
       const double gain = present - left - cost.cost;
-      if (best && gain <= best->gain) continue;
+      if (cost.cost > kMaxSplitShare * limit_ || (best && gain <= best->gain)) continue;
       // If the whole stroke runs the other way, so do the halves, and the second one comes first.
       if (cost.pairing.reversed) {
         best = SplitPair{whole, b, a, !turn_b, !turn_a, cost.cost, gain};

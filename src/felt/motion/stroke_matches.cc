@@ -16,12 +16,14 @@ namespace {
 
 /// The distance that costs 1, as a share of the diagonal of the drawing.
 constexpr double kReachShare = 0.2;
-constexpr int kMatchRounds = 3;
+constexpr int kMatchRounds = 8;
 /// The cost from which two strokes do not belong together: in the first round, and later this
 /// multiple of the usual cost and more.
 constexpr double kFirstLimit = 1.2, kUsualFactor = 5.0, kMinLimit = 0.45;
-/// How far the neighbours tell where a stroke goes: the share of the distance that they explain.
-constexpr double kNeighbourShare = 0.8;
+/// The weight of the motion of the whole drawing in the motion of a stroke's neighbours.
+constexpr double kWholeWeight = 0.02;
+/// Matches that cost less than this count fully when the motion of neighbours is estimated.
+constexpr double kSureCost = 0.2;
 
 std::vector<StrokeShape> shapes_of(std::span<const StrokePtr> strokes) {
   std::vector<StrokeShape> shapes;
@@ -57,14 +59,13 @@ class StrokeMatcher {
   Correspondence match() {
     motion_ = estimate_group_motion(from_, to_);
     scale_.reach_mm = std::max(kReachShare * std::max(diagonal_mm(from_), diagonal_mm(to_)), 1.0);
-    shifts_.assign(from_.size(), {});
+    local_.assign(from_.size(), motion_);
     for (int round = 0; round < kMatchRounds; ++round) {
       move_shapes();
       assign();
       if (round + 1 == kMatchRounds) break;
       refine_motion();
-      move_shapes();
-      find_shifts();
+      find_local_motions();
       choose_limit();
     }
     return result();
@@ -73,12 +74,7 @@ class StrokeMatcher {
  private:
   void move_shapes() {
     there_.clear();
-    for (std::size_t i = 0; i < from_.size(); ++i) {
-      StrokeShape shape = moved(motion_, from_[i]);
-      for (Point& p : shape.points) p += shifts_[i];
-      shape.centre += shifts_[i];
-      there_.push_back(shape);
-    }
+    for (std::size_t i = 0; i < from_.size(); ++i) there_.push_back(moved(local_[i], from_[i]));
   }
 
   void assign() {
@@ -121,24 +117,39 @@ class StrokeMatcher {
     }
     // Few strokes do not tell a motion of the whole from motions of their own.
     if (pairs.size() >= 8) motion_ = fit_robust_similarity(pairs, motion_);
+    moved_.clear();
+    for (const StrokeShape& shape : from_) {
+      const StrokeShape there = moved(motion_, shape);
+      for (std::size_t p = 0; p < kShapePoints; p += (kShapePoints - 1) / 2) {
+        moved_.push_back(there.points[p]);
+      }
+    }
   }
 
-  /// Sets for each stroke how its neighbours moved in addition to the drawing.
-  void find_shifts() {
-    const double near = 0.25 * scale_.reach_mm;
+  /// Estimates for each stroke how its neighbours moved: the similarity that fits their points best,
+  /// weighted by the inverse fourth power of their distance (moving least squares; Schaefer, McPhail
+  /// and Warren, 2006, doi:10.1145/1141911.1141920). The stroke itself does not count.
+  void find_local_motions() {
+    constexpr std::size_t kStep = (kShapePoints - 1) / 2;
+    const double near = 0.1 * scale_.reach_mm;
+    std::vector<PointPair> pairs;
     for (std::size_t i = 0; i < from_.size(); ++i) {
-      shifts_[i] = {};
-      const Point at = moved(motion_, from_[i].centre);
-      Vec sum{};
-      double weights = 1e-3 / (near * near);
+      pairs.clear();
+      const Point at = from_[i].centre;
       for (std::size_t k = 0; k < from_.size(); ++k) {
-        if (k == i || partner_[k] == kUnassigned) continue;
-        const Point other = moved(motion_, from_[k].centre);
-        const double weight = 1.0 / (distance_squared(at, other) + near * near);
-        sum += weight * (to_[static_cast<std::size_t>(partner_[k])].centre - other);
-        weights += weight;
+        if (k == i) continue;
+        for (std::size_t p = 0; p < kShapePoints; p += kStep) {
+          const Point from = from_[k].points[p];
+          const double apart = distance_squared(at, from) + near * near;
+          const double weight = near * near / (apart * apart);
+          pairs.push_back({from, moved_[3 * k + p / kStep], kWholeWeight * weight});
+          if (partner_[k] == kUnassigned) continue;
+          const double sure = kSureCost / std::max(costs_[k], kSureCost);
+          const StrokeShape& to = to_[static_cast<std::size_t>(partner_[k])];
+          pairs.push_back({from, paired_point(to, pairings_[k], p), weight * sure});
+        }
       }
-      shifts_[i] = (kNeighbourShare / weights) * sum;
+      local_[i] = fit_similarity(pairs).value_or(motion_);
     }
   }
 
@@ -185,7 +196,7 @@ class StrokeMatcher {
     SplitSide from{there_, {}}, to{to_, {}};
     for (std::size_t i = 0; i < from_.size(); ++i) {
       from.lines.push_back(coarse_line(*from_strokes_[i]));
-      for (Point& p : from.lines.back()) p = moved(motion_, p) + shifts_[i];
+      for (Point& p : from.lines.back()) p = moved(local_[i], p);
     }
     for (const StrokePtr& stroke : to_strokes_) to.lines.push_back(coarse_line(*stroke));
     match_split_strokes(from, to, scale_, limit_, matches);
@@ -205,7 +216,8 @@ class StrokeMatcher {
   Similarity motion_;
   MatchScale scale_;
   double limit_ = kFirstLimit;
-  std::vector<Vec> shifts_;
+  std::vector<Similarity> local_;  // the motion of each stroke, as its neighbours tell
+  std::vector<Point> moved_;       // three points of each stroke, moved with the whole drawing
   std::vector<std::int32_t> partner_;
   std::vector<double> costs_;
   std::vector<ShapePairing> pairings_;
