@@ -89,7 +89,8 @@ double Ease::at(double time) const noexcept {
                                      [](double t, const Knot& k) { return t < k.time; });
   const Knot &from = *(next - 1), &to = *next;
   const double share = (time - from.time) / (to.time - from.time);
-  return (1.0 - share) * from.progress + share * to.progress;
+  // In this form, rounding cannot make it go back.
+  return std::min(from.progress + share * (to.progress - from.progress), to.progress);
 }
 
 }  // namespace felt

@@ -31,16 +31,19 @@ MatchCost match_cost(const StrokeShape& a, const StrokeShape& b, const MatchScal
                      double rank_difference, double limit) noexcept {
   // The mean distance of points is at least the distance of their means.
   const double apart = distance(a.centre, b.centre) / scale.reach_mm;
-  if (apart >= limit) return {apart, {}};
-  MatchCost result{0.0, pair_shapes(a, b)};
   const double dot = kDotShare * scale.reach_mm;
+  const double fixed =
+      kLengthWeight * std::fabs(std::log((a.length_mm + dot) / (b.length_mm + dot))) +
+      kOrderWeight * rank_difference;
+  if (apart + fixed >= limit) return {apart + fixed, {}};
+  MatchCost result{0.0, pair_shapes(a, b, (limit - fixed) * scale.reach_mm)};
+  result.cost = result.pairing.distance_mm / scale.reach_mm + fixed;
+  if (result.cost >= limit) return result;
   const double size = std::max(0.5 * kSizeOfLength * (a.length_mm + b.length_mm), dot);
   const double turning = result.pairing.reversed ? -b.turning_rad : b.turning_rad;
   const double turned = std::fabs(a.turning_rad - turning) / std::numbers::pi;
-  result.cost = result.pairing.distance_mm / scale.reach_mm +
-                kShapeWeight * shape_difference(a, b, result.pairing) / size +
-                kLengthWeight * std::fabs(std::log((a.length_mm + dot) / (b.length_mm + dot))) +
-                kTurningWeight * std::min(turned, 2.0) + kOrderWeight * rank_difference;
+  result.cost += kShapeWeight * shape_difference(a, b, result.pairing) / size +
+                 kTurningWeight * std::min(turned, 2.0);
   return result;
 }
 

@@ -16,7 +16,9 @@ namespace {
 
 /// The distance that costs 1, as a share of the diagonal of the drawing.
 constexpr double kReachShare = 0.2;
-constexpr int kMatchRounds = 8;
+constexpr int kMatchRounds = 8, kMinMatchRounds = 2;
+/// The neighbours of a stroke that tell how it moved.
+constexpr std::size_t kNeighbours = 24;
 /// The cost from which two strokes do not belong together: in the first round, and later this
 /// multiple of the usual cost and more.
 constexpr double kFirstLimit = 1.2, kUsualFactor = 5.0, kMinLimit = 0.45;
@@ -60,10 +62,13 @@ class StrokeMatcher {
     motion_ = estimate_group_motion(from_, to_);
     scale_.reach_mm = std::max(kReachShare * std::max(diagonal_mm(from_), diagonal_mm(to_)), 1.0);
     local_.assign(from_.size(), motion_);
-    for (int round = 0; round < kMatchRounds; ++round) {
+    find_neighbours();
+    for (int round = 1; round <= kMatchRounds; ++round) {
+      const std::vector<std::int32_t> before = partner_;
       move_shapes();
       assign();
-      if (round + 1 == kMatchRounds) break;
+      const bool is_settled = round > kMinMatchRounds && before == partner_;
+      if (is_settled || round == kMatchRounds) break;
       refine_motion();
       find_local_motions();
       choose_limit();
@@ -126,6 +131,20 @@ class StrokeMatcher {
     }
   }
 
+  void find_neighbours() {
+    std::vector<std::pair<double, std::size_t>> near;
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+      near.clear();
+      for (std::size_t k = 0; k < from_.size(); ++k) {
+        if (k != i) near.emplace_back(distance_squared(from_[i].centre, from_[k].centre), k);
+      }
+      const std::size_t kept = std::min(near.size(), kNeighbours);
+      std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
+      neighbours_.emplace_back();
+      for (std::size_t k = 0; k < kept; ++k) neighbours_.back().push_back(near[k].second);
+    }
+  }
+
   /// Estimates for each stroke how its neighbours moved: the similarity that fits their points best,
   /// weighted by the inverse fourth power of their distance (moving least squares; Schaefer, McPhail
   /// and Warren, 2006, doi:10.1145/1141911.1141920). The stroke itself does not count.
@@ -136,8 +155,7 @@ class StrokeMatcher {
     for (std::size_t i = 0; i < from_.size(); ++i) {
       pairs.clear();
       const Point at = from_[i].centre;
-      for (std::size_t k = 0; k < from_.size(); ++k) {
-        if (k == i) continue;
+      for (const std::size_t k : neighbours_[i]) {
         for (std::size_t p = 0; p < kShapePoints; p += kStep) {
           const Point from = from_[k].points[p];
           const double apart = distance_squared(at, from) + near * near;
@@ -217,6 +235,7 @@ class StrokeMatcher {
   MatchScale scale_;
   double limit_ = kFirstLimit;
   std::vector<Similarity> local_;  // the motion of each stroke, as its neighbours tell
+  std::vector<std::vector<std::size_t>> neighbours_;
   std::vector<Point> moved_;       // three points of each stroke, moved with the whole drawing
   std::vector<std::int32_t> partner_;
   std::vector<double> costs_;

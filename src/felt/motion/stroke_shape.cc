@@ -72,10 +72,10 @@ StrokeShape shape_of(const Stroke& stroke) {
   return shape;
 }
 
-ShapePairing pair_shapes(const StrokeShape& a, const StrokeShape& b) noexcept {
+ShapePairing pair_shapes(const StrokeShape& a, const StrokeShape& b, double limit_mm) noexcept {
   // A start on a closed shape is one of b; if only a is closed, shifting b cyclically is the same.
   const std::size_t shifts = a.closed || b.closed ? kShapePoints : 1;
-  ShapePairing best{mean_distance(a, b, 0, 1, 1e300), false, 0};
+  ShapePairing best{mean_distance(a, b, 0, 1, limit_mm), false, 0};
   for (std::size_t shift = 0; shift < shifts; ++shift) {
     const double same = mean_distance(a, b, shift, 1, best.distance_mm);
     if (same < best.distance_mm) best = {same, false, shift};

@@ -39,8 +39,10 @@ struct ShapePairing {
 };
 
 /// Returns the best pairing of two shapes at their positions. Tries both directions, and if a shape
-/// is closed, all starts on it.
-ShapePairing pair_shapes(const StrokeShape& a, const StrokeShape& b) noexcept;
+/// is closed, all starts on it. If every pairing is worse than `limit_mm`, returns any of them, with a
+/// distance of at least the limit.
+ShapePairing pair_shapes(const StrokeShape& a, const StrokeShape& b,
+                         double limit_mm = 1e300) noexcept;
 
 /// Returns point i of `b` in the order of a pairing.
 Point paired_point(const StrokeShape& b, const ShapePairing& pairing, std::size_t i) noexcept;
