@@ -53,7 +53,7 @@ def strokes():
     mouth = bezier((0.5, 1), (4, 2.5), (7, 2.5), (9, 1))
     lines = [(back, 0.5), (belly, 0.5), (tail, 0.5), (dorsal, 0.4), (fin, 0.4), (gill, 0.3), (mouth, 0.35),
              (arc(11, -4, 2.6, 2.6, -90, 270), 0.4), (arc(11.2, -4, 0.7, 0.7, 0, 360, 16), 0.7)]
-    for i in range(5):
+    for i in range(4):
         lines.append((arc(34 + 7.5 * i, -5 + 0.8 * (i % 2), 3.5, 4.6, -70, 70, 16), 0.25))
     for i in range(4):
         lines.append((arc(38 + 7.5 * i, 3.5, 3.2, 4.2, -70, 70, 16), 0.25))
