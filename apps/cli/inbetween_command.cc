@@ -46,10 +46,11 @@ void add_film_options(CLI::App& command, InbetweenArguments& args) {
   command.add_option("--frames", args.frames, "In-betweens from one key drawing to the next")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command.add_option("--ease", args.ease,
-                     "Speed of the motion: linear, ease, ease-in, ease-out, ease-in-out, four\n"
-                     "numbers as of CSS cubic-bezier (0.4,0,0.6,1), or a drawing whose first stroke\n"
-                     "goes from the start (time 0) to the end")
+  command
+      .add_option("--ease", args.ease,
+                  "Speed of the motion: linear, ease, ease-in, ease-out, ease-in-out, four\n"
+                  "numbers as of CSS cubic-bezier (0.4,0,0.6,1), or a drawing whose first stroke\n"
+                  "goes from the start (time 0) to the end")
       ->capture_default_str();
   command
       .add_option("--hold", args.hold, "Frames for which an animated .svg shows each key drawing")
@@ -68,17 +69,19 @@ void add_options(CLI::App& command, InbetweenArguments& args) {
       ->required()
       ->expected(2, 1000);
   command
-      .add_option("-o,--output", args.output,
-                  "Numbered files such as walk-%03d.svg, a folder, or one animated .svg. Formats of\n"
-                  "numbered files: " +
-                      writable_names())
+      .add_option(
+          "-o,--output", args.output,
+          "Numbered files such as walk-%03d.svg, a folder, or one animated .svg. Formats of\n"
+          "numbered files: " +
+              writable_names())
       ->required();
   command.add_option("--to", args.to,
                      "Format of the files; the default is set by the file extension, in a folder "
                      "svg");
-  command.add_option("--pair", args.pairs,
-                     "These strokes belong together, whatever they look like: FROM:TO with the ids\n"
-                     "of --matches, such as 3:5; 3:none: without partner; 2:3:5: in the second step");
+  command.add_option(
+      "--pair", args.pairs,
+      "These strokes belong together, whatever they look like: FROM:TO with the ids\n"
+      "of --matches, such as 3:5; 3:none: without partner; 2:3:5: in the second step");
   command.add_option("--matches", args.matches,
                      "Also write which strokes belong together, as .csv");
   command
@@ -243,8 +246,8 @@ Result<void> FilmMaker::make_step(std::size_t step) {
 Result<void> FilmMaker::make() {
   for (const PairArgument& pair : pairs_) {
     if (pair.step + 2 > keys_.size()) {
-      return fail(ErrorCode::kInvalidArgument, fmt::format("--pair: there are only {} steps",
-                                                           keys_.size() - 1));
+      return fail(ErrorCode::kInvalidArgument,
+                  fmt::format("--pair: there are only {} steps", keys_.size() - 1));
     }
   }
   find_area();
@@ -263,11 +266,12 @@ Result<void> FilmMaker::finish() {
     if (picture_.paper) options.paper = *picture_.paper;
     if (!picture_.paper && first.has_page) options.paper = first.page.paper;
     options.frames_per_second = args_.rate;
-    const Result<void> written = svg_animated_text(pictures_, options)
-                                     .and_then([&](const std::string& text) {
-                                       return Output::create(args_.output).and_then(
-                                           [&](Output out) { return out.write_all(text); });
-                                     });
+    const Result<void> written =
+        svg_animated_text(pictures_, options).and_then([&](const std::string& text) {
+          return Output::create(args_.output).and_then([&](Output out) {
+            return out.write_all(text);
+          });
+        });
     if (!written) return written;
   }
   if (args_.matches.empty()) return {};
@@ -279,9 +283,8 @@ void run_inbetween(const InbetweenArguments& args, Console& console) {
     throw UsageError("-o - and --matches - cannot both use stdout");
   }
   FilmOutput output = film_output(args);
-  check_no_overwrite(args.inputs, {{"-o", output.names ? "" : args.output},
-                                   {"--matches", args.matches}},
-                     console);
+  check_no_overwrite(
+      args.inputs, {{"-o", output.names ? "" : args.output}, {"--matches", args.matches}}, console);
   std::vector<PairArgument> pairs;
   for (const std::string& text : args.pairs) {
     Result<PairArgument> pair = parse_pair(text);
@@ -304,11 +307,11 @@ void add_inbetween_command(CLI::App& app, Console& console) {
       app.add_subcommand("inbetween", "Make the drawings between two or more key drawings");
   const auto args = std::make_shared<InbetweenArguments>();
   add_options(*command, *args);
-  command->footer(
-      examples("feltline inbetween fish-1.svg fish-2.svg -o swim-%03d.svg --frames 12\n"
-               "feltline inbetween fish-1.svg fish-2.svg fish-1.svg -o swim.svg --ease ease-in-out\n"
-               "feltline inbetween a.felt b.felt -o frames/ --to png --keys --dpi 96\n"
-               "feltline inbetween a.felt b.felt -o ab.svg --pair 3:5 --matches matches.csv"));
+  command->footer(examples(
+      "feltline inbetween fish-1.svg fish-2.svg -o swim-%03d.svg --frames 12\n"
+      "feltline inbetween fish-1.svg fish-2.svg fish-1.svg -o swim.svg --ease ease-in-out\n"
+      "feltline inbetween a.felt b.felt -o frames/ --to png --keys --dpi 96\n"
+      "feltline inbetween a.felt b.felt -o ab.svg --pair 3:5 --matches matches.csv"));
   command->callback([args, &console] { run_inbetween(*args, console); });
 }
 

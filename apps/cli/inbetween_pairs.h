@@ -11,8 +11,8 @@
 
 namespace felt::cli {
 
-/// A value of --pair: "3:5", "s3:s5", "3:none", or "2:3:5" for the step from the second to the third
-/// key drawing. Strokes are named by their ids, as in the table of --matches.
+/// A value of --pair: "3:5", "s3:s5", "3:none", or "2:3:5" for the step from the second to the
+/// third key drawing. Strokes are named by their ids, as in the table of --matches.
 struct PairArgument {
   std::size_t step = 0;  ///< 0: from the first to the second key drawing
   std::string from, to;  ///< "none": no stroke

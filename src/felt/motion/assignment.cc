@@ -49,8 +49,8 @@ class BlockSolver {
     flip(start, sink);
   }
 
-  /// Shortens the paths to the open columns through `row`; returns the place of the nearest of them,
-  /// if possible one without a row.
+  /// Shortens the paths to the open columns through `row`; returns the place of the nearest of
+  /// them, if possible one without a row.
   std::size_t relax(std::int32_t row, double least) {
     const auto r = static_cast<std::size_t>(row);
     std::size_t best = 0;
@@ -97,7 +97,8 @@ class BlockSolver {
   std::vector<std::int32_t> row_of_, column_of_, from_, open_, closed_;
 };
 
-/// Sets of rows (0 to rows - 1) and columns (from `rows` on) that are linked by pairs below the limit.
+/// Sets of rows (0 to rows - 1) and columns (from `rows` on) that are linked by pairs below the
+/// limit.
 class Blocks {
  public:
   Blocks(const CostTable& table, float limit) : parent_(table.rows + table.columns) {

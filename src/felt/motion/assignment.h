@@ -23,8 +23,8 @@ struct CostTable {
 inline constexpr std::int32_t kUnassigned = -1;
 
 /// Assigns rows to columns, each at most once, so that the sum of the costs is minimal, and returns
-/// the column of each row. A pair that would cost `limit` or more stays unassigned; this is the same
-/// as paying limit / 2 for each row and each column without a partner.
+/// the column of each row. A pair that would cost `limit` or more stays unassigned; this is the
+/// same as paying limit / 2 for each row and each column without a partner.
 ///
 /// Pairs below the limit divide the table into independent blocks. Each block is solved by shortest
 /// augmenting paths: Jonker and Volgenant, "A shortest augmenting path algorithm for dense and

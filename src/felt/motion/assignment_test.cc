@@ -47,7 +47,8 @@ double least_cost(const CostTable& table, double limit, std::size_t row, std::ve
 }
 
 RC_GTEST_PROP(Assignment, CostsAsLittleAsTheBestOfAllAssignments, ()) {
-  const auto rows = *rc::gen::inRange<std::size_t>(0, 6), columns = *rc::gen::inRange<std::size_t>(0, 6);
+  const auto rows = *rc::gen::inRange<std::size_t>(0, 6),
+             columns = *rc::gen::inRange<std::size_t>(0, 6);
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const int values = *rc::gen::element(3, 10, 100000);
   const CostTable table = random_table(rows, columns, seed, values);

@@ -38,7 +38,8 @@ std::vector<Anchor> anchors_of(const Stroke& a, const Stroke& b, const StepLengt
   return anchors;
 }
 
-/// Returns where an arc length lies between anchors: the number of the interval, and the share in it.
+/// Returns where an arc length lies between anchors: the number of the interval, and the share in
+/// it.
 double place_between(const std::vector<Anchor>& anchors, double Anchor::*side, double mm) noexcept {
   std::size_t i = 0;
   while (i + 2 < anchors.size() && mm >= anchors[i + 1].*side) ++i;
@@ -69,9 +70,8 @@ std::vector<PlacedJoint> joints_of(const Stroke& a, const Stroke& b, const StepL
   for (int i = 1; i < b.segment_count(); ++i) {
     joints.push_back({place_between(anchors, &Anchor::b, b_lengths.length_at(i)), 0, i});
   }
-  std::stable_sort(joints.begin(), joints.end(), [](const PlacedJoint& x, const PlacedJoint& y) {
-    return x.place < y.place;
-  });
+  std::stable_sort(joints.begin(), joints.end(),
+                   [](const PlacedJoint& x, const PlacedJoint& y) { return x.place < y.place; });
   return joints;
 }
 
@@ -92,8 +92,8 @@ std::vector<PlacedJoint> snapped(const std::vector<PlacedJoint>& joints, double 
       result.push_back(now);
       continue;
     }
-    result.push_back({0.5 * (now.place + next.place), now.a_joint + next.a_joint,
-                      now.b_joint + next.b_joint});
+    result.push_back(
+        {0.5 * (now.place + next.place), now.a_joint + next.a_joint, now.b_joint + next.b_joint});
     ++i;
   }
   return result;
@@ -110,8 +110,7 @@ CommonPieces common_pieces(const Stroke& a, const Stroke& b) {
     pieces.a_u.push_back(std::max(a_u, pieces.a_u.back()));
     pieces.b_u.push_back(std::max(b_u, pieces.b_u.back()));
   };
-  for (const PlacedJoint& joint :
-       snapped(joints_of(a, b, a_lengths, b_lengths, anchors), end)) {
+  for (const PlacedJoint& joint : snapped(joints_of(a, b, a_lengths, b_lengths, anchors), end)) {
     const auto u_on = [&](int own, const StepLengths& lengths, double Anchor::*side) {
       return own > 0 ? own : lengths.u_at(length_between(anchors, side, joint.place));
     };

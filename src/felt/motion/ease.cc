@@ -36,8 +36,8 @@ Result<Ease> Ease::cubic(double x1, double y1, double x2, double y2) {
   std::vector<Knot> knots{{0.0, 0.0}};
   for (int i = 1; i < kEaseSteps; ++i) {
     const Point p = evaluate(curve, static_cast<double>(i) / kEaseSteps);
-    knots.push_back({std::clamp(p.x, knots.back().time, 1.0),
-                     std::clamp(p.y, knots.back().progress, 1.0)});
+    knots.push_back(
+        {std::clamp(p.x, knots.back().time, 1.0), std::clamp(p.y, knots.back().progress, 1.0)});
   }
   knots.push_back({1.0, 1.0});
   return Ease(std::move(knots));

@@ -22,8 +22,8 @@ class Ease {
   /// the one of four numbers separated by commas. Fails if the text is neither.
   static Result<Ease> parse(std::string_view text);
   /// Makes the motion that a line shows: time from its first to its last point in x, progress in y,
-  /// upwards on the page or downwards. Where the line goes back, the motion waits. Fails if the ends
-  /// of the line have the same x or y, or a coordinate is not finite.
+  /// upwards on the page or downwards. Where the line goes back, the motion waits. Fails if the
+  /// ends of the line have the same x or y, or a coordinate is not finite.
   static Result<Ease> drawn(std::span<const Point> line);
 
   /// Returns the progress at a share of the time, which is clamped to 0..1. Exactly 0 at 0 and 1 at

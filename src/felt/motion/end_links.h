@@ -40,12 +40,12 @@ struct EndLinks {
   std::vector<EndOnLine> on_lines;  ///< in the order of their blends
 };
 
-/// Finds the ends that touch other ends or lines in both key drawings: their ink overlaps, or nearly.
-/// Takes quadratic time in the number of blends.
+/// Finds the ends that touch other ends or lines in both key drawings: their ink overlaps, or
+/// nearly. Takes quadratic time in the number of blends.
 EndLinks find_end_links(std::span<const LinkedBlend> blends);
 
-/// Moves the ends of all poses, one for each blend at the time t, to where they are held. An end in a
-/// cluster is held at the mean of the cluster's ends, an end on a line at that line.
+/// Moves the ends of all poses, one for each blend at the time t, to where they are held. An end in
+/// a cluster is held at the mean of the cluster's ends, an end on a line at that line.
 void hold_ends(std::span<const LinkedBlend> blends, const EndLinks& links, double t,
                std::span<BlendPose> poses);
 

@@ -112,8 +112,7 @@ struct Inbetween::Plan {
   [[nodiscard]] Document document_at(double t) const;
 };
 
-void Inbetween::Plan::add_lone(const KeyStrokes& a, const KeyStrokes& b,
-                               const StrokeMatch& match) {
+void Inbetween::Plan::add_lone(const KeyStrokes& a, const KeyStrokes& b, const StrokeMatch& match) {
   const bool appears = !match.from;
   const KeyStrokes& key = appears ? b : a;
   const std::size_t i = appears ? *match.to : *match.from;

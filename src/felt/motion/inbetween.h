@@ -39,9 +39,9 @@ KeyStrokes key_strokes(const Document& document);
 ///
 /// Matched strokes change their shape (StrokeBlend), and ends that touch in both drawings stay
 /// together. Fills fade over and move with the drawing. The in-betweens have the page, the layers
-/// and the guides of the first drawing; a stroke that only the second one has is in the layer of the
-/// same name or, without such a layer, in the highest visible one. Hidden layers are empty. Strokes
-/// are numbered anew.
+/// and the guides of the first drawing; a stroke that only the second one has is in the layer of
+/// the same name or, without such a layer, in the highest visible one. Hidden layers are empty.
+/// Strokes are numbered anew.
 ///
 /// Immutable, so several threads may use it. Keeps the strokes of both drawings.
 class Inbetween {
@@ -53,8 +53,8 @@ class Inbetween {
   Inbetween& operator=(Inbetween&&) noexcept;
   ~Inbetween();
 
-  /// Returns the drawing at t, 0..1. At 0 (or less, or NaN) it is the first key drawing, and at 1 (or
-  /// more) the second one, unchanged.
+  /// Returns the drawing at t, 0..1. At 0 (or less, or NaN) it is the first key drawing, and at 1
+  /// (or more) the second one, unchanged.
   [[nodiscard]] Drawing at(double t) const;
   /// Returns the strokes of at(t) in drawing order, without their layers. Requires 0 < t < 1.
   [[nodiscard]] std::vector<StrokePtr> strokes_at(double t) const;

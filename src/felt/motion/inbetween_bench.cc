@@ -18,8 +18,8 @@ Keys keys_of(std::size_t count) {
           testing::drawing_of(testing::moved_strokes(strokes, motion, 0.4, 2))};
 }
 
-/// Finds the correspondence and prepares the in-betweens of two drawings. The argument is the number
-/// of strokes in each.
+/// Finds the correspondence and prepares the in-betweens of two drawings. The argument is the
+/// number of strokes in each.
 void MotionPrepare(benchmark::State& state) {
   const Keys keys = keys_of(static_cast<std::size_t>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(Inbetween::create(keys.from, keys.to, {}));

@@ -81,7 +81,8 @@ TEST(Inbetween, EveryStrokeBetweenIsValid) {
     std::vector<StrokePtr> a, b;
     for (std::uint64_t i = 0; i < 6; ++i) {
       a.push_back(std::make_shared<const Stroke>(testing::random_stroke(seed * 40 + i)));
-      if (i < 5) b.push_back(std::make_shared<const Stroke>(testing::random_stroke(seed * 40 + 20 + i)));
+      if (i < 5)
+        b.push_back(std::make_shared<const Stroke>(testing::random_stroke(seed * 40 + 20 + i)));
     }
     InbetweenOptions options;
     if (seed % 2 == 1) options.lone = LoneStroke::kGrow;
@@ -168,7 +169,8 @@ TEST(Inbetween, FillsFadeOver) {
   Drawing a = drawing_of({line({10, 10}, {50, 10})});
   const Drawing b = a;
   FillLoop loop;
-  for (const Point p : {Point{0, 0}, {3, 0}, {6, 0}, {9, 0}, {9, 3}, {9, 6}, {9, 9}, {6, 6}, {3, 3}, {0, 0}}) {
+  for (const Point p :
+       {Point{0, 0}, {3, 0}, {6, 0}, {9, 0}, {9, 3}, {9, 6}, {9, 9}, {6, 6}, {3, 3}, {0, 0}}) {
     loop.points.push_back(p);
   }
   EditBuilder edit(a.document);

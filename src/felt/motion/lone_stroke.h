@@ -19,7 +19,8 @@ struct LoneMotion {
 std::optional<Stroke> lone_stroke_at(const LoneMotion& lone, const Similarity& motion, double t,
                                      LoneStroke how);
 
-/// A place in the first key drawing, and how far what is there has moved in addition to the drawing.
+/// A place in the first key drawing, and how far what is there has moved in addition to the
+/// drawing.
 struct LocalMotion {
   Point place;  ///< after the motion of the drawing
   Vec shift;

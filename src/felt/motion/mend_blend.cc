@@ -68,9 +68,8 @@ void join_short_segments(StrokeData& data) {
     const std::size_t n = data.points.size() / 3, i = short_segment(data);
     if (i == n) return;
     if (n == 1) return make_dot(data);
-    const bool with_next =
-        i == 0 || (i + 1 < n && control_length(cubic_at(data, i + 1)) <
-                                    control_length(cubic_at(data, i - 1)));
+    const bool with_next = i == 0 || (i + 1 < n && control_length(cubic_at(data, i + 1)) <
+                                                       control_length(cubic_at(data, i - 1)));
     join_segments(data, with_next ? i : i - 1);
   }
 }

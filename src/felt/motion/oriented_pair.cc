@@ -81,7 +81,8 @@ double better_seam(const Stroke& stroke, const StrokeShape& other, double share)
   return best;
 }
 
-/// Returns the closed stroke with its seam where it fits `other`; if `other` is open, cut open there.
+/// Returns the closed stroke with its seam where it fits `other`; if `other` is open, cut open
+/// there.
 Stroke with_seam_for(const Stroke& stroke, const StrokeShape& other, bool to_corner) {
   // Both run in the same direction, so only the start is looked for.
   const StrokeShape own = shape_of(stroke);

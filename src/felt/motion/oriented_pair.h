@@ -7,8 +7,8 @@
 
 namespace felt {
 
-/// The strokes of a match as a blend needs them: cut to their parts, in the same direction, and with
-/// corresponding seams.
+/// The strokes of a match as a blend needs them: cut to their parts, in the same direction, and
+/// with corresponding seams.
 struct OrientedPair {
   Stroke a, b;
 };

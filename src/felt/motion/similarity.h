@@ -7,9 +7,9 @@
 
 namespace felt {
 
-/// A motion of the page without mirroring: it turns by `angle_rad`, scales by `scale` > 0, and moves
-/// the point `from` to `to`. Unlike an affine map, it can be done in part, and it can turn by more
-/// than half a turn.
+/// A motion of the page without mirroring: it turns by `angle_rad`, scales by `scale` > 0, and
+/// moves the point `from` to `to`. Unlike an affine map, it can be done in part, and it can turn by
+/// more than half a turn.
 struct Similarity {
   Point from{}, to{};
   double angle_rad = 0.0;
@@ -39,8 +39,8 @@ struct PointPair {
 };
 
 /// Returns the similarity with the smallest weighted sum of squared distances between moved `from`
-/// points and `to` points (Umeyama, 1991, doi:10.1109/34.88573, for the plane and without mirroring).
-/// Returns nullopt if the points have no extent or no weight.
+/// points and `to` points (Umeyama, 1991, doi:10.1109/34.88573, for the plane and without
+/// mirroring). Returns nullopt if the points have no extent or no weight.
 std::optional<Similarity> fit_similarity(std::span<const PointPair> pairs) noexcept;
 
 /// Does the same, but reduces the weight of pairs that do not fit (Tukey's biweight at 4.685 robust

@@ -86,7 +86,8 @@ class SplitFinder {
   }
 
   /// Returns the cost of the matches that a split would replace.
-  [[nodiscard]] double present_cost(std::size_t whole, std::size_t first, std::size_t second) const {
+  [[nodiscard]] double present_cost(std::size_t whole, std::size_t first,
+                                    std::size_t second) const {
     double sum = partner_[whole] == kNone ? 0.5 * limit_ : cost_[whole];
     for (const std::size_t half : {first, second}) {
       const std::size_t other = back_[half];
@@ -97,7 +98,8 @@ class SplitFinder {
   }
 
   /// Returns the cost of the strokes that a split would leave without partner.
-  [[nodiscard]] double cost_of_left(std::size_t whole, std::size_t first, std::size_t second) const {
+  [[nodiscard]] double cost_of_left(std::size_t whole, std::size_t first,
+                                    std::size_t second) const {
     double sum = 0.0;
     for (const std::size_t half : {first, second}) {
       if (back_[half] != kNone && back_[half] != whole) sum += 0.5 * limit_;
@@ -146,11 +148,7 @@ class SplitPass {
  public:
   SplitPass(const SplitSide& one, const SplitSide& two, const MatchScale& scale, double limit,
             bool turned, std::vector<StrokeMatch>& matches)
-      : one_(one),
-        two_(two),
-        finder_(one, two, scale, limit),
-        turned_(turned),
-        matches_(matches) {}
+      : one_(one), two_(two), finder_(one, two, scale, limit), turned_(turned), matches_(matches) {}
 
   void run() {
     read_matches();
@@ -176,8 +174,8 @@ class SplitPass {
     whole_taken_.assign(one_.shapes.size(), false);
     for (const StrokeMatch& match : matches_) {
       const auto whole = match.*whole_side(), half = match.*half_side();
-      const bool is_part = match.from_end - match.from_start < 1.0 ||
-                           match.to_end - match.to_start < 1.0;
+      const bool is_part =
+          match.from_end - match.from_start < 1.0 || match.to_end - match.to_start < 1.0;
       if (whole && (match.is_given || is_part)) whole_taken_[*whole] = true;
       if (half && (match.is_given || is_part)) taken[*half] = true;
       if (!whole || !half) continue;

@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// The strokes of one key drawing, as the search for split strokes needs them. For the first drawing,
-/// all members are at their positions after the motion of the drawing.
+/// The strokes of one key drawing, as the search for split strokes needs them. For the first
+/// drawing, all members are at their positions after the motion of the drawing.
 struct SplitSide {
   std::span<const StrokeShape> shapes;
   std::vector<std::vector<Point>> lines;  ///< coarse_line() of each stroke

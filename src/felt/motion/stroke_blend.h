@@ -17,11 +17,12 @@ struct BlendPose {
   std::vector<Vec> directions;  ///< unit vectors
 };
 
-/// The shape between two strokes (docs/design/motion.md#interpolation). The control polygons of both
-/// are cut into edges that correspond to each other, and the lengths and the turns of the edges are
-/// interpolated, not the positions: Sederberg, Gao, Wang and Mu, "2-D shape blending: an intrinsic
-/// solution to the vertex path problem", 1993, doi:10.1145/166117.166118. So a part that turns keeps
-/// its shape, and no turn leaves the range between its values in both strokes: nothing flips.
+/// The shape between two strokes (docs/design/motion.md#interpolation). The control polygons of
+/// both are cut into edges that correspond to each other, and the lengths and the turns of the
+/// edges are interpolated, not the positions: Sederberg, Gao, Wang and Mu, "2-D shape blending: an
+/// intrinsic solution to the vertex path problem", 1993, doi:10.1145/166117.166118. So a part that
+/// turns keeps its shape, and no turn leaves the range between its values in both strokes: nothing
+/// flips.
 ///
 /// Immutable; several threads may use one object, each with its own pose.
 class StrokeBlend {

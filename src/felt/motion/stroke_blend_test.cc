@@ -126,7 +126,8 @@ RC_GTEST_PROP(StrokeBlend, IsAValidStrokeBetweenAnyTwo, ()) {
 RC_GTEST_PROP(StrokeBlend, StartsAsTheFirstAndEndsAsTheSecondStroke, ()) {
   const auto a_seed = *rc::gen::arbitrary<std::uint64_t>();
   const auto b_seed = *rc::gen::arbitrary<std::uint64_t>();
-  StrokeData a_data = testing::RandomStroke(a_seed).make(), b_data = testing::RandomStroke(b_seed).make();
+  StrokeData a_data = testing::RandomStroke(a_seed).make(),
+             b_data = testing::RandomStroke(b_seed).make();
   if (a_data.closed != b_data.closed) return;
   const Stroke a = Stroke::create(a_data).value(), b = Stroke::create(b_data).value();
   const StrokeBlend blend(a, b, {{3.0, 4.0}, {9.0, 2.0}, 0.7, 1.3});
@@ -175,8 +176,8 @@ TEST(StrokeBlend, NoTurnLeavesTheRangeOfBothStrokes) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const Stroke a = wave(seed, 5 + static_cast<int>(seed % 7));
-    const Stroke b = mapped_stroke(wave(seed + 500, 8),
-                                   rotation(random.between(-1.5, 1.5), {50.0, 50.0}));
+    const Stroke b =
+        mapped_stroke(wave(seed + 500, 8), rotation(random.between(-1.5, 1.5), {50.0, 50.0}));
     const StrokeBlend blend(a, b, {});
     BlendPose poses[3];
     blend.pose(0.0, poses[0]);
@@ -232,7 +233,8 @@ TEST(StrokeBlend, ASmallLoopDoesNotTurnTheRestOfTheLine) {
 TEST(StrokeBlend, CornersStayOnCorners) {
   const auto bent = [](double first_mm, double second_mm) {
     StrokeData data;
-    const Cubic in = straight({0, 0}, {first_mm, 0}), out = straight({first_mm, 0}, {first_mm, second_mm});
+    const Cubic in = straight({0, 0}, {first_mm, 0}),
+                out = straight({first_mm, 0}, {first_mm, second_mm});
     data.points = {in.p[0], in.p[1], in.p[2], in.p[3], out.p[1], out.p[2], out.p[3]};
     data.joints = {JointKind::kCorner};
     data.widths = {{0.0, 0.5}, {2.0, 0.5}};

@@ -17,6 +17,7 @@ namespace {
 /// The distance that costs 1, as a share of the diagonal of the drawing.
 constexpr double kReachShare = 0.2;
 constexpr int kMatchRounds = 8, kMinMatchRounds = 2;
+constexpr double kSettledShare = 0.97;
 /// The neighbours of a stroke that tell how it moved.
 constexpr std::size_t kNeighbours = 24;
 /// The cost from which two strokes do not belong together: in the first round, and later this
@@ -65,9 +66,12 @@ class StrokeMatcher {
     find_neighbours();
     for (int round = 1; round <= kMatchRounds; ++round) {
       const std::vector<std::int32_t> before = partner_;
+      const double cost_before = total_cost();
       move_shapes();
       assign();
-      const bool is_settled = round > kMinMatchRounds && before == partner_;
+      // What is known of the motion spreads from stroke to stroke as long as the costs fall.
+      const bool is_settled = round > kMinMatchRounds && before == partner_ &&
+                              total_cost() > kSettledShare * cost_before;
       if (is_settled || round == kMatchRounds) break;
       refine_motion();
       find_local_motions();
@@ -110,14 +114,22 @@ class StrokeMatcher {
     return match_cost(there_[i], to_[k], scale_, ranks, limit);
   }
 
+  [[nodiscard]] double total_cost() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+      sum += partner_[i] == kUnassigned ? 0.5 * limit_ : costs_[i];
+    }
+    return sum;
+  }
+
   void refine_motion() {
     std::vector<PointPair> pairs;
     for (std::size_t i = 0; i < from_.size(); ++i) {
       if (partner_[i] == kUnassigned) continue;
       const StrokeShape& to = to_[static_cast<std::size_t>(partner_[i])];
       for (std::size_t p = 1; p < kShapePoints; p += 7) {
-        pairs.push_back({from_[i].points[p], paired_point(to, pairings_[i], p),
-                         std::sqrt(from_[i].length_mm)});
+        pairs.push_back(
+            {from_[i].points[p], paired_point(to, pairings_[i], p), std::sqrt(from_[i].length_mm)});
       }
     }
     // Few strokes do not tell a motion of the whole from motions of their own.
@@ -145,9 +157,9 @@ class StrokeMatcher {
     }
   }
 
-  /// Estimates for each stroke how its neighbours moved: the similarity that fits their points best,
-  /// weighted by the inverse fourth power of their distance (moving least squares; Schaefer, McPhail
-  /// and Warren, 2006, doi:10.1145/1141911.1141920). The stroke itself does not count.
+  /// Estimates for each stroke how its neighbours moved: the similarity that fits their points
+  /// best, weighted by the inverse fourth power of their distance (moving least squares; Schaefer,
+  /// McPhail and Warren, 2006, doi:10.1145/1141911.1141920). The stroke itself does not count.
   void find_local_motions() {
     constexpr std::size_t kStep = (kShapePoints - 1) / 2;
     const double near = 0.1 * scale_.reach_mm;
@@ -236,7 +248,7 @@ class StrokeMatcher {
   double limit_ = kFirstLimit;
   std::vector<Similarity> local_;  // the motion of each stroke, as its neighbours tell
   std::vector<std::vector<std::size_t>> neighbours_;
-  std::vector<Point> moved_;       // three points of each stroke, moved with the whole drawing
+  std::vector<Point> moved_;  // three points of each stroke, moved with the whole drawing
   std::vector<std::int32_t> partner_;
   std::vector<double> costs_;
   std::vector<ShapePairing> pairings_;
@@ -279,8 +291,8 @@ std::optional<std::size_t> nearest_stroke(std::span<const StrokePtr> strokes, Po
 Result<Correspondence> match_strokes(std::span<const StrokePtr> from, std::span<const StrokePtr> to,
                                      std::span<const GivenPair> given) {
   if (std::max(from.size(), to.size()) > kMaxMatchedStrokes) {
-    return fail(ErrorCode::kLimitExceeded, "has more than " + std::to_string(kMaxMatchedStrokes) +
-                                               " strokes");
+    return fail(ErrorCode::kLimitExceeded,
+                "has more than " + std::to_string(kMaxMatchedStrokes) + " strokes");
   }
   if (auto ok = check_given(given, from.size(), to.size()); !ok) return tl::unexpected(ok.error());
   return StrokeMatcher(from, to, given).match();
@@ -289,7 +301,8 @@ Result<Correspondence> match_strokes(std::span<const StrokePtr> from, std::span<
 std::optional<GivenPair> pair_by_line(std::span<const StrokePtr> from,
                                       std::span<const StrokePtr> to, Point start, Point end,
                                       double reach_mm) {
-  const auto first = nearest_stroke(from, start, reach_mm), second = nearest_stroke(to, end, reach_mm);
+  const auto first = nearest_stroke(from, start, reach_mm),
+             second = nearest_stroke(to, end, reach_mm);
   if (!first || !second) return std::nullopt;
   return GivenPair{first, second};
 }

@@ -14,8 +14,8 @@ namespace felt {
 /// More strokes in one key drawing are not compared.
 inline constexpr std::size_t kMaxMatchedStrokes = 5000;
 
-/// A stroke of the first key drawing, or a part of it, that becomes a stroke of the second one, or a
-/// part of it. Strokes are named by their index in the lists given to match_strokes().
+/// A stroke of the first key drawing, or a part of it, that becomes a stroke of the second one, or
+/// a part of it. Strokes are named by their index in the lists given to match_strokes().
 struct StrokeMatch {
   std::optional<std::size_t> from;  ///< absent: the stroke appears
   std::optional<std::size_t> to;    ///< absent: the stroke disappears
@@ -32,9 +32,10 @@ struct StrokeMatch {
   friend bool operator==(const StrokeMatch&, const StrokeMatch&) = default;
 };
 
-/// Which strokes of two key drawings belong together. Every stroke of both is in at least one match.
+/// Which strokes of two key drawings belong together. Every stroke of both is in at least one
+/// match.
 struct Correspondence {
-  Similarity motion;  ///< of the drawing as a whole
+  Similarity motion;                 ///< of the drawing as a whole
   std::vector<StrokeMatch> matches;  ///< by `from`, and then those that appear, by `to`
 };
 
@@ -44,10 +45,10 @@ struct GivenPair {
   std::optional<std::size_t> from, to;
 };
 
-/// Finds the strokes that belong together (docs/design/motion.md#correspondence): removes the motion
-/// of the whole drawing, compares strokes by position, shape, length, turning and order, and by how
-/// their neighbours moved, and assigns them with the least total cost. Then looks for strokes that
-/// were split into two, or drawn as two and joined. Given pairs override this.
+/// Finds the strokes that belong together (docs/design/motion.md#correspondence): removes the
+/// motion of the whole drawing, compares strokes by position, shape, length, turning and order, and
+/// by how their neighbours moved, and assigns them with the least total cost. Then looks for
+/// strokes that were split into two, or drawn as two and joined. Given pairs override this.
 ///
 /// Fails with kLimitExceeded if a drawing has more than kMaxMatchedStrokes strokes, and with
 /// kInvalidArgument if a given pair names a stroke that does not exist, or a stroke twice. Equal

@@ -52,7 +52,8 @@ TEST(StrokeMatches, FindsStrokesThatMovedTogether) {
     const auto from = made_strokes(30, seed);
     const Similarity motion{{100.0, 100.0},
                             {random.between(0.0, 300.0), random.between(0.0, 300.0)},
-                            random.between(-1.5, 1.5), random.between(0.7, 1.4)};
+                            random.between(-1.5, 1.5),
+                            random.between(0.7, 1.4)};
     auto to = moved_strokes(from, motion, 0.5, seed);
     std::reverse(to.begin(), to.end());  // another order
     const auto found = match_strokes(from, to);
@@ -146,7 +147,8 @@ TEST(StrokeMatches, HandlesEmptyAndUnequalDrawings) {
   expect_complete(*match_strokes(same, same), 7, 7);
   const std::vector<StrokePtr> dots{shared(straight_stroke({0, 0}, {0.05, 0}, 1, 1)),
                                     shared(straight_stroke({9, 0}, {9, 0.05}, 1, 1))};
-  EXPECT_EQ(partners(*match_strokes(dots, dots)), (std::map<std::size_t, std::size_t>{{0, 0}, {1, 1}}));
+  EXPECT_EQ(partners(*match_strokes(dots, dots)),
+            (std::map<std::size_t, std::size_t>{{0, 0}, {1, 1}}));
   const std::vector<StrokePtr> many(kMaxMatchedStrokes + 1, some[0]);
   EXPECT_EQ(match_strokes(many, some).error().code, ErrorCode::kLimitExceeded);
 }

@@ -18,8 +18,8 @@ struct StrokeShape {
   /// Points at equal distances along the stroke, from end to end; of a closed stroke from its seam
   /// once around, without the seam at the end.
   std::array<Point, kShapePoints> points{};
-  Point centre{};          ///< the mean of the points
-  double length_mm = 0.0;  ///< > 0
+  Point centre{};            ///< the mean of the points
+  double length_mm = 0.0;    ///< > 0
   double turning_rad = 0.0;  ///< sum of the turns between the points, positive from +x to +y
   bool closed = false;
 };
@@ -28,7 +28,8 @@ struct StrokeShape {
 StrokeShape shape_of(const Stroke& stroke);
 /// Returns the shape of an open line through these points. Requires at least one point.
 StrokeShape shape_of(std::span<const Point> line);
-/// Returns points along a stroke, including all joints: straight lines between them are close to it.
+/// Returns points along a stroke, including all joints: straight lines between them are close to
+/// it.
 std::vector<Point> coarse_line(const Stroke& stroke);
 
 /// How the points of one shape are paired with those of another.
@@ -39,8 +40,8 @@ struct ShapePairing {
 };
 
 /// Returns the best pairing of two shapes at their positions. Tries both directions, and if a shape
-/// is closed, all starts on it. If every pairing is worse than `limit_mm`, returns any of them, with a
-/// distance of at least the limit.
+/// is closed, all starts on it. If every pairing is worse than `limit_mm`, returns any of them,
+/// with a distance of at least the limit.
 ShapePairing pair_shapes(const StrokeShape& a, const StrokeShape& b,
                          double limit_mm = 1e300) noexcept;
 

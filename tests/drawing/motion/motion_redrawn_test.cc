@@ -168,8 +168,8 @@ Drawing drawing_with(const std::vector<StrokePtr>& strokes) {
   return drawing;
 }
 
-// The bar: at least 95 % of the strokes of 50 drawings that people redrew, moved, turned, scaled, in
-// other directions and in another order, with one stroke drawn as two and one left out.
+// The bar: at least 95 % of the strokes of 50 drawings that people redrew, moved, turned, scaled,
+// in other directions and in another order, with one stroke drawn as two and one left out.
 TEST(MotionRedrawn, PeopleFindTheirStrokesAgain) {
   const std::vector<SampleSet> sets = make_sample_sets();
   Score total;

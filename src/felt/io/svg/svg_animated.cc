@@ -22,7 +22,9 @@ void append_share(std::string& out, const FilmTime& time) {
 void append_turn(std::string& out, const FilmTime& start, const FilmTime& end, double seconds) {
   const bool is_first = start.frame == 0, is_last = end.frame == end.frames;
   if (is_first && is_last) return;
-  out += "<animate attributeName=\"visibility\" calcMode=\"discrete\" repeatCount=\"indefinite\" dur=\"";
+  out +=
+      "<animate attributeName=\"visibility\" calcMode=\"discrete\" repeatCount=\"indefinite\" "
+      "dur=\"";
   append_number(out, seconds);
   out += "s\" values=\"";
   out += is_first ? "visible;hidden" : is_last ? "hidden;visible" : "hidden;visible;hidden";

@@ -110,8 +110,8 @@ Result<void> append_fills(std::string& out, const Document& document, const Laye
 
 }  // namespace
 
-// Strokes of neighbouring layers can share a group, unless one of the layers has fills or is drawn as
-// a whole.
+// Strokes of neighbouring layers can share a group, unless one of the layers has fills or is drawn
+// as a whole.
 Result<void> append_compact_ink(std::string& out, const Document& document) {
   std::vector<StrokePtr> strokes;
   LayerGroupPtr open;  // the group of layers that has begun, if it is drawn as a whole
