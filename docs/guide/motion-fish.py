@@ -14,7 +14,7 @@ def bent(x, y, key):
     """Bends the point (x along the spine from the nose, y across) with the beat of the tail."""
     beat = 1.0 if key == 1 else -1.0
     # The angle of the spine grows from the gills to the tail.
-    angle = lambda s: beat * 0.7 * max(0.0, (s - 22.0) / 60.0) ** 1.4
+    angle = lambda s: beat * 0.5 * max(0.0, (s - 22.0) / 60.0) ** 1.4
     px, py, step = 0.0, 0.0, 0.5
     s = 0.0
     while s + step <= x:

@@ -25,6 +25,9 @@ constexpr std::size_t kNeighbours = 24;
 constexpr double kFirstLimit = 1.2, kUsualFactor = 5.0, kMinLimit = 0.45;
 /// The weight of the motion of the whole drawing in the motion of a stroke's neighbours.
 constexpr double kWholeWeight = 0.02;
+/// Long strokes are less easily taken for others, so their weight grows with this power of the
+/// length.
+constexpr double kLengthPower = 1.5;
 /// Matches that cost less than this count fully when the motion of neighbours is estimated.
 constexpr double kSureCost = 0.2;
 
@@ -171,7 +174,7 @@ class StrokeMatcher {
         for (std::size_t p = 0; p < kShapePoints; p += kStep) {
           const Point from = from_[k].points[p];
           const double apart = distance_squared(at, from) + near * near;
-          const double weight = near * near / (apart * apart);
+          const double weight = std::pow(from_[k].length_mm, kLengthPower) / (apart * apart);
           pairs.push_back({from, moved_[3 * k + p / kStep], kWholeWeight * weight});
           if (partner_[k] == kUnassigned) continue;
           const double sure = kSureCost / std::max(costs_[k], kSureCost);
