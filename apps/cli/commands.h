@@ -13,6 +13,7 @@ namespace felt::cli {
 void add_fit_command(CLI::App& app, Console& console);
 void add_render_command(CLI::App& app, Console& console);
 void add_convert_command(CLI::App& app, Console& console);
+void add_inbetween_command(CLI::App& app, Console& console);
 void add_steady_command(CLI::App& app, Console& console);
 void add_gather_command(CLI::App& app, Console& console);
 void add_check_command(CLI::App& app, Console& console);

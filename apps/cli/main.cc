@@ -40,6 +40,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_render_command(app, console);
   add_convert_command(app, console);
   add_gather_command(app, console);
+  add_inbetween_command(app, console);
   add_steady_command(app, console);
   add_check_command(app, console);
   add_info_command(app, console);

@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit steady render convert gather check info formats replay recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit steady render convert gather inbetween check info formats replay recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -9,6 +9,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a steady
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a gather -d 'Press each bundle of rough strokes into one line'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a inbetween -d 'Make the drawings between two or more key drawings'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a check -d 'Name what a fingertip could not tell apart in a raised drawing'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Describe the contents of a file'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a formats -d 'List file formats and what each of them keeps'
@@ -24,7 +25,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a recove
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a trial -d 'Run a study and export its results'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Measure the speed of the fitting'
 
-set -l makes_output fit render convert gather replay
+set -l makes_output fit render convert gather inbetween replay
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Output file'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'felt svg inkml xopp ndjson pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
@@ -35,6 +36,14 @@ complete -c feltline -n '__fish_seen_subcommand_from check' -l csv -d 'Print a t
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l all -d 'Gather all strokes of the drawing, layer by layer'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l groups -r -F -d 'Also write the group of each stroke, as .csv'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l width -x -a 'median strip' -d 'Width of a gathered line'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l frames -x -d 'In-betweens from one key drawing to the next'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l ease -x -a 'linear ease ease-in ease-out ease-in-out' -d 'Speed of the motion'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l hold -x -d 'Frames for which a film shows each key drawing'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l rate -x -d 'Frames a second of an animated .svg'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l keys -d 'Also write the key drawings'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l pair -x -d 'Strokes that belong together, FROM:TO'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l matches -r -F -d 'Also write which strokes belong together, as .csv'
+complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l lone -x -a 'fade grow' -d 'How strokes without partner come and go'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -x -a 'visible all' -d 'Layers to keep and show'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Recover the readable parts of a damaged .felt'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l compact -d 'Make a small .svg for web pages'

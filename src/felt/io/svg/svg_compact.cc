@@ -108,9 +108,11 @@ Result<void> append_fills(std::string& out, const Document& document, const Laye
   return {};
 }
 
-/// Appends the visible layers. Strokes of neighbouring layers can share a group, unless one of the
-/// layers has fills or is drawn as a whole.
-Result<void> append_layers(std::string& out, const Document& document) {
+}  // namespace
+
+// Strokes of neighbouring layers can share a group, unless one of the layers has fills or is drawn
+// as a whole.
+Result<void> append_compact_ink(std::string& out, const Document& document) {
   std::vector<StrokePtr> strokes;
   LayerGroupPtr open;  // the group of layers that has begun, if it is drawn as a whole
   const auto flush = [&] { return append_strokes(out, std::exchange(strokes, {})); };
@@ -137,7 +139,26 @@ Result<void> append_layers(std::string& out, const Document& document) {
   return {};
 }
 
-}  // namespace
+void append_compact_head(std::string& out, const Rect& area, Rgba paper) {
+  out += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+  append_number(out, rounded(area.width()));
+  out += "mm\" height=\"";
+  append_number(out, rounded(area.height()));
+  out += "mm\" viewBox=\"" + box_text(area) + "\">\n";
+  if (paper.a > 0) {
+    out += "<path" + fill_of(paper) + " d=\"M";
+    append_number(out, rounded(area.x0));
+    out += ' ';
+    append_number(out, rounded(area.y0));
+    out += 'h';
+    append_number(out, rounded(area.width()));
+    out += 'v';
+    append_number(out, rounded(area.height()));
+    out += 'h';
+    append_number(out, -rounded(area.width()));
+    out += "z\"/>\n";
+  }
+}
 
 Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& options) {
   const bool shows_page = drawing.has_page && !options.area;
@@ -145,25 +166,9 @@ Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& o
       shows_page ? drawing.page.area()
                  : picture_area(ink_bounds(drawing.document), options.area, options.margin_mm);
   const Rgba paper = options.paper.value_or(shows_page ? drawing.page.paper : Rgba{0, 0, 0, 0});
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
-  append_number(text, rounded(area.width()));
-  text += "mm\" height=\"";
-  append_number(text, rounded(area.height()));
-  text += "mm\" viewBox=\"" + box_text(area) + "\">\n";
-  if (paper.a > 0) {
-    text += "<path" + fill_of(paper) + " d=\"M";
-    append_number(text, rounded(area.x0));
-    text += ' ';
-    append_number(text, rounded(area.y0));
-    text += 'h';
-    append_number(text, rounded(area.width()));
-    text += 'v';
-    append_number(text, rounded(area.height()));
-    text += 'h';
-    append_number(text, -rounded(area.width()));
-    text += "z\"/>\n";
-  }
-  if (Result<void> done = append_layers(text, drawing.document); !done) {
+  std::string text;
+  append_compact_head(text, area, paper);
+  if (Result<void> done = append_compact_ink(text, drawing.document); !done) {
     return tl::unexpected(done.error());
   }
   text += "</svg>\n";

@@ -15,4 +15,11 @@ namespace felt {
 /// coordinate is beyond 1e9 mm.
 Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& options);
 
+/// Appends the start of the root element of such a file, which shows `area`, and then the paper,
+/// unless its alpha is 0.
+void append_compact_head(std::string& out, const Rect& area, Rgba paper);
+
+/// Appends the visible ink of a document as such outlines. Fails if a coordinate is beyond 1e9 mm.
+Result<void> append_compact_ink(std::string& out, const Document& document);
+
 }  // namespace felt

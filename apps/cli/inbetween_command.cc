@@ -1,0 +1,318 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "commands.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_writer.h"
+#include "felt/formats/format_traits.h"
+#include "felt/io/drawing_parts.h"
+#include "felt/io/svg/svg_animated.h"
+#include "felt/motion/ease.h"
+#include "felt/motion/inbetween.h"
+#include "felt/motion/stroke_shape.h"
+#include "format.h"
+#include "inbetween_pairs.h"
+#include "input.h"
+#include "output.h"
+#include "overwrite_check.h"
+#include "picture.h"
+#include "sketch_input.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr double kFilmMarginMm = 5.0;
+
+/// The options and arguments of the command line.
+struct InbetweenArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string to;
+  std::string matches;
+  std::string ease = "linear";
+  std::string lone = "fade";
+  std::vector<std::string> pairs;
+  int frames = 12;
+  int hold = 1;
+  double rate = 24.0;
+  bool keys = false;
+  PictureArguments picture;
+};
+
+void add_film_options(CLI::App& command, InbetweenArguments& args) {
+  command.add_option("--frames", args.frames, "In-betweens from one key drawing to the next")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command
+      .add_option("--ease", args.ease,
+                  "Speed of the motion: linear, ease, ease-in, ease-out, ease-in-out, four\n"
+                  "numbers as of CSS cubic-bezier (0.4,0,0.6,1), or a drawing whose first stroke\n"
+                  "goes from the start (time 0) to the end")
+      ->capture_default_str();
+  command
+      .add_option("--hold", args.hold, "Frames for which an animated .svg shows each key drawing")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command.add_option("--rate", args.rate, "Frames a second of an animated .svg")
+      ->check(number_between(1.0, 240.0))
+      ->capture_default_str();
+  command.add_flag("--keys", args.keys, "Also write the key drawings as numbered files");
+}
+
+void add_options(CLI::App& command, InbetweenArguments& args) {
+  command
+      .add_option("IN", args.inputs,
+                  "Two or more key drawings, in their order. Formats: " + readable_names())
+      ->required()
+      ->expected(2, 1000);
+  command
+      .add_option(
+          "-o,--output", args.output,
+          "Numbered files such as walk-%03d.svg, a folder, or one animated .svg. Formats of\n"
+          "numbered files: " +
+              writable_names())
+      ->required();
+  command.add_option("--to", args.to,
+                     "Format of the files; the default is set by the file extension, in a folder "
+                     "svg");
+  command.add_option(
+      "--pair", args.pairs,
+      "These strokes belong together, whatever they look like: FROM:TO with the ids\n"
+      "of --matches, such as 3:5; 3:none: without partner; 2:3:5: in the second step");
+  command.add_option("--matches", args.matches,
+                     "Also write which strokes belong together, as .csv");
+  command
+      .add_option("--lone", args.lone,
+                  "How strokes come and go that only one key drawing has: fade or grow")
+      ->check(CLI::IsMember({"fade", "grow"}))
+      ->capture_default_str();
+  add_film_options(command, args);
+  args.picture.add_to(command);
+}
+
+/// Where the drawings go.
+struct FilmOutput {
+  std::optional<NumberedNames> names;  ///< absent: one animated .svg
+  Format format = Format::kSvg;
+};
+
+/// Returns the output that the arguments name. Throws a UsageError if they name none.
+FilmOutput film_output(const InbetweenArguments& args) {
+  FilmOutput output;
+  std::string path = args.output;
+  std::error_code ignored;
+  if (path.ends_with('/') || std::filesystem::is_directory(path, ignored)) {
+    const std::string ending = args.to.empty() ? "svg" : args.to;
+    path += (path.ends_with('/') ? "inbetween-%03d." : "/inbetween-%03d.") + ending;
+  }
+  output.names = NumberedNames::parse(path);
+  const Result<Format> format = output_format(path, args.to);
+  if (!format) throw UsageError(format.error().message);
+  output.format = *format;
+  if (!output.names && *format != Format::kSvg) {
+    throw UsageError("-o must be numbered files such as walk-%03d.png, a folder, or one .svg");
+  }
+  return output;
+}
+
+Result<Ease> parse_ease(const std::string& text) {
+  Result<Ease> ease = Ease::parse(text);
+  std::error_code ignored;
+  if (ease || !std::filesystem::exists(text, ignored)) return ease;
+  const Result<Imported> opened =
+      Input::open(text).and_then([](const Input& input) { return input.read_drawing({}); });
+  if (!opened) return fail(ErrorCode::kInvalidData, text + ": " + opened.error().message);
+  const std::vector<StrokePtr> strokes = visible_strokes(opened->drawing.document);
+  if (strokes.empty()) return fail(ErrorCode::kInvalidData, text + ": contains no strokes");
+  ease = Ease::drawn(coarse_line(*strokes.front()));
+  if (!ease) return fail(ErrorCode::kInvalidData, text + ": " + ease.error().message);
+  return ease;
+}
+
+/// Makes the film of one command line.
+class FilmMaker {
+ public:
+  FilmMaker(const InbetweenArguments& args, FilmOutput output, PictureOptions picture, Ease ease,
+            std::vector<PairArgument> pairs)
+      : args_(args),
+        output_(std::move(output)),
+        picture_(std::move(picture)),
+        ease_(std::move(ease)),
+        pairs_(std::move(pairs)),
+        table_(matches_header()) {}
+
+  /// Returns false if a key drawing cannot be read; the console has the reason.
+  bool read_keys(Console& console);
+  Result<void> make();
+
+ private:
+  void find_area();
+  Result<void> make_step(std::size_t step);
+  Result<void> add(Drawing drawing, int frames, bool is_key);
+  Result<void> write_numbered(const Drawing& drawing);
+  Result<void> finish();
+
+  const InbetweenArguments& args_;
+  FilmOutput output_;
+  PictureOptions picture_;
+  Ease ease_;
+  std::vector<PairArgument> pairs_;
+  std::vector<Drawing> keys_;
+  std::optional<Rect> area_;  // if absent, the page is shown
+  std::vector<AnimatedPicture> pictures_;
+  std::size_t written_ = 0;
+  std::string table_;
+};
+
+bool FilmMaker::read_keys(Console& console) {
+  for (const std::string& path : args_.inputs) {
+    const Result<Input> input = Input::open(path);
+    if (!input) {
+      console.error(input_name(path) + ": " + input.error().message);
+      return false;
+    }
+    Result<Imported> opened = input->read_drawing({});
+    if (!opened) {
+      console.error(input->name() + ": " + opened.error().message);
+      return false;
+    }
+    if (!report_notices(input->name(), opened->report, console)) return false;
+    keys_.push_back(std::move(opened->drawing));
+  }
+  return true;
+}
+
+/// All pictures show the same area: the page of the first drawing, or the ink of all.
+void FilmMaker::find_area() {
+  if (picture_.area) {
+    area_ = picture_.area;
+    return;
+  }
+  if (keys_.front().has_page && !picture_.fit) return;
+  Rect ink;
+  for (const Drawing& key : keys_) ink.extend(ink_bounds(key.document));
+  area_ = picture_area(ink, std::nullopt, kFilmMarginMm);
+}
+
+Result<void> FilmMaker::write_numbered(const Drawing& drawing) {
+  WriteOptions options;
+  options.area = area_;
+  options.dpi = picture_.dpi;
+  options.paper = picture_.paper;
+  if (!picture_.paper && !drawing.has_page && output_.format != Format::kPng) {
+    options.paper = Rgba{255, 255, 255, 0};
+  }
+  options.pictures = picture_.pictures;
+  if (auto ok = use_surface_of(drawing, picture_); !ok) return ok;
+  options.grain = picture_.grain;
+  const std::string path = output_.names->name(++written_);
+  return drawing_bytes(drawing, output_.format, options)
+      .map_error([&](Error error) { return with_context(std::move(error), path); })
+      .and_then([&](const std::string& bytes) {
+        return Output::create(path).and_then(
+            [&](Output output) { return output.write_all(bytes); });
+      });
+}
+
+Result<void> FilmMaker::add(Drawing drawing, int frames, bool is_key) {
+  if (output_.names) return !is_key || args_.keys ? write_numbered(drawing) : Result<void>();
+  pictures_.push_back({std::move(drawing), frames});
+  return {};
+}
+
+Result<void> FilmMaker::make_step(std::size_t step) {
+  const Drawing &from = keys_[step], &to = keys_[step + 1];
+  const KeyStrokes a = key_strokes(from.document), b = key_strokes(to.document);
+  Result<std::vector<GivenPair>> given = pairs_of_step(pairs_, step, a, b);
+  if (!given) return tl::unexpected(given.error());
+  InbetweenOptions options{*std::move(given)};
+  if (args_.lone == "grow") options.lone = LoneStroke::kGrow;
+  const Result<Inbetween> motion = Inbetween::create(from, to, options);
+  if (!motion) {
+    const std::string names = args_.inputs[step] + " to " + args_.inputs[step + 1];
+    return tl::unexpected(with_context(motion.error(), names));
+  }
+  table_ += matches_rows(motion->correspondence(), step, a, b);
+  for (int i = 1; i <= args_.frames; ++i) {
+    const double time = static_cast<double>(i) / (args_.frames + 1);
+    if (auto ok = add(motion->at(ease_.at(time)), 1, false); !ok) return ok;
+  }
+  return add(to, args_.hold, true);
+}
+
+Result<void> FilmMaker::make() {
+  for (const PairArgument& pair : pairs_) {
+    if (pair.step + 2 > keys_.size()) {
+      return fail(ErrorCode::kInvalidArgument,
+                  fmt::format("--pair: there are only {} steps", keys_.size() - 1));
+    }
+  }
+  find_area();
+  if (auto ok = add(keys_.front(), args_.hold, true); !ok) return ok;
+  for (std::size_t step = 0; step + 1 < keys_.size(); ++step) {
+    if (auto ok = make_step(step); !ok) return ok;
+  }
+  return finish();
+}
+
+Result<void> FilmMaker::finish() {
+  if (!output_.names) {
+    const Drawing& first = keys_.front();
+    AnimatedSvgOptions options;
+    options.area = area_.value_or(first.page.area());
+    if (picture_.paper) options.paper = *picture_.paper;
+    if (!picture_.paper && first.has_page) options.paper = first.page.paper;
+    options.frames_per_second = args_.rate;
+    const Result<void> written =
+        svg_animated_text(pictures_, options).and_then([&](const std::string& text) {
+          return Output::create(args_.output).and_then([&](Output out) {
+            return out.write_all(text);
+          });
+        });
+    if (!written) return written;
+  }
+  if (args_.matches.empty()) return {};
+  return Output::create(args_.matches).and_then([&](Output out) { return out.write_all(table_); });
+}
+
+void run_inbetween(const InbetweenArguments& args, Console& console) {
+  if (args.output == "-" && args.matches == "-") {
+    throw UsageError("-o - and --matches - cannot both use stdout");
+  }
+  FilmOutput output = film_output(args);
+  check_no_overwrite(
+      args.inputs, {{"-o", output.names ? "" : args.output}, {"--matches", args.matches}}, console);
+  std::vector<PairArgument> pairs;
+  for (const std::string& text : args.pairs) {
+    Result<PairArgument> pair = parse_pair(text);
+    if (!pair) throw UsageError(pair.error().message);
+    pairs.push_back(*std::move(pair));
+  }
+  Result<PictureOptions> picture = args.picture.parse(console);
+  if (!picture) throw UsageError(picture.error());
+  Result<Ease> ease = parse_ease(args.ease);
+  if (!ease) throw UsageError("--ease: " + ease.error().message);
+  FilmMaker film(args, std::move(output), *std::move(picture), *std::move(ease), std::move(pairs));
+  if (!film.read_keys(console)) return;
+  if (const Result<void> made = film.make(); !made) console.error(made.error().message);
+}
+
+}  // namespace
+
+void add_inbetween_command(CLI::App& app, Console& console) {
+  CLI::App* command =
+      app.add_subcommand("inbetween", "Make the drawings between two or more key drawings");
+  const auto args = std::make_shared<InbetweenArguments>();
+  add_options(*command, *args);
+  command->footer(examples(
+      "feltline inbetween fish-1.svg fish-2.svg -o swim-%03d.svg --frames 12\n"
+      "feltline inbetween fish-1.svg fish-2.svg fish-1.svg -o swim.svg --ease ease-in-out\n"
+      "feltline inbetween a.felt b.felt -o frames/ --to png --keys --dpi 96\n"
+      "feltline inbetween a.felt b.felt -o ab.svg --pair 3:5 --matches matches.csv"));
+  command->callback([args, &console] { run_inbetween(*args, console); });
+}
+
+}  // namespace felt::cli
