@@ -48,8 +48,9 @@ class DrawnRecording {
   std::int64_t now_ns_ = 0;
 };
 
-/// Returns a recording with everything that changes pictures, in a random order: strokes in several
-/// layers and media, opacities, blend modes, hidden layers, pulls, erasing, undo and redo.
+/// Returns a recording with everything that changes pictures, in a random order: strokes in three
+/// layers and several colours, opacities, blend modes, hidden layers, pulls, erasing, undo and
+/// redo.
 inline FeltRecording random_recording(std::uint64_t seed, int steps) {
   Random random(seed);
   DrawnRecording made;
@@ -59,9 +60,15 @@ inline FeltRecording random_recording(std::uint64_t seed, int steps) {
   const auto pick = [&random](int count) {
     return static_cast<int>(random.bits() % static_cast<std::uint64_t>(count));
   };
-  std::uint64_t layers = 1;
+  LayerId layer{1};
+  const auto change_layer = [&](LayerEvent::Do what) {
+    made.event(
+        LayerEvent{.what = what, .layer = layer, .opacity = 0.5, .mode = BlendMode::kMultiply});
+  };
+  for (int i = 0; i < 2; ++i) made.event(LayerEvent{.what = LayerEvent::Do::kAdd, .layer = {}});
+  int drawn = 0;  // steps that an undo may take back without removing a layer
   for (int i = 0; i < steps; ++i) {
-    const LayerId layer{1 + static_cast<std::uint64_t>(pick(static_cast<int>(layers)))};
+    layer = LayerId{1 + static_cast<std::uint64_t>(pick(3))};
     switch (pick(12)) {
       case 0:
         made.event(SetOption{"ink.color", std::string(pick(2) == 0 ? "#c0304080" : "#204080")});
@@ -72,30 +79,28 @@ inline FeltRecording random_recording(std::uint64_t seed, int steps) {
         made.event(SelectTool{"pencil"});
         break;
       case 2:
-        made.event(UndoEvent{});
+        if (drawn > 0) made.event(UndoEvent{});
+        --drawn;
         break;
       case 3:
         made.event(RedoEvent{});
         break;
       case 4:
-        if (layers < 4) {
-          made.event(LayerEvent{.what = LayerEvent::Do::kAdd, .layer = {}});
-          ++layers;
-        }
+        change_layer(LayerEvent::Do::kShow);  // a hidden layer cannot be used
+        change_layer(LayerEvent::Do::kUse);
         break;
       case 5:
-        made.event(LayerEvent{.what = LayerEvent::Do::kOpacity, .layer = layer, .opacity = 0.5});
+        change_layer(LayerEvent::Do::kOpacity);
         break;
       case 6:
-        made.event(LayerEvent{
-            .what = LayerEvent::Do::kBlend, .layer = layer, .mode = BlendMode::kMultiply});
+        change_layer(LayerEvent::Do::kBlend);
         break;
       case 7:
-        made.event(LayerEvent{.what = pick(2) == 0 ? LayerEvent::Do::kHide : LayerEvent::Do::kShow,
-                              .layer = layer});
+        change_layer(pick(2) == 0 ? LayerEvent::Do::kHide : LayerEvent::Do::kShow);
         break;
       default:
         made.line(point(), point(), 5 + pick(60));
+        ++drawn;
     }
   }
   return made.take();
