@@ -126,7 +126,7 @@ kill -0 "$(cat pid)" 2>/dev/null && fail "the encoder still runs"
 # The animated .svg is valid, and has no animation beyond its length.
 run 0 "$feltline" timelapse rec.felt -o film.svg --seconds 4
 if command -v xmllint >/dev/null; then run 0 xmllint --noout film.svg; fi
-[ "$(grep -c '<path fill=' film.svg)" = 3 ] || fail "not three strokes in film.svg"
+[ "$(grep -c '^<path fill=' film.svg)" = 3 ] || fail "not three strokes in film.svg"
 [ "$(grep -c '<mask' film.svg)" = 3 ] || fail "not three masks in film.svg"
 
 # With the real ffmpeg.

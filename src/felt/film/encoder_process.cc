@@ -101,7 +101,7 @@ EncoderProcess::EncoderProcess(EncoderProcess&& other) noexcept
 EncoderProcess::~EncoderProcess() {
   close_input();
   if (pid_ > 0) {
-    ::kill(pid_, SIGKILL);
+    ::kill(-pid_, SIGKILL);  // with the processes that it started
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
