@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "felt/film/film_writer.h"
 #include "felt/timelapse/animated_svg.h"
+#include "input.h"
 #include "interrupt.h"
 #include "output.h"
 #include "overwrite_check.h"

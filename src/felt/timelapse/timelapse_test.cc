@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <vector>
@@ -207,7 +207,7 @@ TEST(PageInFrame, ShowsTheWholeAreaInTheMiddle) {
   }
   EXPECT_TRUE(page_in_frame({5.0, 5.0, 5.0, 5.0}, 100, 100)) << "a point";
   EXPECT_FALSE(page_in_frame(Rect{}, 100, 100));
-  EXPECT_FALSE(page_in_frame({0.0, 0.0, INFINITY, 1.0}, 100, 100));
+  EXPECT_FALSE(page_in_frame({0.0, 0.0, std::numeric_limits<double>::infinity(), 1.0}, 100, 100));
   EXPECT_FALSE(page_in_frame(kArea, 0, 100));
 }
 
