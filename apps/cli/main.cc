@@ -47,6 +47,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_formats_command(app);
   add_recover_command(app, console);
   add_replay_command(app, console);
+  add_timelapse_command(app, console);
   add_demo_command(app, console);
   add_tools_command(app, console);
   add_materials_command(app, console);

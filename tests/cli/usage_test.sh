@@ -7,7 +7,7 @@ has out "feltline fit strokes.ndjson -o sketch.svg"
 is_empty err
 run 0 "$feltline" --version
 has out "feltline 0."
-for command in fit render convert info replay demo tools devices doctor device-test trial bench; do
+for command in fit render convert info replay timelapse demo tools devices doctor device-test trial bench; do
   run 0 "$feltline" "$command" --help
   has out "Examples:"
   is_empty err

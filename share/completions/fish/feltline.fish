@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit steady render convert gather inbetween check info formats replay recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit steady render convert gather inbetween check info formats replay timelapse recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -14,6 +14,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a check 
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Describe the contents of a file'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a formats -d 'List file formats and what each of them keeps'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay -d 'Play events or pen strokes through a simulated pen'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a timelapse -d 'Make a film of how a drawing was made'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a demo -d 'Let the simulated hand draw a picture'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a tools -d 'List the tools and their options'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a materials -d 'List surfaces and media; show, check and create custom ones'
@@ -30,6 +31,17 @@ complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l outp
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'felt svg inkml xopp ndjson pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l scale -x -d 'Resolution of a .png as a factor; 1 is 96 dots per inch'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -s o -l output -r -d 'The film'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l to -x -a 'webm gif svg' -d 'Format of the film'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l on -r -d 'A drawing that a script begins with'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l seconds -x -d 'Length of the film'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l fps -x -d 'Frames per second'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l hold -x -d 'How long the finished drawing stays'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l size -x -d 'WxH in pixels, or the longer side'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l paper -x -d 'Colour behind the ink'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l surface -x -d 'Surface whose grain shows in dry ink'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l grain -d 'Show the grain of the surface in dry ink'
 complete -c feltline -n '__fish_seen_subcommand_from check' -l tactile -d 'Check the rules for raised lines'
 complete -c feltline -n '__fish_seen_subcommand_from check' -l embossed -d 'Lines may be 3.2 mm apart'
 complete -c feltline -n '__fish_seen_subcommand_from check' -l csv -d 'Print a table'

@@ -39,6 +39,9 @@ class AtomicFile {
   /// Replaces bytes written before, for example a header once its values are known.
   /// Requires offset + bytes.size() <= bytes written so far.
   Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
+  /// Returns the descriptor of the temporary file, for a child process that writes the file instead
+  /// of write() and overwrite(). It is closed by the destructor and is not inherited by default.
+  [[nodiscard]] int descriptor() const noexcept { return fd_; }
   /// Completes the file. Call once; nothing may be written afterwards.
   Result<void> commit();
   /// Completes the file like commit(), and verifies it as described for save_file(). Used for

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -153,6 +154,7 @@ struct Rasterizer::State {
   void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
                   Pixels target);
 
+  std::optional<PixelRect> window;
   Cells cells{kRasterCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
@@ -233,12 +235,20 @@ Rasterizer::~Rasterizer() = default;
 Rasterizer::Rasterizer(Rasterizer&&) noexcept = default;
 Rasterizer& Rasterizer::operator=(Rasterizer&&) noexcept = default;
 
+void Rasterizer::set_window(std::optional<PixelRect> window) noexcept {
+  state_->window = window;
+}
+
+PixelRect Rasterizer::visible(PixelRect part) const noexcept {
+  return state_->window ? part.intersected(*state_->window) : part;
+}
+
 void Rasterizer::fill(const Outline& outline, const View& view, PixelRect clip, Rgba color,
                       Pixels target) {
   const PixelRect part = clip.intersected(target.rect());
-  if (part.empty() || color.a == 0) return;
+  if (visible(part).empty() || color.a == 0) return;
   load(outline, view, part);
-  blend_loaded(part, color, target);
+  blend_loaded(visible(part), color, target);
 }
 
 /// Blends the coverage that was loaded last in one colour.
@@ -294,21 +304,20 @@ const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, co
 
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target) {
   const PixelRect part = clip.intersected(target.rect());
-  if (part.empty()) return;
-  const Rect shown = shown_by(part, view);
-  if (!shown.intersects(rough_bounds(stroke))) return;
-  fill(trace_near(stroke, view, shown), view, part, stroke.color(), target);
+  if (visible(part).empty()) return;
+  if (!shown_by(visible(part), view).intersects(rough_bounds(stroke))) return;
+  fill(trace_near(stroke, view, shown_by(part, view)), view, part, stroke.color(), target);
 }
 
 void Rasterizer::draw_fill(const Fill& fill, const View& view, PixelRect clip, Pixels target) {
   const PixelRect part = clip.intersected(target.rect());
-  if (part.empty() || fill.color.a == 0) return;
-  if (!shown_by(part, view).intersects(fill_bounds(fill))) return;
+  if (visible(part).empty() || fill.color.a == 0) return;
+  if (!shown_by(visible(part), view).intersects(fill_bounds(fill))) return;
   State& s = *state_;
   flatten_fill(fill, kRasterTolerancePx / view.px_per_mm, s.joined);
   load(s.joined, view, part);
   s.cells.filling_rule(agg::fill_even_odd);
-  blend_loaded(part, fill.color, target);
+  blend_loaded(visible(part), fill.color, target);
 }
 
 void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelRect clip,
@@ -348,27 +357,27 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
   if (look == nullptr) return draw(stroke, view, clip, target);
   const Rect bounds = rough_bounds(stroke);
   const PixelRect part = pixels_of(bounds, view, clip.intersected(target.rect()));
-  if (part.empty() || stroke.color().a == 0) return;
-  const Rect shown = shown_by(part, view);
-  if (!shown.intersects(bounds)) return;
+  const PixelRect seen = visible(part);
+  if (seen.empty() || stroke.color().a == 0) return;
+  if (!shown_by(seen, view).intersects(bounds)) return;
   State& s = *state_;
-  load(trace_near(stroke, view, shown), view, part);
+  load(trace_near(stroke, view, shown_by(part, view)), view, part);
   if (!s.cells.rewind_scanlines()) return;
   s.line.reset(s.cells.min_x(), s.cells.max_x());
   s.walk(stroke, view);
   if (look->builds_up) s.measure(stroke, view);
   const InkShade shade(*look, view);
   const std::uint32_t ink = solid(stroke.color(), target.order);
-  PixelRect band{part.x0, part.y0, part.x1, part.y0};
+  PixelRect band{seen.x0, seen.y0, seen.x1, seen.y0};
   while (s.cells.sweep_scanline(s.line)) {
     const int y = s.line.y();
-    if (y < part.y0 || y >= part.y1) continue;
+    if (y < seen.y0 || y >= seen.y1) continue;
     if (y >= band.y1) {
       band.y0 = y;
-      band.y1 = std::min(part.y1, y + State::kBandRows);
+      band.y1 = std::min(seen.y1, y + State::kBandRows);
       s.lay_tip(band, *look);
     }
-    s.blend_line(shade, part, ink, stroke.color().a, target);
+    s.blend_line(shade, seen, ink, stroke.color().a, target);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "felt/document/fill.h"
 #include "felt/render/grain.h"
@@ -19,7 +20,7 @@ inline constexpr double kRasterTolerancePx = 0.05;
 /// stroke is not darker where it crosses itself. With a grain, dry media are (VisitMap). Pixels
 /// outside `clip` do not change. Filling an
 /// area in tiles gives the same pixels as filling it in one call, except for differences of up to 2
-/// of 255 levels at the seams.
+/// of 255 levels at the seams. With a window (set_window()), it gives exactly the same pixels.
 ///
 /// For a long stroke, only the segments near the clip are traced.
 ///
@@ -31,6 +32,11 @@ class Rasterizer {
   ~Rasterizer();
   Rasterizer(Rasterizer&&) noexcept;
   Rasterizer& operator=(Rasterizer&&) noexcept;
+
+  /// From now on, only pixels in this window change, and they become exactly what they become
+  /// without a window: shapes are traced and clipped as for the whole `clip`. nullopt removes the
+  /// window. It does not apply to draw_center_line().
+  void set_window(std::optional<PixelRect> window) noexcept;
 
   /// Fills an outline given in mm.
   void fill(const Outline& outline, const View& view, PixelRect clip, Rgba color, Pixels target);
@@ -55,6 +61,8 @@ class Rasterizer {
  private:
   void load(const Outline& outline, const View& view, PixelRect part);
   void blend_loaded(PixelRect part, Rgba color, Pixels target);
+  /// Returns the pixels of `part` that may change.
+  [[nodiscard]] PixelRect visible(PixelRect part) const noexcept;
   const InkLook* look_of(const Stroke& stroke, const View& view, const Grain& grain);
   const Outline& trace_near(const Stroke& stroke, const View& view, const Rect& shown);
 

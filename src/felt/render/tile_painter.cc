@@ -115,7 +115,8 @@ InkJob job_from(const std::vector<SceneInk>& ink, const std::vector<const SceneL
                    layer->opacity,
                    nullptr,
                    {},
-                   layer->blend};
+                   layer->blend,
+                   layer->order.size() > 0 || !layer->fills.empty()};
     if (shows_picture) {
       group.pixels = layer->pixels;
       group.place = layer->picture->place;
@@ -161,11 +162,14 @@ void TilePainter::draw(const Stroke& stroke, const View& view, PixelRect part,
 
 void TilePainter::draw_item(InkJob& job, const InkStyle& style, Pixels target) {
   const InkItem& item = job.items[job.next++];
+  const PixelRect clip = style.is_seamless ? target.rect() : job.part;
+  if (style.is_seamless) rasterizer_.set_window(job.part);
   if (item.stroke) {
-    draw(*item.stroke, job.view, job.part, style, target);
+    draw(*item.stroke, job.view, clip, style, target);
   } else if (style.hair_px == 0.0) {
-    rasterizer_.draw_fill(*item.fill, job.view, job.part, target);
+    rasterizer_.draw_fill(*item.fill, job.view, clip, target);
   }
+  rasterizer_.set_window(std::nullopt);
 }
 
 namespace {
@@ -210,7 +214,8 @@ void TilePainter::draw_in_group(InkJob& job, const InkStyle& style, Pixels targe
   if (!is_grouped) return draw_item(job, style, target);
   const InkGroup& group = job.groups[job.next_group];
   const bool has_mode = group.blend != BlendMode::kNormal;
-  const bool is_whole = has_mode || (group.opacity < 1.0 && group.last > group.first);
+  const bool has_ink = style.is_seamless ? group.has_ink : group.last > group.first;
+  const bool is_whole = has_mode || (group.opacity < 1.0 && has_ink);
   Pixels to = target;
   if (is_whole) {
     to = whole_of(job.group_pixels, target, job.is_in_group ? Buffer::kKept : Buffer::kNew);

@@ -20,6 +20,9 @@ struct InkStyle {
   /// If above 0, only the centre lines of strokes are drawn, this many pixels wide.
   double hair_px = 0.0;
   Rgba paper{255, 255, 255, 255};  ///< below the picture: blend modes multiply with it
+  /// If true, the part of a job gets exactly the pixels of the whole target painted in one job.
+  /// Slower, because shapes are traced and clipped as for the whole target.
+  bool is_seamless = false;
 };
 
 /// A stroke or a fill to draw: one of the two pointers is set.
@@ -36,6 +39,7 @@ struct InkGroup {
   std::shared_ptr<const PicturePixels> pixels;  ///< null if the layer has no picture
   Affine place;                                 ///< of the picture
   BlendMode blend = BlendMode::kNormal;
+  bool has_ink = false;  ///< the layer has strokes or fills, perhaps outside the job's part
 };
 
 /// A group of layers of an InkJob that is drawn as a whole (LayerGroup::is_whole): the items from

@@ -6,9 +6,8 @@
 #include "felt/store/felt_recording.h"
 
 namespace felt {
-namespace {
 
-Result<void> apply(const Event& event, const ReadImport& read_import, Session& session) {
+Result<void> apply_event(const Event& event, const ReadImport& read_import, Session& session) {
   const auto* import = std::get_if<ImportEvent>(&event.what);
   if (!import) return session.apply(event);
   const Result<VisibleInk> ink = read_import(import->path);
@@ -16,12 +15,10 @@ Result<void> apply(const Event& event, const ReadImport& read_import, Session& s
   return session.import(event.time_ns, *import, ink->strokes, ink->fills);
 }
 
-}  // namespace
-
 Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImport& read_import,
                           Session& session) {
   ScriptSink sink;
-  sink.event = [&](const Event& event) { return apply(event, read_import, session); };
+  sink.event = [&](const Event& event) { return apply_event(event, read_import, session); };
   if (Result<void> done = read_script(name, std::move(read), sink); !done) return done;
   return session.finish();
 }
@@ -34,7 +31,7 @@ Result<void> apply_recording(const Drawing& drawing, const ReadImport& read_impo
   const Result<FeltRecording> recording = read_recording(drawing, all->size() - 1);
   if (!recording) return tl::unexpected(recording.error());
   Result<void> done = play_recording(
-      *recording, [&](const Event& event) { return apply(event, read_import, session); });
+      *recording, [&](const Event& event) { return apply_event(event, read_import, session); });
   return done ? session.finish() : done;
 }
 

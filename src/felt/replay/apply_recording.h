@@ -20,6 +20,9 @@ namespace felt {
 /// Reads the strokes of the file that an import event names.
 using ReadImport = std::function<Result<VisibleInk>(const std::string& path)>;
 
+/// Applies one event of a recording, and reads the file of an import event.
+Result<void> apply_event(const Event& event, const ReadImport& read_import, Session& session);
+
 /// Applies a script. `name` is for errors, "NAME:LINE: reason".
 Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImport& read_import,
                           Session& session);

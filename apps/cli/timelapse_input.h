@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "console.h"
+#include "felt/document/drawing.h"
+#include "felt/timelapse/timelapse.h"
+
+namespace felt::cli {
+
+/// A recording, and the drawing that it belongs to.
+struct TimelapseInput {
+  TimelapseSource source;
+  /// The page of a .felt drawing, or of the drawing on which a script begins; has_page is false if
+  /// there is none.
+  Drawing frame;
+};
+
+/// Reads a recording: the newest one of a .felt drawing, a script (.ndjson, or "-" for stdin) of
+/// pen samples as they were recorded, or a script with hand events or raw strokes. A simulated pen
+/// draws the last kind first, as `feltline replay` does with its defaults. Fails if the file cannot
+/// be read or contains nothing to show; messages begin with "PATH:LINE: " or "PATH: ".
+///
+/// `on` is a drawing on which a script begins; "" for none. It cannot be used with a .felt input,
+/// because its recording begins with an empty page.
+Result<TimelapseInput> read_timelapse(const std::string& path, const std::string& on,
+                                      Console& console);
+
+}  // namespace felt::cli
