@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit steady render convert gather check info formats replay recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit steady render convert gather inflate check info formats replay recover demo tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -9,6 +9,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a steady
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a gather -d 'Press each bundle of rough strokes into one line'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a inflate -d 'Make a solid of the outlines of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a check -d 'Name what a fingertip could not tell apart in a raised drawing'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Describe the contents of a file'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a formats -d 'List file formats and what each of them keeps'
@@ -34,6 +35,13 @@ complete -c feltline -n '__fish_seen_subcommand_from check' -l embossed -d 'Line
 complete -c feltline -n '__fish_seen_subcommand_from check' -l csv -d 'Print a table'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l all -d 'Gather all strokes of the drawing, layer by layer'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l groups -r -F -d 'Also write the group of each stroke, as .csv'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -s o -l output -r -F -d 'Output file: .stl, .obj, .3mf or .glb'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l to -x -a 'stl obj 3mf glb' -d 'Output format'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l png -r -F -d 'Also, or only, paint a picture of the solid'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l triangles -x -d 'About how many triangles the solid gets'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l thickness -x -d 'Factor of the thickness'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l gap -x -d 'Close gaps of the outline up to this size, in mm'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l fill-holes -d 'Ignore closed lines inside an outline'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l width -x -a 'median strip' -d 'Width of a gathered line'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -x -a 'visible all' -d 'Layers to keep and show'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Recover the readable parts of a damaged .felt'

@@ -1,0 +1,210 @@
+#include "felt/solid/inflate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "felt/document/visible_strokes.h"
+#include "felt/fill/curve_area.h"
+#include "felt/geometry/rect.h"
+#include "felt/solid/mirror_axes.h"
+#include "felt/solid/plane_mesh.h"
+#include "felt/solid/sector.h"
+#include "felt/solid/unfold.h"
+
+namespace felt {
+namespace inflation {
+
+/// The frame in which an area is meshed: its centre is (0, 0), y points up, and one of the mirror
+/// axes is the x axis.
+struct Frame {
+  Point centre;        // in the body's frame
+  Vec x_axis{1.0, 0.0};
+
+  [[nodiscard]] Point to(Point p) const {
+    return Point{} + Vec{dot(x_axis, p - centre), cross(x_axis, p - centre)};
+  }
+};
+
+using Curves = std::vector<std::vector<Cubic>>;
+
+/// Returns the curves in the body's frame: about the origin, y up.
+Curves in_body_frame(const SolidOutline& outline, Point origin) {
+  Curves curves = outline.loops;
+  for (auto& curve : curves) {
+    for (Cubic& c : curve) {
+      for (Point& p : c.p) p = {p.x - origin.x, origin.y - p.y};
+    }
+  }
+  return curves;
+}
+
+double area_inside(const Curves& curves) {
+  double area = 0.0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const double inside = std::fabs(loop_area(curves[i]));
+    area += i == 0 ? inside : -inside;
+  }
+  return std::max(area, 0.0);
+}
+
+/// The triangles of Mesh_2 with sides of at most e have about this many e^2 of area on average
+/// (measured with a disc of 2,400 to 9,800 triangles: 0.200 to 0.203).
+constexpr double kTriangleArea = 0.2;
+
+/// Returns the lengths for a body, so that all bodies together have about the given number of
+/// triangles.
+RingSpec spec_of(const Curves& curves, double whole_mm2, const InflateOptions& options) {
+  constexpr double kMinFrontTriangles = 150.0;
+  Rect box;
+  for (const Cubic& c : curves.front()) box.extend(control_bounds(c));
+  const double area = area_inside(curves);
+  const double of_all = whole_mm2 / (0.5 * options.triangles * kTriangleArea);
+  const double of_body = area / (kMinFrontTriangles * kTriangleArea);
+  const double extent = std::max(box.width(), box.height());
+  RingSpec spec;
+  spec.edge_mm = std::sqrt(std::min(of_all, std::max(of_body, of_all / 100.0)));
+  spec.tolerance_mm = std::min(0.02 * spec.edge_mm, 0.05);
+  spec.tip_mm = std::max(0.01 * spec.edge_mm, 1e-4 * extent);
+  return spec;
+}
+
+/// Orients the outer ring from +x to +y and the holes against it.
+void orient(std::vector<Ring>& rings) {
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    double twice = 0.0;
+    for (std::size_t k = 0; k < rings[i].size(); ++k) {
+      const Point a = rings[i][k], b = rings[i][(k + 1) % rings[i].size()];
+      twice += cross(a - rings[i][0], b - rings[i][0]);
+    }
+    if ((twice > 0.0) != (i == 0)) std::reverse(rings[i].begin(), rings[i].end());
+  }
+}
+
+/// Inflates one outline.
+class Inflation {
+ public:
+  Inflation(const SolidOutline& outline, Point origin, const InflateOptions& options)
+      : outline_(outline), origin_(origin), options_(options) {}
+
+  Result<SolidBody> run(double whole_mm2);
+
+ private:
+  [[nodiscard]] Result<SolidBody> body_from(const MirrorAxes& axes) const;
+  [[nodiscard]] tl::unexpected<Error> error_at(const char* what, Point p) const;
+  [[nodiscard]] Result<SolidBody> checked(SolidBody body) const;
+
+  const SolidOutline& outline_;
+  Point origin_;
+  InflateOptions options_;
+  Curves curves_;
+  RingSpec spec_;
+  std::vector<Ring> rings_;
+};
+
+tl::unexpected<Error> Inflation::error_at(const char* what, Point p) const {
+  char text[160];
+  std::snprintf(text, sizeof text, " %s at (%.2f, %.2f) mm", what, origin_.x + p.x,
+                origin_.y - p.y);
+  return fail(ErrorCode::kInvalidData,
+              "the outline of stroke " + stroke_name(outline_.stroke) + text);
+}
+
+Result<SolidBody> Inflation::checked(SolidBody body) const {
+  body.holes = static_cast<int>(outline_.loops.size()) - 1;
+  body.stroke = outline_.stroke;
+  body.color = outline_.color;
+  if (Result<void> sound = check_body(body, origin_); !sound) {
+    return tl::unexpected(with_context(sound.error(), "stroke " + stroke_name(outline_.stroke)));
+  }
+  return body;
+}
+
+Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
+  Frame frame;
+  if (axes.count > 0) frame = {axes.centre, unit_at(axes.angle_rad)};
+  std::vector<Ring> rings = rings_;
+  for (Ring& ring : rings) {
+    for (Point& p : ring) p = frame.to(p);
+  }
+  RingSpec border = spec_;
+  border.edge_mm *= 0.8;  // so that Mesh_2 rarely divides the border
+  const std::optional<Sector> sector = cut_sector(rings, axes.count, border);
+  if (!sector) return error_at("only touches its mirror axis", axes.centre);
+  if (const std::optional<Point> p = crossing_of(*sector)) {
+    const Vec v = *p - Point{};
+    return error_at("touches or crosses itself",
+                    frame.centre + v.x * frame.x_axis + v.y * perp(frame.x_axis));
+  }
+  // Narrow parts need triangles as small as they are narrow.
+  const auto max_points = static_cast<std::size_t>(20 * options_.triangles) + 400'000;
+  const Result<PlaneMesh> mesh =
+      fill_plane(sector->points, sector->edges, spec_.edge_mm, max_points);
+  if (!mesh) return error_at(mesh.error().message.c_str(), frame.centre);
+  return unfolded(*mesh, axes.count, options_.thickness, frame.centre, frame.x_axis)
+      .and_then([&](SolidBody body) { return checked(std::move(body)); });
+}
+
+Result<SolidBody> Inflation::run(double whole_mm2) {
+  curves_ = in_body_frame(outline_, origin_);
+  spec_ = spec_of(curves_, whole_mm2, options_);
+  for (const auto& curve : curves_) {
+    rings_.push_back(fine_ring(curve, spec_));
+    if (rings_.back().empty()) return error_at("is too narrow", curve.front().p[0]);
+  }
+  orient(rings_);
+  const MirrorAxes axes = find_mirror_axes(curves_, rings_, 0.25 * spec_.tolerance_mm);
+  if (axes.count > 0) {
+    Result<SolidBody> body = body_from(axes);
+    if (body) return body;
+  }
+  return body_from({});
+}
+
+Result<void> check_options(const InflateOptions& options) {
+  const bool sound = options.triangles >= InflateOptions::kMinTriangles &&
+                     options.triangles <= InflateOptions::kMaxTriangles &&
+                     options.max_gap_mm >= 0.0 && options.max_gap_mm <= 32.0 &&
+                     options.thickness >= 0.05 && options.thickness <= 20.0;
+  if (sound) return {};
+  return fail(ErrorCode::kInvalidArgument, "an option for solids is out of range");
+}
+
+}  // namespace inflation
+
+Result<SolidBody> inflate_outline(const SolidOutline& outline, Point origin, double area_mm2,
+                                  const InflateOptions& options) {
+  if (Result<void> sound = inflation::check_options(options); !sound) {
+    return tl::unexpected(sound.error());
+  }
+  return inflation::Inflation(outline, origin, options).run(area_mm2);
+}
+
+Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& options) {
+  if (Result<void> sound = inflation::check_options(options); !sound) {
+    return tl::unexpected(sound.error());
+  }
+  Result<FoundOutlines> found = find_outlines(document, options.max_gap_mm, options.holes);
+  if (!found) return tl::unexpected(found.error());
+  Rect box;
+  double area = 0.0;
+  for (const SolidOutline& outline : found->outlines) {
+    for (const Cubic& c : outline.loops.front()) box.extend(bounds(c));
+    area += inflation::area_inside(outline.loops);
+  }
+  InflatedDrawing result;
+  result.notes = std::move(found->notes);
+  result.solid.origin = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  for (const SolidOutline& outline : found->outlines) {
+    Result<SolidBody> body =
+        inflation::Inflation(outline, result.solid.origin, options).run(area);
+    if (!body) return tl::unexpected(body.error());
+    result.solid.bodies.push_back(*std::move(body));
+  }
+  return result;
+}
+
+}  // namespace felt
