@@ -51,22 +51,38 @@ double area_inside(const Curves& curves) {
   return std::max(area, 0.0);
 }
 
-/// The triangles of Mesh_2 with sides of at most e have about this many e^2 of area on average
-/// (measured with a disc of 2,400 to 9,800 triangles: 0.200 to 0.203).
-constexpr double kTriangleArea = 0.2;
+/// Mesh_2 with sides of at most e makes about area / 0.2 e^2 triangles inside, and about 1.2 more for
+/// each edge of the border, because these are shorter (measured with discs, rings and stars).
+constexpr double kTriangleArea = 0.2, kTrianglesPerBorderEdge = 1.2;
+/// The edges of the border are shorter than the others, because the surface is steep there.
+constexpr double kBorderShare = 0.5;
+
+/// Returns the longest side of a triangle for about `count` triangles: the positive solution e of
+/// count = area / 0.2 e^2 + 1.2 length / 0.5 e.
+double edge_for(double count, double area_mm2, double length_mm) {
+  const double linear = kTrianglesPerBorderEdge * length_mm / kBorderShare;
+  const double constant = area_mm2 / kTriangleArea;
+  return (linear + std::sqrt(linear * linear + 4.0 * count * constant)) / (2.0 * count);
+}
+
+double length_of(const Curves& curves) {
+  double length = 0.0;
+  for (const auto& curve : curves) {
+    for (const Cubic& c : curve) length += 0.5 * (control_length(c) + distance(c.p[0], c.p[3]));
+  }
+  return length;
+}
 
 /// Returns the lengths for a body, so that all bodies together have about the given number of
-/// triangles.
-RingSpec spec_of(const Curves& curves, double whole_mm2, const InflateOptions& options) {
+/// triangles, and each has enough for a shape.
+RingSpec spec_of(const Curves& curves, const OutlineSize& whole, const InflateOptions& options) {
   constexpr double kMinFrontTriangles = 150.0;
   Rect box;
   for (const Cubic& c : curves.front()) box.extend(control_bounds(c));
-  const double area = area_inside(curves);
-  const double of_all = whole_mm2 / (0.5 * options.triangles * kTriangleArea);
-  const double of_body = area / (kMinFrontTriangles * kTriangleArea);
   const double extent = std::max(box.width(), box.height());
   RingSpec spec;
-  spec.edge_mm = std::sqrt(std::min(of_all, std::max(of_body, of_all / 100.0)));
+  spec.edge_mm = std::min(edge_for(0.5 * options.triangles, whole.area_mm2, whole.length_mm),
+                          edge_for(kMinFrontTriangles, area_inside(curves), length_of(curves)));
   spec.tolerance_mm = std::min(0.02 * spec.edge_mm, 0.05);
   spec.tip_mm = std::max(0.01 * spec.edge_mm, 1e-4 * extent);
   return spec;
@@ -90,7 +106,7 @@ class Inflation {
   Inflation(const SolidOutline& outline, Point origin, const InflateOptions& options)
       : outline_(outline), origin_(origin), options_(options) {}
 
-  Result<SolidBody> run(double whole_mm2);
+  Result<SolidBody> run(const OutlineSize& whole);
 
  private:
   [[nodiscard]] Result<SolidBody> body_from(const MirrorAxes& axes) const;
@@ -131,7 +147,7 @@ Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
     for (Point& p : ring) p = frame.to(p);
   }
   RingSpec border = spec_;
-  border.edge_mm *= 0.8;  // so that Mesh_2 rarely divides the border
+  border.edge_mm *= kBorderShare;
   const std::optional<Sector> sector = cut_sector(rings, axes.count, border);
   if (!sector) return error_at("only touches its mirror axis", axes.centre);
   if (const std::optional<Point> p = crossing_of(*sector)) {
@@ -148,9 +164,9 @@ Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
       .and_then([&](SolidBody body) { return checked(std::move(body)); });
 }
 
-Result<SolidBody> Inflation::run(double whole_mm2) {
+Result<SolidBody> Inflation::run(const OutlineSize& whole) {
   curves_ = in_body_frame(outline_, origin_);
-  spec_ = spec_of(curves_, whole_mm2, options_);
+  spec_ = spec_of(curves_, whole, options_);
   for (const auto& curve : curves_) {
     rings_.push_back(fine_ring(curve, spec_));
     if (rings_.back().empty()) return error_at("is too narrow", curve.front().p[0]);
@@ -175,12 +191,16 @@ Result<void> check_options(const InflateOptions& options) {
 
 }  // namespace inflation
 
-Result<SolidBody> inflate_outline(const SolidOutline& outline, Point origin, double area_mm2,
-                                  const InflateOptions& options) {
+OutlineSize size_of(const SolidOutline& outline) noexcept {
+  return {inflation::area_inside(outline.loops), inflation::length_of(outline.loops)};
+}
+
+Result<SolidBody> inflate_outline(const SolidOutline& outline, Point origin,
+                                  const OutlineSize& whole, const InflateOptions& options) {
   if (Result<void> sound = inflation::check_options(options); !sound) {
     return tl::unexpected(sound.error());
   }
-  return inflation::Inflation(outline, origin, options).run(area_mm2);
+  return inflation::Inflation(outline, origin, options).run(whole);
 }
 
 Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& options) {
@@ -190,17 +210,19 @@ Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& 
   Result<FoundOutlines> found = find_outlines(document, options.max_gap_mm, options.holes);
   if (!found) return tl::unexpected(found.error());
   Rect box;
-  double area = 0.0;
+  OutlineSize whole;
   for (const SolidOutline& outline : found->outlines) {
     for (const Cubic& c : outline.loops.front()) box.extend(bounds(c));
-    area += inflation::area_inside(outline.loops);
+    const OutlineSize size = size_of(outline);
+    whole.area_mm2 += size.area_mm2;
+    whole.length_mm += size.length_mm;
   }
   InflatedDrawing result;
   result.notes = std::move(found->notes);
   result.solid.origin = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
   for (const SolidOutline& outline : found->outlines) {
     Result<SolidBody> body =
-        inflation::Inflation(outline, result.solid.origin, options).run(area);
+        inflation::Inflation(outline, result.solid.origin, options).run(whole);
     if (!body) return tl::unexpected(body.error());
     result.solid.bodies.push_back(*std::move(body));
   }

@@ -43,9 +43,19 @@ struct InflatedDrawing {
 /// find_outlines() fails, or if an outline touches itself, or almost so; the message says where.
 Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& options);
 
-/// Inflates one outline. `origin` is the point of the page at x = y = 0 of the body, and
-/// `area_mm2` the area that gets `options.triangles` triangles.
-Result<SolidBody> inflate_outline(const SolidOutline& outline, Point origin, double area_mm2,
-                                  const InflateOptions& options);
+/// The size of an outline, or of several.
+struct OutlineSize {
+  double area_mm2 = 0.0;   ///< inside the outer curve, without the holes
+  double length_mm = 0.0;  ///< of all curves, within a few percent
+};
+
+/// Returns the size of an outline.
+OutlineSize size_of(const SolidOutline& outline) noexcept;
+
+/// Inflates one outline. `origin` is the point of the page at x = y = 0 of the body. `whole` is the
+/// size of all outlines that get `options.triangles` triangles together: that of this outline, if
+/// it is the only one. Fails like inflate().
+Result<SolidBody> inflate_outline(const SolidOutline& outline, Point origin,
+                                  const OutlineSize& whole, const InflateOptions& options);
 
 }  // namespace felt

