@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "felt/geometry/polyline.h"
@@ -82,30 +83,55 @@ Cut cut_at(const Ring& ring, std::size_t i, double tip_mm) {
   return {};
 }
 
-/// Cuts off the sharpest tip. Returns false if there is none, or if the ring has no width.
-bool cut_sharpest(Ring& ring, double tip_mm) {
-  // The cosine of the angle at a tip, about 47 degrees: no angle that is likely in a symmetric
-  // figure, where rounding would decide which of its tips are cut.
-  constexpr double kBlunt = 0.68;
+/// Returns the corners of less than about 47 degrees, the sharpest first. This is no angle that is
+/// likely in a symmetric figure, where rounding would decide which of its tips are cut.
+std::vector<std::size_t> tips_of(const Ring& ring) {
+  constexpr double kMinCosine = 0.68;
   const std::size_t n = ring.size();
-  double sharpest = kBlunt;
-  std::size_t at = n;
+  std::vector<std::pair<double, std::size_t>> tips;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec a = normalized(ring[(i + n - 1) % n] - ring[i]);
     const Vec b = normalized(ring[(i + 1) % n] - ring[i]);
-    if (dot(a, b) > sharpest) sharpest = dot(a, b), at = i;
+    if (dot(a, b) > kMinCosine) tips.emplace_back(-dot(a, b), i);
   }
-  if (at == n) return false;
-  const Cut cut = cut_at(ring, at, tip_mm);
-  if (cut.count == 0 || cut.count + 2 > n) {
-    ring.clear();
-    return false;
+  std::sort(tips.begin(), tips.end());
+  std::vector<std::size_t> corners;
+  for (const auto& tip : tips) corners.push_back(tip.second);
+  return corners;
+}
+
+/// Cuts off all tips that do not overlap. Returns false if there was none. A ring without width
+/// becomes empty.
+bool cut_tips(Ring& ring, double tip_mm) {
+  enum class Mark : std::uint8_t { kFree, kBeside, kDropped };
+  const std::size_t n = ring.size();
+  std::vector<Mark> marks(n, Mark::kFree);
+  std::map<std::size_t, Cut> cuts;  // by first point
+  for (const std::size_t corner : tips_of(ring)) {
+    if (marks[corner] != Mark::kFree) continue;
+    const Cut cut = cut_at(ring, corner, tip_mm);
+    if (cut.count == 0 || cut.count + 2 > n) {
+      ring.clear();
+      return false;
+    }
+    const auto mark = [&](std::size_t k) -> Mark& { return marks[(cut.first + n - 1 + k) % n]; };
+    bool is_free = true;
+    for (std::size_t k = 0; k < cut.count + 2; ++k) is_free &= mark(k) == Mark::kFree;
+    if (!is_free) continue;
+    for (std::size_t k = 1; k <= cut.count; ++k) mark(k) = Mark::kDropped;
+    mark(0) = mark(cut.count + 1) = Mark::kBeside;
+    cuts.emplace(cut.first, cut);
   }
-  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(cut.first), ring.end());
-  ring.erase(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(cut.count));
-  ring.insert(ring.end(), {cut.before, cut.after});
+  Ring rest;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (const auto cut = cuts.find(i); cut != cuts.end()) {
+      rest.insert(rest.end(), {cut->second.before, cut->second.after});
+    }
+    if (marks[i] != Mark::kDropped) rest.push_back(ring[i]);
+  }
+  ring = std::move(rest);
   drop_near(ring, 0.5 * tip_mm);
-  return ring.size() >= 3;
+  return !cuts.empty();
 }
 
 /// Returns true if two closed segments have a common point. Two parts of one straight line are on
@@ -130,8 +156,12 @@ Ring fine_ring(std::span<const Cubic> curve, const RingSpec& spec) {
   }
   ring_work::drop_near(ring, 0.5 * spec.tip_mm);
   if (ring.size() < 3) return {};
-  // A tip that is cut leaves two corners of 90 degrees or more, so this ends.
-  for (std::size_t k = 0; k < ring.size() && ring_work::cut_sharpest(ring, spec.tip_mm);) ++k;
+  // A tip that is cut leaves two corners of 90 degrees or more; more passes are only needed for
+  // tips beside each other.
+  constexpr int kMaxPasses = 20;
+  for (int k = 0; k < kMaxPasses && ring.size() >= 3 && ring_work::cut_tips(ring, spec.tip_mm);) {
+    ++k;
+  }
   return ring.size() < 3 ? Ring() : ring;
 }
 
