@@ -71,7 +71,8 @@ std::optional<SolidFormat> wanted_solid_format(const InflateArguments& args) {
   }
   const std::size_t dot = args.output.rfind('.');
   std::string_view name = args.to;
-  if (name.empty() && dot != std::string::npos) name = std::string_view(args.output).substr(dot + 1);
+  if (name.empty() && dot != std::string::npos)
+    name = std::string_view(args.output).substr(dot + 1);
   if (name.starts_with('.')) name.remove_prefix(1);
   const std::optional<SolidFormat> format = solid_format_of(name);
   if (format) return format;

@@ -38,10 +38,18 @@ void divide(const Triangle& t, const Middles& middles, std::vector<Triangle>& ou
   const auto n = static_cast<std::uint32_t>(middle[(turn + 1) % 3]);
   const auto o = static_cast<std::uint32_t>(middle[(turn + 2) % 3]);
   switch (count) {
-    case 0: out.push_back(t); break;
-    case 1: out.insert(out.end(), {{a, m, c}, {m, b, c}}); break;
-    case 2: out.insert(out.end(), {{m, b, n}, {a, m, n}, {a, n, c}}); break;
-    default: out.insert(out.end(), {{a, m, o}, {m, b, n}, {o, n, c}, {m, n, o}}); break;
+    case 0:
+      out.push_back(t);
+      break;
+    case 1:
+      out.insert(out.end(), {{a, m, c}, {m, b, c}});
+      break;
+    case 2:
+      out.insert(out.end(), {{m, b, n}, {a, m, n}, {a, n, c}});
+      break;
+    default:
+      out.insert(out.end(), {{a, m, o}, {m, b, n}, {o, n, c}, {m, n, o}});
+      break;
   }
 }
 

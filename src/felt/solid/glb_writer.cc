@@ -57,7 +57,8 @@ std::string GlbDocument::add_accessor(std::size_t offset, int target, const std:
 std::string GlbDocument::add_points(const std::vector<Vec3>& points, bool with_bounds) {
   const std::size_t offset = buffer_.size();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  std::array<float, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  std::array<float, 3> low{kInfinity, kInfinity, kInfinity},
+      high{-kInfinity, -kInfinity, -kInfinity};
   for (const Vec3& p : points) {
     append_floats(buffer_, p);
     const std::array<float, 3> stored = {static_cast<float>(p.x), static_cast<float>(p.y),
@@ -128,7 +129,7 @@ Result<std::string> encode_glb(const Solid& solid) {
   glb::GlbDocument document;
   for (const SolidBody& body : solid.bodies) document.add_body(body);
   std::string json = document.json();
-  json.resize((json.size() + 3) / 4 * 4, ' ');  // chunks are multiples of 4 bytes
+  json.resize((json.size() + 3) / 4 * 4, ' ');    // chunks are multiples of 4 bytes
   const std::string& buffer = document.buffer();  // 4-byte numbers only
   const std::size_t bytes = 12 + 8 + json.size() + 8 + buffer.size();
   if (bytes > std::numeric_limits<std::uint32_t>::max()) {

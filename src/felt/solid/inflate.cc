@@ -21,7 +21,7 @@ namespace inflation {
 /// The frame in which an area is meshed: its centre is (0, 0), y points up, and one of the mirror
 /// axes is the x axis.
 struct Frame {
-  Point centre;        // in the body's frame
+  Point centre;  // in the body's frame
   Vec x_axis{1.0, 0.0};
 
   [[nodiscard]] Point to(Point p) const {
@@ -51,8 +51,8 @@ double area_inside(const Curves& curves) {
   return std::max(area, 0.0);
 }
 
-/// Mesh_2 with sides of at most e makes about area / 0.2 e^2 triangles inside, and about 1.2 more for
-/// each edge of the border, because these are shorter (measured with discs, rings and stars).
+/// Mesh_2 with sides of at most e makes about area / 0.2 e^2 triangles inside, and about 1.2 more
+/// for each edge of the border, because these are shorter (measured with discs, rings and stars).
 constexpr double kTriangleArea = 0.2, kTrianglesPerBorderEdge = 1.2;
 /// The edges of the border are shorter than the others, because the surface is steep there.
 constexpr double kBorderShare = 0.5;
@@ -221,8 +221,7 @@ Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& 
   result.notes = std::move(found->notes);
   result.solid.origin = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
   for (const SolidOutline& outline : found->outlines) {
-    Result<SolidBody> body =
-        inflation::Inflation(outline, result.solid.origin, options).run(whole);
+    Result<SolidBody> body = inflation::Inflation(outline, result.solid.origin, options).run(whole);
     if (!body) return tl::unexpected(body.error());
     result.solid.bodies.push_back(*std::move(body));
   }

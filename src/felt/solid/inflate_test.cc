@@ -93,7 +93,7 @@ void add_star(SolidDrawing& drawing, Random& random, Point at, double size_mm) {
 
 /// A strip along a wave, much longer than wide.
 void add_sausage(SolidDrawing& drawing, Random& random, Point at, double size_mm) {
-  const double half = 0.5 * random.between(0.05, 0.2), waves = random.between(0.0, 6.0);
+  const double half = 0.5 * random.between(0.05, 0.2), waves = random.between(0.0, 3.0);
   std::vector<Point> there, back;
   for (int i = 0; i <= 60; ++i) {
     const double x = 4.0 * i / 60.0, phase = waves * x;
@@ -108,8 +108,7 @@ void add_sausage(SolidDrawing& drawing, Random& random, Point at, double size_mm
 }
 
 void add_holes(RandomOutline& outline, Random& random, Point at, double size_mm) {
-  outline.drawing.add(
-      stroke_of(smooth_ring(testing::lumps(random, at, size_mm, 9, 0.85)), true));
+  outline.drawing.add(stroke_of(smooth_ring(testing::lumps(random, at, size_mm, 9, 0.85)), true));
   outline.holes = 1 + static_cast<int>(random.between(0.0, 4.0));
   for (int i = 0; i < outline.holes; ++i) {
     const double a = 2.0 * std::numbers::pi * i / outline.holes;
@@ -139,12 +138,24 @@ RandomOutline random_outline(std::uint64_t seed) {
     case 0:
       drawing.add(stroke_of(smooth_ring(testing::lumps(random, at, size, lumps, 0.5)), true));
       break;
-    case 1: drawing.polygon(testing::lumps(random, at, size, lumps, 0.15)); break;
-    case 2: add_union(drawing, random, at, size); break;
-    case 3: add_star(drawing, random, at, size); break;
-    case 4: add_sausage(drawing, random, at, std::max(size, 6.0)); break;
-    case 5: add_holes(outline, random, at, std::max(size, 8.0)); break;
-    default: add_open_ring(drawing, random, at, size); break;
+    case 1:
+      drawing.polygon(testing::lumps(random, at, size, lumps, 0.15));
+      break;
+    case 2:
+      add_union(drawing, random, at, size);
+      break;
+    case 3:
+      add_star(drawing, random, at, size);
+      break;
+    case 4:
+      add_sausage(drawing, random, at, std::max(size, 6.0));
+      break;
+    case 5:
+      add_holes(outline, random, at, std::max(size, 8.0));
+      break;
+    default:
+      add_open_ring(drawing, random, at, size);
+      break;
   }
   return outline;
 }
@@ -301,13 +312,15 @@ TEST(Inflate, ASymmetricOutlineBecomesASymmetricBody) {
       at.push_back({r * std::cos(a), r * std::sin(a)});
     }
     at.push_back({0.0, -random.between(15.0, 30.0)});
-    for (int k = 7; k >= 1; --k) at.push_back({-at[static_cast<std::size_t>(k)].x,
-                                               at[static_cast<std::size_t>(k)].y});
+    for (int k = 7; k >= 1; --k)
+      at.push_back({-at[static_cast<std::size_t>(k)].x, at[static_cast<std::size_t>(k)].y});
     std::rotate(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(seed % 16), at.end());
     for (Point& p : at) p += Vec{70.0, 50.0};
     SolidDrawing drawing;
-    if (seed % 2 == 0) drawing.polygon(at);
-    else drawing.add(stroke_of(smooth_ring(at), true));
+    if (seed % 2 == 0)
+      drawing.polygon(at);
+    else
+      drawing.add(stroke_of(smooth_ring(at), true));
     if (seed % 3 == 0) drawing.circle({70.0, 50.0}, 4.0);
     const InflatedDrawing result = inflated(drawing);
     const double x = 70.0 - result.solid.origin.x;
@@ -351,8 +364,19 @@ TEST(Inflate, ThinTipsAndSpikesAreCutOff) {
   crescent.add(stroke_of({{0, 0}, {20, 30}, {60, 30}, {80, 0}, {60, 29}, {20, 29}, {0, 0}}, true));
   EXPECT_EQ(inflated(crescent).solid.bodies.size(), 1U);
   SolidDrawing heart;  // a cusp at the top and a tip at the bottom
-  heart.add(stroke_of({{50, 60}, {50, 20}, {0, 20}, {0, 50}, {0, 80}, {50, 90}, {50, 120},
-                       {50, 90}, {100, 80}, {100, 50}, {100, 20}, {50, 20}, {50, 60}},
+  heart.add(stroke_of({{50, 60},
+                       {50, 20},
+                       {0, 20},
+                       {0, 50},
+                       {0, 80},
+                       {50, 90},
+                       {50, 120},
+                       {50, 90},
+                       {100, 80},
+                       {100, 50},
+                       {100, 20},
+                       {50, 20},
+                       {50, 60}},
                       true));
   EXPECT_EQ(inflated(heart).solid.bodies.size(), 1U);
 }

@@ -11,8 +11,8 @@ namespace mirror_search {
 
 using Complex = std::complex<double>;
 
-// Nodes and weights on [0, 1] of Gauss-Legendre quadrature, exact up to degree 15. Source: Abramowitz, Stegun,
-// "Handbook of mathematical functions", table 25.4, n = 8.
+// Nodes and weights on [0, 1] of Gauss-Legendre quadrature, exact up to degree 15. Source:
+// Abramowitz, Stegun, "Handbook of mathematical functions", table 25.4, n = 8.
 constexpr std::array<double, 4> kNodes = {0.1834346424956498, 0.5255324099163290,
                                           0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> kWeights = {0.3626837833783620, 0.3137066458778873,
@@ -109,8 +109,8 @@ MirrorAxes axes_among(double first, int count, std::span<const Ring> rings, cons
 
 }  // namespace mirror_search
 
-MirrorAxes find_mirror_axes(std::span<const std::vector<Cubic>> curves,
-                            std::span<const Ring> rings, double tolerance_mm) {
+MirrorAxes find_mirror_axes(std::span<const std::vector<Cubic>> curves, std::span<const Ring> rings,
+                            double tolerance_mm) {
   using namespace mirror_search;
   // A moment below this share of the largest possible one is rounding.
   constexpr double kSignificant = 1e-7;

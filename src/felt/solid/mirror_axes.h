@@ -24,8 +24,8 @@ struct MirrorAxes {
 /// e^(2ia) conj(z). A symmetric area therefore has moments m_k = integral z^k with arg m_k = k a
 /// modulo pi, which leaves k angles to test for each k. The moments are integrals along the curves,
 /// exact up to rounding.
-MirrorAxes find_mirror_axes(std::span<const std::vector<Cubic>> curves,
-                            std::span<const Ring> rings, double tolerance_mm);
+MirrorAxes find_mirror_axes(std::span<const std::vector<Cubic>> curves, std::span<const Ring> rings,
+                            double tolerance_mm);
 
 inline constexpr int kMaxAxes = 16;
 

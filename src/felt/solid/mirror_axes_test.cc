@@ -50,9 +50,8 @@ TEST(MirrorAxes, RegularPolygonsHaveAsManyAsCorners) {
 }
 
 TEST(MirrorAxes, ARectangleHasTwoAndAnUprightOneIsChosen) {
-  const MirrorAxes axes =
-      axes_of({{straight({0, 0}, {40, 0}), straight({40, 0}, {40, 10}),
-                straight({40, 10}, {0, 10}), straight({0, 10}, {0, 0})}});
+  const MirrorAxes axes = axes_of({{straight({0, 0}, {40, 0}), straight({40, 0}, {40, 10}),
+                                    straight({40, 10}, {0, 10}), straight({0, 10}, {0, 0})}});
   EXPECT_EQ(axes.count, 2);
   EXPECT_NEAR(std::fabs(std::sin(axes.angle_rad)), 1.0, 1e-12);
 }

@@ -178,8 +178,9 @@ tl::unexpected<Error> OutlineFinder::pinch(std::size_t node, const Lobe& a, cons
   }
   std::string names;
   for (const StrokeId id : strokes) names += (names.empty() ? "" : " and ") + stroke_name(id);
-  return fail(ErrorCode::kInvalidData, "strokes " + names + " enclose areas that meet in only one " +
-                                           "point, " + at + ": let them overlap, or move them apart");
+  return fail(ErrorCode::kInvalidData, "strokes " + names +
+                                           " enclose areas that meet in only one " + "point, " +
+                                           at + ": let them overlap, or move them apart");
 }
 
 /// Fails if two lobes have a node in common.
@@ -234,16 +235,18 @@ Result<FoundOutlines> OutlineFinder::find(HoleChoice holes) {
   collect();
   drop_small();
   if (lobes_.empty() && largest_left_out_) {
-    return fail(ErrorCode::kInvalidData, "every closed outline is too small or too narrow; the "
-                                         "largest is that " +
-                                             first_left_out());
+    return fail(ErrorCode::kInvalidData,
+                "every closed outline is too small or too narrow; the "
+                "largest is that " +
+                    first_left_out());
   }
   if (lobes_.empty()) return fail(ErrorCode::kNotFound, "contains no closed outline");
   if (Result<void> simple = check_pinches(); !simple) return tl::unexpected(simple.error());
   set_depths();
   FoundOutlines found;
   for (std::size_t i = 0; i < lobes_.size(); ++i) {
-    const bool is_body = holes == HoleChoice::kKeep ? lobes_[i].depth % 2 == 0 : lobes_[i].depth == 0;
+    const bool is_body =
+        holes == HoleChoice::kKeep ? lobes_[i].depth % 2 == 0 : lobes_[i].depth == 0;
     if (is_body) found.outlines.push_back(outline_of(i, holes));
   }
   if (left_out_ > 0) {
@@ -279,8 +282,7 @@ Error no_outline(FillMap& map, double max_gap_mm) {
 
 }  // namespace outline_search
 
-Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm,
-                                    HoleChoice holes) {
+Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm, HoleChoice holes) {
   std::vector<FillLine> lines;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;

@@ -44,9 +44,7 @@ struct Walker {
     const std::size_t n = ring.size();
     return forward ? (from + k) % n : (from + n - k % n) % n;
   }
-  [[nodiscard]] double edge() const {
-    return distance(ring[index(steps)], ring[index(steps + 1)]);
-  }
+  [[nodiscard]] double edge() const { return distance(ring[index(steps)], ring[index(steps + 1)]); }
   [[nodiscard]] Point at(double length_mm) const {
     const double whole = edge();
     return lerp(ring[index(steps)], ring[index(steps + 1)], whole > 0 ? length_mm / whole : 0.0);

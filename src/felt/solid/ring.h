@@ -14,9 +14,9 @@ using Ring = std::vector<Point>;
 
 /// The lengths that decide how the outline of a body is sampled, in mm.
 struct RingSpec {
-  double edge_mm = 1.0;       ///< the longest edge of the border
-  double tolerance_mm = 0.01; ///< the largest distance of the border from the outline
-  double tip_mm = 0.01;       ///< tips are cut off where they are narrower than this
+  double edge_mm = 1.0;        ///< the longest edge of the border
+  double tolerance_mm = 0.01;  ///< the largest distance of the border from the outline
+  double tip_mm = 0.01;        ///< tips are cut off where they are narrower than this
 };
 
 /// Returns a polygon that follows the curves within a twentieth of the tolerance, with edges of at

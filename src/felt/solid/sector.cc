@@ -118,8 +118,8 @@ void add_ring(Sector& sector, const CutRing& ring, const RingSpec& spec) {
   std::vector<Point> line;
   for (const CutPoint& p : ring) line.push_back(p.p);
   // Starts at a corner of the convex hull: the rightmost point.
-  const auto right = std::max_element(line.begin(), line.end(),
-                                      [](Point a, Point b) { return a.x < b.x; });
+  const auto right =
+      std::max_element(line.begin(), line.end(), [](Point a, Point b) { return a.x < b.x; });
   std::rotate(line.begin(), right, line.end());
   line.push_back(line.front());
   std::vector<Point> points = reduced(std::move(line), spec, true);
@@ -183,8 +183,8 @@ std::optional<Sector> cut_sector(std::span<const Ring> rings, int axes, const Ri
   Sector sector;
   sector.axes = axes;
   for (const CutRing& ring : parts) {
-    const bool is_cut = std::any_of(ring.begin(), ring.end(),
-                                    [](const CutPoint& p) { return p.lines != 0; });
+    const bool is_cut =
+        std::any_of(ring.begin(), ring.end(), [](const CutPoint& p) { return p.lines != 0; });
     is_cut ? add_cut_ring(sector, ring, spec) : add_ring(sector, ring, spec);
   }
   return sector;

@@ -11,8 +11,8 @@
 namespace felt {
 namespace {
 
-/// Returns a drawing of one closed stroke of 500 segments: a wavy outline of about 120 mm. `mirror`:
-/// the outline mirrors itself.
+/// Returns a drawing of one closed stroke of 500 segments: a wavy outline of about 120 mm.
+/// `mirror`: the outline mirrors itself.
 Document outline_of_500(bool mirror) {
   constexpr int kSegments = 500;
   Random random(5);

@@ -47,8 +47,8 @@ TEST(SolidPicture, TheNearerBodyHidesTheOther) {
   for (const double z : {-80.0, 80.0}) {
     Solid moved = solid;
     for (Vec3& p : moved.bodies[1].points) p.z += z;
-    const Result<Image> image = paint_solid(
-        moved, {.width_px = 100, .height_px = 100, .turn_deg = 0.0, .rise_deg = 0.0});
+    const Result<Image> image =
+        paint_solid(moved, {.width_px = 100, .height_px = 100, .turn_deg = 0.0, .rise_deg = 0.0});
     ASSERT_TRUE(image);
     const Rgba c = image->at(50, 50);
     EXPECT_EQ(c.b > c.r, z > 0.0);

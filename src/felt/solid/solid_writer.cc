@@ -50,10 +50,14 @@ std::optional<SolidFormat> solid_format_of(std::string_view name) noexcept {
 Result<std::string> encode_solid(const Solid& solid, SolidFormat format) {
   if (solid.bodies.empty()) return fail(ErrorCode::kInvalidArgument, "there is no body to write");
   switch (format) {
-    case SolidFormat::kStl: return encode_stl(solid);
-    case SolidFormat::kObj: return encode_obj(solid);
-    case SolidFormat::k3mf: return encode_3mf(solid);
-    case SolidFormat::kGlb: return encode_glb(solid);
+    case SolidFormat::kStl:
+      return encode_stl(solid);
+    case SolidFormat::kObj:
+      return encode_obj(solid);
+    case SolidFormat::k3mf:
+      return encode_3mf(solid);
+    case SolidFormat::kGlb:
+      return encode_glb(solid);
   }
   return fail(ErrorCode::kInvalidArgument, "unknown format of a solid");
 }

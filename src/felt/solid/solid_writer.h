@@ -25,8 +25,9 @@ std::optional<SolidFormat> solid_format_of(std::string_view name) noexcept;
 /// solid gives the same bytes. Fails if there is no body, or too much for the format.
 Result<std::string> encode_solid(const Solid& solid, SolidFormat format);
 
-/// The encoders of the formats. Sources: STL, <https://www.loc.gov/preservation/digital/formats/fdd/fdd000505.shtml>;
-/// 3MF core specification 1.3, <https://github.com/3MFConsortium/spec_core>; glTF 2.0,
+/// The encoders of the formats. Sources:
+/// <https://www.loc.gov/preservation/digital/formats/fdd/fdd000505.shtml>,
+/// <https://github.com/3MFConsortium/spec_core>,
 /// <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
 Result<std::string> encode_stl(const Solid& solid);
 Result<std::string> encode_obj(const Solid& solid);

@@ -218,17 +218,20 @@ TEST(SolidWriter, ThreemfIsAnArchiveOfThreePartsWithBothBodies) {
   ASSERT_TRUE(xml.load_string(file_in(bytes, "3D/3dmodel.model").c_str()));
   const pugi::xml_node model = xml.child("model");
   EXPECT_STREQ(model.attribute("unit").value(), "millimeter");
-  EXPECT_STREQ(
-      model.child("resources").child("basematerials").child("base").attribute("displaycolor").value(),
-      "#FF8000");
+  EXPECT_STREQ(model.child("resources")
+                   .child("basematerials")
+                   .child("base")
+                   .attribute("displaycolor")
+                   .value(),
+               "#FF8000");
   Surface surface;
   std::size_t objects = 0;
   for (const pugi::xml_node object : model.child("resources").children("object")) {
     ++objects;
     const std::size_t first = surface.points.size();
     for (const pugi::xml_node v : object.child("mesh").child("vertices").children("vertex")) {
-      surface.points.push_back({v.attribute("x").as_float(), v.attribute("y").as_float(),
-                                v.attribute("z").as_float()});
+      surface.points.push_back(
+          {v.attribute("x").as_float(), v.attribute("y").as_float(), v.attribute("z").as_float()});
     }
     for (const pugi::xml_node t : object.child("mesh").child("triangles").children("triangle")) {
       surface.triangles.push_back({first + t.attribute("v1").as_uint(),

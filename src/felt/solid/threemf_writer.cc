@@ -59,8 +59,8 @@ std::string model_of(const Solid& solid) {
                   static_cast<unsigned>(body.color.g), static_cast<unsigned>(body.color.b));
     const std::string name = stroke_name(body.stroke), id = std::to_string(i + 2);
     colors += "<base name=\"" + name + "\" displaycolor=\"" + color + "\"/>";
-    objects += "<object id=\"" + id + "\" name=\"" + name + "\" type=\"model\" pid=\"1\" pindex=\"" +
-               std::to_string(i) + "\">";
+    objects += "<object id=\"" + id + "\" name=\"" + name +
+               "\" type=\"model\" pid=\"1\" pindex=\"" + std::to_string(i) + "\">";
     append_mesh(objects, body);
     objects += "</object>\n";
     items += "<item objectid=\"" + id + "\"/>";

@@ -33,9 +33,12 @@ std::vector<RayFlags> put_on_axes(PlaneMesh& mesh, int axes, double tolerance_mm
   const Vec last = unit_at(axes > 0 ? std::numbers::pi / axes : 0.0);
   for (Point& p : mesh.points) {
     const RayFlags on = rays_of(p, axes, tolerance_mm);
-    if (on.first && on.last) p = {0.0, 0.0};
-    else if (on.first) p.y = 0.0;
-    else if (on.last) p = Point{} + dot(last, p - Point{}) * last;
+    if (on.first && on.last)
+      p = {0.0, 0.0};
+    else if (on.first)
+      p.y = 0.0;
+    else if (on.last)
+      p = Point{} + dot(last, p - Point{}) * last;
     rays.push_back(on);
   }
   return rays;
@@ -109,9 +112,7 @@ Half Unfolder::unfold() {
   Half whole;
   const std::size_t n = half_.mesh.points.size();
   std::vector<std::uint32_t> number(n * static_cast<std::size_t>(copies_));
-  const auto slot = [&](int copy, std::size_t i) {
-    return static_cast<std::size_t>(copy) * n + i;
-  };
+  const auto slot = [&](int copy, std::size_t i) { return static_cast<std::size_t>(copy) * n + i; };
   for (int copy = 0; copy < copies_; ++copy) {
     for (std::size_t i = 0; i < n; ++i) {
       if (owner(copy, i) != copy) continue;

@@ -51,8 +51,7 @@ std::string triangle_fault(const Corner& a, const Corner& b, const Corner& c) {
       if (!std::isfinite(v)) return "a coordinate is not finite";
     }
   }
-  const double longest =
-      std::max({length(minus(b, a)), length(minus(c, b)), length(minus(a, c))});
+  const double longest = std::max({length(minus(b, a)), length(minus(c, b)), length(minus(a, c))});
   const double height = length(cross(minus(b, a), minus(c, a))) / longest;
   return height > 1e-6 * longest ? "" : "a triangle is degenerate";
 }
