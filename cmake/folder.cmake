@@ -1,4 +1,4 @@
-# felt_folder(PATH [FLAT] [QT] [SOURCES generated...] [DEPENDS folders...] [LIBRARIES ...]
+# felt_folder(PATH [FLAT] [APART] [QT] [SOURCES generated...] [DEPENDS folders...] [LIBRARIES ...]
 #             [PRIVATE_LIBRARIES ...] [TEST_LIBRARIES ...])
 #
 # Declares the targets of the folder PATH (a/b) and of the folders below it:
@@ -11,6 +11,7 @@
 #   make_*.cc    separate programs, which the caller declares
 #
 #   FLAT               excludes the folders below PATH, which are declared separately
+#   APART              not part of the umbrella target feltline::feltline, because of its licence
 #   QT                 a folder of the desktop program: not installed, linked with Qt
 #   SOURCES            generated sources
 #   DEPENDS            folders to link besides those of tests/checks/layers/rules.txt
@@ -36,7 +37,7 @@ file(STRINGS ${felt_api} FELT_PUBLIC_HEADERS REGEX "^\\* .*\\.h\\)")
 list(TRANSFORM FELT_PUBLIC_HEADERS REPLACE "^[^(]*\\(([^)]*)\\).*" "${PROJECT_SOURCE_DIR}/src/felt/\\1")
 
 function(felt_folder path)
-  cmake_parse_arguments(ARG "FLAT;QT" ""
+  cmake_parse_arguments(ARG "FLAT;APART;QT" ""
     "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES;TEST_LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" name ${FELT_FOLDER_PREFIX}${path})
   string(REGEX REPLACE "/.*" "" layer ${path})
@@ -68,6 +69,10 @@ function(felt_folder path)
     set(test_main felt_desktop_test_main)
   else()
     felt_library_folder(${target} ${name} ${headers})
+    # packaging.cmake generates the package files from these lists.
+    if(NOT ARG_APART)
+      set_property(GLOBAL APPEND PROPERTY FELT_LAYERS ${name})
+    endif()
     set_property(GLOBAL APPEND PROPERTY FELT_LIBRARIES ${ARG_LIBRARIES} ${ARG_PRIVATE_LIBRARIES})
   endif()
 
@@ -106,8 +111,6 @@ function(felt_library_folder target name)
   install(TARGETS ${target} EXPORT feltline-targets
     FILE_SET HEADERS COMPONENT dev
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
-  # packaging.cmake generates the package files from this list.
-  set_property(GLOBAL APPEND PROPERTY FELT_LAYERS ${name})
 endfunction()
 
 # Adds the properties of a folder of the desktop program.

@@ -64,7 +64,7 @@ def _tag():
 def _compile(build_dir):
     """Builds the module in release mode and returns the folder of the package."""
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DFELT_TESTS=OFF", "-DFELT_BENCHMARKS=OFF",
-               "-DFELT_PROGRAMS=OFF", "-DFELT_PYTHON=ON", "-DFELT_UNITY_SOURCES=24",
+               "-DFELT_PROGRAMS=OFF", "-DFELT_SOLIDS=OFF", "-DFELT_PYTHON=ON", "-DFELT_UNITY_SOURCES=24",
                f"-DPython3_EXECUTABLE={sys.executable}"]
     subprocess.run(["cmake", "-S", ROOT, "-B", build_dir, "-G", "Ninja", *options], check=True)
     jobs = os.environ.get("JOBS", str(os.cpu_count() or 1))

@@ -16,6 +16,7 @@ void add_convert_command(CLI::App& app, Console& console);
 void add_inbetween_command(CLI::App& app, Console& console);
 void add_steady_command(CLI::App& app, Console& console);
 void add_gather_command(CLI::App& app, Console& console);
+void add_inflate_command(CLI::App& app, Console& console);  // only with FELT_SOLIDS
 void add_check_command(CLI::App& app, Console& console);
 void add_info_command(CLI::App& app, Console& console);
 void add_formats_command(CLI::App& app);

@@ -37,7 +37,7 @@ struct InbetweenArguments {
   std::vector<std::string> pairs;
   int frames = 12;
   int hold = 1;
-  double rate = 24.0;
+  double fps = 24.0;
   bool keys = false;
   PictureArguments picture;
 };
@@ -56,7 +56,7 @@ void add_film_options(CLI::App& command, InbetweenArguments& args) {
       .add_option("--hold", args.hold, "Frames for which an animated .svg shows each key drawing")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command.add_option("--rate", args.rate, "Frames a second of an animated .svg")
+  command.add_option("--fps", args.fps, "Frames a second of an animated .svg")
       ->check(number_between(1.0, 240.0))
       ->capture_default_str();
   command.add_flag("--keys", args.keys, "Also write the key drawings as numbered files");
@@ -265,7 +265,7 @@ Result<void> FilmMaker::finish() {
     options.area = area_.value_or(first.page.area());
     if (picture_.paper) options.paper = *picture_.paper;
     if (!picture_.paper && first.has_page) options.paper = first.page.paper;
-    options.frames_per_second = args_.rate;
+    options.frames_per_second = args_.fps;
     const Result<void> written =
         svg_animated_text(pictures_, options).and_then([&](const std::string& text) {
           return Output::create(args_.output).and_then([&](Output out) {

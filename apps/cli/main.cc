@@ -41,6 +41,9 @@ void add_commands(CLI::App& app, Console& console) {
   add_convert_command(app, console);
   add_gather_command(app, console);
   add_inbetween_command(app, console);
+#ifdef FELT_SOLIDS
+  add_inflate_command(app, console);
+#endif
   add_steady_command(app, console);
   add_check_command(app, console);
   add_info_command(app, console);

@@ -37,3 +37,7 @@ rsvg-convert "$scratch/fish.svg" -o "$here/motion.png"
 for picture in guides symmetry; do
   "$feltline" replay "$here/$picture.ndjson" --overlay --dpi 110 -o "$here/$picture.png"
 done
+
+# The picture of solids.md.
+"$feltline" fit --quiet "$here/../../share/samples/cat.ndjson" -o "$scratch/lines.felt"
+"$feltline" inflate "$scratch/lines.felt" --gap 8 --fill-holes --png "$here/solids.png"

@@ -44,12 +44,12 @@ run 0 "$feltline" inbetween a.svg b.svg -o curve-%d.svg --frames 1 --ease curve.
 near "$(x_of curve-1.svg)" 45
 
 # One animated file: every picture once, the same bytes every time.
-run 0 "$feltline" inbetween a.svg b.svg -o film.svg --frames 6 --hold 3 --rate 12
-run 0 "$feltline" inbetween a.svg b.svg -o film2.svg --frames 6 --hold 3 --rate 12
+run 0 "$feltline" inbetween a.svg b.svg -o film.svg --frames 6 --hold 3 --fps 12
+run 0 "$feltline" inbetween a.svg b.svg -o film2.svg --frames 6 --hold 3 --fps 12
 same film.svg film2.svg
 [ "$(grep -c '<animate ' film.svg)" = 8 ] || fail "$(grep -c '<animate ' film.svg) pictures"
 has film.svg 'dur="1s"'
-run 0 "$feltline" inbetween a.svg b.svg -o - --to svg --frames 6 --hold 3 --rate 12
+run 0 "$feltline" inbetween a.svg b.svg -o - --to svg --frames 6 --hold 3 --fps 12
 same out film.svg
 
 # A stroke without partner, given pairs, and drawings without strokes.

@@ -31,31 +31,6 @@ quietly "$export_cxx" -std=c++20 "$sample/fit_a_stroke.cc" $(pkg-config --cflags
   -o "$work/by_pkg_config"
 "$work/by_pkg_config" | diff - "$work/by_cmake"
 
-echo "inflate (R54):"
-quietly cmake -S "$source_dir/samples/inflate" -B "$work/inflate" -G Ninja \
-  "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_CXX_COMPILER=$export_cxx"
-quietly cmake --build "$work/inflate"
-cat >"$work/ring.ndjson" <<'END'
-{"id":"open","closed":false,"segments":[[0,0,10,0,20,0,30,0]],"joints":[],"widths":[[0,1],[1,1]]}
-{"id":"ring","closed":true,"segments":[[0,0,20,-20,40,-20,60,0],[60,0,40,30,20,30,0,0]],"joints":["corner","corner"],"widths":[[0,1],[2,1]]}
-END
-"$work/inflate/inflate" "$work/ring.ndjson" >"$work/body.obj"
-# The body is watertight if each edge belongs to two faces, in opposite directions, and if its Euler
-# characteristic is 2.
-awk '
-  $1 == "v" { points++ }
-  $1 == "f" { faces++; edge[$2 " " $3]++; edge[$3 " " $4]++; edge[$4 " " $2]++ }
-  END {
-    for (e in edge) {
-      split(e, ends, " "); edges++
-      if (edge[e] != 1 || !((ends[2] " " ends[1]) in edge)) { print "an open edge: " e; exit 1 }
-    }
-    print "  " points " points, " faces " faces"
-    if (faces < 100 || points - edges / 2 + faces != 2) { print "the body is not closed"; exit 1 }
-  }' "$work/body.obj"
-! "$work/inflate/inflate" "$work/missing.ndjson" >"$work/none.obj" 2>"$work/why"
-grep -q 'missing.ndjson: cannot read' "$work/why"
-
 # compiles OPTION...: checks that the source on stdin compiles with only the installed files.
 compiles() {
   cat >"$work/one.cc"

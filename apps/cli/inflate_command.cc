@@ -1,0 +1,143 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "commands.h"
+#include "felt/formats/format_traits.h"
+#include "felt/io/picture/png.h"
+#include "felt/solid/inflate.h"
+#include "felt/solid/solid_picture.h"
+#include "felt/solid/solid_writer.h"
+#include "input.h"
+#include "output.h"
+#include "overwrite_check.h"
+#include "sketch_input.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr const char* kSolidFormats = ".stl, .obj, .3mf or .glb";
+constexpr double kSolidPictureDpi = 96.0;
+
+/// The options and arguments of the command line.
+struct InflateArguments {
+  std::string input;
+  std::string output;
+  std::string to;
+  std::string png;
+  InflateOptions options;
+  bool fills_holes = false;
+};
+
+void add_options(CLI::App& command, InflateArguments& args) {
+  command
+      .add_option("IN", args.input,
+                  "The drawing ('-' is stdin). Its format is detected from its content: " +
+                      readable_names())
+      ->required();
+  command.add_option("-o,--output", args.output,
+                     std::string("Output file: ") + kSolidFormats + "; '-' is stdout (with --to)");
+  command.add_option("--to", args.to,
+                     std::string("Output format: ") + kSolidFormats +
+                         "; the default is set by the file extension");
+  command.add_option("--png", args.png, "Also, or only, paint a picture of the solid: a .png");
+  command
+      .add_option("--triangles", args.options.triangles,
+                  "About how many triangles the solid gets; narrow parts can need more")
+      ->check(CLI::Range(InflateOptions::kMinTriangles, InflateOptions::kMaxTriangles))
+      ->capture_default_str();
+  command
+      .add_option("--thickness", args.options.thickness,
+                  "Factor of the thickness; with 1 a disc becomes a ball")
+      ->check(number_between(0.05, 20.0))
+      ->capture_default_str();
+  command
+      .add_option("--gap", args.options.max_gap_mm,
+                  "Close gaps of the outline up to this size, in mm")
+      ->check(number_between(0.0, 32.0))
+      ->capture_default_str();
+  command.add_flag("--fill-holes", args.fills_holes,
+                   "Ignore closed lines inside an outline; default: they are holes");
+}
+
+/// Returns the format of the output; nullopt if only a picture is wanted.
+std::optional<SolidFormat> wanted_solid_format(const InflateArguments& args) {
+  if (args.output.empty()) {
+    if (args.png.empty()) throw UsageError("-o or --png is required");
+    if (!args.to.empty()) throw UsageError("--to needs -o");
+    return std::nullopt;
+  }
+  const std::size_t dot = args.output.rfind('.');
+  std::string_view name = args.to;
+  if (name.empty() && dot != std::string::npos)
+    name = std::string_view(args.output).substr(dot + 1);
+  if (name.starts_with('.')) name.remove_prefix(1);
+  const std::optional<SolidFormat> format = solid_format_of(name);
+  if (format) return format;
+  throw UsageError(args.to.empty()
+                       ? fmt::format("{}: cannot choose a format; name the file {}, or use --to",
+                                     args.output, kSolidFormats)
+                       : fmt::format("--to: '{}' is not {}", args.to, kSolidFormats));
+}
+
+Result<void> write_picture(const Solid& solid, const std::string& path) {
+  return paint_solid(solid, {})
+      .map_error([&](const Error& error) { return with_context(error, path); })
+      .and_then([&](const Image& image) { return encode_png(image, kSolidPictureDpi); })
+      .and_then([&](const std::string& bytes) {
+        return Output::create(path).and_then([&](Output out) { return out.write_all(bytes); });
+      });
+}
+
+Result<void> write_solid(const Solid& solid, SolidFormat format, const std::string& path) {
+  return encode_solid(solid, format)
+      .map_error([&](const Error& error) { return with_context(error, path); })
+      .and_then([&](const std::string& bytes) {
+        return Output::create(path).and_then([&](Output out) { return out.write_all(bytes); });
+      });
+}
+
+void run_inflate(InflateArguments& args, Console& console) {
+  const std::optional<SolidFormat> format = wanted_solid_format(args);
+  if (args.output == "-" && args.png == "-") {
+    throw UsageError("-o - and --png - cannot both use stdout");
+  }
+  check_no_overwrite({args.input}, {{"-o", args.output}, {"--png", args.png}}, console);
+  if (args.fills_holes) args.options.holes = HoleChoice::kFill;
+  const Result<Input> input = Input::open(args.input);
+  if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
+  const Result<Imported> opened = input->read_drawing({});
+  if (!opened) return console.error(input->name() + ": " + opened.error().message);
+  if (!report_notices(input->name(), opened->report, console)) return;
+  if (opened->drawing.document.stroke_count() == 0) {
+    return console.error(input->name() + ": contains no strokes");
+  }
+  const Result<InflatedDrawing> inflated = inflate(opened->drawing.document, args.options);
+  if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
+  for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
+  if (console.failed()) return;
+  if (format) {
+    const Result<void> done = write_solid(inflated->solid, *format, args.output);
+    if (!done) return console.error(done.error().message);
+  }
+  if (args.png.empty()) return;
+  const Result<void> painted = write_picture(inflated->solid, args.png);
+  if (!painted) console.error(painted.error().message);
+}
+
+}  // namespace
+
+void add_inflate_command(CLI::App& app, Console& console) {
+  CLI::App* command = app.add_subcommand("inflate", "Make a solid of the outlines of a sketch");
+  const auto args = std::make_shared<InflateArguments>();
+  add_options(*command, *args);
+  command->footer(
+      examples("feltline inflate cat.felt -o cat.stl\n"
+               "feltline inflate cat.svg -o cat.glb --png cat.png\n"
+               "feltline inflate ring.ndjson -o ring.3mf --triangles 20000 --thickness 0.5"));
+  command->callback([args, &console] { run_inflate(*args, console); });
+}
+
+}  // namespace felt::cli

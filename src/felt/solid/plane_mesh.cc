@@ -1,0 +1,113 @@
+#include "felt/solid/plane_mesh.h"
+
+// Without GMP, the exact arithmetic of the predicates is that of Boost, and nothing must be linked.
+#define CGAL_DISABLE_GMP 1
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <exception>
+#include <map>
+#include <new>
+#include <string>
+
+namespace felt {
+namespace cgal_mesh {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Data = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,
+                                                  CGAL::Delaunay_mesh_face_base_2<Kernel>>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Data, CGAL::No_constraint_intersection_tag>;
+using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
+using Mesher = CGAL::Delaunay_mesher_2<Triangulation, Criteria>;
+
+/// The bound of CGAL for the squared sine of the smallest angle: 20.7 degrees.
+constexpr double kAngleBound = 0.125;
+
+void insert(Triangulation& triangulation, const std::vector<Point>& points,
+            const std::vector<std::array<std::size_t, 2>>& edges) {
+  std::vector<Triangulation::Vertex_handle> vertices;
+  Triangulation::Face_handle near;
+  for (const Point p : points) {
+    vertices.push_back(triangulation.insert({p.x, p.y}, near));
+    near = vertices.back()->face();
+  }
+  for (const auto& [a, b] : edges) triangulation.insert_constraint(vertices[a], vertices[b]);
+}
+
+/// Marks the faces that an odd number of edges separates from the outside.
+void mark_inside(Triangulation& triangulation) {
+  for (auto face : triangulation.all_face_handles()) face->set_in_domain(false);
+  std::vector<Triangulation::Face_handle> border{triangulation.infinite_face()}, stack;
+  std::map<Triangulation::Face_handle, bool> seen;
+  bool inside = false;
+  while (!border.empty()) {
+    stack.swap(border);
+    border.clear();
+    while (!stack.empty()) {
+      const Triangulation::Face_handle face = stack.back();
+      stack.pop_back();
+      if (!seen.emplace(face, inside).second) continue;
+      face->set_in_domain(inside);
+      for (int i = 0; i < 3; ++i) {
+        (face->is_constrained(i) ? border : stack).push_back(face->neighbor(i));
+      }
+    }
+    inside = !inside;
+  }
+}
+
+PlaneMesh result_of(const Triangulation& triangulation) {
+  PlaneMesh mesh;
+  std::map<Triangulation::Vertex_handle, std::uint32_t> numbers;
+  const auto number = [&](Triangulation::Vertex_handle vertex) {
+    const auto [entry, is_new] =
+        numbers.emplace(vertex, static_cast<std::uint32_t>(mesh.points.size()));
+    if (is_new) mesh.points.push_back({vertex->point().x(), vertex->point().y()});
+    return entry->second;
+  };
+  for (auto face : triangulation.finite_face_handles()) {
+    if (!face->is_in_domain()) continue;
+    const std::array<std::uint32_t, 3> corners = {number(face->vertex(0)), number(face->vertex(1)),
+                                                  number(face->vertex(2))};
+    mesh.triangles.push_back(corners);
+    for (int i = 0; i < 3; ++i) {
+      if (!face->is_constrained(i)) continue;
+      mesh.edges.push_back({corners[static_cast<std::size_t>((i + 1) % 3)],
+                            corners[static_cast<std::size_t>((i + 2) % 3)]});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace cgal_mesh
+
+Result<PlaneMesh> fill_plane(const std::vector<Point>& points,
+                             const std::vector<std::array<std::size_t, 2>>& edges, double edge_mm,
+                             std::size_t max_points) {
+  using namespace cgal_mesh;
+  try {
+    Triangulation triangulation;
+    insert(triangulation, points, edges);
+    if (triangulation.dimension() < 2) return invalid_data("the outline has no area");
+    mark_inside(triangulation);
+    Mesher mesher(triangulation, Criteria(kAngleBound, edge_mm));
+    mesher.init(true);
+    while (mesher.try_one_step_refine_mesh()) {
+      if (triangulation.number_of_vertices() > max_points) {
+        return fail(ErrorCode::kLimitExceeded, "the outline has too many narrow parts");
+      }
+    }
+    return result_of(triangulation);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return invalid_data(std::string("the outline cannot be filled: ") + error.what());
+  }
+}
+
+}  // namespace felt

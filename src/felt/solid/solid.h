@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/document/id.h"
+#include "felt/geometry/point.h"
+#include "felt/geometry/vec3.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+/// The closed surface of one body, in mm. x points right, y up and z towards the viewer: unlike on
+/// the page, y points up, so that the axes are right-handed.
+struct SolidBody {
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;  ///< counter-clockwise, seen from outside
+  /// The first points lie on the outline, with z = 0. The front and the back share them.
+  std::size_t border_count = 0;
+  int holes = 0;    ///< the number of holes through the body
+  StrokeId stroke;  ///< the stroke with the largest share of the outline
+  Rgba color{};     ///< of that stroke
+};
+
+/// Bodies without common points.
+struct Solid {
+  std::vector<SolidBody> bodies;
+  /// The point of the page at x = y = 0. A point (x, y, z) lies above (origin.x + x, origin.y - y)
+  /// of the page.
+  Point origin;
+};
+
+/// Returns the volume in mm^3; positive if the triangles are counter-clockwise from outside.
+double volume_mm3(const SolidBody& body) noexcept;
+
+/// Returns the number of triangles of all bodies.
+std::size_t triangle_count(const Solid& solid) noexcept;
+
+/// The normals of the smooth surface at the points of a body: unit vectors that point outwards.
+std::vector<Vec3> point_normals(const SolidBody& body);
+
+/// Checks that a body stays closed if its coordinates are rounded to float, as files store them:
+/// every coordinate is finite, no two points are equal, no triangle is degenerate, and every edge
+/// belongs to exactly two triangles, in opposite directions. The message says where on the page the
+/// body breaks; `origin` is that of the solid.
+Result<void> check_body(const SolidBody& body, Point origin);
+
+}  // namespace felt

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "felt/base/result.h"
+#include "felt/render/image.h"
+#include "felt/solid/solid.h"
+
+namespace felt {
+
+/// How a picture of a solid is made.
+struct SolidView {
+  int width_px = 1200;     ///< of the picture; 16 to 8192
+  int height_px = 900;     ///< of the picture; 16 to 8192
+  double turn_deg = 25.0;  ///< how far the camera stands to the right of the drawing's front
+  double rise_deg = 20.0;  ///< how far it stands above
+};
+
+/// Paints a solid as matt bodies in the light of a lamp at the upper left of the camera, on white.
+/// Every body has the colour of its stroke, but dark colours are made lighter, because a black body
+/// shows no shape. Parallel projection; the picture is filled. Works in software, with a depth
+/// buffer at twice the resolution. Fails if the size is out of range or there is no body.
+Result<Image> paint_solid(const Solid& solid, const SolidView& view);
+
+}  // namespace felt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "felt/base/result.h"
+#include "felt/solid/solid.h"
+
+namespace felt {
+
+/// The file formats of solids.
+enum class SolidFormat : std::uint8_t {
+  kStl,  ///< binary STL: triangles only
+  kObj,  ///< Wavefront OBJ: a group for each body
+  k3mf,  ///< 3MF: an object for each body, with its colour
+  kGlb,  ///< binary glTF 2.0: a mesh for each body, with its colour and smooth normals
+};
+
+/// Returns the format with this name or file extension, in any case and without a dot.
+std::optional<SolidFormat> solid_format_of(std::string_view name) noexcept;
+
+/// Returns a solid as a file. All formats store the coordinates of the solid in mm, rounded to
+/// float; the scene of a .glb is scaled by 0.001, because the unit of glTF is the metre. The same
+/// solid gives the same bytes. Fails if there is no body, or too much for the format.
+Result<std::string> encode_solid(const Solid& solid, SolidFormat format);
+
+/// The encoders of the formats. Sources:
+/// <https://www.loc.gov/preservation/digital/formats/fdd/fdd000505.shtml>,
+/// <https://github.com/3MFConsortium/spec_core>,
+/// <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
+Result<std::string> encode_stl(const Solid& solid);
+Result<std::string> encode_obj(const Solid& solid);
+Result<std::string> encode_3mf(const Solid& solid);
+Result<std::string> encode_glb(const Solid& solid);
+
+}  // namespace felt

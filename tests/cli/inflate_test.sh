@@ -1,0 +1,98 @@
+# feltline inflate: the outlines of a drawing as a solid.
+. "$(dirname "$0")/helpers.sh"
+
+# A ring with a body inside, and a whisker.
+cat >ring.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="150mm" viewBox="0 0 200 150">
+<g fill="none" stroke="#c05020" stroke-width="0.6" stroke-linecap="round" stroke-linejoin="round">
+<circle cx="100" cy="75" r="50"/><circle cx="100" cy="75" r="20"/><path d="M140 75 H190"/>
+</g>
+</svg>
+END
+
+# watertight FILE.obj EULER: checks that each edge has two faces, in opposite directions.
+watertight() {
+  awk -v wanted="$2" '
+    $1 == "v" { points++ }
+    $1 == "f" { faces++; edge[$2 " " $3]++; edge[$3 " " $4]++; edge[$4 " " $2]++ }
+    END {
+      for (e in edge) {
+        split(e, ends, " "); edges++
+        if (edge[e] != 1 || !((ends[2] " " ends[1]) in edge)) { print "an open edge: " e; exit 1 }
+      }
+      if (faces < 100 || points - edges / 2 + faces != wanted) { print "Euler: " points - edges / 2 + faces; exit 1 }
+    }' "$1" || fail "$1 is not closed"
+}
+
+for format in stl obj 3mf glb; do
+  run 0 "$feltline" inflate ring.svg -o "ring.$format"
+  is_empty out
+  is_empty err
+  run 0 "$feltline" inflate - -o - --to "$format" <ring.svg
+  same out "ring.$format"
+done
+watertight ring.obj 0
+[ "$(head -c 4 ring.glb)" = glTF ] || fail "no glb"
+[ "$(head -c 2 ring.3mf)" = PK ] || fail "no 3mf"
+faces=$(($(($(wc -c <ring.stl) - 84)) / 50))
+{ [ $faces -gt 4000 ] && [ $faces -lt 6500 ]; } || fail "$faces triangles"
+
+# Options.
+run 0 "$feltline" inflate ring.svg -o disc.obj --fill-holes
+watertight disc.obj 2
+run 0 "$feltline" inflate ring.svg -o few.stl --triangles 1000
+[ "$(wc -c <few.stl)" -lt 90000 ] || fail "more than 1,800 triangles"
+run 0 "$feltline" inflate ring.svg --png ring.png
+[ "$(head -c 4 ring.png | tail -c 3)" = PNG ] || fail "no picture"
+run 0 "$feltline" inflate ring.svg -o both.stl --png both.png
+same both.stl ring.stl
+same both.png ring.png
+
+# Wrong usage.
+run 2 "$feltline" inflate ring.svg
+has err "-o or --png is required"
+run 2 "$feltline" inflate ring.svg -o ring.step
+has err ".stl, .obj, .3mf or .glb"
+run 2 "$feltline" inflate ring.svg -o -
+run 2 "$feltline" inflate ring.svg -o a.stl --triangles 5
+run 2 "$feltline" inflate ring.svg -o a.stl --thickness nan
+run 2 "$feltline" inflate ring.svg -o a.stl --gap -1
+run 2 "$feltline" inflate ring.svg -o - --to stl --png -
+run 2 "$feltline" inflate ring.svg -o ring.svg --to stl
+run 2 "$feltline" inflate ring.svg -o a.stl --png a.stl
+[ ! -e a.stl ] || fail "a file was left"
+
+# What cannot be inflated: the message names the stroke and the place, and an older file stays.
+echo old >kept.stl
+printf '{"points":[[10,10,0.5],[60,10,0.5],[60,60,0.5],[10,60,0.5],[10,30,0.5]]}\n' >open.ndjson
+run 1 "$feltline" inflate open.ndjson -o kept.stl
+has err "open.ndjson: contains no closed outline: there is a gap of "
+cat >eight.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
+<path d="M10 10 L90 90 V10 L10 90 Z" fill="none" stroke="#000" stroke-width="0.5" stroke-linejoin="round"/>
+</svg>
+END
+run 1 "$feltline" inflate eight.svg -o kept.stl
+has err "eight.svg: stroke s1 crosses itself at (50.00, 50.00) mm"
+: >empty.ndjson
+run 1 "$feltline" inflate empty.ndjson -o kept.stl
+has err "contains no strokes"
+run 1 "$feltline" inflate missing.svg -o kept.stl
+echo old >expected
+same kept.stl expected
+
+# A small loop beside the outline is left out with a notice, which --strict makes an error.
+sed 's|<path d="M140 75 H190"/>|<circle cx="180" cy="20" r="0.3"/>|' ring.svg >speck.svg
+run 0 "$feltline" inflate speck.svg -o speck.stl
+has err "speck.svg: left out 1 small closed line"
+run 1 "$feltline" --strict inflate speck.svg -o strict.stl
+[ ! -e strict.stl ] || fail "a file was left"
+
+# A full disk, or a process that is killed, leaves no half of a file.
+if [ -e /dev/full ]; then
+  run 1 "$feltline" inflate ring.svg -o /dev/full --to stl
+fi
+run 1 bash -c "ulimit -f 16 && exec \"\$0\" inflate ring.svg -o limited.stl" "$feltline"
+[ ! -e limited.stl ] || fail "half of a file"
+
+finish
