@@ -257,7 +257,7 @@ void append_box(std::string& out, const Rect& area) {
 }  // namespace
 
 Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming& timing,
-                                 const AnimatedSvgOptions& options) {
+                                 const TimelapseSvgOptions& options) {
   StrokeLives lives;
   Document end;
   if (Result<void> done = collect(source, lives, end); !done) return tl::unexpected(done.error());

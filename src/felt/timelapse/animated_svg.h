@@ -9,7 +9,7 @@
 namespace felt {
 
 /// What an animated SVG shows besides the ink.
-struct AnimatedSvgOptions {
+struct TimelapseSvgOptions {
   Rect area;                       ///< the part of the page; not empty
   Rgba paper{255, 255, 255, 255};  ///< alpha 0: no paper
   int width_px = 1280;             ///< the size at which it is shown
@@ -26,6 +26,6 @@ struct AnimatedSvgOptions {
 /// media and pictures of layers are left out. Fails like survey_recording(), and if ink is beyond
 /// 1e9 mm.
 Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming& timing,
-                                 const AnimatedSvgOptions& options);
+                                 const TimelapseSvgOptions& options);
 
 }  // namespace felt
