@@ -24,8 +24,6 @@
 namespace felt::cli {
 namespace {
 
-constexpr double kFilmMarginMm = 5.0;
-
 /// The options and arguments of the command line.
 struct InbetweenArguments {
   std::vector<std::string> inputs;

@@ -21,8 +21,6 @@
 namespace felt::cli {
 namespace {
 
-constexpr double kFilmMarginMm = 5.0;
-
 struct TimelapseArguments {
   std::string input, output, to, on;
   std::optional<double> seconds;
