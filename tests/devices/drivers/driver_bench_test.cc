@@ -44,7 +44,9 @@ TEST_P(DriverBenchTest, TwoOfThemDoNotMeet) {
     one->before_tick(t);
     other->before_tick(t);
     const auto said = one->device()->read(t), said_by_other = other->device()->read(t);
-    ASSERT_TRUE(said && said_by_other);
+    ASSERT_TRUE(said && said_by_other)
+        << "at " << t << " ns: " << one->device()->status().vendor_words.view() << " / "
+        << other->device()->status().vendor_words.view();
     EXPECT_TRUE(one->device()->write({}) && other->device()->write({}));
     a = *said, b = *said_by_other;
   }

@@ -67,7 +67,7 @@ MotionVerdict MotionCheck::judge(const MotionReport& report) noexcept {
   const double step_s = seconds_between(last_ns_, report.asked_ns);
   const bool is_next = step_s > 0.0 && step_s < kSPerNs * static_cast<double>(kMaxStepNs);
   if (!is_next) restart();
-  if (positions_ > 0 && step_s <= kSPerNs * static_cast<double>(kMaxSumNs)) {
+  if (positions_ >= kSteadyPositions && step_s <= kSPerNs * static_cast<double>(kMaxSumNs)) {
     const Vec3 mean_mm_per_s = 0.5 * (last_mm_per_s_ + mm_per_s);
     add(position_mm - last_mm_, mean_mm_per_s, step_s);
     follow_still(position_mm, mean_mm_per_s, step_s);

@@ -43,7 +43,8 @@ class MotionCheck {
   static constexpr double kMaxSpeedMmPerS = 1e5;  ///< the safety chain cuts the force far below
   /// The chain would not call it a jump, because a pen may move 12 mm in the 4 ms of a tick.
   static constexpr double kMaxErrorMmPerS = 1500.0;
-  static constexpr int kSteadyPositions = 5;  ///< before a jump can be told from a first movement
+  /// The first positions in a row: a jump in them cannot be told from a first movement.
+  static constexpr int kSteadyPositions = 5;
   static constexpr std::int64_t kMaxStepNs = 50'000'000;  ///< later positions begin anew
 
   static constexpr double kErrorMm = 5.0;

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::int64_t kPeriodNs = 4 * kMs;
 constexpr std::int64_t kFineNs = kMs / 4;
-constexpr Box kReach{{-500, -500, -500}, {500, 500, 500}};
+// The hands below do not get farther than this from the middle.
+constexpr Box kReach{{-800, -800, -800}, {800, 800, 800}};
 
 // A hand that rests, draws slowly or fast, or scribbles, and trembles all the time (8 to 12 Hz).
 class Hand {
@@ -220,7 +221,8 @@ TEST(MotionCheck, R49_WhatIsNotAPositionIsImpossible) {
   EXPECT_EQ(check.judge({Vec3{}, std::nullopt, 0}), MotionVerdict::kImpossible);
   EXPECT_EQ(check.judge({Vec3{nan, 0, 0}, Vec3{}, 0}), MotionVerdict::kImpossible);
   EXPECT_EQ(check.judge({Vec3{}, Vec3{0, nan, 0}, 0}), MotionVerdict::kImpossible);
-  EXPECT_EQ(check.judge({Vec3{0, 0, 551}, Vec3{}, 0}), MotionVerdict::kImpossible);
+  EXPECT_EQ(check.judge({Vec3{0, 0, kReach.max_mm.z + 51.0}, Vec3{}, 0}),
+            MotionVerdict::kImpossible);
   EXPECT_EQ(check.judge({Vec3{}, Vec3{2e5, 0, 0}, 0}), MotionVerdict::kImpossible);
   EXPECT_EQ(check.judge({Vec3{}, Vec3{}, 0}), MotionVerdict::kGood);
 }
