@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "commands.h"
+#include "felt/base/same_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
@@ -148,10 +150,11 @@ class FilmMaker {
 
  private:
   void find_area();
+  [[nodiscard]] Result<void> check_pairs() const;
   Result<void> make_step(std::size_t step);
   Result<void> add(Drawing drawing, int frames, bool is_key);
   Result<void> write_numbered(const Drawing& drawing);
-  Result<void> finish();
+  Result<void> write_film() const;
 
   const InbetweenArguments& args_;
   FilmOutput output_;
@@ -241,39 +244,76 @@ Result<void> FilmMaker::make_step(std::size_t step) {
   return add(to, args_.hold, true);
 }
 
-Result<void> FilmMaker::make() {
+/// Checks the pairs of all steps, so that a wrong one is reported before a file is written.
+Result<void> FilmMaker::check_pairs() const {
+  for (std::size_t step = 0; step + 1 < keys_.size(); ++step) {
+    const auto given = pairs_of_step(pairs_, step, key_strokes(keys_[step].document),
+                                     key_strokes(keys_[step + 1].document));
+    if (!given) return tl::unexpected(given.error());
+  }
   for (const PairArgument& pair : pairs_) {
-    if (pair.step + 2 > keys_.size()) {
+    if (pair.step >= keys_.size() - 1) {
       return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("--pair: there are only {} steps", keys_.size() - 1));
+                  fmt::format("--pair: the number of steps is {}", keys_.size() - 1));
     }
+  }
+  return {};
+}
+
+/// Checks everything that could fail later, writes the drawings, and then the table of matches.
+Result<void> FilmMaker::make() {
+  if (auto ok = check_pairs(); !ok) return ok;
+  std::optional<Output> matches;
+  if (!args_.matches.empty()) {
+    Result<Output> created = Output::create(args_.matches);
+    if (!created) return tl::unexpected(created.error());
+    matches.emplace(*std::move(created));
   }
   find_area();
   if (auto ok = add(keys_.front(), args_.hold, true); !ok) return ok;
   for (std::size_t step = 0; step + 1 < keys_.size(); ++step) {
     if (auto ok = make_step(step); !ok) return ok;
   }
-  return finish();
+  if (!output_.names) {
+    if (auto ok = write_film(); !ok) return ok;
+  }
+  return matches ? matches->write_all(table_) : Result<void>();
 }
 
-Result<void> FilmMaker::finish() {
-  if (!output_.names) {
-    const Drawing& first = keys_.front();
-    AnimatedSvgOptions options;
-    options.area = area_.value_or(first.page.area());
-    if (picture_.paper) options.paper = *picture_.paper;
-    if (!picture_.paper && first.has_page) options.paper = first.page.paper;
-    options.frames_per_second = args_.fps;
-    const Result<void> written =
-        svg_animated_text(pictures_, options).and_then([&](const std::string& text) {
-          return Output::create(args_.output).and_then([&](Output out) {
-            return out.write_all(text);
-          });
-        });
-    if (!written) return written;
+Result<void> FilmMaker::write_film() const {
+  const Drawing& first = keys_.front();
+  AnimatedSvgOptions options;
+  options.area = area_.value_or(first.page.area());
+  if (picture_.paper) options.paper = *picture_.paper;
+  if (!picture_.paper && first.has_page) options.paper = first.page.paper;
+  options.frames_per_second = args_.fps;
+  return svg_animated_text(pictures_, options).and_then([&](const std::string& text) {
+    return Output::create(args_.output).and_then([&](Output out) { return out.write_all(text); });
+  });
+}
+
+/// Throws a UsageError if a file that is written is also read, or is written twice.
+void check_files(const InbetweenArguments& args, const FilmOutput& output, Console& console) {
+  std::vector<std::string> inputs = args.inputs;
+  std::error_code ignored;
+  if (!Ease::parse(args.ease) && std::filesystem::exists(args.ease, ignored)) {
+    inputs.push_back(args.ease);
   }
-  if (args_.matches.empty()) return {};
-  return Output::create(args_.matches).and_then([&](Output out) { return out.write_all(table_); });
+  check_no_overwrite(inputs, {{"-o", output.names ? "" : args.output}, {"--matches", args.matches}},
+                     console);
+  if (!output.names) return;
+  const std::size_t steps = args.inputs.size() - 1;
+  const std::size_t count =
+      steps * static_cast<std::size_t>(args.frames) + (args.keys ? args.inputs.size() : 0);
+  for (std::size_t number = 1; number <= count; ++number) {
+    const std::string name = output.names->name(number);
+    check_no_overwrite(inputs, {{"-o", name}}, console);
+    if (args.matches.empty() || !is_same_file(name, args.matches)) continue;
+    throw UsageError(
+        fmt::format("-o {} and --matches {} are the same file; nothing was written. "
+                    "Choose different files",
+                    name, args.matches));
+  }
 }
 
 void run_inbetween(const InbetweenArguments& args, Console& console) {
@@ -281,8 +321,7 @@ void run_inbetween(const InbetweenArguments& args, Console& console) {
     throw UsageError("-o - and --matches - cannot both use stdout");
   }
   FilmOutput output = film_output(args);
-  check_no_overwrite(
-      args.inputs, {{"-o", output.names ? "" : args.output}, {"--matches", args.matches}}, console);
+  check_files(args, output, console);
   std::vector<PairArgument> pairs;
   for (const std::string& text : args.pairs) {
     Result<PairArgument> pair = parse_pair(text);

@@ -102,7 +102,10 @@ std::string matches_rows(const Correspondence& correspondence, std::size_t step,
 }
 
 std::optional<NumberedNames> NumberedNames::parse(const std::string& text) {
-  for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 1)) {
+  const std::size_t folder = text.find_last_of('/');  // a folder's name may contain anything
+  const std::size_t start = folder == std::string::npos ? 0 : folder;
+  for (std::size_t at = text.find('%', start); at != std::string::npos;
+       at = text.find('%', at + 1)) {
     std::size_t end = at + 1;
     while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
     if (end == text.size() || text[end] != 'd') continue;

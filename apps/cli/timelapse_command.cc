@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "felt/base/ascii.h"
 #include "felt/film/film_writer.h"
 #include "felt/timelapse/animated_svg.h"
 #include "input.h"
@@ -56,8 +57,9 @@ void add_options(CLI::App& command, TimelapseArguments& args) {
       ->check(CLI::Range(1, FilmOptions::kMaxFramesPerSecond))
       ->capture_default_str();
   command
-      .add_option("--hold", args.hold_s,
-                  "How long the finished drawing stays at the end, in s, as a part of the film")
+      .add_option(
+          "--hold", args.hold_s,
+          "How long the finished drawing stays at the end, in s: a part of the film, at most half")
       ->check(number_between(0.0, FilmLength::kMaxSeconds))
       ->capture_default_str();
   command
@@ -83,10 +85,11 @@ enum class Kind { kWebm, kGif, kSvg };
 
 Kind kind_of(const TimelapseArguments& args) {
   const std::string name = args.to.empty() ? args.output : "." + args.to;
-  const std::string path = args.to.empty() ? name : "film" + name;
+  std::string path = args.to.empty() ? name : "film" + name;
   if (const std::optional<FilmFormat> film = film_format_of(path)) {
     return *film == FilmFormat::kGif ? Kind::kGif : Kind::kWebm;
   }
+  std::transform(path.begin(), path.end(), path.begin(), ascii_lower);
   if (path.ends_with(".svg")) return Kind::kSvg;
   throw UsageError(args.output + ": a film is a .webm, a .gif or an .svg (--to)");
 }
@@ -217,7 +220,7 @@ void run_timelapse(const TimelapseArguments& args, Console& console) {
   (void)size_of(args.size, {0.0, 0.0, 1.0, 1.0});  // reports an error before the input is read
   check_no_overwrite({args.input, args.on.empty() ? args.input : args.on}, {{"-o", args.output}},
                      console);
-  const Result<TimelapseInput> input = read_timelapse(args.input, args.on, console);
+  const Result<TimelapseInput> input = read_timelapse({args.input, args.on, args.output}, console);
   if (!input) return console.error(input.error().message);
   const Result<FilmPlan> plan = plan_film(args, kind, *input, console);
   if (!plan) return console.error(plan.error().message);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "felt/base/same_file.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/replay/replay_drawing.h"
@@ -24,10 +25,18 @@ std::string folder_with_slash(const std::string& path) {
   return path.substr(0, path.find_last_of('/') + 1);
 }
 
-/// Returns a function that reads the files of import events relative to the folder of `path`.
-ReadImport reads_beside(const std::string& path) {
-  return [folder = folder_with_slash(path)](const std::string& import) {
-    return read_strokes(import.rfind('/', 0) == 0 ? import : folder + import);
+/// Returns a function that reads the files of import events relative to this folder. It fails for
+/// the file `output`, which the film would overwrite.
+ReadImport reads_beside(const std::string& folder, const std::string& output) {
+  return [folder, output](const std::string& import) -> Result<VisibleInk> {
+    const std::string path = import.rfind('/', 0) == 0 ? import : folder + import;
+    if (output != "-" && is_same_file(path, output)) {
+      return fail(ErrorCode::kInvalidArgument,
+                  path +
+                      ": the film would overwrite this file, which the recording imports; "
+                      "nothing was written. Choose another file");
+    }
+    return read_strokes(path);
   };
 }
 
@@ -92,22 +101,22 @@ Result<FeltRecording> record_script(const std::string& name, const std::string& 
   return recorder.take();
 }
 
-Result<void> read_script_input(const Input& input, const std::string& path,
+Result<void> read_script_input(const Input& input, const TimelapseFiles& files,
                                TimelapseInput& timelapse) {
   const Result<std::string> text = read_text_of(input);
   if (!text) return tl::unexpected(text.error());
-  timelapse.source.read_import = reads_beside(path);
+  timelapse.source.read_import = reads_beside(folder_with_slash(files.input), files.output);
   const Result<bool> is_recorded = read_recorded(input.name(), *text, timelapse.source.recording);
   if (!is_recorded) return tl::unexpected(is_recorded.error());
   if (*is_recorded) return {};
-  timelapse.source.read_import = read_strokes;
+  timelapse.source.read_import = reads_beside("", files.output);  // its paths are resolved
   Result<FeltRecording> drawn = record_script(input.name(), *text, timelapse.source);
   if (!drawn) return tl::unexpected(drawn.error());
   timelapse.source.recording = *std::move(drawn);
   return {};
 }
 
-Result<void> read_drawing_input(const Input& input, const std::string& path,
+Result<void> read_drawing_input(const Input& input, const TimelapseFiles& files,
                                 TimelapseInput& timelapse) {
   const Result<Imported> opened = input.read_drawing({});
   if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));
@@ -124,7 +133,7 @@ Result<void> read_drawing_input(const Input& input, const std::string& path,
   if (!recording) return tl::unexpected(with_context(recording.error(), input.name()));
   timelapse.source.recording = *std::move(recording);
   timelapse.source.materials = with_texts(drawing.materials, std::move(timelapse.source.materials));
-  timelapse.source.read_import = reads_beside(path);
+  timelapse.source.read_import = reads_beside(folder_with_slash(files.input), files.output);
   timelapse.frame.page = drawing.page;
   timelapse.frame.has_page = drawing.has_page;
   return {};
@@ -132,10 +141,10 @@ Result<void> read_drawing_input(const Input& input, const std::string& path,
 
 }  // namespace
 
-Result<TimelapseInput> read_timelapse(const std::string& path, const std::string& on,
-                                      Console& console) {
-  const Result<Input> input = Input::open(path);
-  if (!input) return tl::unexpected(with_context(input.error(), input_name(path)));
+Result<TimelapseInput> read_timelapse(const TimelapseFiles& files, Console& console) {
+  const std::string& on = files.on;
+  const Result<Input> input = Input::open(files.input);
+  if (!input) return tl::unexpected(with_context(input.error(), input_name(files.input)));
   TimelapseInput timelapse;
   timelapse.frame.has_page = false;
   timelapse.source.materials = known_materials(console).materials;
@@ -156,9 +165,9 @@ Result<TimelapseInput> read_timelapse(const std::string& path, const std::string
                       ": --on is for scripts; the recording of a .felt file begins with "
                       "an empty page");
     }
-    done = read_drawing_input(*input, path, timelapse);
+    done = read_drawing_input(*input, files, timelapse);
   } else if (input->format() == FileFormat::kNdjson) {
-    done = read_script_input(*input, path, timelapse);
+    done = read_script_input(*input, files, timelapse);
   } else {
     return fail(ErrorCode::kUnsupported,
                 input->name() + ": neither an event script (.ndjson) nor a .felt file");

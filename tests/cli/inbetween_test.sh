@@ -83,4 +83,20 @@ run 1 "$feltline" inbetween a.svg b.svg -o x-%d.svg --pair 1:1 --pair 1:2
 run 1 "$feltline" inbetween a.svg missing.svg -o x-%d.svg
 has err "missing.svg"
 [ ! -e x-1.svg ] || fail "an error made x-1.svg"
+
+# Nothing that is read is overwritten, and nothing is written if a later argument is wrong.
+mkdir kept && cp a.svg kept/k-001.svg && cp b.svg kept/k-002.svg && cp a.svg kept/ease.svg && cp -r kept before
+run 2 "$feltline" inbetween kept/k-001.svg kept/k-002.svg -o kept/k-%03d.svg --frames 2
+has err "would overwrite the input"
+run 2 "$feltline" inbetween a.svg b.svg -o kept/ease.svg --ease kept/ease.svg
+run 2 "$feltline" inbetween a.svg b.svg -o kept/f-%03d.svg --frames 1 --matches kept/f-001.svg
+has err "are the same file"
+run 1 "$feltline" inbetween a.svg b.svg a.svg -o kept/ --frames 1 --pair 2:99999:none
+run 1 "$feltline" inbetween a.svg b.svg -o kept/x-%d.svg --frames 1 --pair 18446744073709551615:1:1
+run 1 "$feltline" inbetween a.svg b.svg -o kept/x-%d.svg --frames 1 --matches none/m.csv
+diff -r kept before || fail "files changed"
+mkdir of%d
+run 0 "$feltline" inbetween a.svg b.svg -o of%d/ --frames 1
+[ -s of%d/inbetween-001.svg ] || fail "a folder with a % in its name"
+
 finish

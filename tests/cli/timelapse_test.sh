@@ -141,4 +141,13 @@ else
   echo 'ffmpeg is not installed: its films were not tested' >&2
 fi
 
+# A file that the recording imports is not overwritten.
+"$feltline" fit "$(dirname "$0")/../../share/samples/page.ndjson" -o imported.svg -q || fail "fit"
+cp imported.svg kept.svg
+echo '{"event":"import","t_ms":0,"path":"imported.svg"}' >imports.ndjson
+run 0 "$feltline" timelapse imports.ndjson -o film.SVG --seconds 1
+run 1 "$feltline" timelapse imports.ndjson -o imported.svg --seconds 1
+has err "would overwrite"
+same imported.svg kept.svg
+
 finish

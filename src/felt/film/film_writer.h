@@ -68,7 +68,6 @@ class FilmWriter {
         options_(options),
         file_(std::move(file)),
         encoder_(std::move(encoder)) {}
-  Result<void> send(const Image& frame);
 
   std::string name_;
   FilmOptions options_;
