@@ -450,6 +450,7 @@ void run_replay(ReplayCommandArguments args, Console& console) {
   Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
   ReplaySettings settings = args.pen.settings();
+  settings.read_import = reads_imports("", {args.output, args.forces, args.plot, args.sound});
   settings.materials = with_texts(start->materials, known_materials(console).materials);
   load_surface(args, settings.materials);
   if (!drawn_surface(args).empty()) start->page.surface.clear();  // another surface is selected

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "felt/base/same_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/replay/apply_recording.h"
@@ -13,11 +14,6 @@ namespace felt::cli {
 namespace {
 
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
-
-/// Returns the folder of a path, with its slash. Returns an empty string for the working directory.
-std::string folder_of(const std::string& path) {
-  return path.substr(0, path.find_last_of('/') + 1);
-}
 
 tl::unexpected<Error> input_error(const std::string& path, const Error& error) {
   return fail(error.code, input_name(path) + ": " + error.message);
@@ -89,6 +85,25 @@ Result<VisibleInk> read_strokes(const std::string& path) {
       [](const Drawing& drawing) { return visible_ink(drawing.document); });
 }
 
+std::string folder_of(const std::string& path) {
+  return path.substr(0, path.find_last_of('/') + 1);
+}
+
+ReadImport reads_imports(const std::string& script, std::vector<std::string> outputs) {
+  return [folder = folder_of(script),
+          outputs = std::move(outputs)](const std::string& import) -> Result<VisibleInk> {
+    const std::string path = import.rfind('/', 0) == 0 ? import : folder + import;
+    for (const std::string& output : outputs) {
+      if (output.empty() || output == "-" || !is_same_file(path, output)) continue;
+      return fail(ErrorCode::kInvalidArgument,
+                  path +
+                      ": is imported, and the output would overwrite it; nothing was written. "
+                      "Choose another file");
+    }
+    return read_strokes(path);
+  };
+}
+
 Result<void> read_script_file(const std::string& path, ScriptRun& run) {
   const Result<Input> input = Input::open(path);
   if (!input) return input_error(path, input.error());
@@ -101,9 +116,7 @@ Result<void> read_script_file(const std::string& path, ScriptRun& run) {
 Result<Drawing> apply_recording_file(const std::string& path, Session& session) {
   const Result<Input> input = Input::open(path);
   if (!input) return input_error(path, input.error());
-  const ReadImport read_import = [folder = folder_of(path)](const std::string& import) {
-    return read_strokes(import.rfind('/', 0) == 0 ? import : folder + import);
-  };
+  const ReadImport read_import = reads_imports(path, {});
   if (input->format() == FileFormat::kFelt) return apply_drawing(*input, read_import, session);
   if (input->format() != FileFormat::kNdjson) {
     return fail(ErrorCode::kUnsupported,

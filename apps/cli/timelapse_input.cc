@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "felt/base/same_file.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/replay/replay_drawing.h"
@@ -20,25 +19,6 @@ namespace {
 
 constexpr std::size_t kMaxScriptBytes = std::size_t{2} << 30;  // as kMaxFeltBytes
 constexpr std::int64_t kPeriodNs = 1'000'000;                  // of recordings that do not say it
-
-std::string folder_with_slash(const std::string& path) {
-  return path.substr(0, path.find_last_of('/') + 1);
-}
-
-/// Returns a function that reads the files of import events relative to this folder. It fails for
-/// the file `output`, which the film would overwrite.
-ReadImport reads_beside(const std::string& folder, const std::string& output) {
-  return [folder, output](const std::string& import) -> Result<VisibleInk> {
-    const std::string path = import.rfind('/', 0) == 0 ? import : folder + import;
-    if (output != "-" && is_same_file(path, output)) {
-      return fail(ErrorCode::kInvalidArgument,
-                  path +
-                      ": the film would overwrite this file, which the recording imports; "
-                      "nothing was written. Choose another file");
-    }
-    return read_strokes(path);
-  };
-}
 
 Result<std::string> read_text_of(const Input& input) {
   std::string text;
@@ -95,7 +75,7 @@ Result<FeltRecording> record_script(const std::string& name, const std::string& 
     }
   }
   ScriptRun run(machine, 1.0, 0);
-  Result<void> done = run.script(name, folder_with_slash(name), read_text(text));
+  Result<void> done = run.script(name, folder_of(name), read_text(text));
   if (done) done = run.play();
   if (!done) return tl::unexpected(done.error());
   return recorder.take();
@@ -105,11 +85,11 @@ Result<void> read_script_input(const Input& input, const TimelapseFiles& files,
                                TimelapseInput& timelapse) {
   const Result<std::string> text = read_text_of(input);
   if (!text) return tl::unexpected(text.error());
-  timelapse.source.read_import = reads_beside(folder_with_slash(files.input), files.output);
+  timelapse.source.read_import = reads_imports(files.input, {files.output});
   const Result<bool> is_recorded = read_recorded(input.name(), *text, timelapse.source.recording);
   if (!is_recorded) return tl::unexpected(is_recorded.error());
   if (*is_recorded) return {};
-  timelapse.source.read_import = reads_beside("", files.output);  // its paths are resolved
+  timelapse.source.read_import = reads_imports("", {files.output});  // its paths are resolved
   Result<FeltRecording> drawn = record_script(input.name(), *text, timelapse.source);
   if (!drawn) return tl::unexpected(drawn.error());
   timelapse.source.recording = *std::move(drawn);
@@ -133,7 +113,7 @@ Result<void> read_drawing_input(const Input& input, const TimelapseFiles& files,
   if (!recording) return tl::unexpected(with_context(recording.error(), input.name()));
   timelapse.source.recording = *std::move(recording);
   timelapse.source.materials = with_texts(drawing.materials, std::move(timelapse.source.materials));
-  timelapse.source.read_import = reads_beside(folder_with_slash(files.input), files.output);
+  timelapse.source.read_import = reads_imports(files.input, {files.output});
   timelapse.frame.page = drawing.page;
   timelapse.frame.has_page = drawing.has_page;
   return {};

@@ -74,6 +74,10 @@ cp s1.ndjson folder/sketch.ndjson
 echo '{"event":"import","path":"sketch.ndjson","t_ms":0}' >folder/import.ndjson
 run 0 "$feltline" replay folder/import.ndjson -o imported.ndjson
 lines imported.ndjson 3
+cp folder/sketch.ndjson before.ndjson
+run 1 "$feltline" replay folder/import.ndjson -o folder/sketch.ndjson
+has err "would overwrite"
+same folder/sketch.ndjson before.ndjson
 
 # If a script is stopped in the middle, the output shows the gesture in progress, but no later event.
 cat >pull.ndjson <<'END'
