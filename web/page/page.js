@@ -58,7 +58,8 @@ class Page {
     this.shown = { forces: false, options: false, layers: false };
     this.gestures = 0;
     this.active_until = 0;
-    this.waiting = [];  // what to do when the core is complete
+    this.waiting = [];  // what to do when the core is complete: { act, is_first }; is_first: the first module can do it, too
+    this.is_replaying = false;  // what has waited is being done
     this.wants_sound = choices.get('sound') === 'on';
     this.frame = (now) => this.run_frame(now);
     this.menu = new Menu(this);
@@ -111,7 +112,9 @@ class Page {
 
   async complete_core() {
     const { core } = this, is_free = async () => {
-      while (this.input && this.input.drawing !== null && this.waiting.length === 0) await pause(kWarmUpMs);
+      const draws = () => this.input && (this.input.drawing !== null || this.input.keys_draw);
+      while (draws() && this.waiting.length === 0) await pause(kWarmUpMs);
+      this.settle();
     };
     let done;
     try {
@@ -124,12 +127,29 @@ class Page {
     this.incomplete = !done.ok;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
-    const waiting = this.waiting.splice(0);
-    if (done.ok) for (const act of waiting) act();
-    else if (waiting.length > 0) this.say(done.error);
+    if (!done.ok && this.waiting.length > 0) this.say(done.error);
+    this.do_waiting(core);
     if (done.ok) setTimeout(() => this.warm_up(), kWarmUpMs);
     this.wake();
     return done;
+  }
+
+  get is_waiting() {
+    return this.waiting.length > 0 && !this.is_replaying;
+  }
+
+  /**
+   * Does what has waited, in order, while the core is this one: another one continues with the rest. If the full module is
+   * missing, does what the first one can, so that no line is lost, and drops the rest.
+   */
+  do_waiting(core) {
+    this.is_replaying = true;
+    this.sample_time = null;
+    while (this.waiting.length > 0 && this.core === core) {
+      const { act, is_first } = this.waiting.shift();
+      if (core.isComplete || is_first) this.guard(act);
+    }
+    this.is_replaying = false;
   }
 
   /** Lets the core prepare grain, forces and sound, when no line is drawn. */
@@ -140,10 +160,11 @@ class Page {
   }
 
   /** Does this as soon as the core is complete. While something waits, everything else that changes the drawing does, too. */
-  when_complete(act) {
-    if (!this.core || this.core.isComplete) return act();
-    this.waiting.push(act);
-    this.complete();
+  when_complete(act, is_first = false) {
+    if (this.core?.isComplete && !this.is_waiting) return act();
+    this.settle();
+    this.waiting.push({ act, is_first });
+    if (this.core) this.complete();
     return undefined;
   }
 
@@ -206,7 +227,10 @@ class Page {
       this.leave();
       this.input.release_all(true);
     });
-    addEventListener('pagehide', () => this.leave());
+    addEventListener('pagehide', () => {
+      if (this.core) this.do_waiting(this.core);
+      this.leave();
+    });
   }
 
   resize() {
@@ -241,7 +265,7 @@ class Page {
     this.asked = false;
     let more = false;
     this.guard((core) => {
-      if (this.waiting.length === 0) core.advance(now);
+      if (!this.is_waiting) core.advance(now);
       more = core.paint(this.context);
     });
     this.guard(() => this.show_changes(now));
@@ -442,7 +466,8 @@ class Page {
 
   /** Sends an event to the core. */
   apply(event) {
-    if (!kFirstEvents.includes(event.event) || this.waiting.length > 0) return this.when_complete(() => this.apply_now(event));
+    const is_first = kFirstEvents.includes(event.event);
+    if (!is_first || this.is_waiting) return this.when_complete(() => this.apply_now(event), is_first);
     return this.apply_now(event);
   }
 
@@ -455,10 +480,14 @@ class Page {
 
   samples(samples) {
     this.is_away = false;
-    if (this.waiting.length > 0) return void this.waiting.push(() => this.samples(samples));
+    if (this.is_waiting) return this.when_complete(() => this.samples(samples), true);
     this.sampled = performance.now();
-    this.guard((core) => core.samples(samples));
+    this.guard((core) => {
+      this.sample_time = samples.at(-core.sampleSize) ?? null;
+      core.samples(samples);
+    });
     this.wake();
+    return undefined;
   }
 
   /** A pointer touches the sheet at this point. */
@@ -494,15 +523,22 @@ class Page {
   /** The pen of the core follows the pointer with a short delay. After this call, it has handled all samples that were
    * sent, so that they come before the next event. */
   settle() {
-    if (this.waiting.length > 0) return;
+    if (this.is_waiting) return;
+    // Samples that have waited are older; those behind them must not be overtaken.
+    if (this.is_replaying) {
+      if (this.sample_time !== null) this.guard((core) => core.advance(this.sample_time + kSettleMs));
+      return;
+    }
     const now = performance.now();
     if (now - (this.sampled ?? -Infinity) < kSettleMs) this.guard((core) => core.advance(now + kSettleMs));
   }
 
   finish() {
+    if (this.is_waiting) return this.when_complete(() => this.finish(), true);
     this.settle();
     this.guard((core) => core.finish());
     this.wake();
+    return undefined;
   }
 
   undo() {
@@ -532,15 +568,18 @@ class Page {
   }
 
   borrow(kind) {
+    if (this.is_waiting) return this.when_complete(() => this.borrow(kind));
     const { tool } = this.core.state(), other = this.tool_of_kind(kind);
-    if (!other || other === tool) return;
+    if (!other || other === tool) return undefined;
     this.lender = tool;
-    this.use_tool(other);
+    return this.use_tool(other);
   }
 
   give_back() {
+    if (this.is_waiting) return this.when_complete(() => this.give_back());
     if (this.lender) this.use_tool(this.lender);
     this.lender = null;
+    return undefined;
   }
 
   set_option(id, value) {
@@ -548,7 +587,7 @@ class Page {
   }
 
   set_medium(medium) {
-    if (!this.core.isComplete) return this.when_complete(() => this.set_medium(medium));
+    if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.set_medium(medium));
     const done = this.core.setMedium(medium);
     if (!done.ok) this.say(done.error);
     if (this.core.state().selected > 0) this.apply({ event: 'restyle', medium });
@@ -561,7 +600,7 @@ class Page {
   }
 
   set_size(mm) {
-    if (!this.core.isComplete) return this.when_complete(() => this.set_size(mm));
+    if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.set_size(mm));
     const done = this.core.setSize(mm);
     if (!done.ok) this.say(done.error);
     this.wake();
@@ -649,7 +688,7 @@ class Page {
 
   toggle_hand() {
     if (this.plays) return this.stop_hand();
-    if (!this.core.isComplete) return this.when_complete(() => this.toggle_hand());
+    if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.toggle_hand());
     const { text, mmPerUnit } = in_the_middle(this.core.scripts().find(({ id }) => id === 'cat').text, this.core.state().page);
     const done = this.core.play(text, { speed: kCatSpeed, mmPerUnit });
     if (!done.ok) return this.say(done.error);
@@ -685,7 +724,7 @@ class Page {
   }
 
   set_moves(on) {
-    if (!this.core.isComplete) return this.when_complete(() => this.set_moves(on));
+    if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.set_moves(on));
     const device = this.core.devices().find(({ hasForce }) => hasForce === on);
     const done = this.core.setDevice(device.id);
     if (done.ok) this.device = device.id;

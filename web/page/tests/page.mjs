@@ -204,16 +204,21 @@ const topics = {
         await tab.stroke(Array.from({ length: 20 }, (_, i) => [420, 290 + 3 * i]));
         await tab.run(() => { feltlinePage.use_tool('pencil'); feltlinePage.set_medium('chalk'); });
         await tab.stroke(wave(300, 500));
+        // A long line, and steps behind it: none overtakes the line.
+        await tab.stroke(wave(250, 620, 90));
+        await tab.run(() => { feltlinePage.undo(); feltlinePage.redo(); feltlinePage.use_tool('pull'); feltlinePage.use_tool('pencil'); });
         assert.deepEqual(await tab.run(() => [feltlinePage.core.isComplete, feltlinePage.core.state().undo]), [false, 'Draw']);
         release();
-        await tab.until(() => feltlinePage.core.isComplete && feltlinePage.core.state().strokes === 2);
+        await tab.until(() => feltlinePage.core.isComplete && feltlinePage.core.state().strokes === 3);
         const labels = [];
-        for (let i = 0; i < 3; ++i) {
+        for (let i = 0; i < 4; ++i) {
           labels.push(await tab.run(() => feltlinePage.core.state().undo));
           await tab.run(() => feltlinePage.undo());
         }
-        assert.deepEqual(labels, ['Draw', 'Pull', 'Draw']);
-        for (let i = 0; i < 3; ++i) await tab.run(() => feltlinePage.redo());
+        assert.deepEqual(labels, ['Draw', 'Draw', 'Pull', 'Draw']);
+        for (let i = 0; i < 4; ++i) await tab.run(() => feltlinePage.redo());
+        await tab.frames(20);
+        assert.ok(await dark(tab, 720, 570, 50, 100) > 200, 'the end of the long line is missing');
         await stored(tab);
         const before = await saved(tab, 'svg');
         assert.equal(await tab.run(() => feltlinePage.core.state().medium), 'chalk');
@@ -221,6 +226,31 @@ const topics = {
         assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a reload');
       }, url);
     }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
+  /** The full module does not come: what was drawn while something waited for it stays, by the first one. */
+  async incomplete() {
+    let release = null;
+    const held = new Promise((done) => { release = done; });
+    await served(async (url) => {
+      await with_tab({ wait: 'first' }, async (tab) => {
+        await tab.run(() => feltlinePage.use_tool('marker'));
+        for (const y of [300, 400]) await tab.stroke(wave(300, y));
+        await tab.run(() => feltlinePage.undo());
+        assert.equal(await strokes(tab), 0);
+        release();
+        await tab.until(() => feltlinePage.incomplete && feltlinePage.core.state().strokes === 1);
+        await tab.stroke(wave(300, 500));
+        await tab.until(() => feltlinePage.core.state().strokes === 2);
+        // What waits when the page is left is stored, too.
+        await tab.run(() => { feltlinePage.complete = () => {}; feltlinePage.use_tool('pull'); });
+        await tab.stroke(wave(300, 600));
+        assert.equal(await strokes(tab), 2);
+        await tab.run(() => dispatchEvent(new Event('pagehide')));
+        assert.equal(await strokes(tab), 3);
+        tab.errors = tab.errors.filter((text) => !/core_full\.js/.test(text));
+      }, url);
+    }, (path) => path.includes('core_full'), (path) => (path.includes('core_full') ? held : undefined));
   },
 
   /** A script that does not come: the page says so. */
