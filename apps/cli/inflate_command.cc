@@ -5,8 +5,10 @@
 #include <string_view>
 
 #include "commands.h"
+#include "felt/formats/drawing_grain.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/picture/png.h"
+#include "felt/solid/front_paint.h"
 #include "felt/solid/inflate.h"
 #include "felt/solid/solid_picture.h"
 #include "felt/solid/solid_writer.h"
@@ -29,6 +31,7 @@ struct InflateArguments {
   std::string png;
   InflateOptions options;
   bool fills_holes = false;
+  bool paints = true;
 };
 
 void add_options(CLI::App& command, InflateArguments& args) {
@@ -60,6 +63,10 @@ void add_options(CLI::App& command, InflateArguments& args) {
       ->capture_default_str();
   command.add_flag("--fill-holes", args.fills_holes,
                    "Ignore closed lines inside an outline; default: they are holes");
+  command.add_flag(
+      "!--no-paint", args.paints,
+      "Leave the lines and fills inside the outlines out of a .glb and of the picture;\n"
+      "default: they are painted on the front");
 }
 
 /// Returns the format of the output; nullopt if only a picture is wanted.
@@ -82,8 +89,8 @@ std::optional<SolidFormat> wanted_solid_format(const InflateArguments& args) {
                        : fmt::format("--to: '{}' is not {}", args.to, kSolidFormats));
 }
 
-Result<void> write_picture(const Solid& solid, const std::string& path) {
-  return paint_solid(solid, {})
+Result<void> write_picture(const Solid& solid, const FrontPaint* paint, const std::string& path) {
+  return paint_solid(solid, {}, paint)
       .map_error([&](const Error& error) { return with_context(error, path); })
       .and_then([&](const Image& image) { return encode_png(image, kSolidPictureDpi); })
       .and_then([&](const std::string& bytes) {
@@ -91,12 +98,18 @@ Result<void> write_picture(const Solid& solid, const std::string& path) {
       });
 }
 
-Result<void> write_solid(const Solid& solid, SolidFormat format, const std::string& path) {
-  return encode_solid(solid, format)
+Result<void> write_solid(const Solid& solid, const FrontPaint* paint, SolidFormat format,
+                         const std::string& path) {
+  return encode_solid(solid, format, paint)
       .map_error([&](const Error& error) { return with_context(error, path); })
       .and_then([&](const std::string& bytes) {
         return Output::create(path).and_then([&](Output out) { return out.write_all(bytes); });
       });
+}
+
+Result<std::optional<FrontPaint>> paint_of(const Drawing& drawing, const Solid& solid) {
+  return grain_of(drawing).and_then(
+      [&](const Grain& grain) { return front_paint(drawing.document, solid, grain); });
 }
 
 void run_inflate(InflateArguments& args, Console& console) {
@@ -118,12 +131,17 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
   if (console.failed()) return;
+  const bool shows_paint = args.paints && (format == SolidFormat::kGlb || !args.png.empty());
+  const Result<std::optional<FrontPaint>> paint =
+      shows_paint ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
+  if (!paint) return console.error(input->name() + ": " + paint.error().message);
+  const FrontPaint* const front = *paint ? &**paint : nullptr;
   if (format) {
-    const Result<void> done = write_solid(inflated->solid, *format, args.output);
+    const Result<void> done = write_solid(inflated->solid, front, *format, args.output);
     if (!done) return console.error(done.error().message);
   }
   if (args.png.empty()) return;
-  const Result<void> painted = write_picture(inflated->solid, args.png);
+  const Result<void> painted = write_picture(inflated->solid, front, args.png);
   if (!painted) console.error(painted.error().message);
 }
 

@@ -48,6 +48,12 @@ run 0 "$feltline" inflate ring.svg -o both.stl --png both.png
 same both.stl ring.stl
 same both.png ring.png
 
+# The whisker is painted on the front: a texture of the .glb, and a part of the picture.
+grep -q image/png ring.glb || fail "no texture"
+run 0 "$feltline" inflate ring.svg -o plain.glb --no-paint --png plain.png
+! grep -q image/png plain.glb || fail "a texture"
+! cmp -s plain.png ring.png || fail "no whisker on the body"
+
 # Wrong usage.
 run 2 "$feltline" inflate ring.svg
 has err "-o or --png is required"

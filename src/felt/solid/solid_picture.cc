@@ -52,14 +52,18 @@ Camera camera_for(const Solid& solid, const SolidView& view) {
   return camera;
 }
 
-/// Returns the colour that a body is painted with.
-Shade body_color(Rgba color) {
-  constexpr double kMinLight = 0.62;
-  Shade shade = {color.r / 255.0, color.g / 255.0, color.b / 255.0};
-  const double light = 0.2126 * shade[0] + 0.7152 * shade[1] + 0.0722 * shade[2];
-  if (light >= kMinLight) return shade;
-  const double mix = (kMinLight - light) / (1.0 - light);  // with white
-  for (double& part : shade) part += mix * (1.0 - part);
+Shade shade_of(Rgba color) {
+  return {color.r / 255.0, color.g / 255.0, color.b / 255.0};
+}
+
+/// Returns the colour of a body under the ink at a point of its front.
+Shade inked(const Shade& body, const FrontPaint& paint, const Vec3& at) {
+  const Vec px = paint.to_px(at);
+  const auto x = static_cast<int>(std::floor(px.x)), y = static_cast<int>(std::floor(px.y));
+  if (x < 0 || y < 0 || x >= paint.ink.width() || y >= paint.ink.height()) return body;
+  const Rgba ink = paint.ink.at(x, y);
+  Shade shade = shade_of(ink);
+  for (std::size_t k = 0; k < 3; ++k) shade[k] += (1.0 - ink.a / 255.0) * body[k];
   return shade;
 }
 
@@ -93,13 +97,19 @@ struct Samples {
         color(depth.size(), Shade{1.0, 1.0, 1.0}) {}
 };
 
-/// One corner of a triangle: its position in samples and depth, and its normal.
+/// One corner of a triangle: its position in samples and depth, that on the body, and its normal.
 struct Corner {
-  Vec3 at, normal;
+  Vec3 at, on_body, normal;
+};
+
+/// What a triangle is painted with.
+struct Coat {
+  Shade color;
+  const FrontPaint* ink = nullptr;  // null if there is none
 };
 
 /// Paints the samples inside a triangle that are in front of what is there.
-void paint_triangle(Samples& samples, const std::array<Corner, 3>& t, const Shade& color,
+void paint_triangle(Samples& samples, const std::array<Corner, 3>& t, const Coat& coat,
                     const Camera& camera) {
   const Vec3 &a = t[0].at, &b = t[1].at, &c = t[2].at;
   const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -125,6 +135,10 @@ void paint_triangle(Samples& samples, const std::array<Corner, 3>& t, const Shad
       samples.depth[i] = z;
       const Vec3 n = u * t[0].normal + v * t[1].normal + w * t[2].normal;
       const double length = norm(n);
+      const Shade color = coat.ink == nullptr
+                              ? coat.color
+                              : inked(coat.color, *coat.ink,
+                                      u * t[0].on_body + v * t[1].on_body + w * t[2].on_body);
       samples.color[i] = lit(color, length > 0.0 ? (1.0 / length) * n : camera.z, camera);
     }
   }
@@ -152,7 +166,7 @@ void write_pixels(const Samples& samples, Pixels out) {
 
 }  // namespace solid_paint
 
-Result<Image> paint_solid(const Solid& solid, const SolidView& view) {
+Result<Image> paint_solid(const Solid& solid, const SolidView& view, const FrontPaint* paint) {
   using namespace solid_paint;
   const auto fits = [](int px) { return px >= 16 && px <= 8192; };
   if (solid.bodies.empty() || !fits(view.width_px) || !fits(view.height_px)) {
@@ -163,14 +177,14 @@ Result<Image> paint_solid(const Solid& solid, const SolidView& view) {
   const Camera camera = camera_for(solid, view);
   Samples samples(kSamples * view.width_px, kSamples * view.height_px);
   for (const SolidBody& body : solid.bodies) {
-    const Shade color = body_color(body.color);
+    const Shade color = shade_of(shown_color(body.color));
     const std::vector<Vec3> normals = point_normals(body);
     for (const SolidBody::Triangle& t : body.triangles) {
       std::array<Corner, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = {camera.to(body.points[t[k]]), normals[t[k]]};
+        corners[k] = {camera.to(body.points[t[k]]), body.points[t[k]], normals[t[k]]};
       }
-      paint_triangle(samples, corners, color, camera);
+      paint_triangle(samples, corners, {color, is_front(body, t) ? paint : nullptr}, camera);
     }
   }
   write_pixels(samples, image->pixels());

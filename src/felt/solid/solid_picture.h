@@ -2,6 +2,7 @@
 
 #include "felt/base/result.h"
 #include "felt/render/image.h"
+#include "felt/solid/front_paint.h"
 #include "felt/solid/solid.h"
 
 namespace felt {
@@ -15,9 +16,10 @@ struct SolidView {
 };
 
 /// Paints a solid as matt bodies in the light of a lamp at the upper left of the camera, on white.
-/// Every body has the colour of its stroke, but dark colours are made lighter, because a black body
-/// shows no shape. Parallel projection; the picture is filled. Works in software, with a depth
-/// buffer at twice the resolution. Fails if the size is out of range or there is no body.
-Result<Image> paint_solid(const Solid& solid, const SolidView& view);
+/// Every body has its shown_color(), with the ink of `paint` on its front unless that is null.
+/// Parallel projection; the picture is filled. Works in software, with a depth buffer at twice the
+/// resolution. Fails if the size is out of range or there is no body.
+Result<Image> paint_solid(const Solid& solid, const SolidView& view,
+                          const FrontPaint* paint = nullptr);
 
 }  // namespace felt

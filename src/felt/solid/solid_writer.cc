@@ -47,7 +47,7 @@ std::optional<SolidFormat> solid_format_of(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-Result<std::string> encode_solid(const Solid& solid, SolidFormat format) {
+Result<std::string> encode_solid(const Solid& solid, SolidFormat format, const FrontPaint* paint) {
   if (solid.bodies.empty()) return fail(ErrorCode::kInvalidArgument, "there is no body to write");
   switch (format) {
     case SolidFormat::kStl:
@@ -57,7 +57,7 @@ Result<std::string> encode_solid(const Solid& solid, SolidFormat format) {
     case SolidFormat::k3mf:
       return encode_3mf(solid);
     case SolidFormat::kGlb:
-      return encode_glb(solid);
+      return encode_glb(solid, paint);
   }
   return fail(ErrorCode::kInvalidArgument, "unknown format of a solid");
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/solid/front_paint.h"
 #include "felt/solid/solid.h"
 
 namespace felt {
@@ -14,7 +15,7 @@ enum class SolidFormat : std::uint8_t {
   kStl,  ///< binary STL: triangles only
   kObj,  ///< Wavefront OBJ: a group for each body
   k3mf,  ///< 3MF: an object for each body, with its colour
-  kGlb,  ///< binary glTF 2.0: a mesh for each body, with its colour and smooth normals
+  kGlb,  ///< binary glTF 2.0: a mesh for each body, with its colour, smooth normals and ink
 };
 
 /// Returns the format with this name or file extension, in any case and without a dot.
@@ -22,8 +23,10 @@ std::optional<SolidFormat> solid_format_of(std::string_view name) noexcept;
 
 /// Returns a solid as a file. All formats store the coordinates of the solid in mm, rounded to
 /// float; the scene of a .glb is scaled by 0.001, because the unit of glTF is the metre. The same
-/// solid gives the same bytes. Fails if there is no body, or too much for the format.
-Result<std::string> encode_solid(const Solid& solid, SolidFormat format);
+/// solid gives the same bytes. A .glb also has the ink on the fronts, as textures, unless `paint`
+/// is null. Fails if there is no body, or too much for the format.
+Result<std::string> encode_solid(const Solid& solid, SolidFormat format,
+                                 const FrontPaint* paint = nullptr);
 
 /// The encoders of the formats. Sources:
 /// <https://www.loc.gov/preservation/digital/formats/fdd/fdd000505.shtml>,
@@ -32,6 +35,6 @@ Result<std::string> encode_solid(const Solid& solid, SolidFormat format);
 Result<std::string> encode_stl(const Solid& solid);
 Result<std::string> encode_obj(const Solid& solid);
 Result<std::string> encode_3mf(const Solid& solid);
-Result<std::string> encode_glb(const Solid& solid);
+Result<std::string> encode_glb(const Solid& solid, const FrontPaint* paint);
 
 }  // namespace felt
