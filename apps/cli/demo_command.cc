@@ -5,9 +5,13 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "act_pictures.h"
 #include "commands.h"
+#include "demo_ending.h"
 #include "demo_scripts.h"
 #include "drawing_output.h"
 #include "felt/document/visible_strokes.h"
@@ -124,8 +128,11 @@ Result<void> write_picture(const std::string& path, const Drawing& drawing,
   });
 }
 
-Result<void> write_pictures(const DemoArguments& args, const Session& session) {
-  const Drawing drawing = drawing_after({.has_page = false}, session, session.document());
+Drawing drawing_of(const Session& session) {
+  return drawing_after({.has_page = false}, session, session.document());
+}
+
+Result<void> write_pictures(const DemoArguments& args, const Drawing& drawing) {
   PictureOptions picture;
   picture.area = ink_bounds(drawing.document).inflated(kDemoMarginMm);
   picture.dpi = kMmPerInch * args.size_px / picture.area->width();
@@ -165,7 +172,9 @@ Result<void> play_act(const DemoScript& act, const DemoArguments& args, DemoReco
   return write_png(path_in(args, (std::string(act.name) + ".png").c_str()), *image, kActDpi);
 }
 
-Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder& recorder) {
+/// Plays all acts and writes their files. Returns the names of the files of the ending.
+Result<std::vector<std::string>> play_acts(const DemoArguments& args, Console& console,
+                                           DemoRecorder& recorder) {
   ReplayMachine::Observer observer;
   observer.tick = [&recorder](const ReplayTick& tick) { return recorder.see(tick); };
   observer.turn = [&](const Session& session, double fraction) {
@@ -176,19 +185,26 @@ Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder
   ReplayMachine machine(args.pen.settings(), Document(), observer);
   ScriptRun run(machine, 1.0, 0);
   Summary summary;
+  std::optional<Drawing> first;  // after the first act, before anything is changed
   for (const DemoScript& act : demo_scripts()) {
     const auto start = std::chrono::steady_clock::now();
-    if (Result<void> played = play_act(act, args, recorder, machine, run); !played) return played;
+    Result<void> played = play_act(act, args, recorder, machine, run);
+    if (!played) return tl::unexpected(played.error());
+    if (!first) first = drawing_of(machine.session());
     ReplayStats stats = machine.take_stats();
     stats.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     summary.add(act.name, stats);
   }
   console.end_progress();
-  if (Result<void> done = write_pictures(args, machine.session()); !done) return done;
-  if (Result<void> done = write_plot(args, recorder); !done) return done;
-  if (Result<void> done = recorder.forces.finish(); !done) return done;
-  summary.print();
-  return {};
+  Result<void> done = write_pictures(args, drawing_of(machine.session()))
+                          .and_then([&] { return write_plot(args, recorder); })
+                          .and_then([&] { return recorder.forces.finish(); });
+  if (!done) return tl::unexpected(done.error());
+  console.status("making the solid and the fish");
+  auto ending = write_demo_ending(*first, args.folder, args.size_px);
+  console.end_progress();
+  if (ending) summary.print();
+  return ending;
 }
 
 void run_demo(const DemoArguments& args, Console& console) {
@@ -199,11 +215,12 @@ void run_demo(const DemoArguments& args, Console& console) {
   const Capabilities device = args.pen.settings().device.capabilities;
   DemoRecorder recorder{*std::move(forces), ForcePlot(1e-9 * static_cast<double>(device.period_ns),
                                                       limits_for(device))};
-  const Result<void> played = play_acts(args, console, recorder);
+  const Result<std::vector<std::string>> played = play_acts(args, console, recorder);
   console.end_progress();
   if (!played) return console.error(played.error().message);
   print("\nIn {}: sketch.svg, sketch.png, sketch.ndjson, forces.csv, forces.png", args.folder);
   for (const DemoScript& act : demo_scripts()) print(", {}.png", act.name);
+  for (const std::string& name : *played) print(", {}", name);
   print("\n");
 }
 

@@ -15,4 +15,7 @@ struct DemoScript {
 
 std::span<const DemoScript> demo_scripts() noexcept;
 
+/// The two key drawings of a fish, as SVG, that swims at the end of the demonstration.
+std::span<const std::string_view, 2> demo_fish() noexcept;
+
 }  // namespace felt::cli

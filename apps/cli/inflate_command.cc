@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "felt/film/film_writer.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/picture/png.h"
@@ -16,6 +17,7 @@
 #include "output.h"
 #include "overwrite_check.h"
 #include "sketch_input.h"
+#include "solid_film.h"
 
 namespace felt::cli {
 namespace {
@@ -29,6 +31,7 @@ struct InflateArguments {
   std::string output;
   std::string to;
   std::string png;
+  std::string film;
   InflateOptions options;
   bool fills_holes = false;
   bool paints = true;
@@ -46,6 +49,9 @@ void add_options(CLI::App& command, InflateArguments& args) {
                      std::string("Output format: ") + kSolidFormats +
                          "; the default is set by the file extension");
   command.add_option("--png", args.png, "Also, or only, paint a picture of the solid: a .png");
+  command.add_option("--film", args.film,
+                     "Also, or only, make a film in which the solid turns once: a .webm or .gif;\n"
+                     "needs ffmpeg");
   command
       .add_option("--triangles", args.options.triangles,
                   "About how many triangles the solid gets; narrow parts can need more")
@@ -72,7 +78,9 @@ void add_options(CLI::App& command, InflateArguments& args) {
 /// Returns the format of the output; nullopt if only a picture is wanted.
 std::optional<SolidFormat> wanted_solid_format(const InflateArguments& args) {
   if (args.output.empty()) {
-    if (args.png.empty()) throw UsageError("-o or --png is required");
+    if (args.png.empty() && args.film.empty()) {
+      throw UsageError("-o, --png or --film is required");
+    }
     if (!args.to.empty()) throw UsageError("--to needs -o");
     return std::nullopt;
   }
@@ -117,7 +125,11 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (args.output == "-" && args.png == "-") {
     throw UsageError("-o - and --png - cannot both use stdout");
   }
-  check_no_overwrite({args.input}, {{"-o", args.output}, {"--png", args.png}}, console);
+  if (!args.film.empty() && !film_format_of(args.film)) {
+    throw UsageError(fmt::format("--film: '{}' is not .webm or .gif", args.film));
+  }
+  check_no_overwrite({args.input},
+                     {{"-o", args.output}, {"--png", args.png}, {"--film", args.film}}, console);
   if (args.fills_holes) args.options.holes = HoleChoice::kFill;
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
@@ -131,18 +143,22 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
   if (console.failed()) return;
-  const bool shows_paint = args.paints && (format == SolidFormat::kGlb || !args.png.empty());
+  const bool is_shown = format == SolidFormat::kGlb || !args.png.empty() || !args.film.empty();
   const Result<std::optional<FrontPaint>> paint =
-      shows_paint ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
+      args.paints && is_shown ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
   if (!paint) return console.error(input->name() + ": " + paint.error().message);
   const FrontPaint* const front = *paint ? &**paint : nullptr;
   if (format) {
     const Result<void> done = write_solid(inflated->solid, front, *format, args.output);
     if (!done) return console.error(done.error().message);
   }
-  if (args.png.empty()) return;
-  const Result<void> painted = write_picture(inflated->solid, front, args.png);
-  if (!painted) console.error(painted.error().message);
+  if (!args.png.empty()) {
+    const Result<void> done = write_picture(inflated->solid, front, args.png);
+    if (!done) return console.error(done.error().message);
+  }
+  if (args.film.empty()) return;
+  const Result<void> done = write_turning_film(inflated->solid, front, args.film);
+  if (!done) console.error(done.error().message);
 }
 
 }  // namespace
@@ -153,7 +169,7 @@ void add_inflate_command(CLI::App& app, Console& console) {
   add_options(*command, *args);
   command->footer(
       examples("feltline inflate cat.felt -o cat.stl\n"
-               "feltline inflate cat.svg -o cat.glb --png cat.png\n"
+               "feltline inflate cat.svg -o cat.glb --png cat.png --film cat.webm\n"
                "feltline inflate ring.ndjson -o ring.3mf --triangles 20000 --thickness 0.5"));
   command->callback([args, &console] { run_inflate(*args, console); });
 }

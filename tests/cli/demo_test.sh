@@ -6,23 +6,31 @@ run 0 "$feltline" demo -o one
 has out "pencil"
 has out "In one: sketch.svg"
 is_empty err
-run 0 "$feltline" demo -o two/below --size 400
+run 0 env PATH= "$feltline" demo -o two/below --size 400  # without ffmpeg, so without the film
+[ ! -e two/below/solid.webm ] || fail "a film without ffmpeg"
 for file in sketch.ndjson sketch.svg forces.csv; do
   same "one/$file" "two/below/$file"
 done
 # Each act has a picture (before, during and after it) and a row of the table.
 mkdir -p three
-run 0 "$feltline" demo -o three
+run 0 env PATH= "$feltline" demo -o three
 for act in "$tools"/*/[0-9]*-*.ndjson; do
   name=$(basename "$act" .ndjson)
   [ -s "one/$name.png" ] || fail "no picture of $name"
   same "one/$name.png" "three/$name.png"
   has out "${name#*-}"
 done
-for file in sketch.png forces.png; do
+for file in sketch.png forces.png solid.png solid.glb swim.svg; do
+  [ -f "one/$file" ] || continue  # solids can be switched off
+  [ "$file" = "${file%.png}" ] || [ "$(head -c 4 "one/$file" | tail -c 3)" = PNG ] || fail "$file is not a PNG"
   same "one/$file" "three/$file"
-  [ "$(head -c 4 "one/$file" | tail -c 3)" = PNG ] || fail "$file is not a PNG"
 done
+# It ends with the fish that swims, and with the cat as a solid that turns.
+[ "$(grep -c '<animate' one/swim.svg)" -ge 22 ] || fail "the fish does not swim"
+if [ -f one/solid.glb ] && command -v ffprobe >/dev/null; then
+  [ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 one/solid.webm)" = 72 ] ||
+    fail "the cat does not turn"
+fi
 if command -v rsvg-convert >/dev/null; then
   run 0 rsvg-convert one/sketch.svg -o viewed.png
 fi

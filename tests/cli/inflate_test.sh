@@ -54,9 +54,21 @@ run 0 "$feltline" inflate ring.svg -o plain.glb --no-paint --png plain.png
 ! grep -q image/png plain.glb || fail "a texture"
 ! cmp -s plain.png ring.png || fail "no whisker on the body"
 
+# A film in which it turns: the first and the last picture differ by one step only.
+if command -v ffmpeg >/dev/null; then
+  run 0 "$feltline" inflate ring.svg --film ring.gif
+  [ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width -of csv=p=0 ring.gif)" = 640,72 ] ||
+    fail "not 72 pictures"
+fi
+run 1 env PATH= "$feltline" inflate ring.svg --film none.webm
+has err "ffmpeg"
+[ ! -e none.webm ] || fail "a film was left"
+
 # Wrong usage.
 run 2 "$feltline" inflate ring.svg
-has err "-o or --png is required"
+has err "-o, --png or --film is required"
+run 2 "$feltline" inflate ring.svg --film ring.mp4
+run 2 "$feltline" inflate ring.svg --film ring.svg
 run 2 "$feltline" inflate ring.svg -o ring.step
 has err ".stl, .obj, .3mf or .glb"
 run 2 "$feltline" inflate ring.svg -o -

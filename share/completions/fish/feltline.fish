@@ -51,6 +51,7 @@ complete -c feltline -n '__fish_seen_subcommand_from gather' -l groups -r -F -d 
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -s o -l output -r -F -d 'Output file: .stl, .obj, .3mf or .glb'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l to -x -a 'stl obj 3mf glb' -d 'Output format'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l png -r -F -d 'Also, or only, paint a picture of the solid'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l film -r -F -d 'Also, or only, make a film in which it turns'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l triangles -x -d 'About how many triangles the solid gets'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l thickness -x -d 'Factor of the thickness'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l gap -x -d 'Close gaps of the outline up to this size, in mm'

@@ -93,7 +93,7 @@ bool is_front(const SolidBody& body, const SolidBody::Triangle& triangle) noexce
 }
 
 Rgba shown_color(Rgba color) noexcept {
-  constexpr double kMinLight = 0.62;
+  constexpr double kMinLight = 0.8;
   const double light = (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / 255.0;
   const double mix = light >= kMinLight ? 0.0 : (kMinLight - light) / (1.0 - light);  // with white
   const auto shown = [mix](std::uint8_t part) {

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "felt/geometry/rect.h"
+
 namespace felt {
 namespace solid_paint {
 
@@ -30,6 +32,30 @@ struct Camera {
   }
 };
 
+/// Returns the bounds of a solid as a camera sees it, in mm.
+Rect seen_by(const Camera& camera, const Solid& solid) {
+  Rect seen;
+  for (const SolidBody& body : solid.bodies) {
+    for (const Vec3& p : body.points) seen.extend(Point{dot(camera.x, p), dot(camera.y, p)});
+  }
+  return seen;
+}
+
+/// Returns the bounds of what the camera sees if the solid turns about the vertical axis through x
+/// = z = 0: those of the circles on which the points move.
+Rect seen_in_turns(const Camera& camera, const Solid& solid) {
+  Rect seen;
+  for (const SolidBody& body : solid.bodies) {
+    for (const Vec3& p : body.points) {
+      const double r = std::hypot(p.x, p.z), y = camera.y.y * p.y;
+      const double depth = r * std::hypot(camera.y.x, camera.y.z);
+      seen.extend(Point{-r, y - depth});
+      seen.extend(Point{r, y + depth});
+    }
+  }
+  return seen;
+}
+
 Camera camera_for(const Solid& solid, const SolidView& view) {
   constexpr double kDegree = std::numbers::pi / 180.0, kMargin = 0.06;
   const double turn = view.turn_deg * kDegree, rise = view.rise_deg * kDegree;
@@ -37,18 +63,12 @@ Camera camera_for(const Solid& solid, const SolidView& view) {
   camera.z = {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
   camera.x = {std::cos(turn), 0.0, -std::sin(turn)};
   camera.y = cross_of(camera.z, camera.x);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double x0 = kInfinity, x1 = -kInfinity, y0 = kInfinity, y1 = -kInfinity;
-  for (const SolidBody& body : solid.bodies) {
-    for (const Vec3& p : body.points) {
-      x0 = std::min(x0, dot(camera.x, p)), x1 = std::max(x1, dot(camera.x, p));
-      y0 = std::min(y0, dot(camera.y, p)), y1 = std::max(y1, dot(camera.y, p));
-    }
-  }
-  const double across = std::max((x1 - x0) / view.width_px, (y1 - y0) / view.height_px);
+  const Rect seen =
+      view.fit == SolidFit::kTurn ? seen_in_turns(camera, solid) : seen_by(camera, solid);
+  const double across = std::max(seen.width() / view.width_px, seen.height() / view.height_px);
   camera.scale = kSamples * (1.0 - 2.0 * kMargin) / std::max(across, 1e-9);
-  camera.left = 0.5 * (x0 + x1) - 0.5 * kSamples * view.width_px / camera.scale;
-  camera.top = 0.5 * (y0 + y1) + 0.5 * kSamples * view.height_px / camera.scale;
+  camera.left = 0.5 * (seen.x0 + seen.x1) - 0.5 * kSamples * view.width_px / camera.scale;
+  camera.top = 0.5 * (seen.y0 + seen.y1) + 0.5 * kSamples * view.height_px / camera.scale;
   return camera;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "felt/solid/inflate.h"
 #include "felt/solid/testing/solid_drawings.h"
 
@@ -52,6 +54,40 @@ TEST(SolidPicture, TheNearerBodyHidesTheOther) {
     ASSERT_TRUE(image);
     const Rgba c = image->at(50, 50);
     EXPECT_EQ(c.b > c.r, z > 0.0);
+  }
+}
+
+/// Returns the columns and rows that a body covers.
+PixelRect covered(const Image& image) {
+  PixelRect area{image.width(), image.height(), 0, 0};
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (image.at(x, y).r + image.at(x, y).g + image.at(x, y).b == 3 * 255) continue;
+      area = {std::min(area.x0, x), std::min(area.y0, y), std::max(area.x1, x + 1),
+              std::max(area.y1, y + 1)};
+    }
+  }
+  return area;
+}
+
+// In a film, a bar must not grow when it is seen from its end.
+TEST(SolidPicture, ATurningSolidKeepsItsSizeAndStaysInThePicture) {
+  testing::SolidDrawing drawing;
+  drawing.polygon({{0, 0}, {90, 0}, {90, 30}, {0, 30}});
+  const Result<InflatedDrawing> bar = inflate(drawing.document, {});
+  ASSERT_TRUE(bar);
+  for (double turn_deg = 0.0; turn_deg < 360.0; turn_deg += 30.0) {
+    const Result<Image> image = paint_solid(bar->solid, {.width_px = 300,
+                                                         .height_px = 300,
+                                                         .turn_deg = turn_deg,
+                                                         .rise_deg = 0.0,
+                                                         .fit = SolidFit::kTurn});
+    ASSERT_TRUE(image);
+    const PixelRect area = covered(*image);
+    EXPECT_NEAR(area.height(), 88, 4) << turn_deg;
+    EXPECT_GT(area.x0, 10);
+    EXPECT_LT(area.x1, 290);
+    EXPECT_NEAR(area.x0 + area.x1, 300, 8) << "the axis is in the middle";
   }
 }
 
