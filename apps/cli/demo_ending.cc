@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "demo_scripts.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/io/svg/svg_animated.h"
