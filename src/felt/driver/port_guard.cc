@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <optional>
+#include <span>
 
 #include "felt/base/constants.h"
 
@@ -34,6 +36,12 @@ std::int64_t monotonic_now_ns() noexcept {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   return std::int64_t{now.tv_sec} * kSecond + now.tv_nsec;
+}
+
+// Writes without waiting. A connection that the peer has closed must not raise SIGPIPE.
+ssize_t write_to(int port, std::span<const std::byte> bytes) noexcept {
+  const ssize_t count = ::send(port, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  return count < 0 && errno == ENOTSOCK ? ::write(port, bytes.data(), bytes.size()) : count;
 }
 
 void close_all(unsigned from, unsigned to) noexcept {
@@ -56,6 +64,9 @@ void keep_only(int one, int other) noexcept {
 // calls that are safe between fork() and exec() of a program with threads (signal-safety(7)): no
 // allocation, no locks, no destructors.
 struct PortGuard::Process {
+  static std::span<const std::byte> words_of(const Watch& watch) noexcept {
+    return std::span(watch.words).first(watch.size);
+  }
   static void say(const Watch& watch) noexcept;
   static bool discard_answers(const Watch& watch) noexcept;
   static void say_finally(const Watch& watch) noexcept;
@@ -65,7 +76,7 @@ struct PortGuard::Process {
 void PortGuard::Process::say(const Watch& watch) noexcept {
   std::size_t sent = 0;
   for (int i = 0; i < kTries && sent < watch.size; ++i) {
-    const ssize_t count = ::write(watch.port, watch.words.data() + sent, watch.size - sent);
+    const ssize_t count = write_to(watch.port, words_of(watch).subspan(sent));
     if (count > 0) {
       sent += static_cast<std::size_t>(count);
     } else if (count < 0 && errno == EAGAIN) {
@@ -164,19 +175,23 @@ std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte>
 PortGuard::~PortGuard() {
   ::close(watch_.connection);
   ::kill(process_, SIGCONT);  // if it was stopped, it would not notice its end
-  if (has_exited(kEndNs)) return;
-  ::kill(process_, SIGKILL);
+  const std::optional<int> status = exit_status(kEndNs);
+  if (status && WIFEXITED(*status)) return;  // it has written the last words
+  if (!status) ::kill(process_, SIGKILL);
   Process::say_finally(watch_);
   // Not even a killed process exits while it waits in the kernel for its port.
-  static_cast<void>(has_exited(kEndNs));
+  if (!status) static_cast<void>(exit_status(kEndNs));
 }
 
-bool PortGuard::has_exited(std::int64_t within_ns) const noexcept {
+// Returns how the guard has exited, as waitpid() reports it, or nullopt if it still runs.
+std::optional<int> PortGuard::exit_status(std::int64_t within_ns) const noexcept {
   const std::int64_t until_ns = monotonic_now_ns() + within_ns;
   for (;;) {
-    const pid_t ended = waitpid(process_, nullptr, WNOHANG);
-    if (ended == process_ || (ended < 0 && errno != EINTR)) return true;
-    if (monotonic_now_ns() >= until_ns) return false;
+    int status = 0;
+    const pid_t ended = waitpid(process_, &status, WNOHANG);
+    if (ended == process_) return status;
+    if (ended < 0 && errno != EINTR) return SIGKILL;  // somebody else has waited for it
+    if (monotonic_now_ns() >= until_ns) return std::nullopt;
     const timespec pause{.tv_sec = 0, .tv_nsec = kLookNs};
     nanosleep(&pause, nullptr);
   }
@@ -193,11 +208,13 @@ bool PortGuard::beat() noexcept {
   if (::ioctl(watch_.connection, SIOCOUTQ, &unread) != 0) unread = 0;
   const std::int64_t now_ns = unread > 0 ? monotonic_now_ns() : 0;
   if (unread_since_ns_ == 0 || unread == 0) unread_since_ns_ = now_ns;
-  return send(kBeat) && now_ns - unread_since_ns_ < kMaxUnreadNs;
+  is_alive_ = send(kBeat) && now_ns - unread_since_ns_ < kMaxUnreadNs;
+  return is_alive_;
 }
 
 void PortGuard::speak() noexcept {
-  static_cast<void>(send(kSpeak));
+  if (send(kSpeak) && is_alive_) return;
+  static_cast<void>(write_to(watch_.port, Process::words_of(watch_)));
 }
 
 void PortGuard::rest() noexcept {

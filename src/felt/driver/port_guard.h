@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace felt {
@@ -44,8 +45,8 @@ class PortGuard {
                                           std::int64_t patience_ns, Use use = Use::kShared);
   /// Ends the guard, which then writes the last words. Waits until the guard has exited and has
   /// closed the port. A guard that was stopped (SIGSTOP) is continued. If the guard has not exited
-  /// after kEndNs, it is killed, and this function writes the last words. So the caller must keep
-  /// the port open until then.
+  /// after kEndNs, it is killed. This function writes the last words if the guard was killed, by it
+  /// or before. So the caller must keep the port open until then.
   ~PortGuard();
   PortGuard(const PortGuard&) = delete;
   PortGuard& operator=(const PortGuard&) = delete;
@@ -56,7 +57,8 @@ class PortGuard {
   /// system calls that never wait.
   bool beat() noexcept;
   /// Makes the guard write the last words now, because our program cannot reach the device itself.
-  /// The guard then waits for the next heartbeat. Real-time safe, like beat().
+  /// The guard then waits for the next heartbeat. If the guard does not run, this function writes
+  /// the words to the guard's port, without waiting. Real-time safe, like beat().
   void speak() noexcept;
   /// Makes the guard wait for the next heartbeat without acting, because no force is requested.
   /// If our program ends, the guard still writes the last words. Real-time safe, like beat().
@@ -76,12 +78,13 @@ class PortGuard {
 
   PortGuard(pid_t process, const Watch& watch) noexcept : process_(process), watch_(watch) {}
   bool send(char sign) noexcept;
-  [[nodiscard]] bool has_exited(std::int64_t within_ns) const noexcept;
+  [[nodiscard]] std::optional<int> exit_status(std::int64_t within_ns) const noexcept;
 
   pid_t process_;
   Watch watch_;
   /// On the monotonic clock. 0 if the guard had read everything at the last heartbeat.
   std::int64_t unread_since_ns_ = 0;
+  bool is_alive_ = true;  // at the last heartbeat
 };
 
 }  // namespace felt

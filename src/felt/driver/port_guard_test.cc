@@ -203,9 +203,9 @@ pid_t child_of_ours() {
 }
 
 // The guard may be killed; the next beat reports it.
-TEST(PortGuard, TellsThatItWasKilled) {
+TEST(PortGuard, R49_TellsThatItWasKilled) {
   const Port port;
-  const auto guard = port.guard(kNeverNs);
+  auto guard = port.guard(kNeverNs);
   ASSERT_NE(guard, nullptr);
   EXPECT_TRUE(guard->beat());
   const pid_t process = child_of_ours();
@@ -217,6 +217,10 @@ TEST(PortGuard, TellsThatItWasKilled) {
     usleep(1000);
   }
   EXPECT_LT(beats, kLongMs);
+  guard->speak();
+  EXPECT_EQ(port.receive(), kWords) << "our program says them itself";
+  guard.reset();
+  EXPECT_EQ(port.receive(), kWords) << "also at the end";
 }
 
 // A guard that is stopped accepts heartbeats, but would not act.

@@ -319,6 +319,8 @@ Result<void> HaplyDevice::find_home() {
     if (is_gone_) break;
     if (state_.calibrated.value_or(is_calibrated_)) {
       is_calibrated_ = true;
+      time_.restart();  // the time that homing took is not a delay of the service
+      report_.restart_pace();
       return {};
     }
     std::this_thread::sleep_for(kHomingPause);

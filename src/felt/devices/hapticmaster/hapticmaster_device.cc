@@ -15,6 +15,8 @@ constexpr double kSecondsPerNs = 1e-9;
 const ShortText kUnguarded(
     "The process that switches the machine off when Feltline cannot does not run: prepare it "
     "again.");
+const ShortText kNotOff(
+    "The machine does not confirm that it is switched off: press its emergency button!");
 const ShortText kNotSent("The controller does not accept the request to end the force.");
 
 std::optional<Vec3> in_mm(const std::optional<Vec3>& m) noexcept {
@@ -65,10 +67,28 @@ tl::unexpected<DeviceFault> HapticMasterDevice::not_ready() noexcept {
 void HapticMasterDevice::switch_off(const ShortText& words) noexcept {
   if (mode_ != Mode::kReady) return;
   mode_ = Mode::kNotReady;
-  mode_words_ = words;
-  gate_.release();
+  mode_words_ = off_words_ = words;
+  static_cast<void>(release());  // in case the machine refuses to switch off
+  is_off_pending_ = true;
+  off_ns_ = 0;
+  ask_off();
+}
+
+void HapticMasterDevice::ask_off() noexcept {
+  off_asked_ns_ = 0;
   guard_->let_guard_speak();
   if (queue_.may_send(Request::kOff)) send(Request::kOff, "set state off");
+  if (mode_ != Mode::kGone && queue_.may_send(Request::kState)) send(Request::kState, "get state");
+}
+
+// Repeats the request to switch the machine off until its state is `off`, `ns` after the last tick.
+void HapticMasterDevice::follow_off(std::int64_t ns) noexcept {
+  if (is_off_pending_ && mode_ == Mode::kNotReady) static_cast<void>(receive(0));
+  if (!is_off_pending_ || mode_ != Mode::kNotReady) return;
+  off_ns_ += ns;
+  off_asked_ns_ += ns;
+  if (off_ns_ > kOffKnownNs) mode_words_ = kNotOff;
+  if (off_asked_ns_ >= kOffAskedNs) ask_off();
 }
 
 // Gives the connection up. Its own release may not arrive any more, so the guard acts, too.
@@ -97,7 +117,7 @@ bool HapticMasterDevice::send(Request request, std::string_view text) noexcept {
     if (sent.error() != LinkFault::kTimedOut) lose("The connection was closed", {});
     return false;
   }
-  queue_.sent(request, now_ns_);
+  queue_.add({request, now_ns_, sum_ns_});
   return true;
 }
 
@@ -111,7 +131,7 @@ bool HapticMasterDevice::release() noexcept {
   for (int i = 0; i < kStopTries; ++i) {
     const auto sent = link_->send(text, kSendNs);
     if (sent) {
-      queue_.sent(Request::kRelease, now_ns_);
+      queue_.add({Request::kRelease, now_ns_, sum_ns_});
       return true;
     }
     if (sent.error() != LinkFault::kTimedOut) break;
@@ -153,19 +173,19 @@ HapticMasterDevice::Received HapticMasterDevice::take_velocity(std::string_view 
   return Received::kNothing;
 }
 
-HapticMasterDevice::Received HapticMasterDevice::take_position(std::string_view answer,
-                                                               std::int64_t sent_ns) noexcept {
+HapticMasterDevice::Received HapticMasterDevice::take_position(
+    std::string_view answer, const RequestQueue::Sent& sent) noexcept {
   const AnswerKind kind = kind_of(answer);
   if (kind == AnswerKind::kError) {
     refused_words_ = ShortText(answer);
     return Received::kRefused;
   }
   if (kind != AnswerKind::kVector) return lose("Not an answer to get measpos", answer);
-  const MotionReport motion{in_mm(read_vector(answer)), velocity_mm_per_s_, sent_ns};
+  const MotionReport motion{in_mm(read_vector(answer)), velocity_mm_per_s_, sent.sum_ns};
   const MotionVerdict verdict = motion_.judge(motion);
   if (verdict == MotionVerdict::kImpossible) return Received::kBad;
   measured_mm_ = *motion.position_mm;
-  measured_ns_ = sent_ns;
+  measured_ns_ = sent.time_ns;
   return verdict == MotionVerdict::kGood ? Received::kPosition : Received::kDoubtful;
 }
 
@@ -175,7 +195,8 @@ HapticMasterDevice::Received HapticMasterDevice::take_state(std::string_view ans
     return lose("Not an answer to get state", answer);
   }
   is_in_force_ = answer == "force";
-  if (is_in_force_) return Received::kNothing;
+  if (answer == "off" && std::exchange(is_off_pending_, false)) mode_words_ = off_words_;
+  if (is_in_force_ || mode_ != Mode::kReady) return Received::kNothing;
   refused_words_ = kind == AnswerKind::kError
                        ? ShortText(answer)
                        : ShortText("The machine has left the state in which it follows the hand.");
@@ -208,7 +229,7 @@ HapticMasterDevice::Received HapticMasterDevice::take_answer(std::string_view an
     case Request::kVelocity:
       return take_velocity(answer);
     case Request::kPosition:
-      return take_position(answer, sent->time_ns);
+      return take_position(answer, *sent);
     case Request::kState:
       return take_state(answer);
     case Request::kForce:
@@ -304,14 +325,20 @@ void HapticMasterDevice::place_pen() noexcept {
 std::int64_t HapticMasterDevice::tick(std::int64_t now_ns) noexcept {
   const std::int64_t ns = time_.tick(now_ns);
   now_ns_ = now_ns;
+  sum_ns_ += std::min(ns, kSecond);  // cannot overflow; MotionCheck begins anew after less than that
   const bool was_resting = std::exchange(is_resting_, false);
   return was_resting && ns > kGuardNs ? 0 : ns;
 }
 
 tl::expected<PenSample, DeviceFault> HapticMasterDevice::read(std::int64_t now_ns) noexcept {
   const std::int64_t ns = tick(now_ns);
+  follow_off(ns);
   if (mode_ != Mode::kReady) return not_ready();
   guard_->beat();
+  if (!guard_->is_guarded()) {
+    switch_off(kUnguarded);
+    return not_ready();
+  }
   request_all();
   const Received received = mode_ == Mode::kGone ? Received::kClosed : receive(kWaitNs);
   report_.follow(ns, received != Received::kNothing && received != Received::kClosed);

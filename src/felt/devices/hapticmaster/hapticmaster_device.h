@@ -38,9 +38,10 @@ inline constexpr std::string_view kNotPrepared =
 /// a bounded time and is then set to zero (ServicePace); after kMaxHeldNs read() fails with kOther.
 ///
 /// The machine is switched off (switch_off()) if a condition lasts longer than its limit in the
-/// table kLimits (MachineWatch), if the controller refuses to end a force, or if the machine has
-/// left the state `force` for `off` or `init`. Then read() returns kNotCalibrated until find_home()
-/// has succeeded again. All limits are in real time (LoopTime).
+/// table kLimits (MachineWatch), if the controller refuses to end a force, if the machine has left
+/// the state `force` for `off` or `init`, or if its guard does not run. Then read() returns
+/// kNotCalibrated until find_home() has succeeded again, and repeats the request to switch off
+/// until the machine confirms it. All limits are in real time (LoopTime).
 ///
 /// Every kStateTicks ticks, read() also asks for the state. If it is not `force`, the machine does
 /// not follow the hand, and write() sends no force and returns kForcesOff. If an answer does not
@@ -64,6 +65,10 @@ class HapticMasterDevice final : public DriverDevice {
   static constexpr std::int64_t kMaxHeldNs = 20'000'000;
   static constexpr std::int64_t kGuardNs = 50'000'000;
   static constexpr std::int64_t kMaxGuardNs = 100'000'000;  ///< by then all effects must be gone
+  /// Until the machine confirms that it is off, it is asked to switch off this often.
+  static constexpr std::int64_t kOffAskedNs = 50'000'000;
+  /// If it has not confirmed that after this time, the user is told to switch it off.
+  static constexpr std::int64_t kOffKnownNs = 500'000'000;
   static constexpr int kStateTicks = 2;
   static constexpr double kInertiaKg = 3.0;
   /// Friction of the virtual mass. Without it, the smallest error of the force sensor would move
@@ -103,13 +108,15 @@ class HapticMasterDevice final : public DriverDevice {
   void request_all() noexcept;
   Received receive(std::int64_t within_ns) noexcept;
   Received take_answer(std::string_view answer) noexcept;
-  Received take_position(std::string_view answer, std::int64_t sent_ns) noexcept;
+  Received take_position(std::string_view answer, const RequestQueue::Sent& sent) noexcept;
   [[nodiscard]] Signs signs_of(Received received) const noexcept;
   Received take_velocity(std::string_view answer) noexcept;
   Received take_state(std::string_view answer) noexcept;
   Received take_confirmation(std::string_view answer, Request request) noexcept;
   Received lose(std::string_view words, std::string_view answer) noexcept;
   void switch_off(const ShortText& words) noexcept;
+  void ask_off() noexcept;
+  void follow_off(std::int64_t ns) noexcept;
   void place_pen() noexcept;
   void put(const Force& force) noexcept;
   bool release() noexcept;
@@ -142,6 +149,11 @@ class HapticMasterDevice final : public DriverDevice {
   EffectName effect_{};                // of the last find_home()
   Mode mode_ = Mode::kNotReady;
   ShortText mode_words_;  // why it is not ready or gone
+  // Since switch_off(), until the machine confirms that it is off:
+  bool is_off_pending_ = false;
+  std::int64_t off_ns_ = 0;        // time since switch_off()
+  std::int64_t off_asked_ns_ = 0;  // time since it was asked for last
+  ShortText off_words_;            // why it is switched off
 
   // These are used by the haptic thread, or by the edit thread while no loop runs.
   LoopTime time_;
@@ -159,6 +171,7 @@ class HapticMasterDevice final : public DriverDevice {
   ShortText refused_words_;  // the controller's error, or what is wrong with its state
   int ticks_ = 0;
   std::int64_t now_ns_ = 0;
+  std::int64_t sum_ns_ = 0;  // of the times of all ticks; goes on if the clock stands still
   ServiceReport report_;
 };
 

@@ -1,12 +1,14 @@
 // The part of HapticMasterDevice that the edit thread runs: everything that moves the machine for
 // the first time.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "felt/base/constants.h"
 #include "felt/devices/hapticmaster/hapticmaster_device.h"
+#include "felt/driver/text_writer.h"
 
 namespace felt::hapticmaster {
 namespace {
@@ -19,6 +21,12 @@ constexpr double kMovedM = 0.001;
 
 constexpr const char* kNoGuard =
     "The second process, which switches the machine off if Feltline cannot, ";
+
+// With a point, whatever the language of the program is.
+std::string decimal(double number) {
+  std::array<char, kMaxDecimal> room{};
+  return {room.data(), append_decimal(room.data(), number)};
+}
 
 // Measures time on the edit thread: the time of the clock, or the sum of the pauses if that is
 // longer (with the fakes of tests, pauses take no time).
@@ -159,7 +167,7 @@ Result<void> HapticMasterDevice::calibrate_force() {
 }
 
 // Gives the guard signs of life while the machine looks for its end stops: at most for kInitNs, and
-// only as long as the machine moves, if it says where it is.
+// only as long as it says that it searches, and moves.
 Result<void> HapticMasterDevice::find_end_stops() {
   const Result<std::string> has_position = ask("get position_calibrated");
   if (!has_position) return tl::unexpected(has_position.error());
@@ -174,14 +182,14 @@ Result<void> HapticMasterDevice::find_end_stops() {
     time.paused(kInitPauseNs);
     const Result<std::string> state = ask("get state"), is_done = ask("get position_calibrated");
     if (state && is_done && *state == "stop" && *is_done == "true") return {};
-    if (state && *state != "stop" && *state != "init") break;
+    if (!state || (*state != "stop" && *state != "init")) break;
     const Result<std::string> answer = ask("get measpos");
     const std::optional<Vec3> now_m = answer ? read_vector(*answer) : std::nullopt;
     if (now_m && (!at_m || norm(*now_m - *at_m) > kMovedM)) {
       at_m = now_m;
       moved_ns = time.elapsed_ns();
     }
-    if (at_m && time.elapsed_ns() - moved_ns > kStillNs) break;
+    if (time.elapsed_ns() - moved_ns > kStillNs) break;
   }
   return fail(ErrorCode::kIo,
               "The machine did not find its end stops. Is its emergency button released?");
@@ -217,8 +225,8 @@ Result<void> HapticMasterDevice::prepare() {
   if (auto done = calibrate_force(); !done) return done;
   if (auto done = find_end_stops(); !done) return done;
   for (const std::string& text :
-       {"set inertia " + std::to_string(kInertiaKg),
-        "set coulombfriction " + std::to_string(kFrictionN), std::string("set state force")}) {
+       {"set inertia " + decimal(kInertiaKg), "set coulombfriction " + decimal(kFrictionN),
+        std::string("set state force")}) {
     if (auto done = tell(text); !done) return done;
   }
   // The second trial: now the machine is in the state that the guard must end.
@@ -239,7 +247,7 @@ Result<void> HapticMasterDevice::find_home() {
     static_cast<void>(release());
     mode_ = Mode::kNotReady;
   }
-  is_in_force_ = has_sample_ = false;
+  is_in_force_ = has_sample_ = is_off_pending_ = false;
   report_.clear_stop();
   if (auto done = prepare(); !done) {
     if (mode_ != Mode::kGone) mode_words_ = ShortText(kNotPrepared);

@@ -13,7 +13,7 @@ namespace felt::hapticmaster {
 struct MotionReport {
   std::optional<Vec3> position_mm;        ///< nullopt if it was not three finite numbers
   std::optional<Vec3> velocity_mm_per_s;  ///< the same
-  std::int64_t asked_ns = 0;              ///< when they were asked for, on the clock of the loop
+  std::int64_t asked_ns = 0;              ///< when they were asked for: a sum of LoopTime
 };
 
 enum class MotionVerdict : std::uint8_t {

@@ -28,16 +28,17 @@ class RequestQueue {
 
   struct Sent {
     Request request = Request::kPosition;
-    std::int64_t time_ns = 0;
+    std::int64_t time_ns = 0;  ///< on the clock of the loop
+    std::int64_t sum_ns = 0;   ///< the sum of the times of all ticks (LoopTime)
   };
 
   [[nodiscard]] bool may_send(Request request) const noexcept {
     if (request == Request::kForce && has(Request::kRelease)) return false;
     return !has(request) && count_ < kMaxUnanswered;
   }
-  /// Requires may_send(request).
-  void sent(Request request, std::int64_t time_ns) noexcept {
-    if (count_ < kMaxUnanswered) sent_[count_++] = {request, time_ns};
+  /// Requires may_send(sent.request).
+  void add(const Sent& sent) noexcept {
+    if (count_ < kMaxUnanswered) sent_[count_++] = sent;
   }
   /// Removes and returns the oldest request, which the next answer belongs to; nullopt if the
   /// controller has answered everything.

@@ -358,6 +358,10 @@ std::string_view FakeController::answer_to_set(std::string_view what) {
       return "--- ERROR: not calibrated";
     }
     if (what == "init") looks_ = 0;
+    if (what == "off" && options_.ignored_offs > 0) {
+      --options_.ignored_offs;
+      return "state set to 'off'";
+    }
     enter(what);
     char* at = std::copy_n("state set to '", 14, room_.data());
     at = std::copy(state_.begin(), state_.end(), at);

@@ -27,6 +27,7 @@ struct FakeControllerOptions {
   bool gives_up_force = false;  ///< leaves the state `force` for `off` after a while
   bool creates_twice = false;   ///< confirms that it has created an effect that exists already
   bool keeps_effects = false;   ///< confirms `remove all`, but does not carry it out
+  int ignored_offs = 0;         ///< confirms so many requests to switch off without doing it
   int max_connections = 8;
   /// The guard also acts if no tick comes for its patience. The suites of all drivers let time
   /// stand still, and expect that a device can be read afterwards; this machine must be homed

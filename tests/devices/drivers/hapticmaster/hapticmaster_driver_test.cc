@@ -322,15 +322,19 @@ TEST(HapticMasterDriver, R49_WithoutAGuardNothingPushes) {
   EXPECT_THAT(home.error().message, HasSubstr("a connection of its own"));
 }
 
-TEST(HapticMasterDriver, R49_AGuardThatEndsTakesTheForceAway) {
+// Nobody would switch the machine off if this program were killed now.
+TEST(HapticMasterDriver, R49_WithoutItsGuardTheMachineIsSwitchedOff) {
   Desk desk;
   ASSERT_TRUE(desk.open_at_home());
   desk.push({1, 0, 0});
   desk.controller.hang_up_guard();
   const auto ticked = desk.tick({1, 0, 0});
-  ASSERT_FALSE(ticked.written.has_value());
-  EXPECT_EQ(ticked.written.error(), DeviceFault::kForcesOff);
+  ASSERT_FALSE(ticked.read || ticked.written);
+  EXPECT_EQ(ticked.read.error(), DeviceFault::kNotCalibrated);
+  EXPECT_EQ(ticked.written.error(), DeviceFault::kNotCalibrated);
+  EXPECT_THAT(desk.device->status().vendor_words.view(), HasSubstr("does not run"));
   EXPECT_EQ(desk.world.held_force(), Force{});
+  EXPECT_EQ(desk.controller.state(), "off");
   ASSERT_TRUE(desk.device->find_home().has_value()) << "with another one";
   desk.push({1, 0, 0});
   EXPECT_GT(desk.held_n(), 0.9);

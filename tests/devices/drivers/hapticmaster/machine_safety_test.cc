@@ -199,7 +199,7 @@ TEST(HapticMasterSafety, R49_TheSearchForTheEndStopsIsNotAwaitedForEver) {
     std::int64_t seconds;
   };
   for (const auto& [position, seconds] :
-       {Case{"[0.0,0.0,0.0]", 10}, Case{"--- ERROR: position is not calibrated", 60}}) {
+       {Case{"[0.0,0.0,0.0]", 10}, Case{"--- ERROR: position is not calibrated", 10}}) {
     Desk desk({.is_position_calibrated = false, .init_looks = kOften});
     ASSERT_TRUE(desk.open().has_value());
     desk.controller.say_instead(position, "get measpos", kOften);
@@ -211,6 +211,63 @@ TEST(HapticMasterSafety, R49_TheSearchForTheEndStopsIsNotAwaitedForEver) {
   }
   Desk slow({.is_position_calibrated = false, .init_looks = 400});
   EXPECT_TRUE(slow.open_at_home()) << "8 s";
+}
+
+TEST(HapticMasterSafety, R49_ASearchWhoseStateIsRefusedEndsAtOnce) {
+  Desk desk({.is_position_calibrated = false, .init_looks = kOften});
+  ASSERT_TRUE(desk.open().has_value());
+  desk.controller.say_instead("--- ERROR: busy", "get state", kOften, 3);  // after the trial
+  EXPECT_FALSE(desk.device->find_home().has_value());
+  EXPECT_LE(desk.controller.requests(), 40);
+  EXPECT_EQ(desk.controller.state(), "off");
+}
+
+// The machine confirms the request, but stays on, and its guard cannot reach it.
+TEST(HapticMasterSafety, R49_TheRequestToSwitchOffIsRepeated) {
+  Desk desk;
+  ASSERT_TRUE(desk.open_at_home());
+  desk.push({1, 0, 0});
+  desk.controller.options().ignores_guard = true;
+  desk.controller.options().ignored_offs = 3;
+  desk.controller.hang_up_guard();
+  EXPECT_EQ(desk.first_fault(1), DeviceFault::kNotCalibrated);
+  ASSERT_EQ(desk.controller.state(), "force");
+  EXPECT_EQ(desk.world.held_force(), Force{});
+  for (int i = 0; i < 60; ++i) static_cast<void>(desk.tick({1, 0, 0}));
+  EXPECT_EQ(desk.controller.state(), "off");
+  EXPECT_THAT(desk.device->status().vendor_words.view(), HasSubstr("does not run"));
+  const int requests = desk.controller.requests();
+  for (int i = 0; i < 60; ++i) static_cast<void>(desk.tick({1, 0, 0}));
+  EXPECT_EQ(desk.controller.requests(), requests) << "it is off";
+  EXPECT_EQ(desk.controller.broken_rule(), "");
+}
+
+TEST(HapticMasterSafety, R49_TheUserIsToldIfTheMachineDoesNotConfirmThatItIsOff) {
+  Desk desk;
+  ASSERT_TRUE(desk.open_at_home());
+  desk.push({1, 0, 0});
+  desk.controller.options().ignored_offs = kOften;
+  desk.controller.hang_up_guard();
+  for (int i = 0; i < 150; ++i) static_cast<void>(desk.tick());
+  EXPECT_THAT(desk.device->status().vendor_words.view(), HasSubstr("emergency button"));
+  desk.controller.options().ignored_offs = 0;
+  for (int i = 0; i < 30; ++i) static_cast<void>(desk.tick());
+  EXPECT_EQ(desk.controller.state(), "off");
+  EXPECT_THAT(desk.device->status().vendor_words.view(), HasSubstr("does not run"));
+}
+
+TEST(HapticMasterSafety, R49_AFrozenPositionIsNoticedThoughTheClockStandsStill) {
+  Desk desk;
+  ASSERT_TRUE(desk.open_at_home());
+  for (int i = 0; i < 20; ++i) static_cast<void>(desk.tick());
+  desk.world.stylus().place({0, 0, 0});
+  desk.controller.say_instead("[0.0,0.1,0.0]", "get modelvel", kOften);
+  std::optional<DeviceFault> fault;
+  for (int i = 0; i < 200 && fault != DeviceFault::kNotCalibrated; ++i) {
+    if (const auto read = desk.tick({}, 0).read; !read) fault = read.error();
+  }
+  EXPECT_EQ(fault, DeviceFault::kNotCalibrated);
+  EXPECT_EQ(desk.controller.state(), "off");
 }
 
 TEST(HapticMasterSafety, R49_AfterAStopWithoutConfirmationTheGuardActsWithoutTicks) {
