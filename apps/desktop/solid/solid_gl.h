@@ -2,7 +2,7 @@
 
 #include <QImage>
 #include <QSize>
-#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "felt/solid/solid.h"
@@ -17,6 +17,9 @@ namespace felt::desktop {
 /// Use it in Qt's main thread.
 class SolidGl {
  public:
+  /// How the edges look: smooth ones take about three times as long with software OpenGL.
+  enum class Quality : std::uint8_t { kFast, kSmooth };
+
   /// Returns null if this computer, or the platform plugin, has no OpenGL.
   static std::unique_ptr<SolidGl> create();
   ~SolidGl();
@@ -27,7 +30,7 @@ class SolidGl {
   void set_solid(const Solid& solid);
   /// Returns the picture, or a null picture if OpenGL has failed, for example because the driver
   /// was reset.
-  QImage paint(const SolidCamera& camera, const SolidLook& look, QSize size_px);
+  QImage paint(const SolidCamera& camera, const SolidLook& look, QSize size_px, Quality quality);
 
  private:
   struct Parts;

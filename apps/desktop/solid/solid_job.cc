@@ -68,6 +68,7 @@ SolidAnswer make_solid(const Document& document, const SolidRequest& request) {
     answer.solid = std::make_shared<const Solid>(std::move(inflated->solid));
   } else {
     answer.notes.push_back(inflated.error().message);
+    answer.is_open = inflated.error().code == ErrorCode::kNotFound;
   }
   const bool wants_offer = request.gap_mm || !answer.solid;
   if (wants_offer && can_search && document.stroke_count() > 0) {

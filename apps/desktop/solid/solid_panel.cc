@@ -38,10 +38,10 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
       offer_(new QPushButton(this)),
       gap_(new QSlider(Qt::Horizontal, this)),
       gap_text_(new QLabel(this)),
-      automatic_(new QCheckBox(tr("&Automatic"), this)),
-      fill_holes_(new QCheckBox(tr("&Fill holes"), this)),
-      wireframe_(new QCheckBox(tr("&Wireframe"), this)),
-      section_(new QCheckBox(tr("Se&ction"), this)),
+      automatic_(new QCheckBox(tr("Automatic"), this)),
+      fill_holes_(new QCheckBox(tr("Fill holes"), this)),
+      wireframe_(new QCheckBox(tr("Wireframe"), this)),
+      section_(new QCheckBox(tr("Section"), this)),
       section_at_(new QSlider(Qt::Horizontal, this)),
       export_(new QToolButton(this)) {
   make_controls();
@@ -62,6 +62,7 @@ void SolidPanel::make_controls() {
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   summary_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  offer_->setAccessibleName(tr("Close wider gaps"));
   offer_->hide();
   connect(offer_, &QPushButton::clicked, this, [this] { set_gap(offered_mm_); });
   auto* below = new QVBoxLayout;
@@ -80,7 +81,7 @@ QWidget* SolidPanel::gap_row() {
   auto* row = new QWidget(this);
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
-  auto* title = new QLabel(tr("&Gap:"), row);
+  auto* title = new QLabel(tr("Gap:"), row);
   title->setBuddy(gap_);
   gap_->setRange(0, kMaxGapStep);
   gap_->setAccessibleName(tr("Gap"));
@@ -110,7 +111,7 @@ QWidget* SolidPanel::look_rows() {
   section_at_->setValue(kSectionSteps / 2);
   section_at_->setAccessibleName(tr("Position of the section"));
   section_at_->setEnabled(false);
-  export_->setText(tr("&Export"));
+  export_->setText(tr("Export"));
   export_->setPopupMode(QToolButton::InstantPopup);
   export_->setToolTip(tr("Writes the bodies as a file for printing or for a 3D program"));
   export_->setEnabled(false);
@@ -219,9 +220,12 @@ void SolidPanel::show_answer(const SolidAnswer& answer) {
   const bool is_empty = studio_.session().document().stroke_count() == 0;
   QStringList lines;
   if (answer.solid) {
-    lines.push_back(tr("%n bodies", nullptr, static_cast<int>(answer.solid->bodies.size())));
+    lines.push_back(tr("Bodies: %1. Triangles: %2.")
+                        .arg(answer.solid->bodies.size())
+                        .arg(QLocale().toString(qulonglong(triangle_count(*answer.solid)))));
   } else if (!is_empty) {
-    lines.push_back(tr("No line is closed, so there is no body."));
+    lines.push_back(answer.is_open ? tr("There is no body, because no line is closed.")
+                                   : tr("There is no body."));
   }
   for (const std::string& note : answer.notes) {
     if (!is_empty) lines.push_back(text_of(note));

@@ -41,6 +41,11 @@ bool is_scene_key(int key) {
 
 SolidScene::SolidScene(QWidget* parent, Painter painter)
     : QWidget(parent), painter_(painter), turn_deg_(kFirstTurnDeg), rise_deg_(kFirstRiseDeg) {
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    if (gl_) repaint_solid();  // the processor always paints smooth edges
+  });
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(tr("Solid"));
@@ -77,7 +82,7 @@ void SolidScene::set_wireframe(WireframeChoice wireframe) {
 
 void SolidScene::set_section(std::optional<double> share) {
   section_ = share;
-  repaint_solid();
+  repaint_solid(SolidGl::Quality::kFast);
 }
 
 void SolidScene::set_placeholder(const QString& text) {
@@ -89,7 +94,7 @@ void SolidScene::turn(double right_deg, double up_deg) {
   // Turning the body to the right moves the camera to the left.
   turn_deg_ = std::remainder(turn_deg_ - right_deg, 360.0);
   rise_deg_ = std::clamp(rise_deg_ - up_deg, -90.0, 90.0);
-  repaint_solid();
+  repaint_solid(SolidGl::Quality::kFast);
 }
 
 void SolidScene::zoom(double factor, QPointF at) {
@@ -97,7 +102,7 @@ void SolidScene::zoom(double factor, QPointF at) {
   const QPointF from_middle = at - QPointF(0.5 * width(), 0.5 * height());
   shift_ = from_middle + (now / zoom_) * (shift_ - from_middle);
   zoom_ = now;
-  repaint_solid();
+  repaint_solid(SolidGl::Quality::kFast);
 }
 
 void SolidScene::reset_view() {
@@ -126,8 +131,10 @@ SolidLook SolidScene::look() const {
   return look;
 }
 
-void SolidScene::repaint_solid() {
+void SolidScene::repaint_solid(SolidGl::Quality quality) {
   is_stale_ = true;
+  quality_ = quality;
+  if (quality == SolidGl::Quality::kFast) rest_.start();
   update();
 }
 
@@ -136,7 +143,7 @@ QImage SolidScene::painted(const SolidCamera& camera, QSize size_px) {
   has_tried_gl_ = true;
   if (gl_) {
     if (!std::exchange(is_in_gl_, true)) gl_->set_solid(*solid_);
-    QImage image = gl_->paint(camera, look(), size_px);
+    QImage image = gl_->paint(camera, look(), size_px, quality_);
     if (!image.isNull()) return image;
     gl_.reset();  // the driver has failed; from now on, the processor paints
   }
@@ -198,7 +205,7 @@ void SolidScene::paintEvent(QPaintEvent*) {
 
 void SolidScene::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  repaint_solid();
+  repaint_solid(SolidGl::Quality::kFast);
 }
 
 void SolidScene::changeEvent(QEvent* event) {

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QString>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -17,11 +18,13 @@ namespace felt::desktop {
 /// the wheel zooms at the pointer, a double click resets. With the focus: arrow keys turn (with
 /// Shift in small steps), + and - zoom, Home resets.
 ///
-/// Painted with OpenGL (SolidGl), or with paint_solid() if there is no OpenGL.
+/// Painted with OpenGL (SolidGl), or with paint_solid() if there is no OpenGL. While the user turns
+/// the bodies, their edges are not smooth; they are kRestMs later.
 class SolidScene : public QWidget {
   Q_OBJECT
 
  public:
+  static constexpr int kRestMs = 150;
   /// With what it is painted.
   enum class Painter : std::uint8_t { kAny, kSoftware };
 
@@ -69,7 +72,7 @@ class SolidScene : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void repaint_solid();
+  void repaint_solid(SolidGl::Quality quality = SolidGl::Quality::kSmooth);
   void render();
   [[nodiscard]] QImage painted(const SolidCamera& camera, QSize size_px);
   [[nodiscard]] SolidLook look() const;
@@ -80,6 +83,8 @@ class SolidScene : public QWidget {
   std::optional<SolidTouchMarks> marks_;
   std::unique_ptr<SolidGl> gl_;
   bool has_tried_gl_ = false, is_in_gl_ = false, is_stale_ = true;
+  SolidGl::Quality quality_ = SolidGl::Quality::kSmooth;
+  QTimer rest_;
   QImage image_;
   QString placeholder_;
   WireframeChoice wireframe_ = WireframeChoice::kHide;

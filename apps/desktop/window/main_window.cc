@@ -62,6 +62,8 @@ constexpr int kMinLines = 8;  // minimum number of lines of a panel that scrolls
 /// usually has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
 
+[[maybe_unused]] constexpr int kMinSolidWidth = 400;  // of the solid view when it is opened
+
 /// Puts a panel into a scroll area, so that it scrolls vertically if the screen is too small for
 /// it.
 QWidget* scrolled(QWidget* panel, const QString& name) {
@@ -233,10 +235,16 @@ void MainWindow::make_panels() {
 void MainWindow::make_solid_panel() {
 #ifdef FELT_SOLIDS
   auto* solid = new SolidPanel(*studio_);
-  add_panel(QStringLiteral("solid"), tr("Solid view"), solid, {QKeySequence(Qt::Key_F9)});
+  QDockWidget* dock =
+      add_panel(QStringLiteral("solid"), tr("Solid view"), solid, {QKeySequence(Qt::Key_F9)});
   add_solid_actions(*actions_, *files_, *solid, this);
   connect(actions_->find(QStringLiteral("view.panel_solid")), &QAction::toggled, solid,
-          [this, solid](bool on) {
+          [this, solid, dock](bool on) {
+            // A dock that was never shown gets its minimum width.
+            if (on && dock->width() < kMinSolidWidth) {
+              resizeDocks({dock}, {kMinSolidWidth}, Qt::Horizontal);
+            }
+            // It follows the drawing also while all panels are hidden.
             if (hidden_.isEmpty()) solid->set_on(on);
           });
 #endif

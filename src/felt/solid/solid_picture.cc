@@ -121,7 +121,7 @@ SolidShade TrianglePainter::color_at(const std::array<Corner, 3>& t, const Share
     SolidShade cut{};
     for (std::size_t k = 0; k < 3; ++k)
       cut[k] = kCutShare * kCutColor[k] + (1.0 - kCutShare) * color[k];
-    return lit(cut, {1.0, 0.0, 0.0}, camera_);
+    return cut;
   }
   const Vec3 n = at.u * t[0].normal + at.v * t[1].normal + at.w * t[2].normal;
   const double length = norm(n);
