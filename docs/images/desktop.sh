@@ -17,6 +17,7 @@ shot desktop "${pull[@]}"
 shot desktop-dark "${pull[@]}" --theme dark --panel feel --panel forces
 shot desktop-keys --dialog shortcuts
 shot desktop-tactile --script "$root/docs/images/desktop-tactile.ndjson" --panel tactile --size 1280x800
+shot desktop-solid --example cat --panel solid --size 1280x800
 shot desktop-ring --example cat --dialog ring --size 1280x800
 shot desktop-tour --dialog tour/1
 shot desktop-device --dialog preferences/device

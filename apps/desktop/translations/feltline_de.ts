@@ -1037,10 +1037,6 @@
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exportieren</translation>
-    </message>
-    <message>
         <source>Copy &amp;as</source>
         <translation>Kopieren &amp;als</translation>
     </message>
@@ -1063,6 +1059,10 @@
     <message>
         <source>S&amp;urface</source>
         <translation>&amp;Untergrund</translation>
+    </message>
+    <message>
+        <source>Export the so&amp;lid</source>
+        <translation>Kör&amp;per exportieren</translation>
     </message>
 </context>
 <context>
@@ -1664,6 +1664,65 @@
     <message>
         <source>the computer or the device could not keep up several times in a minute</source>
         <translation>Computer oder Gerät kamen mehrmals in einer Minute nicht hinterher</translation>
+    </message>
+</context>
+<context>
+    <name>SolidActions</name>
+    <message>
+        <source>&amp;STL…</source>
+        <translation>&amp;STL…</translation>
+    </message>
+    <message>
+        <source>Writes the solid as triangles, for printing</source>
+        <translation>Schreibt den Körper als Dreiecke, zum Drucken</translation>
+    </message>
+    <message>
+        <source>STL file (*.stl)</source>
+        <translation>STL-Datei (*.stl)</translation>
+    </message>
+    <message>
+        <source>&amp;3MF…</source>
+        <translation>&amp;3MF…</translation>
+    </message>
+    <message>
+        <source>Writes the solid with its unit and colours, for printing</source>
+        <translation>Schreibt den Körper mit Einheit und Farben, zum Drucken</translation>
+    </message>
+    <message>
+        <source>3MF file (*.3mf)</source>
+        <translation>3MF-Datei (*.3mf)</translation>
+    </message>
+    <message>
+        <source>&amp;OBJ…</source>
+        <translation>&amp;OBJ…</translation>
+    </message>
+    <message>
+        <source>Writes the solid for any 3D program</source>
+        <translation>Schreibt den Körper für beliebige 3D-Programme</translation>
+    </message>
+    <message>
+        <source>Wavefront file (*.obj)</source>
+        <translation>Wavefront-Datei (*.obj)</translation>
+    </message>
+    <message>
+        <source>&amp;glTF…</source>
+        <translation>&amp;glTF…</translation>
+    </message>
+    <message>
+        <source>Writes the solid with colours and smooth shading, for 3D programs and web pages</source>
+        <translation>Schreibt den Körper mit Farben und glatter Schattierung, für 3D-Programme und Webseiten</translation>
+    </message>
+    <message>
+        <source>Binary glTF file (*.glb)</source>
+        <translation>Binäre glTF-Datei (*.glb)</translation>
+    </message>
+    <message>
+        <source>Export the solid</source>
+        <translation>Körper exportieren</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>„%1“ wurde nicht exportiert</translation>
     </message>
 </context>
 <context>
@@ -4052,6 +4111,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Tactile check</source>
         <translation>Tastprüfung</translation>
     </message>
+    <message>
+        <source>Solid view</source>
+        <translation>Körperansicht</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialEditor</name>
@@ -5337,6 +5400,108 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it, or hold Ctrl and Alt and drag. Selected lines get the width, too.</source>
         <translation>Breite einer mit der Maus gezeichneten Linie oder Größe des aktuellen Werkzeugs. Mit [ oder ] ändern, oder mit gehaltenem Strg und Alt ziehen. Auch ausgewählte Linien bekommen die Breite.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SolidPanel</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Inflating…</source>
+        <translation>Wird aufgeblasen…</translation>
+    </message>
+    <message>
+        <source>Draw a closed line: it becomes a body here.</source>
+        <translation>Zeichnen Sie eine geschlossene Linie: Hier wird daraus ein Körper.</translation>
+    </message>
+    <message>
+        <source>Close wider gaps</source>
+        <translation>Größere Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Gaps of the outline up to this size count as closed</source>
+        <translation>Lücken des Umrisses bis zu dieser Größe gelten als geschlossen</translation>
+    </message>
+    <message>
+        <source>Uses the smallest of 2, 4 and 8 mm that closes most of the drawing</source>
+        <translation>Nimmt die kleinste von 2, 4 und 8 mm, die den größten Teil der Zeichnung schließt</translation>
+    </message>
+    <message>
+        <source>Closed lines inside an outline, such as eyes, make no holes</source>
+        <translation>Geschlossene Linien in einem Umriss, etwa Augen, werden keine Löcher</translation>
+    </message>
+    <message>
+        <source>Shows the triangles</source>
+        <translation>Zeigt die Dreiecke</translation>
+    </message>
+    <message>
+        <source>Cuts away the right part</source>
+        <translation>Schneidet den rechten Teil weg</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Lage des Schnitts</translation>
+    </message>
+    <message>
+        <source>Writes the bodies as a file for printing or for a 3D program</source>
+        <translation>Schreibt die Körper als Datei zum Drucken oder für ein 3D-Programm</translation>
+    </message>
+    <message>
+        <source>Bodies: %1. Triangles: %2.</source>
+        <translation>Körper: %1. Dreiecke: %2.</translation>
+    </message>
+    <message>
+        <source>Close gaps up to %1</source>
+        <translation>Lücken bis %1 schließen</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Gap:</source>
+        <translation>Lücke:</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>There is no body, because no line is closed.</source>
+        <translation>Es gibt keinen Körper, weil keine Linie geschlossen ist.</translation>
+    </message>
+    <message>
+        <source>There is no body.</source>
+        <translation>Es gibt keinen Körper.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SolidScene</name>
+    <message>
+        <source>Solid</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the solid, plus and minus zoom, Home shows it from the front again</source>
+        <translation>Pfeiltasten drehen den Körper, Plus und Minus zoomen, Pos1 zeigt ihn wieder von vorn</translation>
     </message>
 </context>
 <context>

@@ -1037,10 +1037,6 @@
         <translation>&amp;Help</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exporteren</translation>
-    </message>
-    <message>
         <source>Copy &amp;as</source>
         <translation>Kopiëren &amp;als</translation>
     </message>
@@ -1063,6 +1059,10 @@
     <message>
         <source>S&amp;urface</source>
         <translation>&amp;Ondergrond</translation>
+    </message>
+    <message>
+        <source>Export the so&amp;lid</source>
+        <translation>&amp;Lichaam exporteren</translation>
     </message>
 </context>
 <context>
@@ -1664,6 +1664,65 @@
     <message>
         <source>the computer or the device could not keep up several times in a minute</source>
         <translation>de computer of het apparaat kon het meermaals per minuut niet bijhouden</translation>
+    </message>
+</context>
+<context>
+    <name>SolidActions</name>
+    <message>
+        <source>&amp;STL…</source>
+        <translation>&amp;STL…</translation>
+    </message>
+    <message>
+        <source>Writes the solid as triangles, for printing</source>
+        <translation>Schrijft het lichaam als driehoeken, om te printen</translation>
+    </message>
+    <message>
+        <source>STL file (*.stl)</source>
+        <translation>STL-bestand (*.stl)</translation>
+    </message>
+    <message>
+        <source>&amp;3MF…</source>
+        <translation>&amp;3MF…</translation>
+    </message>
+    <message>
+        <source>Writes the solid with its unit and colours, for printing</source>
+        <translation>Schrijft het lichaam met eenheid en kleuren, om te printen</translation>
+    </message>
+    <message>
+        <source>3MF file (*.3mf)</source>
+        <translation>3MF-bestand (*.3mf)</translation>
+    </message>
+    <message>
+        <source>&amp;OBJ…</source>
+        <translation>&amp;OBJ…</translation>
+    </message>
+    <message>
+        <source>Writes the solid for any 3D program</source>
+        <translation>Schrijft het lichaam voor elk 3D-programma</translation>
+    </message>
+    <message>
+        <source>Wavefront file (*.obj)</source>
+        <translation>Wavefront-bestand (*.obj)</translation>
+    </message>
+    <message>
+        <source>&amp;glTF…</source>
+        <translation>&amp;glTF…</translation>
+    </message>
+    <message>
+        <source>Writes the solid with colours and smooth shading, for 3D programs and web pages</source>
+        <translation>Schrijft het lichaam met kleuren en vloeiende schaduw, voor 3D-programma’s en webpagina’s</translation>
+    </message>
+    <message>
+        <source>Binary glTF file (*.glb)</source>
+        <translation>Binair glTF-bestand (*.glb)</translation>
+    </message>
+    <message>
+        <source>Export the solid</source>
+        <translation>Lichaam exporteren</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>‘%1’ is niet geëxporteerd</translation>
     </message>
 </context>
 <context>
@@ -4052,6 +4111,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Tactile check</source>
         <translation>Tastcontrole</translation>
     </message>
+    <message>
+        <source>Solid view</source>
+        <translation>Lichaamsweergave</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialEditor</name>
@@ -5337,6 +5400,108 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it, or hold Ctrl and Alt and drag. Selected lines get the width, too.</source>
         <translation>Breedte van een lijn die met de muis wordt getekend, of grootte van het huidige gereedschap. Wijzig met [ of ], of sleep met Ctrl en Alt ingedrukt. Ook geselecteerde lijnen krijgen de breedte.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SolidPanel</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Inflating…</source>
+        <translation>Wordt opgeblazen…</translation>
+    </message>
+    <message>
+        <source>Draw a closed line: it becomes a body here.</source>
+        <translation>Teken een gesloten lijn: hier wordt het een lichaam.</translation>
+    </message>
+    <message>
+        <source>Close wider gaps</source>
+        <translation>Grotere openingen sluiten</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Opening</translation>
+    </message>
+    <message>
+        <source>Gaps of the outline up to this size count as closed</source>
+        <translation>Openingen in de omtrek tot deze grootte gelden als gesloten</translation>
+    </message>
+    <message>
+        <source>Uses the smallest of 2, 4 and 8 mm that closes most of the drawing</source>
+        <translation>Neemt de kleinste van 2, 4 en 8 mm die het grootste deel van de tekening sluit</translation>
+    </message>
+    <message>
+        <source>Closed lines inside an outline, such as eyes, make no holes</source>
+        <translation>Gesloten lijnen in een omtrek, zoals ogen, worden geen gaten</translation>
+    </message>
+    <message>
+        <source>Shows the triangles</source>
+        <translation>Toont de driehoeken</translation>
+    </message>
+    <message>
+        <source>Cuts away the right part</source>
+        <translation>Snijdt het rechterdeel weg</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Plaats van de doorsnede</translation>
+    </message>
+    <message>
+        <source>Writes the bodies as a file for printing or for a 3D program</source>
+        <translation>Schrijft de lichamen als bestand om te printen of voor een 3D-programma</translation>
+    </message>
+    <message>
+        <source>Bodies: %1. Triangles: %2.</source>
+        <translation>Lichamen: %1. Driehoeken: %2.</translation>
+    </message>
+    <message>
+        <source>Close gaps up to %1</source>
+        <translation>Openingen tot %1 sluiten</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Gaten vullen</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Draadmodel</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Doorsnede</translation>
+    </message>
+    <message>
+        <source>Gap:</source>
+        <translation>Opening:</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+    <message>
+        <source>There is no body, because no line is closed.</source>
+        <translation>Er is geen lichaam, omdat geen lijn gesloten is.</translation>
+    </message>
+    <message>
+        <source>There is no body.</source>
+        <translation>Er is geen lichaam.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::SolidScene</name>
+    <message>
+        <source>Solid</source>
+        <translation>Lichaam</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the solid, plus and minus zoom, Home shows it from the front again</source>
+        <translation>Pijltoetsen draaien het lichaam, plus en min zoomen, Home toont het weer van voren</translation>
     </message>
 </context>
 <context>

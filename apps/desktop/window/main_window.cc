@@ -29,6 +29,10 @@
 #include "desktop/panels/tool_bar.h"
 #include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
+#ifdef FELT_SOLIDS
+#include "desktop/solid/solid_actions.h"
+#include "desktop/solid/solid_panel.h"
+#endif
 #include "desktop/window/canvas_popup.h"
 #include "desktop/window/color_notice.h"
 #include "desktop/window/drawing_looks.h"
@@ -57,6 +61,8 @@ constexpr int kMinLines = 8;  // minimum number of lines of a panel that scrolls
 /// Percentage of the height that the options panel gets; the layers panel gets the rest. A tool
 /// usually has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
+
+[[maybe_unused]] constexpr int kMinSolidWidth = 400;  // of the solid view when it is opened
 
 /// Puts a panel into a scroll area, so that it scrolls vertically if the screen is too small for
 /// it.
@@ -169,13 +175,14 @@ MainWindow::~MainWindow() {
   for (QDockWidget* panel : panels_) panel->toggleViewAction()->disconnect();
 }
 
-QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QWidget* panel) {
+QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QWidget* panel,
+                                   const QList<QKeySequence>& keys) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
   dock->setWidget(panel);
   panels_.push_back(dock);
   QAction* action =
-      actions_->add_switch(QStringLiteral("view.panel_") + name, title, {},
+      actions_->add_switch(QStringLiteral("view.panel_") + name, title, keys,
                            tr("Shows or hides the panel %1").arg(title), true, [dock](bool on) {
                              if (on == !dock->isHidden()) return;
                              dock->setVisible(on);
@@ -221,6 +228,26 @@ void MainWindow::make_panels() {
   // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
+  make_solid_panel();
+}
+
+/// Adds the solid view, if this program is built with solids.
+void MainWindow::make_solid_panel() {
+#ifdef FELT_SOLIDS
+  auto* solid = new SolidPanel(*studio_);
+  QDockWidget* dock =
+      add_panel(QStringLiteral("solid"), tr("Solid view"), solid, {QKeySequence(Qt::Key_F9)});
+  add_solid_actions(*actions_, *files_, *solid, this);
+  connect(actions_->find(QStringLiteral("view.panel_solid")), &QAction::toggled, solid,
+          [this, solid, dock](bool on) {
+            // A dock that was never shown gets its minimum width.
+            if (on && dock->width() < kMinSolidWidth) {
+              resizeDocks({dock}, {kMinSolidWidth}, Qt::Horizontal);
+            }
+            // It follows the drawing also while all panels are hidden.
+            if (hidden_.isEmpty()) solid->set_on(on);
+          });
+#endif
 }
 
 void MainWindow::place_panels() {
@@ -232,7 +259,10 @@ void MainWindow::place_panels() {
     panel->setFloating(false);
     panel->show();
   }
+  QDockWidget* solid = dock("solid");  // null in a program without solids
+  if (solid) addDockWidget(Qt::RightDockWidgetArea, solid);
   addDockWidget(Qt::RightDockWidgetArea, dock("options"));
+  if (solid) splitDockWidget(solid, dock("options"), Qt::Horizontal);
   // This split must come first, because splitting beside a tabbed panel only adds a tab.
   splitDockWidget(dock("options"), dock("layers"), Qt::Vertical);
   tabifyDockWidget(dock("options"), dock("feel"));
@@ -240,8 +270,8 @@ void MainWindow::place_panels() {
   tabifyDockWidget(dock("colors"), dock("history"));
   tabifyDockWidget(dock("history"), dock("tactile"));
   addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
-  for (const char* hidden : {"forces", "tactile"}) {
-    dock(hidden)->hide();  // hidden at first, to keep the window simple
+  for (QDockWidget* hidden : {dock("forces"), dock("tactile"), solid}) {
+    if (hidden) hidden->hide();  // hidden at first, to keep the window simple
   }
   check_panel_actions();
   dock("options")->raise();

@@ -57,9 +57,11 @@ class MainWindow : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel);
+  QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
+                         const QList<QKeySequence>& keys = {});
   QWidget* canvas_with_notices();
   void make_panels();
+  void make_solid_panel();
   void place_panels();
   void check_panel_actions();
   void add_window_actions();

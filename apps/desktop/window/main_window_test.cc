@@ -20,9 +20,13 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/help/about_dialog.h"
+#include "desktop/help/examples.h"
 #include "desktop/help/guide_dialog.h"
 #include "desktop/help/shortcut_sheet.h"
 #include "desktop/help/tour_window.h"
+#ifdef FELT_SOLIDS
+#include "desktop/solid/solid_panel.h"
+#endif
 #include "desktop/testing/accessible_names.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/shortcuts_page.h"
@@ -129,6 +133,29 @@ TEST(MainWindow, EveryControlHasAName) {
         << widget->metaObject()->className();
   }
 }
+
+#ifdef FELT_SOLIDS
+TEST(MainWindow, TheSolidViewIsClosedAtFirstAndFollowsTheDrawingWhenItIsOpened) {
+  MainWindow window(still());
+  window.resize(1280, 800);
+  window.show();
+  QAction* action = window.actions().owner_of(QKeySequence(Qt::Key_F9));
+  ASSERT_TRUE(action);
+  EXPECT_EQ(action->objectName().toStdString(), "view.panel_solid");
+  EXPECT_FALSE(action->isChecked());
+  auto* solid = window.findChild<SolidPanel*>();
+  ASSERT_TRUE(solid);
+  window.studio().open(example_document(QStringLiteral("cat")), Page{});
+  QTest::qWait(2 * SolidPanel::kWaitMs);
+  EXPECT_FALSE(solid->solid());
+  action->trigger();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [solid] { return solid->is_up_to_date() && solid->solid() != nullptr; }, 20000));
+  EXPECT_EQ(solid->solid()->bodies.size(), 1U) << "the cat is one body, although its lines are 79";
+  EXPECT_GE(solid->width(), 350);
+  EXPECT_TRUE(window.actions().find(QStringLiteral("file.export_solid_stl"))->isEnabled());
+}
+#endif
 
 TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
   MainWindow one(still()), other(still());

@@ -42,7 +42,7 @@ constexpr std::array kMenus{
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
             "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
             "view.rotate* view.mirror view.scroll_* - view.outline view.grain view.force_arrow "
-            "view.* - view.materials view.compare_materials - view.panel_* view.next_part "
+            "view.* - view.panel_solid view.materials view.compare_materials - view.panel_* view.next_part "
             "view.hide_panels view.full_screen"},
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
@@ -65,7 +65,7 @@ struct SubmenuRow {
   const char* title;
 };
 constexpr std::array kSubmenus{
-    SubmenuRow{"file.export_", QT_TRANSLATE_NOOP("Menus", "&Export")},
+    SubmenuRow{"file.export_solid_", QT_TRANSLATE_NOOP("Menus", "Export the so&lid")},
     SubmenuRow{"edit.copy_as_", QT_TRANSLATE_NOOP("Menus", "Copy &as")},
     SubmenuRow{"edit.palette_", QT_TRANSLATE_NOOP("Menus", "Pal&ette")},
     SubmenuRow{"view.scroll_", QT_TRANSLATE_NOOP("Menus", "&Scroll")},
@@ -121,6 +121,7 @@ class MenuFiller {
     if (!action || done_.contains(action)) return;
     done_.insert(action);
     for (const SubmenuRow& row : kSubmenus) {
+      if (named_.contains(action->objectName())) break;
       if (!action->objectName().startsWith(text_of(row.prefix))) continue;
       submenu(row).addAction(action);
       return;

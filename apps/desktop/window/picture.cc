@@ -18,6 +18,9 @@
 #include "desktop/help/tour_window.h"
 #include "desktop/panels/tactile_panel.h"
 #include "desktop/pens/steady_dialog.h"
+#ifdef FELT_SOLIDS
+#include "desktop/solid/solid_panel.h"
+#endif
 #include "desktop/window/main_window.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/ring_menu.h"
@@ -63,14 +66,20 @@ bool lacks_pictures(const MainWindow& window) {
 }
 
 /// Waits until other threads have finished the pictures of surfaces and media, and the check of a
-/// tactile drawing if its panel is shown.
+/// tactile drawing and the solid if their panels are shown.
 void wait_for_pictures(const MainWindow& window) {
   constexpr int kMaxWaits = 500, kWaitMs = 20;
   const auto* tactile = window.findChild<TactilePanel*>();
   const auto checks = [tactile] {
     return tactile && tactile->isVisible() && !tactile->is_up_to_date();
   };
-  for (int i = 0; i < kMaxWaits && (lacks_pictures(window) || checks()); ++i) {
+#ifdef FELT_SOLIDS
+  const auto* solid = window.findChild<SolidPanel*>();
+  const auto inflates = [solid] { return solid->isVisible() && !solid->is_up_to_date(); };
+#else
+  const auto inflates = [] { return false; };
+#endif
+  for (int i = 0; i < kMaxWaits && (lacks_pictures(window) || checks() || inflates()); ++i) {
     QThread::msleep(kWaitMs);
     settle();
   }

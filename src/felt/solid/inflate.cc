@@ -207,7 +207,8 @@ Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& 
   if (Result<void> sound = inflation::check_options(options); !sound) {
     return tl::unexpected(sound.error());
   }
-  Result<FoundOutlines> found = find_outlines(document, options.max_gap_mm, options.holes);
+  Result<FoundOutlines> found =
+      find_outlines(document, options.max_gap_mm, options.holes, options.faults);
   if (!found) return tl::unexpected(found.error());
   Rect box;
   OutlineSize whole;
@@ -220,11 +221,18 @@ Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& 
   InflatedDrawing result;
   result.notes = std::move(found->notes);
   result.solid.origin = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  Error last_fault;
   for (const SolidOutline& outline : found->outlines) {
     Result<SolidBody> body = inflation::Inflation(outline, result.solid.origin, options).run(whole);
-    if (!body) return tl::unexpected(body.error());
-    result.solid.bodies.push_back(*std::move(body));
+    if (!body && options.faults == FaultChoice::kRefuse) return tl::unexpected(body.error());
+    if (body) {
+      result.solid.bodies.push_back(*std::move(body));
+    } else {
+      result.notes.push_back("left out: " + body.error().message);
+      last_fault = body.error();
+    }
   }
+  if (result.solid.bodies.empty()) return tl::unexpected(last_fault);
   return result;
 }
 

@@ -21,6 +21,7 @@ struct InflateOptions {
   double max_gap_mm = 2.0;  ///< gaps of the outline up to this size are closed, in mm; 0..32
   double thickness = 1.0;   ///< factor of the height; 0.05..20
   HoleChoice holes = HoleChoice::kKeep;
+  FaultChoice faults = FaultChoice::kRefuse;
 };
 
 /// The bodies of a drawing, and sentences about what was left out.
@@ -41,6 +42,7 @@ struct InflatedDrawing {
 ///
 /// The same drawing gives the same bytes. Fails if the options are out of range, if
 /// find_outlines() fails, or if an outline touches itself, or almost so; the message says where.
+/// With FaultChoice::kLeaveOut, such an outline is left out with a note if others remain.
 Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& options);
 
 /// The size of an outline, or of several.

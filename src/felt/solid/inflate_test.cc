@@ -407,6 +407,37 @@ TEST(Inflate, SaysWhatCannotBeInflated) {
   EXPECT_EQ(error_of(SolidDrawing()), "contains no visible strokes");
 }
 
+TEST(Inflate, LeavesOutWhatCannotBeInflatedIfAsked) {
+  const InflateOptions lenient{.faults = FaultChoice::kLeaveOut};
+  SolidDrawing drawing;
+  drawing.circle({150, 50}, 20.0);
+  const Solid alone = inflated(drawing).solid;
+  drawing.polygon({{0, 0}, {40, 40}, {40, 0}, {10, 30}});  // an eight; its left part is smaller
+  ASSERT_NE(error_of(drawing), "");
+  const InflatedDrawing result = inflated(drawing, lenient);
+  ASSERT_EQ(result.solid.bodies.size(), 2U);
+  ASSERT_EQ(result.notes.size(), 1U);
+  EXPECT_EQ(
+      result.notes[0],
+      "left out the smaller part: stroke s2 crosses itself at (20.00, 20.00) mm, so its parts "
+      "meet in only one point");
+  double volume = 0.0;
+  for (const SolidBody& body : result.solid.bodies) {
+    EXPECT_TRUE(check_body(body, result.solid.origin));
+    if (body.stroke == StrokeId{1}) volume = volume_mm3(body);
+    // The larger part has the point (40, 0).
+    if (body.stroke == StrokeId{2}) {
+      double right = -1e9;
+      for (const Vec3& p : body.points) right = std::max(right, p.x + result.solid.origin.x);
+      EXPECT_NEAR(right, 40.0, 0.5);
+    }
+  }
+  EXPECT_NEAR(volume, volume_mm3(alone.bodies[0]), 0.05 * volume);
+  SolidDrawing open;
+  open.polyline({{0, 0}, {40, 0}, {40, 40}});
+  EXPECT_NE(error_of(open, lenient), "") << "there is nothing to leave out";
+}
+
 TEST(Inflate, RejectsOptionsThatMakeNoSense) {
   SolidDrawing drawing;
   drawing.circle({50, 40}, 10.0);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -109,13 +110,13 @@ class OutlineFinder {
  public:
   OutlineFinder(const Document& document, const PlanarMap& map) : document_(document), map_(map) {}
 
-  Result<FoundOutlines> find(HoleChoice holes);
+  Result<FoundOutlines> find(HoleChoice holes, FaultChoice faults);
 
  private:
   void collect();
   void leave_out(const Lobe& lobe);
   void drop_small();
-  Result<void> check_pinches() const;
+  Result<void> check_pinches(FaultChoice faults);
   void set_depths();
   [[nodiscard]] tl::unexpected<Error> pinch(std::size_t node, const Lobe& a, const Lobe& b) const;
   [[nodiscard]] std::string first_left_out() const;
@@ -126,6 +127,7 @@ class OutlineFinder {
   std::vector<Lobe> lobes_;
   std::size_t left_out_ = 0;
   std::optional<Lobe> largest_left_out_;
+  std::vector<std::string> notes_;
 };
 
 void OutlineFinder::collect() {
@@ -183,15 +185,34 @@ tl::unexpected<Error> OutlineFinder::pinch(std::size_t node, const Lobe& a, cons
                                            at + ": let them overlap, or move them apart");
 }
 
-/// Fails if two lobes have a node in common.
-Result<void> OutlineFinder::check_pinches() const {
-  std::map<std::size_t, std::size_t> owner;  // node -> lobe
-  for (std::size_t i = 0; i < lobes_.size(); ++i) {
-    for (const std::size_t h : lobes_[i].half_edges) {
-      const auto [entry, is_new] = owner.emplace(tail_of(map_, h), i);
-      if (!is_new) return pinch(entry->first, lobes_[entry->second], lobes_[i]);
-    }
+/// Fails if two lobes have a node in common. With FaultChoice::kLeaveOut, drops the smaller one.
+Result<void> OutlineFinder::check_pinches(FaultChoice faults) {
+  std::vector<std::size_t> order(lobes_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (faults == FaultChoice::kLeaveOut) {
+    // Larger lobes come first, so that a lobe can only meet one that stays.
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return lobes_[a].area_mm2 > lobes_[b].area_mm2;
+    });
   }
+  std::map<std::size_t, std::size_t> owner;  // node -> lobe
+  std::vector<bool> is_dropped(lobes_.size());
+  for (const std::size_t i : order) {
+    std::optional<std::size_t> shared;
+    for (const std::size_t h : lobes_[i].half_edges) {
+      if (!shared && owner.contains(tail_of(map_, h))) shared = tail_of(map_, h);
+    }
+    if (shared) {
+      const auto met = pinch(*shared, lobes_[owner.at(*shared)], lobes_[i]);
+      if (faults == FaultChoice::kRefuse) return met;
+      notes_.push_back("left out the smaller part: " + met.value().message);
+      is_dropped[i] = true;
+      continue;
+    }
+    for (const std::size_t h : lobes_[i].half_edges) owner.emplace(tail_of(map_, h), i);
+  }
+  std::size_t at = 0;
+  std::erase_if(lobes_, [&](const Lobe&) { return is_dropped[at++]; });
   return {};
 }
 
@@ -231,7 +252,7 @@ std::string OutlineFinder::first_left_out() const {
          place_text(lobe.control_points.front()) + ", " + size;
 }
 
-Result<FoundOutlines> OutlineFinder::find(HoleChoice holes) {
+Result<FoundOutlines> OutlineFinder::find(HoleChoice holes, FaultChoice faults) {
   collect();
   drop_small();
   if (lobes_.empty() && largest_left_out_) {
@@ -241,9 +262,10 @@ Result<FoundOutlines> OutlineFinder::find(HoleChoice holes) {
                     first_left_out());
   }
   if (lobes_.empty()) return fail(ErrorCode::kNotFound, "contains no closed outline");
-  if (Result<void> simple = check_pinches(); !simple) return tl::unexpected(simple.error());
+  if (Result<void> simple = check_pinches(faults); !simple) return tl::unexpected(simple.error());
   set_depths();
   FoundOutlines found;
+  found.notes = std::move(notes_);
   for (std::size_t i = 0; i < lobes_.size(); ++i) {
     const bool is_body =
         holes == HoleChoice::kKeep ? lobes_[i].depth % 2 == 0 : lobes_[i].depth == 0;
@@ -282,7 +304,8 @@ Error no_outline(FillMap& map, double max_gap_mm) {
 
 }  // namespace outline_search
 
-Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm, HoleChoice holes) {
+Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm, HoleChoice holes,
+                                    FaultChoice faults) {
   std::vector<FillLine> lines;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
@@ -295,7 +318,7 @@ Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm,
   FillMap map;
   map.update(lines);
   Result<FoundOutlines> found =
-      outline_search::OutlineFinder(document, map.map(max_gap_mm)).find(holes);
+      outline_search::OutlineFinder(document, map.map(max_gap_mm)).find(holes, faults);
   // Looking for a gap takes several maps, so only drawings that a window could show are searched.
   const bool is_searched = lines.size() <= DocumentMap::kMaxStrokes;
   if (!found && found.error().code == ErrorCode::kNotFound && is_searched) {

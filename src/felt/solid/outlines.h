@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace felt {
 enum class HoleChoice : std::uint8_t {
   kKeep,  ///< a closed line inside an outline is a hole, one inside a hole is another body
   kFill,  ///< closed lines inside an outline are ignored
+};
+
+/// What happens if some of the outlines cannot become bodies.
+enum class FaultChoice : std::uint8_t {
+  kRefuse,    ///< fails, and the message names the first fault
+  kLeaveOut,  ///< leaves these outlines out, each with a note, if others remain
 };
 
 /// The outline of one body on the page: closed curves that do not meet.
@@ -41,9 +48,12 @@ inline constexpr double kMinMeanWidthMm = 0.2;
 ///    union. So overlapping shapes join, and lines across a shape do not divide it.
 ///  * `holes` says what closed lines inside a body are, if they do not touch its outline.
 ///  * Loops that are too small, and small loops beside a larger one, are left out with a note.
+///  * With FaultChoice::kLeaveOut, if areas meet in only one point, the smaller ones are left out
+///    with a note.
 /// Fails if there is no closed line (kNotFound; the message says where the smallest gap is), if all
 /// are too small, if parts of an outline meet in only one point, as in a figure of eight (the
 /// message names the stroke and the point), or if there are too many strokes (kLimitExceeded).
-Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm, HoleChoice holes);
+Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm, HoleChoice holes,
+                                    FaultChoice faults = FaultChoice::kRefuse);
 
 }  // namespace felt

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "felt/base/result.h"
 #include "felt/render/image.h"
@@ -25,11 +27,52 @@ struct SolidView {
   SolidFit fit = SolidFit::kView;
 };
 
+/// Whether the edges of the triangles are painted.
+enum class WireframeChoice : std::uint8_t { kHide, kShow };
+
+/// What is painted besides the bodies.
+struct SolidLook {
+  Rgba paper{255, 255, 255, 255};  ///< the background; opaque
+  WireframeChoice wireframe = WireframeChoice::kHide;
+  /// If set, everything with a larger x is cut away, and the cut is painted in kCutColor.
+  std::optional<double> section_x_mm;
+  const FrontPaint* paint = nullptr;  ///< the ink on the fronts, or null
+};
+
+/// A colour, 0..1 in each part.
+using SolidShade = std::array<double, 3>;
+
+/// The colour of a section, mixed with that of the body.
+inline constexpr SolidShade kCutColor{0.86, 0.47, 0.33};
+
+/// A camera with parallel projection: its axes in the frame of the solid, and where they are in
+/// the picture. Pixels count from the upper left corner of the picture.
+struct SolidCamera {
+  Vec3 right{1.0, 0.0, 0.0};
+  Vec3 up{0.0, 1.0, 0.0};
+  Vec3 towards{0.0, 0.0, 1.0};  ///< from the solid to the camera
+  double px_per_mm = 1.0;
+  Point origin_px;  ///< position of the solid's origin in the picture
+
+  /// Returns a position in the picture, in pixels; z is the distance towards the camera in mm.
+  [[nodiscard]] Vec3 to_px(const Vec3& p) const {
+    return {origin_px.x + px_per_mm * dot(right, p), origin_px.y - px_per_mm * dot(up, p),
+            dot(towards, p)};
+  }
+};
+
+/// Returns a camera with the directions of the view, 1 pixel per mm, and the origin at (0, 0).
+SolidCamera solid_camera(double turn_deg, double rise_deg) noexcept;
+
 /// Paints a solid as matt bodies in the light of a lamp at the upper left of the camera, on white.
 /// Every body has its shown_color(), with the ink of `paint` on its front unless that is null.
 /// Parallel projection; the picture is filled. Works in software, with a depth buffer at twice the
 /// resolution. Fails if the size is out of range or there is no body.
 Result<Image> paint_solid(const Solid& solid, const SolidView& view,
                           const FrontPaint* paint = nullptr);
+
+/// Paints a solid as paint_solid() does, seen by this camera. Fails if the size is out of range.
+Result<Image> paint_solid(const Solid& solid, const SolidCamera& camera, const SolidLook& look,
+                          int width_px, int height_px);
 
 }  // namespace felt

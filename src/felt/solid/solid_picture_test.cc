@@ -91,6 +91,73 @@ TEST(SolidPicture, ATurningSolidKeepsItsSizeAndStaysInThePicture) {
   }
 }
 
+/// Returns a ball of 60 mm, and a camera that sees it from the right in a picture of 200 x 200.
+struct BallFromTheRight {
+  Solid ball;
+  SolidCamera camera = solid_camera(60.0, 0.0);
+
+  BallFromTheRight() {
+    testing::SolidDrawing drawing;
+    drawing.circle({50, 50}, 30.0);
+    ball = inflate(drawing.document, {}).value().solid;
+    camera.px_per_mm = 3.0;
+    camera.origin_px = {100.0, 100.0};
+  }
+  [[nodiscard]] Image painted(const SolidLook& look) const {
+    return paint_solid(ball, camera, look, 200, 200).value();
+  }
+};
+
+TEST(SolidPicture, TheCameraSaysWhereAPointIsPainted) {
+  const BallFromTheRight scene;
+  const Image image = scene.painted({.paper = {0, 0, 255, 255}, .section_x_mm = {}});
+  const auto is_paper = [&](const Vec3& at) {
+    const Vec3 px = scene.camera.to_px(at);
+    return image.at(static_cast<int>(px.x), static_cast<int>(px.y)) == Rgba{0, 0, 255, 255};
+  };
+  EXPECT_FALSE(is_paper({0.0, 28.5, 0.0}));
+  EXPECT_TRUE(is_paper({0.0, 31.0, 0.0}));
+  EXPECT_FALSE(is_paper(28.5 * scene.camera.right));
+  EXPECT_TRUE(is_paper(31.0 * scene.camera.right));
+}
+
+TEST(SolidPicture, ASectionShowsTheCutAndNothingBehindIt) {
+  const BallFromTheRight scene;
+  SolidLook look;
+  look.section_x_mm = 0.0;
+  const Image image = scene.painted(look);
+  const auto at = [&](const Vec3& p) {
+    const Vec3 px = scene.camera.to_px(p);
+    return image.at(static_cast<int>(px.x), static_cast<int>(px.y));
+  };
+  const Rgba cut = at({});
+  EXPECT_GT(cut.r, cut.b + 20) << "it has the colour of cuts";
+  EXPECT_EQ(at({0.0, 25.0, 5.0}), cut) << "the cut is flat";
+  EXPECT_EQ(at(28.0 * scene.camera.right), (Rgba{255, 255, 255, 255})) << "this is cut away";
+  look.section_x_mm = 31.0;
+  EXPECT_EQ(scene.painted(look), scene.painted({})) << "beside the ball it cuts nothing";
+}
+
+TEST(SolidPicture, TheWireframeIsDrawnOnTheBodyOnly) {
+  const BallFromTheRight scene;
+  SolidLook look;
+  look.wireframe = WireframeChoice::kShow;
+  const Image with = scene.painted(look), without = scene.painted({});
+  int darker = 0, same = 0;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      const Rgba a = with.at(x, y), b = without.at(x, y);
+      EXPECT_LE(a.r, b.r);
+      (a == b ? same : darker) += 1;
+      if (b == Rgba{255, 255, 255, 255}) {
+        EXPECT_EQ(a, b);
+      }
+    }
+  }
+  EXPECT_GT(darker, 2000);
+  EXPECT_GT(same, 2000);
+}
+
 TEST(SolidPicture, RejectsSizesThatNoPictureHas) {
   EXPECT_FALSE(paint_solid({}, {}));
   Solid solid;

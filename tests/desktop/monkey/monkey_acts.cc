@@ -25,7 +25,8 @@ bool is_forbidden(const QString& name) {
   for (const char* forbidden : kNames) {
     if (name == QLatin1String(forbidden)) return true;
   }
-  return name.startsWith(QLatin1String("file.recent"));
+  return name.startsWith(QLatin1String("file.recent")) ||
+         name.startsWith(QLatin1String("file.export_solid"));
 }
 
 bool is_ours(QWidget* widget) {

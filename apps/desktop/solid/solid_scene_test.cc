@@ -1,0 +1,213 @@
+#include "desktop/solid/solid_scene.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <QKeyEvent>
+#include <QTest>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "desktop/solid/testing/torus.h"
+
+namespace felt::desktop::solid_scene_test {
+namespace {
+
+using Painter = SolidScene::Painter;
+
+QImage picture_of(SolidScene& scene) {
+  return scene.grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+/// A view of 300 x 300 pixels with a torus.
+struct TorusScene : SolidScene {
+  explicit TorusScene(Painter painter = Painter::kSoftware) : SolidScene(nullptr, painter) {
+    resize(300, 300);
+    set_solid(testing::torus(60, 40));
+  }
+  [[nodiscard]] QPointF shown(const Vec3& p) const {
+    const Vec3 px = camera().to_px(p);
+    return {px.x, px.y};
+  }
+};
+
+TEST(SolidScene, ShowsTheBodyWhereTheCameraSays) {
+  TorusScene scene;
+  for (int i = 0; i < 4; ++i) scene.turn(37.0, i % 2 == 0 ? 20.0 : -31.0);
+  const QImage image = picture_of(scene);
+  const QColor paper = scene.palette().color(QPalette::Base);
+  for (const Vec3 p : {Vec3{30, 0, 20}, Vec3{0, -30, -20}, Vec3{-49, 0, 0}}) {
+    EXPECT_NE(image.pixelColor(scene.shown(p).toPoint()), paper);
+  }
+  EXPECT_EQ(image.pixelColor(1, 1), paper);
+  EXPECT_EQ(image.pixelColor(scene.shown(53.0 * scene.camera().right).toPoint()), paper);
+}
+
+TEST(SolidScene, ADragWithAnyButtonTurns) {
+  for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton}) {
+    TorusScene scene;
+    const Vec3 front{0, 0, 20};
+    const QPointF before = scene.shown(front);
+    QTest::mousePress(&scene, button, {}, {150, 150});
+    QMouseEvent move(QEvent::MouseMove, QPointF(190, 170), scene.mapToGlobal(QPointF(190, 170)),
+                     Qt::NoButton, button, {});
+    QApplication::sendEvent(&scene, &move);
+    QTest::mouseRelease(&scene, button, {}, {190, 170});
+    EXPECT_GT(scene.shown(front).x(), before.x() + 5.0) << "what is in front follows the pointer";
+    EXPECT_GT(scene.shown(front).y(), before.y() + 3.0);
+    QTest::mouseDClick(&scene, Qt::LeftButton, {}, {150, 150});
+    EXPECT_EQ(scene.shown(front), before);
+  }
+}
+
+RC_GTEST_PROP(SolidScene, TheWheelKeepsWhatIsUnderThePointer, ()) {
+  TorusScene scene;
+  scene.turn(*rc::gen::inRange(-180, 180), *rc::gen::inRange(-90, 90));
+  const int steps = *rc::gen::inRange(-6, 7);
+  const QPointF at(*rc::gen::inRange(0, 300), *rc::gen::inRange(0, 300));
+  const SolidCamera before = scene.camera();
+  QWheelEvent wheel(at, scene.mapToGlobal(at), {}, QPoint(0, 120 * steps), Qt::NoButton, {},
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&scene, &wheel);
+  const SolidCamera after = scene.camera();
+  RC_ASSERT((steps > 0) == (after.px_per_mm > before.px_per_mm));
+  const double scale = after.px_per_mm / before.px_per_mm;
+  RC_ASSERT(std::fabs(at.x() + scale * (before.origin_px.x - at.x()) - after.origin_px.x) < 1e-9);
+  RC_ASSERT(std::fabs(at.y() + scale * (before.origin_px.y - at.y()) - after.origin_px.y) < 1e-9);
+}
+
+TEST(SolidScene, KeysTurnZoomAndReset) {
+  TorusScene scene;
+  const SolidCamera first = scene.camera();
+  const Vec3 front{0, 0, 20};
+  const QPointF at = scene.shown(front);
+  QTest::keyClick(&scene, Qt::Key_Right);
+  EXPECT_GT(scene.shown(front).x(), at.x());
+  QTest::keyClick(&scene, Qt::Key_Left);
+  QTest::keyClick(&scene, Qt::Key_Up);
+  EXPECT_LT(scene.shown(front).y(), at.y());
+  QTest::keyClick(&scene, Qt::Key_Plus);
+  EXPECT_GT(scene.camera().px_per_mm, first.px_per_mm);
+  QTest::keyClick(&scene, Qt::Key_Home);
+  EXPECT_EQ(scene.camera().px_per_mm, first.px_per_mm);
+  EXPECT_EQ(scene.camera().towards, first.towards);
+  // The window uses some of these keys, too.
+  QKeyEvent plus(QEvent::ShortcutOverride, Qt::Key_Plus, {}),
+      tool(QEvent::ShortcutOverride, Qt::Key_P, {});
+  plus.ignore();
+  tool.ignore();
+  QApplication::sendEvent(&scene, &plus);
+  QApplication::sendEvent(&scene, &tool);
+  EXPECT_TRUE(plus.isAccepted());
+  EXPECT_FALSE(tool.isAccepted());
+}
+
+TEST(SolidScene, ASectionCutsTheRightPartAway) {
+  TorusScene scene;
+  for (int i = 0; i < 3; ++i) scene.turn(-15.0, 0.0);
+  const QImage whole = picture_of(scene);
+  scene.set_section(0.5);
+  const QImage cut = picture_of(scene);
+  const QColor inside = cut.pixelColor(scene.shown({0, 30, 0}).toPoint());
+  EXPECT_GT(inside.red(), inside.blue() + 60) << "the cut through the tube";
+  scene.set_section(1.0);
+  EXPECT_EQ(picture_of(scene), whole);
+  scene.set_section(std::nullopt);
+  EXPECT_EQ(picture_of(scene), whole);
+}
+
+TEST(SolidScene, ShowsAPenThatTouches) {
+  TorusScene scene;
+  const QImage before = picture_of(scene);
+  const SolidTouchMarks marks{{30, 0, 15}, {30, 0, 20}, {0, 0, 1.0}};
+  scene.show_proxy(marks);
+  const QImage after = picture_of(scene);
+  const QPoint ball = scene.shown(marks.proxy_mm).toPoint();
+  EXPECT_EQ(after.pixelColor(ball), scene.palette().color(QPalette::Highlight));
+  int changed = 0;
+  for (int y = 0; y < 300; ++y) {
+    for (int x = 0; x < 300; ++x) {
+      const bool is_near = std::abs(x - ball.x()) < 40 && std::abs(y - ball.y()) < 40;
+      const bool is_same = before.pixel(x, y) == after.pixel(x, y);
+      EXPECT_TRUE(is_near || is_same);
+      changed += is_same ? 0 : 1;
+    }
+  }
+  EXPECT_GT(changed, 100);
+  scene.show_proxy(std::nullopt);
+  EXPECT_EQ(picture_of(scene), before);
+}
+
+TEST(SolidScene, WithoutABodyItShowsASentence) {
+  SolidScene scene(nullptr, Painter::kSoftware);
+  scene.resize(300, 300);
+  const QImage empty = picture_of(scene);
+  scene.set_placeholder(QStringLiteral("Draw something"));
+  EXPECT_NE(picture_of(scene), empty);
+  scene.set_solid(testing::torus(60, 40));
+  scene.set_solid(nullptr);
+  EXPECT_FALSE(scene.solid());
+}
+
+/// Returns ink for the front of the torus: the half with x < 0 is red.
+std::shared_ptr<const FrontPaint> striped() {
+  Image ink = Image::create(120, 120).value();
+  fill(ink.pixels(), {0, 0, 60, 120}, {255, 0, 0, 255});
+  return std::make_shared<const FrontPaint>(
+      FrontPaint{.ink = std::move(ink), .corner_mm = {-60, 60}, .px_per_mm = 1.0});
+}
+
+TEST(SolidScene, TheInkIsOnTheFront) {
+  TorusScene scene;
+  scene.turn(25.0, -20.0);  // seen from the front
+  scene.set_solid(scene.solid(), striped());
+  const auto is_red = [&scene](const Vec3& p) {
+    const QColor color = picture_of(scene).pixelColor(scene.shown(p).toPoint());
+    return color.red() > 60 && color.green() < 60;
+  };
+  EXPECT_TRUE(is_red({-30, 0, 20}));
+  EXPECT_FALSE(is_red({30, 0, 20}));
+  scene.turn(180.0, 0.0);
+  EXPECT_FALSE(is_red({-30, 0, -20}));
+}
+
+/// Only where this computer has OpenGL, for example in a virtual X server.
+TEST(SolidScene, OpenGlPaintsTheSameAsTheProcessor) {
+  for (const bool is_cut : {false, true}) {
+    for (const WireframeChoice wireframe : {WireframeChoice::kHide, WireframeChoice::kShow}) {
+      TorusScene soft(Painter::kSoftware), any(Painter::kAny);
+      for (SolidScene* scene : {static_cast<SolidScene*>(&soft), static_cast<SolidScene*>(&any)}) {
+        scene->set_wireframe(wireframe);
+        if (is_cut) scene->set_section(0.6);
+      }
+      const auto paint = wireframe == WireframeChoice::kHide ? striped() : nullptr;
+      soft.set_solid(soft.solid(), paint);
+      any.set_solid(any.solid(), paint);  // with smooth edges
+      const QImage a = picture_of(soft), b = picture_of(any);
+      if (!any.uses_opengl()) GTEST_SKIP() << "there is no OpenGL here";
+      double sum = 0.0;
+      int inside = 0;
+      for (int y = 0; y < 300; ++y) {
+        for (int x = 0; x < 300; ++x) {
+          const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+          const int off = std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                          std::abs(p.blue() - q.blue());
+          sum += off;
+          inside += off > 30 ? 1 : 0;
+        }
+      }
+      const bool has_lines = wireframe == WireframeChoice::kShow;
+      EXPECT_LT(sum / (300 * 300 * 3), has_lines ? 10.0 : 0.8) << is_cut << has_lines;
+      if (!has_lines) {
+        EXPECT_LT(inside, 1200)
+            << "only the silhouette and the stripe may differ, which are as long";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace felt::desktop::solid_scene_test
