@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QTest>
 #include <QWheelEvent>
