@@ -37,11 +37,12 @@ constexpr std::array kFormats{
     FormatRow{SolidFormat::kObj, "obj", QT_TRANSLATE_NOOP("SolidActions", "&OBJ…"),
               QT_TRANSLATE_NOOP("SolidActions", "Writes the solid for any 3D program"),
               QT_TRANSLATE_NOOP("SolidActions", "Wavefront file (*.obj)")},
-    FormatRow{SolidFormat::kGlb, "glb", QT_TRANSLATE_NOOP("SolidActions", "&glTF…"),
-              QT_TRANSLATE_NOOP(
-                  "SolidActions",
-                  "Writes the solid with colours and smooth shading, for 3D programs and web pages"),
-              QT_TRANSLATE_NOOP("SolidActions", "Binary glTF file (*.glb)")},
+    FormatRow{
+        SolidFormat::kGlb, "glb", QT_TRANSLATE_NOOP("SolidActions", "&glTF…"),
+        QT_TRANSLATE_NOOP(
+            "SolidActions",
+            "Writes the solid with colours and smooth shading, for 3D programs and web pages"),
+        QT_TRANSLATE_NOOP("SolidActions", "Binary glTF file (*.glb)")},
 };
 
 /// Asks for a name with this ending. If the ending is appended after the dialog has asked about
@@ -51,10 +52,9 @@ QString ask_name(FileActions& files, const FormatRow& row, QWidget* window) {
   QString suggested =
       QDir(files.folder()).filePath(QFileInfo(files.display_name()).completeBaseName() + ending);
   for (;;) {
-    const QString chosen =
-        files.dialogs().save_name(window, solid_text(QT_TRANSLATE_NOOP("SolidActions",
-                                                                       "Export the solid")),
-                                  suggested, solid_text(row.files), ending.mid(1));
+    const QString chosen = files.dialogs().save_name(
+        window, solid_text(QT_TRANSLATE_NOOP("SolidActions", "Export the solid")), suggested,
+        solid_text(row.files), ending.mid(1));
     if (chosen.isEmpty() || chosen.endsWith(ending, Qt::CaseInsensitive)) return chosen;
     suggested = chosen + ending;
     if (!QFileInfo::exists(suggested)) return suggested;
@@ -84,15 +84,16 @@ void export_solid(FileActions& files, std::shared_ptr<const Solid> solid, SolidF
 void add_solid_actions(Actions& actions, FileActions& files, SolidPanel& panel, QWidget* window) {
   QList<QAction*> made;
   for (const FormatRow& row : kFormats) {
-    QAction* action = actions.add(
-        QStringLiteral("file.export_solid_") + QString::fromLatin1(row.ending),
-        solid_text(row.text), {}, solid_text(row.tip), [&files, &panel, &row, window] {
-          // The dialog's event loop may replace the bodies: those that are seen now are written.
-          const std::shared_ptr<const Solid> solid = panel.solid();
-          if (!solid) return;
-          const QString path = ask_name(files, row, window);
-          if (!path.isEmpty()) export_solid(files, solid, row.format, path, window);
-        });
+    QAction* action =
+        actions.add(QStringLiteral("file.export_solid_") + QString::fromLatin1(row.ending),
+                    solid_text(row.text), {}, solid_text(row.tip), [&files, &panel, &row, window] {
+                      // The dialog's event loop may replace the bodies: those that are seen now are
+                      // written.
+                      const std::shared_ptr<const Solid> solid = panel.solid();
+                      if (!solid) return;
+                      const QString path = ask_name(files, row, window);
+                      if (!path.isEmpty()) export_solid(files, solid, row.format, path, window);
+                    });
     action->setEnabled(false);
     made.push_back(action);
   }

@@ -239,7 +239,8 @@ void SolidGl::set_solid(const Solid& solid) {
   }
   const auto fill = [this](GLenum target, Parts::Buffer buffer, const auto& data) {
     parts_->gl().glBindBuffer(target, parts_->buffers[buffer]);
-    parts_->gl().glBufferData(target, static_cast<qopengl_GLsizeiptr>(data.size() * sizeof(data[0])),
+    parts_->gl().glBufferData(target,
+                              static_cast<qopengl_GLsizeiptr>(data.size() * sizeof(data[0])),
                               data.data(), GL_STATIC_DRAW);
   };
   fill(GL_ARRAY_BUFFER, Parts::kPoints, points);

@@ -1,13 +1,10 @@
 #include "desktop/solid/solid_panel.h"
 
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
-#include <QPointer>
 #include <QSignalBlocker>
-#include <QThreadPool>
 #include <QVBoxLayout>
 #include <cmath>
 #include <utility>
@@ -195,17 +192,11 @@ void SolidPanel::start() {
   waits_ = false;
   runs_ = true;
   announce_.start();
-  QThreadPool::globalInstance()->start([asked = QPointer(this), request = request(),
-                                        document = studio_.session().document()] {
-    SolidAnswer answer = make_solid(document, request);
-    // The pointer is used in the main thread only.
-    QMetaObject::invokeMethod(
-        qApp,
-        [asked, answer = std::move(answer)] {
-          if (asked) asked->take(answer);
-        },
-        Qt::QueuedConnection);
-  });
+  if (!worker_) worker_ = std::make_unique<FileWorker>();
+  worker_->start(
+      [this, request = request(), document = studio_.session().document()]() -> FileWorker::Answer {
+        return [this, answer = make_solid(document, request)] { take(answer); };
+      });
 }
 
 void SolidPanel::take(const SolidAnswer& answer) {

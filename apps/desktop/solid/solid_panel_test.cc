@@ -21,7 +21,7 @@ using testing::draw_square;
 
 class SolidPanelTest : public ::testing::Test {
  protected:
-  ~SolidPanelTest() override { Settings::the().reset(solid_keys::kFillHoles); }
+  void TearDown() override { Settings::the().reset(solid_keys::kFillHoles); }
   bool waits() {
     return QTest::qWaitFor([this] { return panel_.is_up_to_date(); }, 20000);
   }
@@ -166,8 +166,8 @@ TEST_F(SolidPanelTest, ExportsInEveryFormat) {
   panel_.set_on(true);
   ASSERT_TRUE(waits());
   for (const char* ending : {"stl", "obj", "3mf", "glb"}) {
-    QAction* action = fixture_.actions.find(QStringLiteral("file.export_solid_") +
-                                            QString::fromLatin1(ending));
+    QAction* action =
+        fixture_.actions.find(QStringLiteral("file.export_solid_") + QString::fromLatin1(ending));
     ASSERT_TRUE(action && action->isEnabled());
     fixture_.person->next = fixture_.at("body");
     action->trigger();

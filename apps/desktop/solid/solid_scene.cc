@@ -115,8 +115,7 @@ void SolidScene::reset_view() {
 
 SolidCamera SolidScene::camera() const {
   SolidCamera camera = solid_camera(turn_deg_, rise_deg_);
-  camera.px_per_mm =
-      zoom_ * 0.5 * kFill * std::min(width(), height()) / std::max(radius_mm_, 1e-6);
+  camera.px_per_mm = zoom_ * 0.5 * kFill * std::min(width(), height()) / std::max(radius_mm_, 1e-6);
   camera.origin_px = {0.5 * width() + shift_.x(), 0.5 * height() + shift_.y()};
   return camera;
 }

@@ -89,7 +89,7 @@ class SolidScene : public QWidget {
   QString placeholder_;
   WireframeChoice wireframe_ = WireframeChoice::kHide;
   std::optional<double> section_;
-  double radius_mm_ = 1.0;              // of a ball around the origin that contains all bodies
+  double radius_mm_ = 1.0;                 // of a ball around the origin that contains all bodies
   double left_mm_ = 0.0, right_mm_ = 0.0;  // the range of x
   double turn_deg_, rise_deg_;
   double zoom_ = 1.0;

@@ -207,7 +207,8 @@ Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& 
   if (Result<void> sound = inflation::check_options(options); !sound) {
     return tl::unexpected(sound.error());
   }
-  Result<FoundOutlines> found = find_outlines(document, options.max_gap_mm, options.holes, options.faults);
+  Result<FoundOutlines> found =
+      find_outlines(document, options.max_gap_mm, options.holes, options.faults);
   if (!found) return tl::unexpected(found.error());
   Rect box;
   OutlineSize whole;

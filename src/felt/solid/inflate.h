@@ -41,8 +41,8 @@ struct InflatedDrawing {
 /// passes check_body().
 ///
 /// The same drawing gives the same bytes. Fails if the options are out of range, if
-/// find_outlines() fails, or if an outline touches itself, or almost so; the message says where. With
-/// FaultChoice::kLeaveOut, such an outline is left out with a note if others remain.
+/// find_outlines() fails, or if an outline touches itself, or almost so; the message says where.
+/// With FaultChoice::kLeaveOut, such an outline is left out with a note if others remain.
 Result<InflatedDrawing> inflate(const Document& document, const InflateOptions& options);
 
 /// The size of an outline, or of several.

@@ -417,9 +417,10 @@ TEST(Inflate, LeavesOutWhatCannotBeInflatedIfAsked) {
   const InflatedDrawing result = inflated(drawing, lenient);
   ASSERT_EQ(result.solid.bodies.size(), 2U);
   ASSERT_EQ(result.notes.size(), 1U);
-  EXPECT_EQ(result.notes[0],
-            "left out the smaller part: stroke s2 crosses itself at (20.00, 20.00) mm, so its parts "
-            "meet in only one point");
+  EXPECT_EQ(
+      result.notes[0],
+      "left out the smaller part: stroke s2 crosses itself at (20.00, 20.00) mm, so its parts "
+      "meet in only one point");
   double volume = 0.0;
   for (const SolidBody& body : result.solid.bodies) {
     EXPECT_TRUE(check_body(body, result.solid.origin));

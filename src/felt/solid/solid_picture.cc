@@ -92,8 +92,8 @@ class TrianglePainter {
   struct Shares {
     double u, v, w;
   };
-  [[nodiscard]] SolidShade color_at(const std::array<Corner, 3>& t, const Shares& at,
-                                    double area, const SolidShade& color) const;
+  [[nodiscard]] SolidShade color_at(const std::array<Corner, 3>& t, const Shares& at, double area,
+                                    const SolidShade& color) const;
   [[nodiscard]] static bool is_on_edge(const std::array<Corner, 3>& t, const Shares& at,
                                        double area);
 
