@@ -24,6 +24,9 @@ struct GlPoint {
 static_assert(sizeof(GlPoint) == 24);
 
 constexpr int kSamplesPerPixel = 4;
+/// Software OpenGL paints about 10^5 lines in the time of a frame at 20 frames a second
+/// (solid_scene_bench.cc), and so many lines cannot be told apart anyway.
+constexpr GLsizei kMaxFastLines = 30'000;
 
 /// The shaders are also valid for OpenGL ES 2.0. The formula of the light is that of paint_solid().
 constexpr const char* kVertexShader = R"(
@@ -392,7 +395,8 @@ QImage SolidGl::paint(const SolidCamera& camera, const SolidLook& look, QSize si
   gl.glDepthFunc(GL_LEQUAL);
   gl.glFrontFace(GL_CW);  // the picture is upside down
   const bool is_cut = look.section_x_mm.has_value();
-  const bool has_lines = look.wireframe == WireframeChoice::kShow;
+  const bool has_lines = look.wireframe == WireframeChoice::kShow &&
+                         (is_smooth || parts_->line_indices / 2 <= kMaxFastLines);
   is_cut ? gl.glDisable(GL_CULL_FACE) : gl.glEnable(GL_CULL_FACE);
   has_lines ? gl.glEnable(GL_POLYGON_OFFSET_FILL) : gl.glDisable(GL_POLYGON_OFFSET_FILL);
   gl.glPolygonOffset(1.0F, 1.0F);

@@ -1,13 +1,10 @@
 #include "desktop/solid/solid_panel.h"
 
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
-#include <QPointer>
 #include <QSignalBlocker>
-#include <QThreadPool>
 #include <QVBoxLayout>
 #include <cmath>
 #include <utility>
@@ -24,6 +21,7 @@ namespace {
 
 constexpr double kGapStepMm = 0.5;
 constexpr int kSectionSteps = 200;
+constexpr qsizetype kMaxNotes = 3;  // more would leave no room for the bodies
 constexpr int kMaxGapStep = static_cast<int>(FillMap::kMaxNamedGapMm / kGapStepMm);
 
 QString gap_name(double gap_mm) {
@@ -200,16 +198,10 @@ void SolidPanel::start() {
   waits_ = false;
   runs_ = true;
   announce_.start();
-  QThreadPool::globalInstance()->start(
-      [asked = QPointer(this), request = request(), document = studio_.session().document()] {
-        SolidAnswer answer = make_solid(document, request);
-        // The pointer is used in the main thread only.
-        QMetaObject::invokeMethod(
-            qApp,
-            [asked, answer = std::move(answer)] {
-              if (asked) asked->take(answer);
-            },
-            Qt::QueuedConnection);
+  if (!worker_) worker_ = std::make_unique<FileWorker>();
+  worker_->start(
+      [this, request = request(), document = studio_.session().document()]() -> FileWorker::Answer {
+        return [this, answer = make_solid(document, request)] { take(answer); };
       });
 }
 
@@ -233,10 +225,13 @@ void SolidPanel::show_answer(const SolidAnswer& answer) {
     lines.push_back(answer.is_open ? tr("There is no body, because no line is closed.")
                                    : tr("There is no body."));
   }
-  for (const std::string& note : answer.notes) {
-    if (!is_empty) lines.push_back(text_of(note));
-  }
+  QStringList notes;
+  for (const std::string& note : answer.notes) notes.push_back(text_of(note));
+  if (is_empty) notes.clear();
+  lines += notes.mid(0, kMaxNotes);
+  if (notes.size() > kMaxNotes) lines.push_back(tr("and %1 more").arg(notes.size() - kMaxNotes));
   summary_->setText(lines.join(QLatin1Char('\n')));
+  summary_->setToolTip(notes.size() > kMaxNotes ? notes.join(QLatin1Char('\n')) : QString());
   offered_mm_ = answer.wider_gap_mm.value_or(0.0);
   offer_->setVisible(answer.wider_gap_mm.has_value());
   offer_->setText(tr("Close gaps up to %1").arg(gap_name(offered_mm_)));

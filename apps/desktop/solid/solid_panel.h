@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "desktop/engine/studio.h"
+#include "desktop/files/file_worker.h"
 #include "desktop/solid/solid_job.h"
 #include "desktop/solid/solid_scene.h"
 
@@ -81,6 +82,7 @@ class SolidPanel : public QWidget {
   bool waits_ = false;  // the drawing changed since the bodies were begun
   bool runs_ = false;
   double offered_mm_ = 0.0;
+  std::unique_ptr<FileWorker> worker_;  // null before the first bodies
 };
 
 }  // namespace felt::desktop

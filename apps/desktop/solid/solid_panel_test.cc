@@ -21,7 +21,7 @@ using testing::draw_square;
 
 class SolidPanelTest : public ::testing::Test {
  protected:
-  ~SolidPanelTest() override { Settings::the().reset(solid_keys::kFillHoles); }
+  void TearDown() override { Settings::the().reset(solid_keys::kFillHoles); }
   bool waits() {
     return QTest::qWaitFor([this] { return panel_.is_up_to_date(); }, 20000);
   }
@@ -138,6 +138,19 @@ TEST_F(SolidPanelTest, TheSliderSetsTheGapAndTheBoxFillsHoles) {
   ASSERT_TRUE(waits());
   EXPECT_EQ(bodies(), 1U) << "only the inner square is closed";
   EXPECT_EQ(panel_.solid()->bodies.at(0).holes, 0);
+}
+
+TEST_F(SolidPanelTest, NamesWhatIsLeftOutAndOnlyCountsTheRest) {
+  for (int i = 0; i < 5; ++i) {
+    const double x = 60.0 * i;
+    testing::draw_lines(studio_, {{x, 0}, {x + 40, 40}, {x + 40, 0}, {x + 10, 30}, {x, 0}});
+  }
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(bodies(), 5U);
+  EXPECT_TRUE(words().contains(QStringLiteral("left out the smaller part: strokes s1 and s3")))
+      << words().toStdString();
+  EXPECT_TRUE(words().contains(QStringLiteral("and 2 more"))) << words().toStdString();
 }
 
 TEST_F(SolidPanelTest, EveryControlHasAName) {

@@ -5492,6 +5492,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>There is no body.</source>
         <translation>Es gibt keinen Körper.</translation>
     </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::SolidScene</name>

@@ -5492,6 +5492,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>There is no body.</source>
         <translation>Er is geen lichaam.</translation>
     </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>en nog %1</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::SolidScene</name>

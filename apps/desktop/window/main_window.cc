@@ -53,7 +53,7 @@ namespace {
 
 /// Version of the layout for restoreState(). If the stored version differs, the original layout is
 /// used.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr QSize kFirstWindowSize{1280, 820};
 /// Part of the screen that is reserved for the frame around the window.
 constexpr QSize kFrame{0, 40};

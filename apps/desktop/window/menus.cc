@@ -42,7 +42,8 @@ constexpr std::array kMenus{
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
             "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
             "view.rotate* view.mirror view.scroll_* - view.outline view.grain view.force_arrow "
-            "view.* - view.panel_solid view.materials view.compare_materials - view.panel_* view.next_part "
+            "view.* - view.panel_solid view.materials view.compare_materials - view.panel_* "
+            "view.next_part "
             "view.hide_panels view.full_screen"},
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
