@@ -79,7 +79,7 @@ export class Files {
       const bytes = await unpacked(new Uint8Array(await file.arrayBuffer()));
       if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
       const done = await this.read(bytes, file.name, adds);
-      if (!done.ok) return refuse(done.error);
+      if (!done.ok) return refuse(this.page.reason(done));
       if (!adds) {
         this.name = file.name.replace(/\.[^.]*$/, '');
         this.page.begun();
@@ -93,61 +93,69 @@ export class Files {
 
   async read(bytes, name, adds) {
     this.page.core.finish();
-    const loaded = await this.page.complete();
+    const loaded = await this.ready(this.page.core.isFelt(bytes));
     if (!loaded.ok) return loaded;
     const { core } = this.page;  // another one, if the former one has ended meanwhile
     return adds ? core.add(bytes, name) : core.open(bytes, name);
+  }
+
+  /** Loads what the core needs for files; `is_felt`: for .felt files. */
+  async ready(is_felt = false) {
+    const done = await this.page.complete();
+    return done.ok && is_felt ? this.page.core.prepareFelt() : done;
   }
 
   file_name(ending) {
     return `${this.name || t('Drawing')}.${ending}`;
   }
 
-  /** Runs one of the functions below. If it fails, the page says so. */
+  /** Runs one of the functions below, which returns { ok, error }. If it fails, the page says why. */
   async try_to(act) {
-    try {
-      if (await act()) return;
-    } catch (error) {
-      console.info('Feltline: not saved:', error);
-    }
-    this.page.say(t('The drawing could not be saved in this format.'));
+    const done = await act().catch((error) => ({ ok: false, error: error.message }));
+    if (done.ok) return;
+    console.info('Feltline: not saved:', done.error);
+    this.page.say(t('The drawing could not be saved: %1', this.page.reason(done)));
     this.page.wake();
   }
 
   save(format) {
     return this.try_to(async () => {
-      if (!(await this.page.complete()).ok) return false;
+      const loaded = await this.ready(format === 'felt');
+      if (!loaded.ok) return loaded;
       const { core } = this.page;
       core.finish();
       const data = core.save(format);
-      if (!data) return false;
+      if (!data) return { ok: false, error: core.saveError };
       download(data.slice(), this.file_name(format), kTypes[format]);
       this.page.saved();
       this.page.say(t('Saved as %1', this.file_name(format)));
-      return true;
+      return loaded;
     });
   }
 
   /** Saves a stored drawing that could not be restored: its base as a drawing, and the events since then. */
   save_stored({ base, recorded }) {
-    if (base?.byteLength > 0) download(base, `${t('Drawing')}.svg`, kTypes.svg);
+    const format = base && this.page.core.isFelt(base) ? 'felt' : 'svg';
+    if (base?.byteLength > 0) download(base, `${t('Drawing')}.${format}`, kTypes[format]);
     if (recorded) download(recorded, `${t('Drawing')}-events.ndjson`, kTypes.ndjson);
   }
 
   export_png() {
     return this.try_to(async () => {
-      if (!(await this.page.complete()).ok) return false;
+      const loaded = await this.ready();
+      if (!loaded.ok) return loaded;
       const { core } = this.page, { page } = core.state();
       core.finish();
       // Large pages get fewer pixels per inch, because a browser limits the size of a picture.
       const area = (page.width * page.height) / 25.4 ** 2;
       const picture = core.picture(Math.min(kExportDpi, Math.sqrt(kMaxPixels / area)));
-      if (!picture) return false;
+      if (!picture) return { ok: false, error: t('it is too large') };
       const canvas = make('canvas', { width: picture.width, height: picture.height });
       canvas.getContext('2d').putImageData(new ImageData(picture.data.slice(), picture.width, picture.height), 0, 0);
       const blob = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-      if (blob) download(blob, this.file_name('png'));
-      return Boolean(blob);
+      if (!blob) return { ok: false, error: t('it is too large') };
+      download(blob, this.file_name('png'));
+      return loaded;
     });
   }
 }

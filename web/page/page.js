@@ -127,9 +127,11 @@ class Page {
     this.incomplete = !done.ok;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
-    if (!done.ok && this.waiting.length > 0) this.say(done.error);
+    if (!done.ok && this.waiting.length > 0) this.say(this.reason(done));
     this.do_waiting(core);
     if (done.ok) setTimeout(() => this.warm_up(), kWarmUpMs);
+    // What .felt files need is loaded now as well, but used only when one is opened or saved.
+    if (done.ok && !navigator.connection?.saveData) core.loadFelt();
     this.wake();
     return done;
   }
@@ -208,8 +210,10 @@ class Page {
 
   /** Continues with a stored drawing. */
   async restore(core, last) {
-    const loaded = await core.complete();
-    if (!loaded.ok) return loaded;
+    for (const load of [() => core.complete(), () => (core.isFelt(last.base) ? core.prepareFelt() : { ok: true })]) {
+      const loaded = await load();
+      if (!loaded.ok) return loaded;
+    }
     const done = core.restore(last.base, last.recorded);
     if (done.ok && !last.base) core.setPage(last.page);
     return done;
@@ -803,6 +807,11 @@ class Page {
     if (!stays) this.notice = setTimeout(() => by_id('notice').replaceChildren(), kNoticeMs);
   }
 
+  /** Returns why something was not done. */
+  reason({ error, missing }) {
+    return missing ? t('%1 could not be loaded', missing) : error;
+  }
+
   /** Tells a screen reader. */
   tell(text) {
     by_id('notice').replaceChildren(make('p', { className: 'unseen' }, text));
@@ -826,7 +835,7 @@ class Page {
   async new_drawing() {
     if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
     const done = await this.complete();
-    if (!done.ok) return this.say(done.error);
+    if (!done.ok) return this.say(this.reason(done));
     this.core.clear(this.window_page());
     this.files.name = '';
     this.begun();

@@ -17,9 +17,9 @@ const stop_with = (message) => () => {
 
 /**
  * Makes an instance of a compiled module, and returns its exports. The first module lacks functions that it never calls
- * (build.sh): they are imports with names of C++.
+ * (build.sh): they are imports with names of C++. `database`: where the full module finds SQLite.
  */
-export async function instantiate(module) {
+export async function instantiate(module, database = null) {
   let memory;
   const stop = stop_with('the module ended');
   const lacking = WebAssembly.Module.imports(module).filter(({ name }) => name.startsWith('_Z'))
@@ -30,6 +30,8 @@ export async function instantiate(module) {
       ...Object.fromEntries(lacking),
       shortest_digits: (number, to, exponent_at) => shortest_digits(memory, number, to, exponent_at),
       now_ms: () => performance.now(),
+      database_call: (what, handle, at, size) => database?.call(what, handle, new Uint8Array(memory.buffer, at, size)) ?? -1,
+      database_answer: (to) => database?.copy_answer(memory, to),
       emscripten_notify_memory_growth: nothing,
     },
     wasi_snapshot_preview1: {

@@ -228,6 +228,41 @@ const topics = {
     }, undefined, (path) => (path.includes('core_full') ? held : undefined));
   },
 
+  /** The window gets another size during the very first line, before and after the full module is there. */
+  async resize() {
+    const resized = async (tab, finish) => {
+      await tab.mouse('mouseMoved', 300, 300, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', 300, 300);
+      await tab.mouse('mouseMoved', 340, 320);
+      await tab.until(() => feltlinePage.core.state().gesture);
+      await tab.send('Emulation.setDeviceMetricsOverride', { width: 900, height: 700, deviceScaleFactor: 1, mobile: false });
+      await tab.until(() => innerWidth === 900 && document.getElementById('sheet').width === 900);
+      await tab.mouse('mouseMoved', 400, 330);
+      await tab.mouse('mouseReleased', 400, 330);
+      await tab.until(() => !feltlinePage.core.state().gesture && feltlinePage.core.state().strokes === 1);
+      await finish();
+      const pages = () => tab.run(() => [feltlinePage.core.state().page, feltlinePage.window_page()]);
+      let [page, window] = await pages();
+      assert.deepEqual(page, window, 'the page does not fill the window');
+      await stored(tab);
+      const before = await saved(tab, 'svg');
+      await tab.reload();
+      [page, window] = await pages();
+      assert.deepEqual(page, window, 'the page has another size after a reload');
+      assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a reload');
+    };
+    let release = null;
+    const held = new Promise((done) => { release = done; });
+    await served(async (url) => {
+      await with_tab({ wait: 'first' }, (tab) => resized(tab, async () => {
+        assert.equal(await tab.run(() => feltlinePage.core.isComplete), false);
+        release();
+        await tab.until(() => feltlinePage.core.isComplete);
+      }), url);
+      await with_tab({}, (tab) => resized(tab, async () => {}), url);
+    }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
   /** The full module does not come: what was drawn while something waited for it stays, by the first one. */
   async incomplete() {
     let release = null;
@@ -242,6 +277,12 @@ const topics = {
         await tab.until(() => feltlinePage.incomplete && feltlinePage.core.state().strokes === 1);
         await tab.stroke(wave(300, 500));
         await tab.until(() => feltlinePage.core.state().strokes === 2);
+        // What is not saved says why.
+        for (const act of ['save', 'export_png']) {
+          await tab.run(async (act) => { await feltlinePage.files[act]('svg'); }, act);
+          assert.equal(await tab.run(() => document.getElementById('notice').textContent),
+            'The drawing could not be saved: core_full.js could not be loaded');
+        }
         // What waits when the page is left is stored, too.
         await tab.run(() => { feltlinePage.complete = () => {}; feltlinePage.use_tool('pull'); });
         await tab.stroke(wave(300, 600));
@@ -571,6 +612,107 @@ const topics = {
     });
   },
 
+  /** .felt files, at file:// and from a server: saved by the menu, dropped on the page, kept by the autosave, and refused. */
+  async felt() {
+    const downloads = (tab) => tab.run(() => {
+      globalThis.files = [];
+      const make = URL.createObjectURL;
+      URL.createObjectURL = (blob) => { files.push(blob); return make.call(URL, blob); };
+    });
+    const first_file = async (tab) => {
+      await tab.until(() => globalThis.files.length > 0);
+      return tab.run(async () => {
+        const bytes = new Uint8Array(await files.shift().arrayBuffer());
+        return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+      });
+    };
+    const drop = async (tab, name, base64) => {
+      await tab.run((name, base64) => {
+        feltlinePage.saved();
+        feltlinePage.say('', true);
+        const data = new DataTransfer();
+        data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+        dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      }, name, base64);
+    };
+    const refused = async (tab, name, bytes, words) => {
+      await drop(tab, name, bytes.toString('base64'));
+      await tab.until((name) => document.getElementById('notice').textContent.startsWith(`“${name}” could not be opened: `), name);
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), words);
+    };
+    const use = async (tab) => {
+      await downloads(tab);
+      for (const y of [200, 300]) await tab.stroke(wave(200, y));
+      await tab.run(() => feltlinePage.apply({ event: 'guides', do: 'add', kind: 'symmetry', x: 100, y: 80, axes: 2 }));
+      await tab.stroke(wave(300, 400));
+      const count = await strokes(tab), lines = await saved(tab);
+      await tab.until(() => globalThis.feltlineFelt);
+      const requests = tab.requests.length;
+      await tab.key('s', { modifiers: 2 });
+      const file = await first_file(tab);
+      assert.equal(text_of(file).slice(0, 16), 'SQLite format 3\0');
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /Saved as Drawing\.felt/);
+      await tab.run(() => feltlinePage.new_drawing());
+      assert.equal(await strokes(tab), 0);
+      await drop(tab, 'mine.felt', file);
+      await tab.until((count) => feltlinePage.core.state().strokes === count, count);
+      assert.ok(await saved(tab) === lines, 'the lines differ');
+      assert.ok(await saved(tab, 'felt') === file, 'the file differs');
+      assert.equal(tab.requests.length, requests, 'a request after the page was loaded');
+      // A reload and a crash keep everything, guides included.
+      await stored(tab);
+      await tab.reload();
+      assert.equal(await strokes(tab), count);
+      await tab.run(() => feltlinePage.core.prepareFelt());
+      assert.ok(await saved(tab, 'felt') === file, 'the file differs after a reload');
+      await tab.run(() => { globalThis.former = feltlinePage.core; former.exports = null; feltlinePage.wake(); });
+      await tab.until((count) => feltlinePage.core && feltlinePage.core !== former && feltlinePage.core.state().strokes === count, count);
+      await tab.run(() => feltlinePage.core.prepareFelt());
+      assert.ok(await saved(tab, 'felt') === file, 'the file differs after an error');
+      // Files that cannot be opened leave the drawing as it is.
+      const bytes = Buffer.from(file, 'base64'), future = Buffer.from(bytes), damaged = Buffer.from(bytes);
+      future[63] = 9;
+      damaged.fill(255, 4096, 12000);
+      await refused(tab, 'a.felt', Buffer.alloc(0), /: is empty$/);
+      await refused(tab, 'b.felt', future, /: was written by a newer Feltline \(format 9; this version reads 1\)$/);
+      await refused(tab, 'c.felt', damaged, /: is damaged or incomplete/);
+      await refused(tab, 'd.felt', bytes.subarray(0, 60), /: is incomplete: it ends within its header$/);
+      await refused(tab, 'e.felt', Buffer.from('a text'), /: is not a Feltline drawing$/);
+      await tab.run(() => feltlinePage.files.load({ name: 'huge.felt', size: 2 ** 29 }, false));
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /huge\.felt” could not be opened: it is too large/);
+      assert.ok(await saved(tab, 'felt') === file, 'the drawing changed');
+      tab.errors = tab.errors.filter((text) => !/^Feltline restarts/.test(text));
+    };
+    await with_tab({}, use);
+    let is_missing = false;
+    await served(async (url) => {
+      await with_tab({}, use, url);
+      // Without the script, the page says so, and a stored drawing that needs it stays stored.
+      await with_tab({}, async (tab) => {
+        await tab.stroke(wave(200, 200));
+        await tab.run(async () => { await feltlinePage.core.prepareFelt(); feltlinePage.core.rebase(); feltlinePage.store(); });
+        await stored(tab);
+        is_missing = true;
+        await tab.reload();
+        await tab.until(() => document.querySelector('dialog'));
+        assert.match(await tab.run(() => document.querySelector('dialog').textContent), /core_felt\.js/);
+        await downloads(tab);
+        await tab.run(() => document.querySelector('dialog button[value=save]').click());
+        assert.equal(text_of(await first_file(tab)).slice(0, 15), 'SQLite format 3');
+        await tab.run(() => document.querySelector('dialog').close());
+        await tab.run(() => feltlinePage.files.save('felt'));
+        assert.equal(await tab.run(() => document.getElementById('notice').textContent),
+          'The drawing could not be saved: core_felt.js could not be loaded');
+        is_missing = false;
+        await tab.run(() => feltlinePage.files.save('felt'));
+        assert.match(await tab.run(() => document.getElementById('notice').textContent), /^Saved as/);
+        await tab.reload();
+        assert.equal(await strokes(tab), 1);
+        tab.errors = tab.errors.filter((text) => !/core_felt\.js/.test(text));
+      }, url);
+    }, (path) => is_missing && path.includes('core_felt'));
+  },
+
   /** Keys, touch, panels, theme and language. */
   async controls() {
     await with_tab({}, async (tab) => {
@@ -753,7 +895,9 @@ const topics = {
       sum += bytes;
     }
     console.log(`together   ${String(sum).padStart(7)} bytes; the limit is ${kMaxBytes}`);
-    console.log(`core_full.js, which comes then: ${gzipSync(readFileSync(join(dist, 'core_full.js')), { level: 9 }).length} bytes`);
+    for (const name of ['core_full.js', 'core_felt.js']) {
+      console.log(`${name}, which comes then: ${gzipSync(readFileSync(join(dist, name)), { level: 9 }).length} bytes`);
+    }
     assert.ok(sum <= kMaxBytes, `more than ${kMaxBytes} bytes`);
   },
 
@@ -761,11 +905,11 @@ const topics = {
   async requests() {
     await served(async (url) => {
       await with_tab({}, async (tab) => {
-        await tab.until(() => globalThis.feltlineFull);
+        await tab.until(() => globalThis.feltlineFull && globalThis.feltlineFelt);
         const loaded = new Set(tab.requests.map((one) => one.slice(url.length)));
         const before = tab.requests.length;
         for (const name of tab.requests) assert.ok(name.startsWith(url), `a request to ${name}`);
-        assert.ok([...loaded].every((name) => ['', 'core.js', 'page.js', 'core_full.js'].includes(name)), [...loaded].join(' '));
+        assert.ok([...loaded].every((name) => ['', 'core.js', 'page.js', 'core_full.js', 'core_felt.js'].includes(name)), [...loaded].join(' '));
         await tab.stroke(wave(300, 300));
         for (const panel of ['options', 'layers', 'forces']) await tab.run((one) => feltlinePage.toggle(one), panel);
         await tab.run(() => feltlinePage.toggle_sound());
