@@ -312,13 +312,15 @@ class Stroke(unittest.TestCase):
                         getattr(one, name)()
         stroke, fitter = (kind.__new__(kind) for kind in (feltline.Stroke, feltline.Fitter))
         drawing = feltline.Drawing.__new__(feltline.Drawing)
-        for call in (lambda: repr(stroke), lambda: feltline.Drawing([stroke]), lambda: feltline.to_bytes(stroke, "svg"),
+        for call in (lambda: repr(stroke), lambda: feltline.Drawing([stroke]),
+                     lambda: feltline.to_bytes(stroke, "svg"),
                      lambda: feltline.to_bytes([stroke], "svg"), lambda: pickle.dumps(stroke),
                      lambda: copy.deepcopy(drawing) == drawing, lambda: drawing == drawing,
                      lambda: feltline.to_bytes(drawing, "svg"), lambda: pickle.dumps(drawing),
                      lambda: feltline.fit(LINE) == stroke, lambda: stroke == feltline.fit(LINE),
                      lambda: feltline.trial.metrics([[0, 0, 1, 0], [9, 0, 1, 9]], stroke),
-                     lambda: fitter.push(LINE), lambda: feltline.Drawing(LINE and [feltline.fit(LINE)]).map(lambda s: stroke)):
+                     lambda: fitter.push(LINE),
+                     lambda: feltline.Drawing([feltline.fit(LINE)]).map(lambda _: stroke)):
             with self.assertRaisesRegex(TypeError, needs):
                 call()
 

@@ -62,7 +62,8 @@ async function in_front(tab, act) {
 }
 const draw = (tab, points) => in_front(tab, () => tab.stroke(points));
 const strokes = (tab) => tab.run(() => feltlinePage.core.state().strokes);
-const saved = (tab, format = 'ndjson') => tab.run((format) => {
+const saved = (tab, format = 'ndjson') => tab.run(async (format) => {
+  if (format === 'felt') await feltlinePage.core.prepareFelt();
   const bytes = feltlinePage.core.save(format);
   return bytes && btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }, format);
@@ -663,11 +664,9 @@ const topics = {
       await stored(tab);
       await tab.reload();
       assert.equal(await strokes(tab), count);
-      await tab.run(() => feltlinePage.core.prepareFelt());
       assert.ok(await saved(tab, 'felt') === file, 'the file differs after a reload');
       await tab.run(() => { globalThis.former = feltlinePage.core; former.exports = null; feltlinePage.wake(); });
       await tab.until((count) => feltlinePage.core && feltlinePage.core !== former && feltlinePage.core.state().strokes === count, count);
-      await tab.run(() => feltlinePage.core.prepareFelt());
       assert.ok(await saved(tab, 'felt') === file, 'the file differs after an error');
       // Files that cannot be opened leave the drawing as it is.
       const bytes = Buffer.from(file, 'base64'), future = Buffer.from(bytes), damaged = Buffer.from(bytes);
