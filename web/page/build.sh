@@ -29,13 +29,13 @@ cp -u "$objects/debian/simdjson/singleheader/simdjson.h" "$objects/debian/pugixm
 layers="base geometry material sound stroke gather recognise document fill haptics rt tools session render io
   devices/simulated store formats replay"
 left_out='_(test|bench)\.cc$|/testing/|/make_[a-z_]*\.cc$|/samples/|/base/(check|atomic_file|file_steps|same_file|standard_streams|read_file)\.cc
-/material/material_library\.cc|/rt/(realtime_thread|abandon)\.cc|/render/(plot|plot_axis|plot_canvas|plot_trace|picture_pixels)\.cc
-/store/(database|felt_salvage|page_scan)\.cc|/io/(unpack|gpl_palette)\.cc|/io/(picture|quickdraw)/|/io/svg/svg_pictures\.cc
+/material/material_library\.cc|/rt/(realtime_thread|abandon)\.cc|/render/(plot|plot_axis|plot_canvas|plot_trace)\.cc
+/store/(database|felt_salvage|page_scan)\.cc|/io/(unpack|gpl_palette)\.cc|/io/(picture|quickdraw)/|/io/svg/svg_picture_files\.cc
 /replay/(forces_csv|live_loop|real_device|record_copy|record_run|replay_drawing|apply_recording|script_run)\.cc'
 left_out=$(tr '\n' '|' <<<"$left_out" | sed 's/|*$//')
 
 # Sources that only the full module links. In the first module, a call of one of their functions ends the core.
-only_full='/tools/all_tools\.cc|/fill/|/store/|/material/(toml_entries|custom_relief|relief|material_writer)\.cc
+only_full='/tools/all_tools\.cc|/fill/|/store/|/render/picture_pixels\.cc|/io/svg/svg_pictures\.cc|/material/(toml_entries|custom_relief|relief|material_writer)\.cc
 /session/(selection_edit|group_edit|guide_edit|symmetry_edit)\.cc'
 only_full=$(tr '\n' '|' <<<"$only_full" | sed 's/|*$//')
 
@@ -57,7 +57,7 @@ units() {
 write_ninja() {
   local layer unit source
   cat <<END
-paths = -I$root/src -I$root/apps -I$root -I$root/web/page/core/libcxx -isystem $include
+paths = -I$root/src -I$root/apps -I$root -I$root/web/page/core/libcxx -I$root/web/page/core/pictures -isystem $include
 flags = -std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DPUGIXML_NO_EXCEPTIONS -ffp-contract=off -fvisibility=hidden $
   -flto -finline-functions -msimd128 -mbulk-memory -mnontrapping-fptoint -msign-ext ${FELT_PAGE_FLAGS:-}
 speed = -Oz
@@ -80,7 +80,7 @@ END
   done
   echo "build $objects/units/own_sqlite.o: compile_c $sqlite/sqlite3.c"
   echo "build $objects/units/own_sqlite_database.o: compile $root/src/felt/store/database.cc"
-  for source in "$root"/web/page/core/{,database/,libcxx/}*.cc "$objects"/units/built_in_texts.cc \
+  for source in "$root"/web/page/core/{,database/,libcxx/,pictures/}*.cc "$objects"/units/built_in_texts.cc \
     "$root/src/felt/driver/device_models.cc" \
     "$objects/debian/simdjson/singleheader/simdjson.cpp" "$objects/debian/pugixml/src/pugixml.cpp"; do
     unit=$(basename "$source")
@@ -139,7 +139,7 @@ is_older() {
 
 mkdir -p "$objects/generated"
 felt='own_(sqlite|sqlite_database|database_module|no_files)$'
-! is_older "$objects/first.wasm" || link "$objects/first.wasm" "^full_|^own_(api_full|full|simdjson|pugixml|database)$|^$felt"
+! is_older "$objects/first.wasm" || link "$objects/first.wasm" "^full_|^own_(api_full|full|simdjson|pugixml|database|png)$|^$felt"
 ! is_older "$objects/full.wasm" || link "$objects/full.wasm" "^own_first|^$felt"
 ! is_older "$objects/felt.wasm" || link "$objects/felt.wasm" '^$' "^(base|full_store)_|^own_(charconv|numbers_text)|^$felt"
 em++ -std=c++20 -O2 -fno-exceptions -fno-rtti core/unpack/unpack.cc -o "$objects/unpack.wasm" --no-entry -sSTANDALONE_WASM \

@@ -32,6 +32,10 @@ export interface CoreOptions {
   now?: number;
   /** Loads a script that is beside the page; for programs without a document. */
   loadScript?: (name: string) => Promise<void>;
+  /** Called when a picture of the drawing was decoded: `paint()` has work. */
+  onPicture?: () => void;
+  /** Returns the pixels of a PNG file, RGBA with straight alpha; for programs without a document. */
+  decodePicture?: (png: Uint8Array) => Promise<Uint8ClampedArray>;
 }
 
 export class CoreError extends Error {}

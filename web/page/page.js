@@ -7,7 +7,7 @@ import { Bars, OfferBar, Menu } from './bars.js';
 import { OptionsPanel, LayersPanel } from './panels.js';
 import { ForcePanel, Sound, play_cue } from './forces.js';
 import { MarksView } from './marks.js';
-import { Files } from './files.js';
+import { Files, kPictures } from './files.js';
 import { Storage } from './storage.js';
 
 const kLifeSize = 96 / 25.4;      // CSS pixels per mm
@@ -178,6 +178,7 @@ class Page {
   async make_core(last = null) {
     const { innerWidth: width, innerHeight: height } = globalThis;
     const make_one = () => globalThis.feltlineCore.createCore({ width, height, dpr: devicePixelRatio, page: this.window_page(),
+      onPicture: () => this.wake(),
       // The first samples may be older than the core.
       now: globalThis.feltlineEarly?.events[0]?.event.timeStamp ?? performance.now() });
     let core = await make_one(), done = { ok: true };
@@ -193,7 +194,8 @@ class Page {
     this.record_bytes = last?.recorded.length ?? 0;
     this.core = core;
     this.catalog = core.catalog();
-    by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`).join();
+    by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`)
+      .concat(kPictures).join();
     if (this.strength !== undefined) core.setStrength(this.strength);
     this.resize();
     if (last) this.fit();

@@ -29,6 +29,11 @@ FELT_EXPORT(felt_set_grain) void felt_set_grain(int on) {
   core().wants_grain = on != 0;
   core().update_grain();
 }
+/// Paints everything again, because the pixels of pictures are there now.
+FELT_EXPORT(felt_repaint) void felt_repaint() {
+  core().picture.open(core().studio.session().document());
+  core().shows = true;
+}
 FELT_EXPORT(felt_warm_up) void felt_warm_up() {
   core().warm_up();
 }

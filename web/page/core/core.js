@@ -1,6 +1,7 @@
 // The JavaScript of the core: makes the module, and turns texts and arrays into calls. core.d.ts describes it.
 import { instantiate } from './instantiate.mjs';
 import { DatabaseModule } from './database/database.js';
+import { Pictures } from './pictures/pictures.js';
 import { first_module, full_module, load_felt } from './module.js';
 import { catalog, cat } from 'generated/extras_text.js';
 
@@ -32,6 +33,10 @@ class Core {
     this.rect = [0, 0, 0, 0];
     this.load_script = options.loadScript;
     this.database = new DatabaseModule(options.loadScript);
+    this.pictures = new Pictures(() => {
+      this.has_new_pictures = true;
+      options.onPicture?.();
+    }, options.decodePicture);
     this.isComplete = false;
     this.kept = { base: new Uint8Array(0), records: '' };  // what the full module, or another core, continues with
     this.unread = { rebased: false, records: '' };         // of kept, what the caller has not read
@@ -237,6 +242,8 @@ class Core {
 
   paint(context = null, budget = 8) {
     this.use_view();
+    if (this.has_new_pictures) this.call('felt_repaint');
+    this.has_new_pictures = false;
     const more = this.call('felt_paint', budget) === 1;
     const [x0, y0, x1, y1] = [0, 1, 2, 3].map((side) => this.call('felt_painted', side));
     this.rect = [x0, y0, Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
@@ -369,6 +376,7 @@ class Core {
   }
 
   load(data, name, how) {
+    if (how === 0) this.pictures.forget();
     const title = encoder.encode(name);
     return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how);
   }
@@ -463,7 +471,7 @@ class Core {
     if (this.isComplete) return { ok: true };
     let full;
     try {
-      full = await instantiate(await full_module(this.load_script), this.database);
+      full = await instantiate(await full_module(this.load_script), this);
     } catch (error) {
       return not_loaded('core_full.js', error);
     }

@@ -100,7 +100,8 @@ std::string base_of(const Studio& studio) {
   if (is_empty(drawing)) return empty_text(drawing.page);
   Result<std::string> felt = felt_of(drawing);
   if (felt) return *std::move(felt);
-  return write_drawing(drawing, "svg").value_or(std::string());
+  const SvgOptions options{.paper = drawing.page.paper, .pictures = PictureChoice::kAll};
+  return svg_text(drawing, options).value_or(std::string());
 }
 
 Result<Drawing> drawing_of_base(std::string_view base) {

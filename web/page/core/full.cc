@@ -46,9 +46,6 @@ Result<Imported> import_felt(std::string_view bytes) {
   Result<Drawing> drawing = parse_felt(bytes, &notices);
   if (!drawing) return tl::unexpected(drawing.error());
   for (std::string& notice : notices) result.report.add(0, {}, std::move(notice));
-  for (const Layer& layer : drawing->document.layers()) {
-    if (layer.picture) result.report.add(0, "a picture", "is kept, but the page does not show it");
-  }
   result.drawing = *std::move(drawing);
   return result;
 }

@@ -14,7 +14,7 @@ const kPng = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDw
 const kDamages = 60;
 
 async function make() {
-  const core = await createCore({ width: 800, height: 600 });
+  const core = await createCore({ width: 800, height: 600, decodePicture: async () => new Uint8ClampedArray([255, 0, 0, 255]) });
   assert.deepEqual(await core.prepareFelt(), { ok: true });
   return core;
 }
@@ -89,12 +89,21 @@ const tests = {
     const from = join(folder, 'picture.ndjson'), to = join(folder, 'picture.felt');
     writeFileSync(from, script.map((line) => JSON.stringify(line)).join('\n'));
     assert.equal(spawnSync(feltline, ['replay', from, '-o', to]).status, 0);
-    const core = await make(), file = readFileSync(to), done = core.open(file, 'a.felt');
-    assert.equal(done.ok, true);
-    assert.match(done.notices.join(), /picture/);
+    const core = await make();
+    assert.deepEqual(core.open(readFileSync(to), 'a.felt'), { ok: true });
     const bytes = core.save('felt');
     assert.match(Buffer.from(bytes).toString('latin1'), /CREATE TABLE picture/);
     same(native(bytes).bytes, bytes, 'a drawing with a picture');
+    // It is painted when it has been decoded.
+    const is_red = () => {
+      const { data, width } = core.pixels(), [x, y] = core.toCanvas(25, 25).map(Math.round), at = 4 * (y * width + x);
+      return data[at] > 250 && data[at + 1] < 5;
+    };
+    core.fitPage();
+    core.paint(null, 1000);
+    await new Promise((done) => setTimeout(done));
+    core.paint(null, 1000);
+    assert.ok(is_red(), 'the picture is not painted');
   },
 
   async 'the samples of the native program are read exactly'() {

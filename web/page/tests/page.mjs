@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, existsSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { gzipSync } from 'node:zlib';
+import { deflateRawSync, gzipSync } from 'node:zlib';
 import { Browser } from './browser.mjs';
 import { Firefox, has_firefox } from './firefox.mjs';
 
@@ -51,6 +51,33 @@ async function with_tab(options, use, url = file_url) {
   } finally {
     await browser.close();
   }
+}
+
+/** Returns a zip archive; `names` and what the files contain. */
+function zipped(files, is_stored = false) {
+  const parts = [], directory = [];
+  let at = 0;
+  for (const [name, text] of Object.entries(files)) {
+    const raw = Buffer.from(text), data = is_stored ? raw : deflateRawSync(raw), head = Buffer.alloc(30), entry = Buffer.alloc(46);
+    head.writeUInt32LE(0x04034b50, 0);
+    entry.writeUInt32LE(0x02014b50, 0);
+    for (const [to, shift] of [[head, 0], [entry, 2]]) {
+      to.writeUInt16LE(is_stored ? 0 : 8, 8 + shift);
+      to.writeUInt32LE(data.length, 18 + shift);
+      to.writeUInt32LE(raw.length, 22 + shift);
+      to.writeUInt16LE(name.length, 26 + shift);
+    }
+    entry.writeUInt32LE(at, 42);
+    parts.push(head, Buffer.from(name), data);
+    directory.push(entry, Buffer.from(name));
+    at += 30 + name.length + data.length;
+  }
+  const end = Buffer.alloc(22), all = Buffer.concat(directory), count = Object.keys(files).length;
+  end.writeUInt32LE(0x06054b50, 0);
+  end.writeUInt16LE(count, 10);
+  end.writeUInt32LE(all.length, 12);
+  end.writeUInt32LE(at, 16);
+  return Buffer.concat([...parts, all, end]);
 }
 
 /** Waits until the autosave has what was drawn. */
@@ -590,6 +617,22 @@ const topics = {
         assert.match(await load('$& %2.svgz', bytes.toString('base64')), /^“\$& %2\.svgz” could not be opened: it is damaged$/);
         assert.equal(await strokes(tab), 3);
       }
+      // Journals of Xournal++: plain, with gzip, and as archives of its newer versions.
+      const content = '<xournal creator="xournalpp"><page width="595" height="842"><background type="solid" color="#ffffffff" style="plain"/>' +
+        '<layer><stroke tool="pen" color="#000000ff" width="1.4">100 100 150 120 200 100</stroke></layer></page></xournal>';
+      const journal = { mimetype: 'application/xournal++', 'content.xml': content };
+      for (const bytes of [Buffer.from(content), gzipSync(content), zipped(journal), zipped(journal, true)]) {
+        await tab.run(() => feltlinePage.core.clear());
+        await load('notes.xopp', bytes.toString('base64'));
+        assert.equal(await strokes(tab), 1, 'a journal was refused');
+      }
+      const archive = zipped(journal), cut = archive.subarray(0, archive.length - 30), broken = Buffer.from(archive);
+      broken.fill(255, archive.indexOf('content.xml') + 20, archive.indexOf('content.xml') + 60);
+      for (const bytes of [cut, broken]) {
+        assert.match(await load('notes.xopp', bytes.toString('base64')), /^“notes\.xopp” could not be opened: it is damaged$/);
+      }
+      assert.match(await load('other.zip', zipped({ 'a.txt': 'a' }).toString('base64')), /could not be opened: is a zip archive, which the page cannot/);
+      await load('drawing.svg', svg.toString('base64'));
       const message = await load('broken.svg', Buffer.from('<svg><path d=').toString('base64'));
       assert.match(message, /broken\.svg/);
       assert.equal(message.split('broken.svg').length, 2, message);
@@ -610,6 +653,79 @@ const topics = {
       });
       assert.deepEqual(png.head.slice(1, 4), [80, 78, 71]);
       assert.ok(png.size > 5000);
+    });
+  },
+
+  /** Pictures: dropped, painted below the ink, kept by the autosave and in files, and read from SVG and .felt files. */
+  async pictures() {
+    await with_tab({}, async (tab) => {
+      const drop = (type) => tab.run(async (type) => {
+        const canvas = new OffscreenCanvas(400, 200), context = canvas.getContext('2d');
+        context.fillStyle = '#0000ff';
+        context.fillRect(0, 0, 400, 200);
+        context.fillStyle = '#ff0000';
+        context.fillRect(0, 0, 200, 200);
+        const data = new DataTransfer();
+        data.items.add(new File([await canvas.convertToBlob({ type, quality: 1 })], `photo.${type.slice(6)}`, { type }));
+        dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      }, type);
+      /** The colours of the sheet left and right of its middle. */
+      const colors = () => tab.run(() => {
+        const context = document.getElementById('sheet').getContext('2d'), { page } = feltlinePage.core.state();
+        const [x, y] = feltlinePage.core.toCanvas(page.width / 2, page.height / 2);
+        return [-60, 60].map((dx) => ['red', 'green', 'blue'].filter((_, i) => context.getImageData(x + dx, y - 20, 1, 1).data[i] > 200).join());
+      });
+      const shown = async (what, expected = ['red', 'blue']) => {
+        for (let i = 0; i < 100 && (await colors()).join(' ') !== expected.join(' '); ++i) await tab.frames(3);
+        assert.deepEqual(await colors(), expected, what);
+      };
+      await drop('image/png');
+      await shown('a dropped picture');
+      const names = () => tab.run(() => feltlinePage.core.state().layers.map(({ name }) => name));
+      assert.ok((await names()).includes('photo'));
+      await tab.stroke(wave(400, 400));
+      await stored(tab);
+      const file = await saved(tab, 'felt'), svg = await saved(tab, 'svg');
+      await tab.reload();
+      await shown('a picture after a reload');
+      assert.ok(await saved(tab, 'felt') === file, 'the drawing differs after a reload');
+      await tab.run(() => { feltlinePage.core.rebase(); feltlinePage.store(); });
+      await stored(tab);
+      await tab.reload();
+      await shown('a picture of the base');
+      assert.ok(await saved(tab, 'felt') === file, 'the drawing differs after a reload of the base');
+      // Undo and redo; a JPEG file, too.
+      await tab.run(() => { feltlinePage.saved(); return feltlinePage.new_drawing(); });
+      await shown('an empty drawing', ['red,green,blue', 'red,green,blue']);
+      await drop('image/jpeg');
+      await shown('a dropped JPEG file');
+      await tab.run(() => feltlinePage.undo());
+      await shown('after undo', ['red,green,blue', 'red,green,blue']);
+      await tab.run(() => feltlinePage.redo());
+      await shown('after redo');
+      // The .felt file, and an SVG file with the picture inside.
+      const open = (name, base64) => tab.run(async (name, base64) => {
+        feltlinePage.saved();
+        await feltlinePage.files.load(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name), false);
+        return document.getElementById('notice').textContent;
+      }, name, base64);
+      await tab.run(() => feltlinePage.undo());
+      await open('mine.felt', file);
+      await shown('a picture of a .felt file');
+      assert.ok(text_of(svg).indexOf('<image') < 0, 'a picture that is not marked is in the SVG file');
+      await tab.run(() => {
+        const { layers } = feltlinePage.core.state();
+        feltlinePage.apply({ event: 'layer', do: 'export', id: layers.find(({ name }) => name === 'photo').id });
+      });
+      const with_picture = await saved(tab, 'svg');
+      await tab.run(() => feltlinePage.core.clear());
+      await open('mine.svg', with_picture);
+      await shown('a picture of an SVG file');
+      // Damaged pictures leave the drawing as it is.
+      const before = await saved(tab, 'felt');
+      await tab.run(async () => { await feltlinePage.files.load(new File(['no picture'], 'bad.png', { type: 'image/png' }), true); });
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /bad\.png” could not be opened: it is damaged/);
+      assert.ok(await saved(tab, 'felt') === before);
     });
   },
 
