@@ -71,6 +71,9 @@ const tests = {
       assert.deepEqual(other.open(bytes, 'a.felt'), { ok: true });
       same(other.save('felt'), bytes, 'a drawing that was opened again');
       assert.equal(other.state().layers.length, core.state().layers.length);
+      const { strokes } = core.state();
+      assert.deepEqual(other.add(bytes, 'a.felt'), { ok: true });
+      assert.equal(other.state().strokes, 2 * strokes);
     }
   },
 

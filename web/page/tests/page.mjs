@@ -1152,12 +1152,16 @@ const topics = {
         for (let i = 0; i < 3; ++i) {
           await with_tab({ prepare, wait: 'first' }, async (tab) => {
             await tab.until(() => performance.getEntriesByName('complete').length > 0);
-            const times = await tab.run(() => ({
+            const times = await tab.run(async () => ({
+              felt: await (async (begin) => {
+                await feltlinePage.core.prepareFelt();
+                return performance.now() - begin;
+              })(performance.now()),
               paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
               interactive: performance.getEntriesByName('interactive')[0].startTime,
               complete: performance.getEntriesByName('complete')[0].startTime }));
             console.log(`${name}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms, ` +
-              `all tools ${times.complete.toFixed(0)} ms`);
+              `all tools ${times.complete.toFixed(0)} ms, .felt files ${times.felt.toFixed(0)} ms after that`);
           }, url);
         }
       }
