@@ -49,7 +49,8 @@ Result<std::string> GrainMask::png(double) const {
 }
 
 Result<std::shared_ptr<const PictureData>> SvgPictures::load_file(const std::string& name) {
-  return left_out(("was skipped: it is in another file, '" + name + "', which is not opened").c_str());
+  return left_out(
+      ("was skipped: it is in another file, '" + name + "', which is not opened").c_str());
 }
 
 }  // namespace felt

@@ -1,4 +1,5 @@
-// The pictures of an SVG file that are in other files. The page for browsers, which has no files, does without them.
+// The pictures of an SVG file that are in other files. The page for browsers, which has no files,
+// does without them.
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// The full module has this in place of felt/store/database.cc: SQLite is in a module of its own, with a memory of its
-// own, which is asked for whole rows (calls.h).
+// The full module has this in place of felt/store/database.cc: SQLite is in a module of its own,
+// with a memory of its own, which is asked for whole rows (calls.h).
 
 #include "felt/store/database.h"
 
@@ -30,8 +30,7 @@ struct Column {
 
 /// Returns what follows the status in the answer to a call.
 Result<std::string> ask(DatabaseCall what, std::uint32_t handle, std::string_view bytes = {}) {
-  const int size =
-      database_call(static_cast<unsigned>(what), handle, bytes.data(), bytes.size());
+  const int size = database_call(static_cast<unsigned>(what), handle, bytes.data(), bytes.size());
   if (size == -1) return fail(ErrorCode::kIo, "core_felt.js is not loaded");
   if (size <= 0) return fail(ErrorCode::kLimitExceeded, "needs more memory than the browser gives");
   std::string answer(static_cast<std::size_t>(size), '\0');

@@ -1,5 +1,5 @@
-// The module with SQLite: Database and Statement of felt/store, behind the calls of calls.h. It has a memory of
-// its own, which is freed when the browser drops the module.
+// The module with SQLite: Database and Statement of felt/store, behind the calls of calls.h. It has
+// a memory of its own, which is freed when the browser drops the module.
 
 #include <map>
 #include <memory>

@@ -1,4 +1,5 @@
-// SQLite without an operating system: all databases of the page are in memory (felt/store/database.h).
+// SQLite without an operating system: all databases of the page are in memory
+// (felt/store/database.h).
 
 #include <sqlite3.h>
 
