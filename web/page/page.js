@@ -212,7 +212,7 @@ class Page {
 
   /** Continues with a stored drawing. */
   async restore(core, last) {
-    for (const load of [() => core.complete(), () => (core.isFelt(last.base) ? core.prepareFelt() : { ok: true })]) {
+    for (const load of [() => core.complete(), () => (last.base && core.isFelt(last.base) ? core.prepareFelt() : { ok: true })]) {
       const loaded = await load();
       if (!loaded.ok) return loaded;
     }

@@ -411,6 +411,7 @@ class Core {
 
   clear(page) {
     if (page) this.setPage(page);
+    this.pictures.forget();
     this.call('felt_clear');
   }
 
