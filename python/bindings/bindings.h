@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <typeinfo>
 
 #include "arrays.h"
 #include "felt/document/drawing.h"
@@ -20,6 +21,16 @@ void bind_drawing(py::module_& module);
 void bind_files(py::module_& module);
 void bind_recording(py::module_& module);
 void bind_trial(py::module_& module);
+
+/// Makes every use of an object of class T that was made without its constructor, as by
+/// T.__new__(T), raise TypeError. pybind11 2.10 would give it uninitialised memory: load_value() in
+/// pybind11/detail/type_caster_base.h calls this function where the object has no value.
+template <class T>
+void require_constructor() {
+  py::detail::get_type_info(typeid(T), true)->operator_new = [](std::size_t) -> void* {
+    throw py::type_error("the object was made without its constructor");
+  };
+}
 
 /// A stroke as Python holds it. It is never changed.
 using SharedStroke = std::shared_ptr<Stroke>;

@@ -18,7 +18,10 @@ py::object types() {
 }
 
 StrokePtr stroke_of(const py::handle& object) {
-  if (py::isinstance<Stroke>(object)) return object.cast<SharedStroke>();
+  if (py::isinstance<Stroke>(object)) {
+    static_cast<void>(object.cast<const Stroke&>());  // see require_constructor
+    return object.cast<SharedStroke>();
+  }
   throw py::type_error("expected a feltline.Stroke, not " +
                        py::str(py::type::of(object)).cast<std::string>());
 }
@@ -225,6 +228,7 @@ If the function returns None, the stroke is removed.)")
       .def("__repr__", &drawing_text)
       .def("__copy__", [](const py::object& self) { return self; })
       .def("__deepcopy__", [](const py::object& self, const py::object&) { return self; });
+  require_constructor<ReadDrawing>();
 }
 
 }  // namespace felt::python

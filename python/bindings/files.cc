@@ -270,6 +270,7 @@ void bind_files(py::module_& module) {
       .def(py::init([](std::string format, double dpi, bool compact, bool pictures) {
         return WriteArguments{std::move(format), dpi, compact, pictures};
       }));
+  require_constructor<WriteArguments>();
   module.def("to_bytes", &to_bytes);
   module.def("unpickle", [](const py::bytes& bytes, bool has_page) {
     return unpickle(static_cast<std::string>(bytes), has_page);

@@ -241,6 +241,7 @@ True
           "samples",
           [](LiveFit& fit) { return array_of(without_gil([&] { return fit.samples(); })); },
           "The samples that became ink: rows (x, y, pressure, t_ms, tilt_deg).");
+  require_constructor<LiveFit>();
 }
 
 }  // namespace

@@ -216,6 +216,7 @@ sent_x ... sent_z    force that the device received, N)")
           py::is_operator())
       .def("__len__", [](const HeldRecording& r) { return r.rows.size(); })
       .def("__repr__", &recording_text);
+  require_constructor<HeldRecording>();
   module.def("read_recordings", &read_recordings);
 }
 

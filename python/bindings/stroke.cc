@@ -412,6 +412,7 @@ parameter of the curve, 0 to 1, in it.
 >>> stroke.width(0.5)
 1.25
 )");
+  require_constructor<Stroke>();
   stroke.def(
       py::init([](const py::object& segments, const py::object& widths,
                   const std::optional<std::vector<std::string>>& joints, bool closed,

@@ -63,9 +63,9 @@ py::dict trial_metrics(const py::object& samples, const py::object& target, Tria
   const std::vector<TrialSample> drawn = trial_samples_of(samples, interval_ms);
   std::vector<Point> line;
   if (py::isinstance<Stroke>(target)) {
-    const auto stroke = target.cast<SharedStroke>();
-    if (stroke->closed()) geometry.ends = TrialPathEnds::kClosed;
-    line = line_of(*stroke);
+    const auto& stroke = target.cast<const Stroke&>();
+    if (stroke.closed()) geometry.ends = TrialPathEnds::kClosed;
+    line = line_of(stroke);
   } else {
     line = points_of(target, "target");
   }

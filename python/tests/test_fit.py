@@ -298,6 +298,32 @@ class Stroke(unittest.TestCase):
         self.assertEqual(stroke.position(float("nan")), (0, 0))
         self.assertEqual(stroke.position(99), (10, 0))
 
+    def test_an_object_without_its_constructor_raises_type_error(self):
+        needs = "without its constructor"
+        for kind in (feltline.Stroke, feltline.Drawing, feltline.Fitter, feltline.Recording):
+            one = kind.__new__(kind)
+            for name, value in vars(kind).items():
+                if isinstance(value, property):
+                    with self.subTest(kind=kind, name=name), self.assertRaisesRegex(TypeError, needs):
+                        getattr(one, name)
+                elif callable(value) and name not in ("__init__", "__new__", "__eq__", "__copy__"):
+                    # Some lack arguments, which is a TypeError, too; none may crash.
+                    with self.subTest(kind=kind, name=name), self.assertRaises(TypeError):
+                        getattr(one, name)()
+        stroke, fitter = (kind.__new__(kind) for kind in (feltline.Stroke, feltline.Fitter))
+        drawing = feltline.Drawing.__new__(feltline.Drawing)
+        for call in (lambda: repr(stroke), lambda: feltline.Drawing([stroke]),
+                     lambda: feltline.to_bytes(stroke, "svg"),
+                     lambda: feltline.to_bytes([stroke], "svg"), lambda: pickle.dumps(stroke),
+                     lambda: copy.deepcopy(drawing) == drawing, lambda: drawing == drawing,
+                     lambda: feltline.to_bytes(drawing, "svg"), lambda: pickle.dumps(drawing),
+                     lambda: feltline.fit(LINE) == stroke, lambda: stroke == feltline.fit(LINE),
+                     lambda: feltline.trial.metrics([[0, 0, 1, 0], [9, 0, 1, 9]], stroke),
+                     lambda: fitter.push(LINE),
+                     lambda: feltline.Drawing([feltline.fit(LINE)]).map(lambda _: stroke)):
+            with self.assertRaisesRegex(TypeError, needs):
+                call()
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -32,6 +32,10 @@ export interface CoreOptions {
   now?: number;
   /** Loads a script that is beside the page; for programs without a document. */
   loadScript?: (name: string) => Promise<void>;
+  /** Called when a picture of the drawing was decoded: `paint()` has work. */
+  onPicture?: () => void;
+  /** Returns the pixels of a PNG file, RGBA with straight alpha; for programs without a document. */
+  decodePicture?: (png: Uint8Array) => Promise<Uint8ClampedArray>;
 }
 
 export class CoreError extends Error {}
@@ -40,6 +44,8 @@ export class CoreError extends Error {}
 export interface Done {
   ok: boolean;
   error?: string;
+  /** The script that could not be loaded. */
+  missing?: string;
   /** Content of a file that was left out or changed, one sentence each. */
   notices?: string[];
 }
@@ -185,14 +191,26 @@ export interface Core {
    */
   complete(isFree?: () => Promise<void>): Promise<Done>;
   /**
-   * Replaces the drawing by that of a file: .svg, .ndjson, .inkml, .xopp (`catalog().formats`); the content decides, and
+   * Replaces the drawing by that of a file: .felt, .svg, .ndjson, .inkml, .xopp (`catalog().formats`); the content decides, and
    * `name` if it does not. Compressed files (.svgz, .xopp) must be unpacked before. Undo history and selection become empty. Fails without a change.
+   * If isFelt(bytes), prepareFelt() must be called before.
    */
   open(bytes: Uint8Array | string, name: string): Done;
   /** Adds the strokes of a file to the drawing, selected, as one undo step (drag and drop, paste). */
   add(bytes: Uint8Array | string, name: string): Done;
-  /** The drawing as a file; `format` is an id of `catalog().formats` with `saves`. Null if it cannot. */
+  /**
+   * The drawing as a file; `format` is an id of `catalog().formats` with `saves`. Null if it cannot be saved; then `saveError`
+   * says why. Before `felt`, prepareFelt() must be called.
+   */
   save(format: string): Uint8Array | null;
+  readonly saveError: string;
+  /** True for the bytes of an SQLite database, such as a .felt file. */
+  isFelt(bytes: Uint8Array | string): boolean;
+  /** Loads the script with SQLite (`core_felt.js` beside the page, once), so that prepareFelt() needs no network. */
+  loadFelt(): Promise<Done>;
+  /** Starts the module with SQLite. Without it, .felt files are neither read nor written. With it, the base of the autosave is
+   * a .felt file, which loses nothing. */
+  prepareFelt(): Promise<Done>;
   /** An empty drawing. */
   clear(page?: { width: number; height: number }): void;
 

@@ -4,6 +4,8 @@ import { t } from './words.js';
 
 const kExportDpi = 192, kMaxPixels = 40e6;
 const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
+export const kPictures = ['image/png', 'image/jpeg', 'image/webp'];
+const kMaxPictureSide = 8192, kPictureShare = 0.8;  // docs/formats/events.md; of the page
 
 export function download(data, name, type) {
   const url = URL.createObjectURL(data instanceof Blob ? data : new Blob([data], { type }));
@@ -16,10 +18,16 @@ export function download(data, name, type) {
 
 const kTypes = { svg: 'image/svg+xml', ndjson: 'application/x-ndjson', felt: 'application/x-felt' };
 
-/** Returns the content of gzip data, or the bytes themselves. */
-async function unpacked(bytes) {
-  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')).getReader(), parts = [];
+function base64_of(buffer) {
+  let text = '';
+  const bytes = new Uint8Array(buffer);
+  for (let at = 0; at < bytes.length; at += 32768) text += String.fromCharCode(...bytes.subarray(at, at + 32768));
+  return btoa(text);
+}
+
+/** Returns what packed data contain; `format` is one of DecompressionStream. */
+async function inflated(bytes, format) {
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).getReader(), parts = [];
   for (let size = 0; ;) {
     const { done, value } = await reader.read().catch(() => { throw new Error(t('it is damaged')); });
     if (done) break;
@@ -30,6 +38,39 @@ async function unpacked(bytes) {
     throw new Error(t('it is too large'));
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
+
+/** Returns the content of a file in a zip archive, or null. Format: section 4.3 of
+ * https://pkware.cachefly.net/webdocs/casestudies/APPNOTE.TXT. */
+async function file_in_zip(bytes, name) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const short = (at) => view.getUint16(at, true), long = (at) => view.getUint32(at, true);
+  try {
+    let end = bytes.length - 22;
+    for (const first = Math.max(0, end - 65535); long(end) !== 0x06054b50; --end) {
+      if (end === first) throw new RangeError('no end of a directory');
+    }
+    for (let at = long(end + 16), left = short(end + 10); left > 0; --left) {
+      const name_size = short(at + 28), local = long(at + 42);
+      if (new TextDecoder().decode(bytes.subarray(at + 46, at + 46 + name_size)) === name) {
+        const begin = local + 30 + short(local + 26) + short(local + 28), packed = bytes.subarray(begin, begin + long(at + 20));
+        return short(at + 10) === 0 ? packed : await inflated(packed, 'deflate-raw');
+      }
+      at += 46 + name_size + short(at + 30) + short(at + 32);
+    }
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    throw new Error(t('it is damaged'));
+  }
+  return null;
+}
+
+/** Returns the content of gzip data or of a .xopp file that is a zip archive, or the bytes themselves. */
+async function unpacked(bytes) {
+  if (bytes[0] === 0x1f && bytes[1] === 0x8b) return inflated(bytes, 'gzip');
+  if (bytes[0] !== 0x50 || bytes[1] !== 0x4b || bytes[2] !== 3) return bytes;
+  const kind = await file_in_zip(bytes, 'mimetype');
+  return (kind && new TextDecoder().decode(kind).includes('application/xournal++') && await file_in_zip(bytes, 'content.xml')) || bytes;
 }
 
 export class Files {
@@ -71,15 +112,42 @@ export class Files {
     });
   }
 
-  /** Opens a file, or adds it. */
+  /** Adds a layer with a picture, in the middle of the page. */
+  async add_picture(file) {
+    const bitmap = await createImageBitmap(file).catch(() => { throw new Error(t('it is damaged')); });
+    const { width, height } = bitmap;
+    if (Math.max(width, height) > kMaxPictureSide || width * height > kMaxPixels) throw new Error(t('it is too large'));
+    let png = file;
+    if (file.type !== 'image/png') {
+      const canvas = make('canvas', { width, height });
+      canvas.getContext('2d').drawImage(bitmap, 0, 0);
+      png = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+    }
+    // The autosave keeps pictures in .felt files.
+    const loaded = await this.ready(true);
+    if (!loaded.ok) return loaded;
+    const { page } = this.page.core.state();
+    const scale = Math.min(25.4 / 96, (kPictureShare * page.width) / width, (kPictureShare * page.height) / height);
+    const event = { event: 'picture', name: file.name.replace(/\.[^.]*$/, ''), png: base64_of(await png.arrayBuffer()),
+      matrix: [scale, 0, 0, scale, (page.width - scale * width) / 2, (page.height - scale * height) / 2] };
+    this.page.settle();
+    return this.page.core.event(event);
+  }
+
+  /** Opens a file, or adds it. Pictures are always added. */
   async load(file, adds) {
     const refuse = (error) => this.page.say(t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, '')));
     try {
       if (file.size > kMaxBytes) return refuse(t('it is too large'));
+      if (kPictures.includes(file.type)) {
+        const done = await this.add_picture(file);
+        this.page.wake();
+        return done.ok ? undefined : refuse(this.page.reason(done));
+      }
       const bytes = await unpacked(new Uint8Array(await file.arrayBuffer()));
       if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
       const done = await this.read(bytes, file.name, adds);
-      if (!done.ok) return refuse(done.error);
+      if (!done.ok) return refuse(this.page.reason(done));
       if (!adds) {
         this.name = file.name.replace(/\.[^.]*$/, '');
         this.page.begun();
@@ -93,61 +161,69 @@ export class Files {
 
   async read(bytes, name, adds) {
     this.page.core.finish();
-    const loaded = await this.page.complete();
+    const loaded = await this.ready(this.page.core.isFelt(bytes));
     if (!loaded.ok) return loaded;
     const { core } = this.page;  // another one, if the former one has ended meanwhile
     return adds ? core.add(bytes, name) : core.open(bytes, name);
+  }
+
+  /** Loads what the core needs for files; `is_felt`: for .felt files. */
+  async ready(is_felt = false) {
+    const done = await this.page.complete();
+    return done.ok && is_felt ? this.page.core.prepareFelt() : done;
   }
 
   file_name(ending) {
     return `${this.name || t('Drawing')}.${ending}`;
   }
 
-  /** Runs one of the functions below. If it fails, the page says so. */
+  /** Runs one of the functions below, which returns { ok, error }. If it fails, the page says why. */
   async try_to(act) {
-    try {
-      if (await act()) return;
-    } catch (error) {
-      console.info('Feltline: not saved:', error);
-    }
-    this.page.say(t('The drawing could not be saved in this format.'));
+    const done = await act().catch((error) => ({ ok: false, error: error.message }));
+    if (done.ok) return;
+    console.info('Feltline: not saved:', done.error);
+    this.page.say(t('The drawing could not be saved: %1', this.page.reason(done)));
     this.page.wake();
   }
 
   save(format) {
     return this.try_to(async () => {
-      if (!(await this.page.complete()).ok) return false;
+      const loaded = await this.ready(format === 'felt');
+      if (!loaded.ok) return loaded;
       const { core } = this.page;
       core.finish();
       const data = core.save(format);
-      if (!data) return false;
+      if (!data) return { ok: false, error: core.saveError };
       download(data.slice(), this.file_name(format), kTypes[format]);
       this.page.saved();
       this.page.say(t('Saved as %1', this.file_name(format)));
-      return true;
+      return loaded;
     });
   }
 
   /** Saves a stored drawing that could not be restored: its base as a drawing, and the events since then. */
   save_stored({ base, recorded }) {
-    if (base?.byteLength > 0) download(base, `${t('Drawing')}.svg`, kTypes.svg);
+    const format = base && this.page.core.isFelt(base) ? 'felt' : 'svg';
+    if (base?.byteLength > 0) download(base, `${t('Drawing')}.${format}`, kTypes[format]);
     if (recorded) download(recorded, `${t('Drawing')}-events.ndjson`, kTypes.ndjson);
   }
 
   export_png() {
     return this.try_to(async () => {
-      if (!(await this.page.complete()).ok) return false;
+      const loaded = await this.ready();
+      if (!loaded.ok) return loaded;
       const { core } = this.page, { page } = core.state();
       core.finish();
       // Large pages get fewer pixels per inch, because a browser limits the size of a picture.
       const area = (page.width * page.height) / 25.4 ** 2;
       const picture = core.picture(Math.min(kExportDpi, Math.sqrt(kMaxPixels / area)));
-      if (!picture) return false;
+      if (!picture) return { ok: false, error: t('it is too large') };
       const canvas = make('canvas', { width: picture.width, height: picture.height });
       canvas.getContext('2d').putImageData(new ImageData(picture.data.slice(), picture.width, picture.height), 0, 0);
       const blob = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-      if (blob) download(blob, this.file_name('png'));
-      return Boolean(blob);
+      if (!blob) return { ok: false, error: t('it is too large') };
+      download(blob, this.file_name('png'));
+      return loaded;
     });
   }
 }

@@ -7,7 +7,7 @@ import { Bars, OfferBar, Menu } from './bars.js';
 import { OptionsPanel, LayersPanel } from './panels.js';
 import { ForcePanel, Sound, play_cue } from './forces.js';
 import { MarksView } from './marks.js';
-import { Files } from './files.js';
+import { Files, kPictures } from './files.js';
 import { Storage } from './storage.js';
 
 const kLifeSize = 96 / 25.4;      // CSS pixels per mm
@@ -127,9 +127,11 @@ class Page {
     this.incomplete = !done.ok;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
-    if (!done.ok && this.waiting.length > 0) this.say(done.error);
+    if (!done.ok && this.waiting.length > 0) this.say(this.reason(done));
     this.do_waiting(core);
     if (done.ok) setTimeout(() => this.warm_up(), kWarmUpMs);
+    // What .felt files need is loaded now as well, but used only when one is opened or saved.
+    if (done.ok && !navigator.connection?.saveData) core.loadFelt();
     this.wake();
     return done;
   }
@@ -176,6 +178,7 @@ class Page {
   async make_core(last = null) {
     const { innerWidth: width, innerHeight: height } = globalThis;
     const make_one = () => globalThis.feltlineCore.createCore({ width, height, dpr: devicePixelRatio, page: this.window_page(),
+      onPicture: () => this.wake(),
       // The first samples may be older than the core.
       now: globalThis.feltlineEarly?.events[0]?.event.timeStamp ?? performance.now() });
     let core = await make_one(), done = { ok: true };
@@ -191,7 +194,8 @@ class Page {
     this.record_bytes = last?.recorded.length ?? 0;
     this.core = core;
     this.catalog = core.catalog();
-    by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`).join();
+    by_id('files').accept = this.catalog.formats.filter(({ opens }) => opens).map(({ extension }) => `.${extension.replace('.', '')}`)
+      .concat(kPictures).join();
     if (this.strength !== undefined) core.setStrength(this.strength);
     this.resize();
     if (last) this.fit();
@@ -208,8 +212,10 @@ class Page {
 
   /** Continues with a stored drawing. */
   async restore(core, last) {
-    const loaded = await core.complete();
-    if (!loaded.ok) return loaded;
+    for (const load of [() => core.complete(), () => (last.base && core.isFelt(last.base) ? core.prepareFelt() : { ok: true })]) {
+      const loaded = await load();
+      if (!loaded.ok) return loaded;
+    }
     const done = core.restore(last.base, last.recorded);
     if (done.ok && !last.base) core.setPage(last.page);
     return done;
@@ -803,6 +809,11 @@ class Page {
     if (!stays) this.notice = setTimeout(() => by_id('notice').replaceChildren(), kNoticeMs);
   }
 
+  /** Returns why something was not done. */
+  reason({ error, missing }) {
+    return missing ? t('%1 could not be loaded', missing) : error;
+  }
+
   /** Tells a screen reader. */
   tell(text) {
     by_id('notice').replaceChildren(make('p', { className: 'unseen' }, text));
@@ -826,7 +837,7 @@ class Page {
   async new_drawing() {
     if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
     const done = await this.complete();
-    if (!done.ok) return this.say(done.error);
+    if (!done.ok) return this.say(this.reason(done));
     this.core.clear(this.window_page());
     this.files.name = '';
     this.begun();

@@ -77,14 +77,15 @@ Result<std::string> carried_bytes(const FeltExtras& extras) {
 
 const FeltExtras& felt_extras(const Drawing& drawing) {
   static const FeltExtras kNone;
-  const auto* extras = dynamic_cast<const FeltExtras*>(drawing.extras.get());
+  // FeltExtras are the only extras. The page for browsers is compiled without RTTI.
+  const auto* extras = static_cast<const FeltExtras*>(drawing.extras.get());
   return extras ? *extras : kNone;
 }
 
 bool FeltExtras::equals(const DrawingExtras& other) const {
-  const auto* b = dynamic_cast<const FeltExtras*>(&other);
+  const auto* b = static_cast<const FeltExtras*>(&other);
   const auto same = [](const auto& x, const auto& y) { return x == y || *x == *y; };
-  if (!b || !std::equal(added.begin(), added.end(), b->added.begin(), b->added.end(), same)) {
+  if (!std::equal(added.begin(), added.end(), b->added.begin(), b->added.end(), same)) {
     return false;
   }
   if (file == b->file) return true;

@@ -29,6 +29,11 @@ FELT_EXPORT(felt_set_grain) void felt_set_grain(int on) {
   core().wants_grain = on != 0;
   core().update_grain();
 }
+/// Paints everything again, because the pixels of pictures are there now.
+FELT_EXPORT(felt_repaint) void felt_repaint() {
+  core().picture.open(core().studio.session().document());
+  core().shows = true;
+}
 FELT_EXPORT(felt_warm_up) void felt_warm_up() {
   core().warm_up();
 }
@@ -109,7 +114,12 @@ FELT_EXPORT(felt_open) std::size_t felt_open(std::size_t size, std::size_t name_
 }
 FELT_EXPORT(felt_save) std::size_t felt_save(std::size_t size) {
   Result<std::string> bytes = core().save(input(size));
+  core().save_error = bytes ? std::string() : bytes.error().message;
   return reply(bytes ? *std::move(bytes) : std::string());
+}
+/// Returns why the last felt_save() returned nothing.
+FELT_EXPORT(felt_save_error) std::size_t felt_save_error() {
+  return reply(core().save_error);
 }
 FELT_EXPORT(felt_clear) void felt_clear() {
   core().clear();

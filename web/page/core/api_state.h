@@ -70,6 +70,7 @@ struct Core {
   bool shows = true;  // show() has work
   std::optional<Image> exported;
   std::string recorded, base;
+  std::string save_error;
   std::vector<double> forces;
 
  private:

@@ -1,6 +1,8 @@
 // The JavaScript of the core: makes the module, and turns texts and arrays into calls. core.d.ts describes it.
 import { instantiate } from './instantiate.mjs';
-import { first_module, full_module } from './module.js';
+import { DatabaseModule } from './database/database.js';
+import { Pictures } from './pictures/pictures.js';
+import { first_module, full_module, load_felt } from './module.js';
 import { catalog, cat } from 'generated/extras_text.js';
 
 const kSampleNumbers = 8;
@@ -14,9 +16,11 @@ export class CoreError extends Error {
   }
 }
 
+const kFeltHead = 'SQLite format 3\0';
 const kCommands = ['undo', 'redo', 'cancel'];  // api.cc
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 const bytes_of = (data) => (typeof data === 'string' ? encoder.encode(data) : data);
+const not_loaded = (name, error) => ({ ok: false, missing: name, error: `${name} could not be loaded (${error.message})` });
 const number_of = (color) => parseInt(color.replace('#', ''), 16) || 0;
 
 class Core {
@@ -28,6 +32,11 @@ class Core {
     this.seen_ticks = 0;
     this.rect = [0, 0, 0, 0];
     this.load_script = options.loadScript;
+    this.database = new DatabaseModule(options.loadScript);
+    this.pictures = new Pictures(() => {
+      this.has_new_pictures = true;
+      options.onPicture?.();
+    }, options.decodePicture);
     this.isComplete = false;
     this.kept = { base: new Uint8Array(0), records: '' };  // what the full module, or another core, continues with
     this.unread = { rebased: false, records: '' };         // of kept, what the caller has not read
@@ -233,6 +242,8 @@ class Core {
 
   paint(context = null, budget = 8) {
     this.use_view();
+    if (this.has_new_pictures) this.call('felt_repaint');
+    this.has_new_pictures = false;
     const more = this.call('felt_paint', budget) === 1;
     const [x0, y0, x1, y1] = [0, 1, 2, 3].map((side) => this.call('felt_painted', side));
     this.rect = [x0, y0, Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
@@ -365,17 +376,42 @@ class Core {
   }
 
   load(data, name, how) {
+    if (how === 0) this.pictures.forget();
     const title = encoder.encode(name);
     return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how);
   }
 
   save(format) {
     const size = this.call('felt_save', this.write(encoder.encode(format)));
+    this.saveError = size > 0 ? '' : this.text('felt_save_error');
     return size > 0 ? this.reply(size).slice() : null;
+  }
+
+  isFelt(bytes) {
+    return decoder.decode(bytes_of(bytes).subarray(0, kFeltHead.length)) === kFeltHead;
+  }
+
+  async loadFelt() {
+    try {
+      await load_felt(this.load_script);
+      return { ok: true };
+    } catch (error) {
+      return not_loaded('core_felt.js', error);
+    }
+  }
+
+  async prepareFelt() {
+    try {
+      await this.database.start();
+      return { ok: true };
+    } catch (error) {
+      return not_loaded('core_felt.js', error);
+    }
   }
 
   clear(page) {
     if (page) this.setPage(page);
+    this.pictures.forget();
     this.call('felt_clear');
   }
 
@@ -436,15 +472,15 @@ class Core {
     if (this.isComplete) return { ok: true };
     let full;
     try {
-      full = await instantiate(await full_module(this.load_script));
+      full = await instantiate(await full_module(this.load_script), this);
     } catch (error) {
-      return { ok: false, error: `core_full.js could not be loaded (${error.message})` };
+      return not_loaded('core_full.js', error);
     }
     await isFree();
     if (this.isComplete) return { ok: true };  // called twice at the same time
     this.finish();
     this.collect();
-    const { base, records } = this.kept, unread = this.unread, first = this.exports;
+    const { base, records } = this.kept, unread = this.unread, first = this.exports, { page } = this.state();
     this.exports = full;
     this.isComplete = true;
     this.call('felt_resize', this.width, this.height, this.dpr);
@@ -455,6 +491,9 @@ class Core {
       Object.assign(this, { exports: first, isComplete: false, unread });
       return done;
     }
+    // The first module cannot begin the records again when the page gets another size during a line.
+    const now = this.state().page;
+    if (page.width !== now.width || page.height !== now.height) this.setPage(page);
     for (const [name, values] of Object.entries(this.settings)) this.call(name, ...values);
     Object.assign(this, { unread, bits: 15, seen_ticks: this.call('felt_ticks') });
     return done;

@@ -42,10 +42,11 @@ Drawing empty_drawing(std::string_view text) {
   return drawing;
 }
 
-bool is_empty(const Document& document) {
-  const std::span<const Layer> layers = document.layers();
+bool is_empty(const Drawing& drawing) {
+  const std::span<const Layer> layers = drawing.document.layers();
   return layers.size() == 1 && layers[0].strokes.empty() && layers[0].fills.empty() &&
-         document.guides().empty();
+         drawing.document.guides().empty() && drawing.materials.empty() &&
+         drawing.palette == Palette{} && !drawing.extras;
 }
 
 Page page_of(const Studio& studio) {
@@ -75,6 +76,10 @@ Drawing drawing_of(const Studio& studio) {
   drawing.page = page_of(studio);
   drawing.color = session.ink_color();
   drawing.layer = session.layer();
+  const Studio::Carried& carried = studio.carried();
+  drawing.palette = carried.palette;
+  drawing.view = carried.view;
+  drawing.extras = carried.extras;
   drawing.materials = texts_of_used(drawing.document, drawing.page.surface, session.materials(),
                                     std::vector<std::string>{drawing_medium(session)});
   return drawing;
@@ -83,6 +88,7 @@ Drawing drawing_of(const Studio& studio) {
 Result<std::string> write_drawing(const Drawing& drawing, std::string_view format) {
   if (format == "svg") return svg_text(drawing, {.paper = drawing.page.paper});
   if (format == "inkml") return inkml_of(drawing);
+  if (format == "felt") return felt_of(drawing);
   if (format != "ndjson") return fail(ErrorCode::kUnsupported, "the page cannot write this format");
   const std::unique_ptr<DrawingParts> parts = line_parts(drawing);
   return bytes_of(*parts);
@@ -91,13 +97,16 @@ Result<std::string> write_drawing(const Drawing& drawing, std::string_view forma
 std::string base_of(const Studio& studio) {
   if (!is_full_module()) return empty_text(page_of(studio));
   const Drawing drawing = drawing_of(studio);
-  if (is_empty(drawing.document) && drawing.materials.empty()) return empty_text(drawing.page);
-  return write_drawing(drawing, "svg").value_or(std::string());
+  if (is_empty(drawing)) return empty_text(drawing.page);
+  Result<std::string> felt = felt_of(drawing);
+  if (felt) return *std::move(felt);
+  const SvgOptions options{.paper = drawing.page.paper, .pictures = PictureChoice::kAll};
+  return svg_text(drawing, options).value_or(std::string());
 }
 
 Result<Drawing> drawing_of_base(std::string_view base) {
   if (base.starts_with(kEmptyMark)) return empty_drawing(base);
-  Result<Imported> read = read_drawing(base, "base.svg");
+  Result<Imported> read = read_drawing(base, "base");
   if (!read) return tl::unexpected(read.error());
   return std::move(read->drawing);
 }

@@ -22,8 +22,8 @@ Drawing drawing_of(const Studio& studio);
 /// Returns a drawing as a file of this format. Fails if the page cannot write it.
 Result<std::string> write_drawing(const Drawing& drawing, std::string_view format);
 
-/// Returns the base of the autosave: the drawing as an .svg file, or a short text if it is empty.
-/// The first module requires that it is empty.
+/// Returns the base of the autosave: the drawing as a .felt file or, if SQLite is not there, as an
+/// .svg file, or a short text if it is empty. The first module requires that it is empty.
 std::string base_of(const Studio& studio);
 Result<Drawing> drawing_of_base(std::string_view base);
 
@@ -35,6 +35,8 @@ bool is_full_module() noexcept;
 
 Result<Imported> import_as(FileFormat format, std::string_view bytes);
 Result<std::string> inkml_of(const Drawing& drawing);
+/// Fails if SQLite is not there (database/database.cc).
+Result<std::string> felt_of(const Drawing& drawing);
 
 /// Plays a script as `feltline replay` does with the defaults and this simulated device, or draws a
 /// recording unchanged. Returns the document.

@@ -11,6 +11,7 @@
 #include "felt/io/xopp/xopp_import.h"
 #include "felt/replay/replay_machine.h"
 #include "felt/replay/script_feed.h"
+#include "felt/store/felt_file.h"
 #include "web/page/core/files.h"
 
 namespace felt::page {
@@ -39,6 +40,16 @@ Result<void> play(ReplayMachine& machine, std::string_view script) {
   return play_added();
 }
 
+Result<Imported> import_felt(std::string_view bytes) {
+  Imported result;
+  std::vector<std::string> notices;
+  Result<Drawing> drawing = parse_felt(bytes, &notices);
+  if (!drawing) return tl::unexpected(drawing.error());
+  for (std::string& notice : notices) result.report.add(0, {}, std::move(notice));
+  result.drawing = *std::move(drawing);
+  return result;
+}
+
 }  // namespace
 
 bool is_full_module() noexcept {
@@ -47,6 +58,8 @@ bool is_full_module() noexcept {
 
 Result<Imported> import_as(FileFormat format, std::string_view bytes) {
   switch (format) {
+    case FileFormat::kFelt:
+      return import_felt(bytes);
     case FileFormat::kSvg:
       return import_svg(bytes);
     case FileFormat::kInkml:
@@ -64,6 +77,10 @@ Result<Imported> import_as(FileFormat format, std::string_view bytes) {
 
 Result<std::string> inkml_of(const Drawing& drawing) {
   return inkml_text(drawing);
+}
+
+Result<std::string> felt_of(const Drawing& drawing) {
+  return felt_bytes(drawing);
 }
 
 Result<Document> replay(std::string_view script, const ReplayChoice& choice) {

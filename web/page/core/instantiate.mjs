@@ -17,9 +17,10 @@ const stop_with = (message) => () => {
 
 /**
  * Makes an instance of a compiled module, and returns its exports. The first module lacks functions that it never calls
- * (build.sh): they are imports with names of C++.
+ * (build.sh): they are imports with names of C++. `database`, `pictures`: where the full module finds SQLite and the pixels of
+ * pictures.
  */
-export async function instantiate(module) {
+export async function instantiate(module, { database, pictures } = {}) {
   let memory;
   const stop = stop_with('the module ended');
   const lacking = WebAssembly.Module.imports(module).filter(({ name }) => name.startsWith('_Z'))
@@ -30,6 +31,10 @@ export async function instantiate(module) {
       ...Object.fromEntries(lacking),
       shortest_digits: (number, to, exponent_at) => shortest_digits(memory, number, to, exponent_at),
       now_ms: () => performance.now(),
+      database_call: (what, handle, at, size) => database?.call(what, handle, new Uint8Array(memory.buffer, at, size)) ?? -1,
+      picture_pixels: (high, low, at, size, to, to_size) => pictures?.copy(`${high}-${low}`,
+        new Uint8Array(memory.buffer, at, size), new Uint8Array(memory.buffer, to, to_size)),
+      database_answer: (to) => database?.copy_answer(memory, to),
       emscripten_notify_memory_growth: nothing,
     },
     wasi_snapshot_preview1: {

@@ -1,12 +1,11 @@
 // Replaces the parts of the library that the page does without: packed files, which JavaScript
-// unpacks, and pictures in drawings.
+// unpacks, and pictures in other files.
 
 #include "felt/base/check.h"
 #include "felt/io/picture/grain_mask.h"
 #include "felt/io/quickdraw/quickdraw_line.h"
 #include "felt/io/svg/svg_pictures.h"
 #include "felt/io/unpack.h"
-#include "felt/render/picture_pixels.h"
 
 namespace felt {
 namespace {
@@ -49,12 +48,9 @@ Result<std::string> GrainMask::png(double) const {
   return left_out("cannot be written on the page");
 }
 
-Result<std::shared_ptr<const PictureData>> SvgPictures::load(std::string_view) {
-  return left_out("was left out, because the page has no pictures");
+Result<std::shared_ptr<const PictureData>> SvgPictures::load_file(const std::string& name) {
+  return left_out(
+      ("was skipped: it is in another file, '" + name + "', which is not opened").c_str());
 }
-Result<std::shared_ptr<const PicturePixels>> PicturePixels::decode(const PictureData&) {
-  return left_out("was left out, because the page has no pictures");
-}
-void PicturePixels::draw(const Affine&, const View&, PixelRect, double, Pixels) const {}
 
 }  // namespace felt

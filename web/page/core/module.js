@@ -1,5 +1,6 @@
 // The wasm modules inside scripts, so that the page also works from file://, where a browser loads nothing else. The
-// first one is in the bundle; the full one in a script of its own. Both are packed, and a module of some kB unpacks them.
+// first one is in the bundle; the full one and the one with SQLite are in scripts of their own. All are packed, and a
+// module of some kB unpacks them.
 import { size, text } from 'generated/module_text.js';
 import { text as unpacker } from 'generated/unpack_text.js';
 
@@ -43,4 +44,18 @@ const load_beside = (name) => new Promise((resolve, reject) => {
 export async function full_module(load_script = load_beside) {
   if (!globalThis.feltlineFull) await load_script('core_full.js');
   return WebAssembly.compile(await unpacked(globalThis.feltlineFull, false));
+}
+
+/** Loads the module with SQLite, but does not unpack it. */
+export async function load_felt(load_script = load_beside) {
+  if (!globalThis.feltlineFelt) await load_script('core_felt.js');
+}
+
+let compiled_felt = null;
+
+/** Returns the module with SQLite. */
+export async function felt_module(load_script = load_beside) {
+  await load_felt(load_script);
+  compiled_felt ??= await WebAssembly.compile(await unpacked(globalThis.feltlineFelt, false));
+  return compiled_felt;
 }

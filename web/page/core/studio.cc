@@ -62,6 +62,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
 Result<void> Studio::restore(const Drawing& drawing, std::span<const Event> events) {
   stop_play();
   page_ = drawing.page;
+  carried_ = {drawing.palette, drawing.view, drawing.extras};
   const std::int64_t before_ns = now_ns_;
   last_event_ns_ = 0;
   make_session(drawing.document, {}, Options::kDefaults);
@@ -123,6 +124,7 @@ void Studio::open(const Drawing& drawing) {
   stop_play();
   make_session(drawing.document, drawing.materials, Options::kOfLastSession);
   set_page(drawing.page);
+  carried_ = {drawing.palette, drawing.view, drawing.extras};
   if (!drawing.page.surface.empty()) {
     static_cast<void>(apply(SetOption{kSurfaceOption, drawing.page.surface}));
   }

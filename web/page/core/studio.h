@@ -50,6 +50,13 @@ class Studio {
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
   [[nodiscard]] const Page& page() const noexcept { return page_; }
   void set_page(const Page& page);
+  /// What the session does not use of the drawing that it began with, and a file keeps.
+  struct Carried {
+    Palette palette;
+    std::optional<Viewport> view;
+    std::shared_ptr<const DrawingExtras> extras;
+  };
+  [[nodiscard]] const Carried& carried() const noexcept { return carried_; }
   /// Begins a session with this drawing. Options and tool stay, except that of the drawing's
   /// surface and colour.
   void open(const Drawing& drawing);
@@ -131,6 +138,7 @@ class Studio {
 
   std::unique_ptr<Session> session_;
   Page page_;
+  Carried carried_;
   std::string device_id_;
   std::unique_ptr<SimulatedStylus> stylus_;
   std::unique_ptr<PointerHand> hand_;

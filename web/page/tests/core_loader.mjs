@@ -7,7 +7,7 @@ export function load_core(dist) {
   const load = (name, global) => runInThisContext(`${readFileSync(`${dist}/${name}`, 'utf8')}\nglobalThis.${global} = ${global};`,
     { filename: name });
   load('core.js', 'feltlineCore');
-  const loadScript = async (name) => load(name, 'feltlineFull');
+  const loadScript = async (name) => load(name, name === 'core_full.js' ? 'feltlineFull' : 'feltlineFelt');
   return async ({ isFirst = false, ...options } = {}) => {
     const core = await globalThis.feltlineCore.createCore({ loadScript, ...options });
     if (!isFirst) {

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, existsSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { gzipSync } from 'node:zlib';
+import { deflateRawSync, gzipSync } from 'node:zlib';
 import { Browser } from './browser.mjs';
 import { Firefox, has_firefox } from './firefox.mjs';
 
@@ -53,6 +53,33 @@ async function with_tab(options, use, url = file_url) {
   }
 }
 
+/** Returns a zip archive; `names` and what the files contain. */
+function zipped(files, is_stored = false) {
+  const parts = [], directory = [];
+  let at = 0;
+  for (const [name, text] of Object.entries(files)) {
+    const raw = Buffer.from(text), data = is_stored ? raw : deflateRawSync(raw), head = Buffer.alloc(30), entry = Buffer.alloc(46);
+    head.writeUInt32LE(0x04034b50, 0);
+    entry.writeUInt32LE(0x02014b50, 0);
+    for (const [to, shift] of [[head, 0], [entry, 2]]) {
+      to.writeUInt16LE(is_stored ? 0 : 8, 8 + shift);
+      to.writeUInt32LE(data.length, 18 + shift);
+      to.writeUInt32LE(raw.length, 22 + shift);
+      to.writeUInt16LE(name.length, 26 + shift);
+    }
+    entry.writeUInt32LE(at, 42);
+    parts.push(head, Buffer.from(name), data);
+    directory.push(entry, Buffer.from(name));
+    at += 30 + name.length + data.length;
+  }
+  const end = Buffer.alloc(22), all = Buffer.concat(directory), count = Object.keys(files).length;
+  end.writeUInt32LE(0x06054b50, 0);
+  end.writeUInt16LE(count, 10);
+  end.writeUInt32LE(all.length, 12);
+  end.writeUInt32LE(at, 16);
+  return Buffer.concat([...parts, all, end]);
+}
+
 /** Waits until the autosave has what was drawn. */
 const stored = (tab) => tab.run(() => new Promise((done) => { setTimeout(done, 1100); }));
 /** A tab in the background has no frames. */
@@ -62,7 +89,8 @@ async function in_front(tab, act) {
 }
 const draw = (tab, points) => in_front(tab, () => tab.stroke(points));
 const strokes = (tab) => tab.run(() => feltlinePage.core.state().strokes);
-const saved = (tab, format = 'ndjson') => tab.run((format) => {
+const saved = (tab, format = 'ndjson') => tab.run(async (format) => {
+  if (format === 'felt') await feltlinePage.core.prepareFelt();
   const bytes = feltlinePage.core.save(format);
   return bytes && btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }, format);
@@ -228,6 +256,41 @@ const topics = {
     }, undefined, (path) => (path.includes('core_full') ? held : undefined));
   },
 
+  /** The window gets another size during the very first line, before and after the full module is there. */
+  async resize() {
+    const resized = async (tab, finish) => {
+      await tab.mouse('mouseMoved', 300, 300, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', 300, 300);
+      await tab.mouse('mouseMoved', 340, 320);
+      await tab.until(() => feltlinePage.core.state().gesture);
+      await tab.send('Emulation.setDeviceMetricsOverride', { width: 900, height: 700, deviceScaleFactor: 1, mobile: false });
+      await tab.until(() => innerWidth === 900 && document.getElementById('sheet').width === 900);
+      await tab.mouse('mouseMoved', 400, 330);
+      await tab.mouse('mouseReleased', 400, 330);
+      await tab.until(() => !feltlinePage.core.state().gesture && feltlinePage.core.state().strokes === 1);
+      await finish();
+      const pages = () => tab.run(() => [feltlinePage.core.state().page, feltlinePage.window_page()]);
+      let [page, window] = await pages();
+      assert.deepEqual(page, window, 'the page does not fill the window');
+      await stored(tab);
+      const before = await saved(tab, 'svg');
+      await tab.reload();
+      [page, window] = await pages();
+      assert.deepEqual(page, window, 'the page has another size after a reload');
+      assert.ok(await saved(tab, 'svg') === before, 'the drawing differs after a reload');
+    };
+    let release = null;
+    const held = new Promise((done) => { release = done; });
+    await served(async (url) => {
+      await with_tab({ wait: 'first' }, (tab) => resized(tab, async () => {
+        assert.equal(await tab.run(() => feltlinePage.core.isComplete), false);
+        release();
+        await tab.until(() => feltlinePage.core.isComplete);
+      }), url);
+      await with_tab({}, (tab) => resized(tab, async () => {}), url);
+    }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
   /** The full module does not come: what was drawn while something waited for it stays, by the first one. */
   async incomplete() {
     let release = null;
@@ -242,6 +305,12 @@ const topics = {
         await tab.until(() => feltlinePage.incomplete && feltlinePage.core.state().strokes === 1);
         await tab.stroke(wave(300, 500));
         await tab.until(() => feltlinePage.core.state().strokes === 2);
+        // What is not saved says why.
+        for (const act of ['save', 'export_png']) {
+          await tab.run(async (act) => { await feltlinePage.files[act]('svg'); }, act);
+          assert.equal(await tab.run(() => document.getElementById('notice').textContent),
+            'The drawing could not be saved: core_full.js could not be loaded');
+        }
         // What waits when the page is left is stored, too.
         await tab.run(() => { feltlinePage.complete = () => {}; feltlinePage.use_tool('pull'); });
         await tab.stroke(wave(300, 600));
@@ -548,6 +617,22 @@ const topics = {
         assert.match(await load('$& %2.svgz', bytes.toString('base64')), /^“\$& %2\.svgz” could not be opened: it is damaged$/);
         assert.equal(await strokes(tab), 3);
       }
+      // Journals of Xournal++: plain, with gzip, and as archives of its newer versions.
+      const content = '<xournal creator="xournalpp"><page width="595" height="842"><background type="solid" color="#ffffffff" style="plain"/>' +
+        '<layer><stroke tool="pen" color="#000000ff" width="1.4">100 100 150 120 200 100</stroke></layer></page></xournal>';
+      const journal = { mimetype: 'application/xournal++', 'content.xml': content };
+      for (const bytes of [Buffer.from(content), gzipSync(content), zipped(journal), zipped(journal, true)]) {
+        await tab.run(() => feltlinePage.core.clear());
+        await load('notes.xopp', bytes.toString('base64'));
+        assert.equal(await strokes(tab), 1, 'a journal was refused');
+      }
+      const archive = zipped(journal), cut = archive.subarray(0, archive.length - 30), broken = Buffer.from(archive);
+      broken.fill(255, archive.indexOf('content.xml') + 20, archive.indexOf('content.xml') + 60);
+      for (const bytes of [cut, broken]) {
+        assert.match(await load('notes.xopp', bytes.toString('base64')), /^“notes\.xopp” could not be opened: it is damaged$/);
+      }
+      assert.match(await load('other.zip', zipped({ 'a.txt': 'a' }).toString('base64')), /could not be opened: is a zip archive, which the page cannot/);
+      await load('drawing.svg', svg.toString('base64'));
       const message = await load('broken.svg', Buffer.from('<svg><path d=').toString('base64'));
       assert.match(message, /broken\.svg/);
       assert.equal(message.split('broken.svg').length, 2, message);
@@ -569,6 +654,178 @@ const topics = {
       assert.deepEqual(png.head.slice(1, 4), [80, 78, 71]);
       assert.ok(png.size > 5000);
     });
+  },
+
+  /** Pictures: dropped, painted below the ink, kept by the autosave and in files, and read from SVG and .felt files. */
+  async pictures() {
+    await with_tab({}, async (tab) => {
+      const drop = (type) => tab.run(async (type) => {
+        const canvas = new OffscreenCanvas(400, 200), context = canvas.getContext('2d');
+        context.fillStyle = '#0000ff';
+        context.fillRect(0, 0, 400, 200);
+        context.fillStyle = '#ff0000';
+        context.fillRect(0, 0, 200, 200);
+        const data = new DataTransfer();
+        data.items.add(new File([await canvas.convertToBlob({ type, quality: 1 })], `photo.${type.slice(6)}`, { type }));
+        dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      }, type);
+      /** The colours of the sheet left and right of its middle. */
+      const colors = () => tab.run(() => {
+        const context = document.getElementById('sheet').getContext('2d'), { page } = feltlinePage.core.state();
+        const [x, y] = feltlinePage.core.toCanvas(page.width / 2, page.height / 2);
+        return [-60, 60].map((dx) => ['red', 'green', 'blue'].filter((_, i) => context.getImageData(x + dx, y - 20, 1, 1).data[i] > 200).join());
+      });
+      const shown = async (what, expected = ['red', 'blue']) => {
+        for (let i = 0; i < 100 && (await colors()).join(' ') !== expected.join(' '); ++i) await tab.frames(3);
+        assert.deepEqual(await colors(), expected, what);
+      };
+      await drop('image/png');
+      await shown('a dropped picture');
+      const names = () => tab.run(() => feltlinePage.core.state().layers.map(({ name }) => name));
+      assert.ok((await names()).includes('photo'));
+      await tab.stroke(wave(400, 400));
+      await stored(tab);
+      const file = await saved(tab, 'felt'), svg = await saved(tab, 'svg');
+      await tab.reload();
+      await shown('a picture after a reload');
+      assert.ok(await saved(tab, 'felt') === file, 'the drawing differs after a reload');
+      await tab.run(() => { feltlinePage.core.rebase(); feltlinePage.store(); });
+      await stored(tab);
+      await tab.reload();
+      await shown('a picture of the base');
+      assert.ok(await saved(tab, 'felt') === file, 'the drawing differs after a reload of the base');
+      // Undo and redo; a JPEG file, too.
+      await tab.run(() => { feltlinePage.saved(); return feltlinePage.new_drawing(); });
+      await shown('an empty drawing', ['red,green,blue', 'red,green,blue']);
+      await drop('image/jpeg');
+      await shown('a dropped JPEG file');
+      await tab.run(() => feltlinePage.undo());
+      await shown('after undo', ['red,green,blue', 'red,green,blue']);
+      await tab.run(() => feltlinePage.redo());
+      await shown('after redo');
+      // The .felt file, and an SVG file with the picture inside.
+      const open = (name, base64) => tab.run(async (name, base64) => {
+        feltlinePage.saved();
+        await feltlinePage.files.load(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name), false);
+        return document.getElementById('notice').textContent;
+      }, name, base64);
+      await tab.run(() => feltlinePage.undo());
+      await open('mine.felt', file);
+      await shown('a picture of a .felt file');
+      assert.ok(text_of(svg).indexOf('<image') < 0, 'a picture that is not marked is in the SVG file');
+      await tab.run(() => {
+        const { layers } = feltlinePage.core.state();
+        feltlinePage.apply({ event: 'layer', do: 'export', id: layers.find(({ name }) => name === 'photo').id });
+      });
+      const with_picture = await saved(tab, 'svg');
+      await tab.run(() => feltlinePage.core.clear());
+      await open('mine.svg', with_picture);
+      await shown('a picture of an SVG file');
+      // Damaged pictures leave the drawing as it is.
+      const before = await saved(tab, 'felt');
+      await tab.run(async () => { await feltlinePage.files.load(new File(['no picture'], 'bad.png', { type: 'image/png' }), true); });
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /bad\.png” could not be opened: it is damaged/);
+      assert.ok(await saved(tab, 'felt') === before);
+    });
+  },
+
+  /** .felt files, at file:// and from a server: saved by the menu, dropped on the page, kept by the autosave, and refused. */
+  async felt() {
+    const downloads = (tab) => tab.run(() => {
+      globalThis.files = [];
+      const make = URL.createObjectURL;
+      URL.createObjectURL = (blob) => { files.push(blob); return make.call(URL, blob); };
+    });
+    const first_file = async (tab) => {
+      await tab.until(() => globalThis.files.length > 0);
+      return tab.run(async () => {
+        const bytes = new Uint8Array(await files.shift().arrayBuffer());
+        return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+      });
+    };
+    const drop = async (tab, name, base64) => {
+      await tab.run((name, base64) => {
+        feltlinePage.saved();
+        feltlinePage.say('', true);
+        const data = new DataTransfer();
+        data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+        dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      }, name, base64);
+    };
+    const refused = async (tab, name, bytes, words) => {
+      await drop(tab, name, bytes.toString('base64'));
+      await tab.until((name) => document.getElementById('notice').textContent.startsWith(`“${name}” could not be opened: `), name);
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), words);
+    };
+    const use = async (tab) => {
+      await downloads(tab);
+      for (const y of [200, 300]) await tab.stroke(wave(200, y));
+      await tab.run(() => feltlinePage.apply({ event: 'guides', do: 'add', kind: 'symmetry', x: 100, y: 80, axes: 2 }));
+      await tab.stroke(wave(300, 400));
+      const count = await strokes(tab), lines = await saved(tab);
+      await tab.until(() => globalThis.feltlineFelt);
+      const requests = tab.requests.length;
+      await tab.key('s', { modifiers: 2 });
+      const file = await first_file(tab);
+      assert.equal(text_of(file).slice(0, 16), 'SQLite format 3\0');
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /Saved as Drawing\.felt/);
+      await tab.run(() => feltlinePage.new_drawing());
+      assert.equal(await strokes(tab), 0);
+      await drop(tab, 'mine.felt', file);
+      await tab.until((count) => feltlinePage.core.state().strokes === count, count);
+      assert.ok(await saved(tab) === lines, 'the lines differ');
+      assert.ok(await saved(tab, 'felt') === file, 'the file differs');
+      assert.equal(tab.requests.length, requests, 'a request after the page was loaded');
+      // A reload and a crash keep everything, guides included.
+      await stored(tab);
+      await tab.reload();
+      assert.equal(await strokes(tab), count);
+      assert.ok(await saved(tab, 'felt') === file, 'the file differs after a reload');
+      await tab.run(() => { globalThis.former = feltlinePage.core; former.exports = null; feltlinePage.wake(); });
+      await tab.until((count) => feltlinePage.core && feltlinePage.core !== former && feltlinePage.core.state().strokes === count, count);
+      assert.ok(await saved(tab, 'felt') === file, 'the file differs after an error');
+      // Files that cannot be opened leave the drawing as it is.
+      const bytes = Buffer.from(file, 'base64'), future = Buffer.from(bytes), damaged = Buffer.from(bytes);
+      future[63] = 9;
+      damaged.fill(255, 4096, 12000);
+      await refused(tab, 'a.felt', Buffer.alloc(0), /: is empty$/);
+      await refused(tab, 'b.felt', future, /: was written by a newer Feltline \(format 9; this version reads 1\)$/);
+      await refused(tab, 'c.felt', damaged, /: is damaged or incomplete/);
+      await refused(tab, 'd.felt', bytes.subarray(0, 60), /: is incomplete: it ends within its header$/);
+      await refused(tab, 'e.felt', Buffer.from('a text'), /: is not a Feltline drawing$/);
+      await tab.run(() => feltlinePage.files.load({ name: 'huge.felt', size: 2 ** 29 }, false));
+      assert.match(await tab.run(() => document.getElementById('notice').textContent), /huge\.felt” could not be opened: it is too large/);
+      assert.ok(await saved(tab, 'felt') === file, 'the drawing changed');
+      tab.errors = tab.errors.filter((text) => !/^Feltline restarts/.test(text));
+    };
+    await with_tab({}, use);
+    let is_missing = false;
+    await served(async (url) => {
+      await with_tab({}, use, url);
+      // Without the script, the page says so, and a stored drawing that needs it stays stored.
+      await with_tab({}, async (tab) => {
+        await tab.stroke(wave(200, 200));
+        await tab.run(async () => { await feltlinePage.core.prepareFelt(); feltlinePage.core.rebase(); feltlinePage.store(); });
+        await stored(tab);
+        is_missing = true;
+        await tab.reload();
+        await tab.until(() => document.querySelector('dialog'));
+        assert.match(await tab.run(() => document.querySelector('dialog').textContent), /core_felt\.js/);
+        await downloads(tab);
+        await tab.run(() => document.querySelector('dialog button[value=save]').click());
+        assert.equal(text_of(await first_file(tab)).slice(0, 15), 'SQLite format 3');
+        await tab.run(() => document.querySelector('dialog').close());
+        await tab.run(() => feltlinePage.files.save('felt'));
+        assert.equal(await tab.run(() => document.getElementById('notice').textContent),
+          'The drawing could not be saved: core_felt.js could not be loaded');
+        is_missing = false;
+        await tab.run(() => feltlinePage.files.save('felt'));
+        assert.match(await tab.run(() => document.getElementById('notice').textContent), /^Saved as/);
+        await tab.reload();
+        assert.equal(await strokes(tab), 1);
+        tab.errors = tab.errors.filter((text) => !/core_felt\.js/.test(text));
+      }, url);
+    }, (path) => is_missing && path.includes('core_felt'));
   },
 
   /** Keys, touch, panels, theme and language. */
@@ -753,7 +1010,9 @@ const topics = {
       sum += bytes;
     }
     console.log(`together   ${String(sum).padStart(7)} bytes; the limit is ${kMaxBytes}`);
-    console.log(`core_full.js, which comes then: ${gzipSync(readFileSync(join(dist, 'core_full.js')), { level: 9 }).length} bytes`);
+    for (const name of ['core_full.js', 'core_felt.js']) {
+      console.log(`${name}, which comes then: ${gzipSync(readFileSync(join(dist, name)), { level: 9 }).length} bytes`);
+    }
     assert.ok(sum <= kMaxBytes, `more than ${kMaxBytes} bytes`);
   },
 
@@ -761,11 +1020,11 @@ const topics = {
   async requests() {
     await served(async (url) => {
       await with_tab({}, async (tab) => {
-        await tab.until(() => globalThis.feltlineFull);
+        await tab.until(() => globalThis.feltlineFull && globalThis.feltlineFelt);
         const loaded = new Set(tab.requests.map((one) => one.slice(url.length)));
         const before = tab.requests.length;
         for (const name of tab.requests) assert.ok(name.startsWith(url), `a request to ${name}`);
-        assert.ok([...loaded].every((name) => ['', 'core.js', 'page.js', 'core_full.js'].includes(name)), [...loaded].join(' '));
+        assert.ok([...loaded].every((name) => ['', 'core.js', 'page.js', 'core_full.js', 'core_felt.js'].includes(name)), [...loaded].join(' '));
         await tab.stroke(wave(300, 300));
         for (const panel of ['options', 'layers', 'forces']) await tab.run((one) => feltlinePage.toggle(one), panel);
         await tab.run(() => feltlinePage.toggle_sound());
@@ -893,12 +1152,16 @@ const topics = {
         for (let i = 0; i < 3; ++i) {
           await with_tab({ prepare, wait: 'first' }, async (tab) => {
             await tab.until(() => performance.getEntriesByName('complete').length > 0);
-            const times = await tab.run(() => ({
+            const times = await tab.run(async () => ({
+              felt: await (async (begin) => {
+                await feltlinePage.core.prepareFelt();
+                return performance.now() - begin;
+              })(performance.now()),
               paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
               interactive: performance.getEntriesByName('interactive')[0].startTime,
               complete: performance.getEntriesByName('complete')[0].startTime }));
             console.log(`${name}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms, ` +
-              `all tools ${times.complete.toFixed(0)} ms`);
+              `all tools ${times.complete.toFixed(0)} ms, .felt files ${times.felt.toFixed(0)} ms after that`);
           }, url);
         }
       }

@@ -1,20 +1,15 @@
 #include "felt/io/svg/svg_pictures.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "felt/base/base64.h"
-#include "felt/base/read_file.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/render/picture_pixels.h"
 
 namespace felt {
 namespace {
-
-namespace fs = std::filesystem;
 
 tl::unexpected<Error> skipped(const std::string& why) {
   return fail(ErrorCode::kUnsupported, "was skipped: " + why);
@@ -74,25 +69,6 @@ bool is_png(std::string_view bytes) {
   return bytes.starts_with("\x89PNG\r\n\x1a\n");
 }
 
-/// Returns the path of a file below a folder, with all links resolved; nothing if there is no such
-/// file, or if it is hidden or not below the folder.
-std::optional<fs::path> path_below(const std::string& folder, const std::string& name) {
-  const fs::path relative(name);
-  if (name.empty() || name.find('\0') != std::string::npos || relative.is_absolute()) return {};
-  for (const fs::path& part : relative) {
-    const std::string text = part.string();
-    if (text.starts_with(".") && text != ".") return {};
-  }
-  std::error_code error;
-  const fs::path base = fs::canonical(folder, error);
-  if (error) return {};
-  const fs::path path = fs::canonical(base / relative, error);
-  if (error) return {};
-  const bool is_below =
-      std::mismatch(base.begin(), base.end(), path.begin(), path.end()).first == base.end();
-  return is_below ? std::optional(path) : std::nullopt;
-}
-
 }  // namespace
 
 Result<std::shared_ptr<const PictureData>> SvgPictures::load(std::string_view href) {
@@ -105,43 +81,17 @@ Result<std::shared_ptr<const PictureData>> SvgPictures::load(std::string_view hr
 
 Result<std::shared_ptr<const PictureData>> SvgPictures::load_new(std::string_view href) {
   if (href.empty()) return skipped("it names no picture");
-  if (!svg_same_word(href.substr(0, 5), "data:")) return load_file(href);
+  if (!svg_same_word(href.substr(0, 5), "data:")) {
+    const bool is_address = href.substr(0, href.find('/')).find(':') != std::string_view::npos;
+    if (is_address || href.starts_with("//")) {
+      return skipped("it is at another address, which is not opened");
+    }
+    if (href.size() > 4096) return skipped("the name of its file is too long");
+    return load_file(without_percents(href));
+  }
   return data_of_uri(href.substr(5)).and_then([this](std::string bytes) {
     return decoded(std::move(bytes));
   });
-}
-
-Result<std::shared_ptr<const PictureData>> SvgPictures::load_file(std::string_view href) {
-  const bool is_address = href.substr(0, href.find('/')).find(':') != std::string_view::npos;
-  if (is_address || href.starts_with("//")) {
-    return skipped("it is at another address, which is not opened");
-  }
-  if (href.size() > 4096) return skipped("the name of its file is too long");
-  const std::string name = without_percents(href);
-  const std::string shown = "'" + name + "'";
-  if (folder_.empty()) return skipped("it is in another file, " + shown + ", which is not opened");
-  const std::optional<fs::path> path = path_below(folder_, name);
-  if (!path) return skipped("there is no file " + shown + " in the folder of the drawing");
-  const auto known = files_.find(path->string());
-  if (known != files_.end()) return known->second;
-  Loaded loaded = bytes_of_file(path->string(), shown).and_then([this](std::string bytes) {
-    return decoded(std::move(bytes));
-  });
-  return files_.emplace(path->string(), std::move(loaded)).first->second;
-}
-
-/// Reads a file and subtracts its size from the budget.
-Result<std::string> SvgPictures::bytes_of_file(const std::string& path, const std::string& shown) {
-  const std::size_t largest = std::min(PictureData::kMaxBytes, file_bytes_left_);
-  Result<std::string> bytes = read_regular_file(path, largest);
-  if (bytes) {
-    file_bytes_left_ -= bytes->size();
-    return bytes;
-  }
-  if (bytes.error().code == ErrorCode::kLimitExceeded && largest < PictureData::kMaxBytes) {
-    return skipped("the pictures in other files are larger than 256 MiB together");
-  }
-  return skipped(shown + " cannot be read, or is larger than 48 MiB");
 }
 
 Result<std::shared_ptr<const PictureData>> SvgPictures::decoded(std::string bytes) {

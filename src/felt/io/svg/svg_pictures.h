@@ -33,7 +33,7 @@ class SvgPictures {
  private:
   using Loaded = Result<std::shared_ptr<const PictureData>>;
   Loaded load_new(std::string_view href);
-  Loaded load_file(std::string_view href);
+  Loaded load_file(const std::string& name);  // in svg_picture_files.cc, as is bytes_of_file
   Result<std::string> bytes_of_file(const std::string& path, const std::string& shown);
   Loaded decoded(std::string bytes);
 
