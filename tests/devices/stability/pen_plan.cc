@@ -55,6 +55,7 @@ double guide_pull_n(Trial trial, double way_mm) noexcept {
 // The movement beside a guide of a drawing: a rest, then beyond the plateau and back. The pen lands
 // on the free side of a ruler. The wells of rays and nodes are crossed.
 Side guide_side(Trial trial, const GuideLaw& law, double t_s) noexcept {
+  if (trial == Trial::kClick) return {};  // it moves in z only
   const bool is_small = trial == Trial::kRay || trial == Trial::kNode;
   const double rest_mm = is_small ? 0.5 : 1.0;
   const double far_mm = is_small ? 3.0 : trial == Trial::kRing ? 7.0 : 2.9;
@@ -184,7 +185,8 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
 
 PlannedPen planned_pen(Trial trial, const PlanGround& ground, double t_s) noexcept {
   const double depth_mm = 1e3 * ground.press_n / ground.plane_n_per_m;
-  const double z = height_mm(trial, depth_mm, t_s);
+  double z = height_mm(trial, depth_mm, t_s);
+  if (trial == Trial::kClick) z -= kClickWayMm * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
   const double push_n = 1e-3 * ground.plane_n_per_m * std::max(0.0, -z);
   const Side side = side_of(trial, ground.guide, t_s);
   PlannedPen planned;

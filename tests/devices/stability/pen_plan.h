@@ -11,6 +11,8 @@ namespace felt {
 inline constexpr Point kTrialPlace{30.0, 30.0};
 /// Frequency of the hand that shakes (Trial::kShake).
 inline constexpr double kShakeHz = 5.0;
+/// How much deeper the pen is pressed from its rest and back (Trial::kClick).
+inline constexpr double kClickWayMm = 0.6;
 
 /// Times of the phases of a trial, in s since its start.
 struct TrialTimes {

@@ -10,6 +10,7 @@
 #include "felt/haptics/bricks/band_damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/guide.h"
+#include "felt/haptics/bricks/push_clicks.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
@@ -103,7 +104,7 @@ GuidePiece guide_path_of(Trial trial) {
 Medium scaled_tool(const StabilityCell& cell) {
   if (cell.trial == Trial::kRidge) return scaled_medium(*cell.tool, kFillGlide, kFillGlide);
   if (cell.trial == Trial::kBundle) return scaled_medium(*cell.tool, kGatherGlide, kGatherGlide);
-  if (cell.trial == Trial::kEdge) return *cell.tool;
+  if (cell.trial == Trial::kEdge || cell.trial == Trial::kClick) return *cell.tool;
   if (is_guide_of_drawing(cell.trial)) return guided_medium(*cell.tool);
   return *cell.tool;
 }
@@ -126,6 +127,16 @@ ForceModel ring_model(const StabilityCell& cell, const Capabilities& device) {
   ChoiceRing ring(kTrialPlace - Vec{kRingMm, 0.0}, {0.0, -kRingMm}, {kRingMm, 0.0});
   ring.choose(2);
   return ring_force(ring, *cell.surface, device);
+}
+
+// Returns the surface with a click where the pen rests and one half of the way deeper.
+ForceModel click_model(const StabilityCell& cell, const SurfaceForce& surface,
+                       const Capabilities& device) {
+  const double rest_mm = 1e3 * press_of(cell) / plane_for(*cell.surface, device).stiffness_n_per_m;
+  PushClicks clicks;
+  clicks.add(rest_mm);
+  clicks.add(rest_mm + 0.5 * kClickWayMm);
+  return ForceModel(Compose(surface, clicks));
 }
 
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
@@ -152,6 +163,8 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return read_model(cell, device);
     case Trial::kRing:
       return ring_model(cell, device);
+    case Trial::kClick:
+      return click_model(cell, surface, device);
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -297,6 +310,8 @@ std::string_view name_of(Trial trial) noexcept {
       return "ring";
     case Trial::kEdge:
       return "edge";
+    case Trial::kClick:
+      return "click";
   }
   return "";
 }

@@ -33,14 +33,15 @@ enum class Trial : std::uint8_t {
   kNode,         ///< a node of a grid; the pen crosses it
   kTrace,        ///< a wavy stroke
   kTeacher,      ///< a teacher who draws with 40 mm/s
-  kRing,  ///< a well of the ring of tools, without friction; the pen leaves it and comes back
-  kEdge,  ///< the ridge at the edge of the page, with the friction of a pencil
+  kRing,   ///< a well of the ring of tools, without friction; the pen leaves it and comes back
+  kEdge,   ///< the ridge at the edge of the page, with the friction of a pencil
+  kClick,  ///< rests at a threshold that clicks, presses through another one and comes back
 };
-/// The trials of guides of a drawing.
+/// The trials of guides of a drawing, and others that are made on all devices with one medium.
 inline constexpr Trial kGuideTrials[] = {Trial::kRuler,   Trial::kLine,        Trial::kCompass,
                                          Trial::kEllipse, Trial::kPerspective, Trial::kRay,
                                          Trial::kNode,    Trial::kTrace,       Trial::kTeacher,
-                                         Trial::kRing,    Trial::kEdge};
+                                         Trial::kRing,    Trial::kEdge,        Trial::kClick};
 inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit,  Trial::kGuide, Trial::kRidge, Trial::kBundle,
                                     Trial::kShake, Trial::kHold,  Trial::kRead};

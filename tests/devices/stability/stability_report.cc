@@ -113,8 +113,9 @@ while such a guide acts. *ruler*: the pen comes from the free side and is pushed
 5 mm. *perspective*: begins with a click. *ray* and *node*: the pen crosses the well of 0.3 N.
 *teacher*: leads with up to 0.2 N. *ring*: a well of a [ring](design/forces.md#rings), without
 friction; the pen leaves it and comes back. *edge*: the ridge at the [edge of the
-page](design/forces.md#edges), with the whole friction. Paper, pencil, 1 kHz with delays of 0, 1 and
-2 ticks, and 5 kHz with 1 tick.
+page](design/forces.md#edges), with the whole friction. *click*: rest at a depth that
+[clicks](design/forces.md#clicks), then press through another one, 0.3 mm deeper, and come back.
+Paper, pencil, 1 kHz with delays of 0, 1 and 2 ticks, and 5 kHz with 1 tick.
 
 )";
 
