@@ -58,7 +58,7 @@ class InkBrush {
 /// it.
 class WetInkView {
  public:
-  static constexpr std::size_t kMaxStyled = 1'000;
+  static constexpr std::size_t kMaxStyled = 400;
 
   void set_view(const DeviceView& view);
   /// Sets the grain, and the medium of the strokes in progress by its id.

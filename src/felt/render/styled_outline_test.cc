@@ -96,10 +96,18 @@ TEST(StyledOutline, IsTheSameFromAnyStyler) {
   }
 }
 
-Point middle_of(std::span<const Point> contour) {
-  Vec sum;
-  for (const Point p : contour) sum += p - Point{};
-  return Point{} + sum / static_cast<double>(contour.size());
+double area_of(std::span<const Point> contour) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    sum += cross(contour[i] - Point{}, contour[(i + 1) % contour.size()] - Point{});
+  }
+  return 0.5 * sum;
+}
+
+Rect box_of(std::span<const Point> contour) {
+  Rect box;
+  for (const Point p : contour) box.extend(p);
+  return box;
 }
 
 TEST(StyledOutline, TurnsWithTheStroke) {
@@ -113,8 +121,10 @@ TEST(StyledOutline, TurnsWithTheStroke) {
       const Outline a = ink_of(stroke, style).outline, b = ink_of(turned, style).outline;
       ASSERT_EQ(a.ends, b.ends) << seed;
       for (std::size_t k = 0; k < a.contour_count(); ++k) {
-        const Point p = middle_of(a.contour(k));
-        ASSERT_LE(distance({-p.y, p.x}, middle_of(b.contour(k))), 1e-6) << seed;
+        const Rect box = box_of(a.contour(k)), other = box_of(b.contour(k));
+        ASSERT_NEAR(area_of(a.contour(k)), area_of(b.contour(k)), 1e-6) << seed;
+        ASSERT_NEAR(box.x0, other.y0, kToleranceMm) << seed;
+        ASSERT_NEAR(-box.y0, other.x1, kToleranceMm) << seed;
       }
     }
   }
