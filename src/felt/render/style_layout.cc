@@ -116,7 +116,8 @@ std::vector<StyleSpan> repeat_spans(const Spine& spine, StyleSpan range,
     const double scale = size / (count * (r.length + r.gap) - extra);
     for (double k = 0.0; k < count; ++k) {
       const double at = from + k * scale * (r.length + r.gap);
-      spans.push_back({at, at + scale * r.length});
+      const bool is_last = !is_ring && k + 1.0 == count;  // ends exactly at the corner or end
+      spans.push_back({at, is_last ? section.span.to : at + scale * r.length});
     }
   }
   return spans;

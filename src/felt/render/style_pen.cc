@@ -138,15 +138,12 @@ void StylePen::rail(StyleSpan span, double share, double side) {
     rail_.push_back({p.center + side * offset * p.normal, share * p.radius, p.tone});
     is_kept_.push_back(!is_inside_bend(rail_.back(), offset, near));
   };
-  const std::size_t first = spine_->next(span.from);
   const bool is_ring = spine_->closed();
-  add(spine_->at(span.from), first > 0 ? first - 1 : 0);
-  for (std::size_t i = first; i < points.size() && (is_ring || points[i].along < span.to); ++i) {
-    add(points[i], i);
-  }
-  if (!is_ring) {
-    add(spine_->before(span.to), std::max<std::size_t>(spine_->next(span.to), 1) - 1);
-  }
+  const std::size_t first = is_ring ? 0 : spine_->next(span.from);
+  const std::size_t end = is_ring ? points.size() : spine_->first(span.to);
+  if (!is_ring) add(spine_->at(span.from), first > 0 ? first - 1 : 0);
+  for (std::size_t i = first; i < end; ++i) add(points[i], i);
+  if (!is_ring) add(spine_->at(span.to), std::min(end, points.size() - 1));
   join_rail(is_ring);
 }
 
@@ -177,41 +174,47 @@ void StylePen::join_rail(bool is_ring) {
   append_row();
 }
 
-/// Returns the position of a point of a shape that ends at `end`, in widths: at a corner, the shape
-/// ends with the direction before it and begins with the direction after it.
-Point StylePen::place(Point p, double end) const noexcept {
-  return beside(p.x < end ? spine_->at(p.x) : spine_->before(p.x), p.y);
+/// Returns the position of a point of a shape. Shapes on both sides of a corner meet in the middle
+/// of the bend.
+Point StylePen::place(Point p) const noexcept {
+  if (spine_->closed() && p.x > spine_->end()) p.x -= spine_->end();
+  const std::optional<std::size_t> joint = spine_->joint(p.x);
+  return beside(joint ? spine_->points()[*joint] : spine_->at(p.x), p.y);
 }
 
 /// Appends the points of a straight edge of a shape, bent with the line, without the first.
-void StylePen::bend(Point from, Point to, double end, std::vector<Point>& out) const {
+void StylePen::bend(Point from, Point to, std::vector<Point>& out) const {
   const auto points = spine_->points();
-  const auto add = [&](std::size_t i) {
-    const double t = (points[i].along - from.x) / (to.x - from.x);
-    out.push_back(beside(points[i], std::lerp(from.y, to.y, t)));
-  };
-  if (from.x < to.x) {
-    for (std::size_t i = spine_->next(from.x); i < points.size() && points[i].along < to.x; ++i) {
-      add(i);
-    }
-  } else if (to.x < from.x) {
-    for (std::size_t i = spine_->next(from.x); i-- > 0 && points[i].along > to.x;) {
-      if (points[i].along < from.x) add(i);
+  const double size = spine_->end();
+  if (spine_->closed() && std::max(from.x, to.x) > size) {
+    if (std::min(from.x, to.x) >= size) return bend({from.x - size, from.y}, {to.x - size, to.y}, out);
+    const double y = std::lerp(from.y, to.y, (size - from.x) / (to.x - from.x));
+    bend(from.x < to.x ? from : Point{from.x - size, from.y}, {from.x < to.x ? size : 0.0, y}, out);
+    return bend({from.x < to.x ? 0.0 : size, y}, to.x > size ? Point{to.x - size, to.y} : to, out);
+  }
+  if (from.x != to.x) {
+    const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
+    const std::optional<std::size_t> joint = spine_->joint(low);
+    const std::size_t begin = joint ? *joint + 1 : spine_->first(low);
+    const std::size_t end = spine_->joint(high).value_or(spine_->first(high));
+    for (std::size_t k = begin; k < end; ++k) {
+      const SpinePoint& p = points[from.x < to.x ? k : begin + end - 1 - k];
+      out.push_back(beside(p, std::lerp(from.y, to.y, (p.along - from.x) / (to.x - from.x))));
     }
   }
-  out.push_back(place(to, end));
+  out.push_back(place(to));
 }
 
 void StylePen::shape(StyleSpan span, const StyleShape& shape) {
   if (is_full()) return;
-  const double size = span.to - span.from, end = std::max(span.from, span.to);
-  const SpinePoint middle = spine_->at(0.5 * (span.from + span.to));
+  const double size = span.to - span.from;
+  const SpinePoint middle = spine_->at(std::min(span.from, span.to) + 0.5 * std::fabs(size));
   const double width = 2.0 * middle.radius;
   double area = 0.0;
   bent_.clear();
   for (const std::vector<Point>& curves : shape.contours) {
     Point from{span.from + size * curves[0].x, curves[0].y};
-    contour_.assign(1, place(from, end));
+    contour_.assign(1, place(from));
     for (std::size_t i = 0; i + 3 < curves.size(); i += 3) {
       Cubic c;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -222,7 +225,7 @@ void StylePen::shape(StyleSpan span, const StyleShape& shape) {
       for (int k = 1; k <= steps; ++k) {
         const Point p = k < steps ? evaluate(u, static_cast<double>(k) / steps) : u.p[3];
         const Point to{span.from + size * p.x, std::clamp(p.y, -0.5, 0.5)};
-        bend(from, to, end, contour_);
+        bend(from, to, contour_);
         from = to;
       }
     }

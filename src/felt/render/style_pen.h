@@ -35,8 +35,8 @@ class StylePen {
   void rail(StyleSpan span, double share, double side);
   [[nodiscard]] bool is_inside_bend(const Dab& dab, double offset, std::size_t near) const noexcept;
   void join_rail(bool is_ring);
-  void bend(Point from, Point to, double end, std::vector<Point>& out) const;
-  [[nodiscard]] Point place(Point p, double end) const noexcept;
+  void bend(Point from, Point to, std::vector<Point>& out) const;
+  [[nodiscard]] Point place(Point p) const noexcept;
 
   const Spine* spine_ = nullptr;
   double tolerance_ = 0.0;

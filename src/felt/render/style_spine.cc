@@ -100,27 +100,25 @@ void Spine::add_points(double side) {
     if (dot(before, after) > kSharp) {
       p.normal = normalized(before + after);
       points_.push_back(p);
-    } else if (i > 0) {
-      add_turn(p, before, after);
     } else {
-      p.normal = after;
-      points_.push_back(p);
+      const double turn = std::atan2(cross(before, after), dot(before, after));
+      const bool is_seam = i == 0 || i == last;  // of a closed line
+      const Vec half = std::cos(0.5 * turn) * before + std::sin(0.5 * turn) * perp(before);
+      add_turn(p, i == 0 ? half : before, is_seam ? 0.5 * turn : turn);
     }
-    const bool is_seam = closed_ && i == last;
-    if (is_corner_[i] && !is_seam && (closed_ || (i > 0 && i < last))) corners_.push_back(along);
+    const bool is_end = closed_ && i == last;
+    if (is_corner_[i] && !is_end && (closed_ || (i > 0 && i < last))) corners_.push_back(along);
   }
 }
 
-void Spine::add_turn(SpinePoint p, Vec before, Vec after) {
-  const double turn = std::atan2(cross(before, after), dot(before, after));
-  const double steps = std::ceil(std::fabs(turn) / kMaxTurn);
-  for (double k = 0.0; k < steps; ++k) {
+/// Adds an odd number of points at the position of p, whose normals turn from `normal`.
+void Spine::add_turn(SpinePoint p, Vec normal, double turn) {
+  const double steps = 2.0 * std::ceil(0.5 * std::fabs(turn) / kMaxTurn);
+  for (double k = 0.0; k <= steps; ++k) {
     const double angle = turn * k / steps;
-    p.normal = std::cos(angle) * before + std::sin(angle) * perp(before);
+    p.normal = std::cos(angle) * normal + std::sin(angle) * perp(normal);
     points_.push_back(p);
   }
-  p.normal = after;
-  points_.push_back(p);
 }
 
 std::size_t Spine::next(double along) const noexcept {
@@ -137,11 +135,17 @@ SpinePoint Spine::at(double along) const noexcept {
   return between(a, b, (along - a.along) / (b.along - a.along));
 }
 
-SpinePoint Spine::before(double along) const noexcept {
+std::size_t Spine::first(double along) const noexcept {
   const auto found = std::lower_bound(points_.begin(), points_.end(), along,
                                       [](const SpinePoint& p, double x) { return p.along < x; });
-  if (found == points_.end()) return points_.back();
-  return found->along == along ? *found : at(along);
+  return static_cast<std::size_t>(found - points_.begin());
+}
+
+std::optional<std::size_t> Spine::joint(double along) const noexcept {
+  const std::size_t from = first(along), to = next(along);
+  if (from == to) return std::nullopt;
+  if (from == 0) return 0;
+  return to == points_.size() ? to - 1 : (from + to - 1) / 2;
 }
 
 }  // namespace felt

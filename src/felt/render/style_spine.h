@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct SpinePoint {
 
 /// The centre line of a stroke, to which styles are fitted: positions along it are measured in
 /// widths of the line. Where the path bends by more than 60 degrees, it has several points at the
-/// same position, whose normals turn from that before to that after the bend. At the seam of a
-/// closed line, the last point is the first again. Reuses its buffers.
+/// same position, whose normals turn from that before to that after the bend. If the seam of a
+/// closed line is such a bend, its first half is at the end and its second half at the start.
+/// Reuses its buffers.
 class Spine {
  public:
   /// Largest number of points, unless the row itself has more dabs.
@@ -46,13 +48,17 @@ class Spine {
   /// Returns the point at this position, which is clamped to the line: of several points, the last.
   /// Requires a point.
   [[nodiscard]] SpinePoint at(double along) const noexcept;
-  /// Does the same, but returns the first of several points.
-  [[nodiscard]] SpinePoint before(double along) const noexcept;
+  /// Returns the index of the first point that is not before this position, at most
+  /// points().size().
+  [[nodiscard]] std::size_t first(double along) const noexcept;
+  /// Returns the index of the point where a shape may begin or end at this position: of several
+  /// points, the one in the middle of the bend. Nullopt if no point is exactly there.
+  [[nodiscard]] std::optional<std::size_t> joint(double along) const noexcept;
 
  private:
   void add_dabs(const StyledRow& row, double max_step);
   void add_points(double side);
-  void add_turn(SpinePoint p, Vec before, Vec after);
+  void add_turn(SpinePoint p, Vec normal, double turn);
 
   std::vector<Dab> dabs_;
   std::vector<bool> is_corner_;  // of dabs_

@@ -239,6 +239,38 @@ TEST(StyledOutline, RepeatsAndStretchesItsShape) {
   EXPECT_FALSE(is_inked(leaf, {1.0, 0.3}));
 }
 
+/// The seam is in the middle of a side, so that the last shape goes across it.
+TEST(StyledOutline, ShapesGoAcrossTheSeamOfAClosedLine) {
+  StrokeData d = square().data();
+  std::rotate(d.points.begin(), d.points.begin() + 3, d.points.end() - 1);
+  d.points.back() = d.points.front();
+  const Stroke rotated = Stroke::create(d).value();
+  StrokeData cut = square().data();
+  const Cubic top = square().segment(0);
+  const auto [left, right] = split(top, 0.5);
+  cut.points.assign(right.p.begin(), right.p.end());
+  cut.points.insert(cut.points.end(), d.points.begin() + 1, d.points.begin() + 10);
+  cut.points.insert(cut.points.end(), left.p.begin() + 1, left.p.end());
+  cut.points.back() = cut.points.front();
+  cut.joints = {JointKind::kCorner, JointKind::kCorner, JointKind::kCorner, JointKind::kCorner,
+                JointKind::kSmooth};
+  cut.widths = {{0.0, 1.0}, {5.0, 1.0}};
+  const Stroke with_seam = Stroke::create(cut).value();
+  for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kRepeat, StyleKind::kDouble}) {
+    const LineStyle style =
+        style_of({.kind = kind, .length = 3.0, .gap = 2.0, .thin = 0.4, .shape = "M0 -.5H1V.5H0Z"});
+    const Outline a = ink_of(rotated, style).outline, b = ink_of(with_seam, style).outline;
+    int inked = 0;
+    for (double x = -0.95; x < 21.0; x += 0.1) {
+      for (const double y : {-0.31, 0.02, 0.27}) {
+        EXPECT_EQ(is_inked(a, {x, y}), is_inked(b, {x, y})) << x << ' ' << y;
+        inked += is_inked(a, {x, y}) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(inked, 50);
+  }
+}
+
 TEST(StyledOutline, HolesOfShapesStayOpenWhereverTheyPoint) {
   const std::string out = "M0 -.5H1V.5H0Z", hole = "M.2 -.2V.2H.8V-.2Z";
   for (const std::string& shape : {out + hole, hole + out}) {
