@@ -15,6 +15,7 @@
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/render/line_style.h"
 #include "felt/render/page_painter.h"
 #include "ordered_pipeline.h"
 
@@ -120,7 +121,8 @@ Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format forma
   if (format == Format::kSvg) {
     const Result<void> done =
         append_svg_stroke(out.text, stroke.id, stroke.stroke, static_cast<std::size_t>(number),
-                          SvgOptions{}.tolerance_mm);
+                          SvgOptions{}.tolerance_mm, nullptr,
+                          LineStyles().find(stroke.stroke.medium()));
     if (!done) return done;
   } else if (Result<void> fits = check_sketch_numbers(stroke.stroke.data()); !fits) {
     return fits;

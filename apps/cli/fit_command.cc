@@ -49,7 +49,7 @@ constexpr const char* kFitExamples =
 
 std::string media_names() {
   std::string names;
-  for (const Medium& medium : media()) {
+  for (const Medium& medium : Materials::built_in().media()) {
     if (medium.draws) names += (names.empty() ? "" : ", ") + medium.id;
   }
   return names;

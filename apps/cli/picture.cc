@@ -205,7 +205,10 @@ Result<void> use_surface_of(const Drawing& drawing, PictureOptions& options) {
     options.grain = Grain(options.relief, with_texts(drawing.materials, options.materials));
     return {};
   }
-  if (!options.wants_grain) return {};
+  if (!options.wants_grain) {
+    options.grain = Grain::solid(with_texts(drawing.materials, options.materials));
+    return {};
+  }
   const Result<Grain> grain = grain_of(drawing, options.materials);
   if (!grain) {
     return fail(ErrorCode::kNotFound, "--grain: " + grain.error().message +

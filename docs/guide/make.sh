@@ -33,6 +33,9 @@ keys=("$here/motion-fish-1.svg" "$here/motion-fish-2.svg")
 rsvg-convert "$scratch/fish.svg" -o "$here/motion.png"
 "$feltline" inbetween "${keys[@]}" "${keys[0]}" -o "$here/motion-swim.svg" --frames 9 --ease ease-in-out --paper white
 
+# The styles of materials.md.
+python3 "$here/styles.py" | "$feltline" render - -o "$here/styles.png" --dpi 120 --paper white
+
 # The pictures of guides.md: a simulated hand plays the scripts.
 for picture in guides symmetry; do
   "$feltline" replay "$here/$picture.ndjson" --overlay --dpi 110 -o "$here/$picture.png"

@@ -24,7 +24,7 @@ void check_range(const char* name, double number, double low, double high, const
 
 std::string media_names() {
   std::string names;
-  for (const Medium& medium : media()) {
+  for (const Medium& medium : Materials::built_in().media()) {
     if (medium.draws) names += (names.empty() ? "" : ", ") + medium.id;
   }
   return names;

@@ -28,6 +28,11 @@ void check(const SurfaceMaterial& surface) {
 void check(const Medium& medium) {
   check_figures(medium, medium_fields());
   FELT_CHECK(medium.pairs.size() <= kMaxPairs && medium.line.min_mm <= medium.line.max_mm);
+  const Result<StyleShape> shape = read_style_shape(medium.style.shape);
+  FELT_CHECK(shape.has_value() && !shape->contours.empty());
+  for (const std::vector<Point>& contour : shape->contours) {
+    FELT_CHECK(contour.size() >= 4 && contour.size() % 3 == 1 && contour.front() == contour.back());
+  }
   for (const PairFriction& pair : medium.pairs) {
     FELT_CHECK(is_material_id(pair.surface));
     FELT_CHECK(pair.coefficient >= 0.0 && pair.coefficient <= kMaxFriction);

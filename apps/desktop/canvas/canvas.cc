@@ -228,7 +228,8 @@ void Canvas::take_look() {
 void Canvas::take_grain() {
   const bool on = Settings::the().flag(canvas_keys::kGrain, canvas_keys::kGrainDefault);
   const Session& session = studio_.session();
-  const Grain grain = on ? Grain(surface_grain(session.surface()), session.materials()) : Grain();
+  const Grain grain = on ? Grain(surface_grain(session.surface()), session.materials())
+                         : Grain::solid(session.materials());
   ink_.set_grain(grain);
   shown_->wet.set_grain(grain, drawing_medium(session));
   update();

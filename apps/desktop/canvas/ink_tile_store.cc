@@ -246,6 +246,7 @@ bool InkTileStore::paint(Plane& plane, Tile& tile, Begun& begun,
                          const std::function<bool()>& should_stop) {
   const Pixels pixels = pixels_of(*begun.picture);
   const InkStyle& style = plane.spec.style;
+  scene_->set_styles(style.grain.styles());
   if (!begun.job.has_begun()) {
     if (!scene_->previewed().empty() && !plane.spec.above) {
       if (!tile.split) tile.split = std::make_unique<TileSplit>();

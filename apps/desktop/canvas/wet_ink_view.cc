@@ -38,17 +38,21 @@ void draw_pixels(QPainter& painter, const QImage& image, const PixelRect& pixels
 
 void InkBrush::fill(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels,
                     Rgba color) {
+  outline_.clear();
+  rows.trace(pixels, outliner_, outline_, from, to);
+  fill(outline_, pixels, color);
+}
+
+void InkBrush::fill(const Outline& outline, const PixelRect& pixels, Rgba color) {
   if (image_.width() != pixels.width() || image_.height() != pixels.height()) {
     image_ = QImage(pixels.width(), pixels.height(), QImage::Format_ARGB32_Premultiplied);
   }
   image_.fill(Qt::transparent);
-  outline_.clear();
-  rows.trace(pixels, outliner_, outline_, from, to);
-  if (outline_.points.empty()) return;
+  if (outline.points.empty()) return;
   const Pixels target{image_.bits(), image_.width(), image_.height(), image_.bytesPerLine(),
                       PixelOrder::kBgra};
   const View place{{static_cast<double>(pixels.x0), static_cast<double>(pixels.y0)}, 1.0};
-  rasterizer_.fill(outline_, place, target.rect(), color, target);
+  rasterizer_.fill(outline, place, target.rect(), color, target);
 }
 
 void InkBrush::paint(QPainter& painter, const QRectF& part, const DeviceView& view,
@@ -66,6 +70,11 @@ QImage& InkBrush::cover(const DabRows& rows, std::size_t from, std::size_t to,
   return image_;
 }
 
+QImage& InkBrush::cover(const Outline& outline, const PixelRect& pixels) {
+  fill(outline, pixels, {255, 255, 255, 255});
+  return image_;
+}
+
 void WetInkView::add(Row& row, const Overlay::InkSegment& segment) const {
   Overlay::InkSegment shown = segment;
   if (outline_mode_) shown.start_width_mm = shown.end_width_mm = 0.0;
@@ -80,6 +89,7 @@ void WetInkView::set_view(const DeviceView& view) {
     for (const Overlay::InkSegment& segment : row.segments) add(row, segment);
     const std::size_t settled = row.settled;
     unsettle(row);
+    restyle(row);
     settle(row, settled);
   };
   remake(wet_);
@@ -108,8 +118,9 @@ QRegion WetInkView::update(const Overlay& overlay) {
   std::size_t n = is_known ? std::min(overlay.ink_stable, wet_.stable) : 0;
   n += common(Ink(wet_.segments).subspan(n), ink.subspan(n));
   if (overlay.ink_color != wet_.color || wet_.segments.empty()) n = 0;
-  Rect box = wet_.dabs.bounds(n);
+  const bool had_style = wet_.has_style;
   const bool changes = n < ink.size() || n < wet_.segments.size();
+  Rect box = wet_.dabs.bounds(had_style && changes ? 0 : n);
   if (n < wet_.settled || wet_.segments.empty()) unsettle(wet_);
   wet_.segments.resize(n);
   wet_.dabs.keep(n);
@@ -121,7 +132,9 @@ QRegion WetInkView::update(const Overlay& overlay) {
     wet_.segments.push_back(segment);
     add(wet_, segment);
   }
-  box.extend(wet_.dabs.bounds(n));
+  if (changes || had_style) restyle(wet_);
+  const bool is_redrawn = changes && (had_style || wet_.has_style);
+  box.extend(wet_.dabs.bounds(is_redrawn ? 0 : n));
   // Segments that two changes left as they were will probably not change again, so they are added
   // to the mask. In the mask they may look slightly different, so their area is repainted.
   // If the stroke is known, only stable segments are added, because the others may change later.
@@ -140,8 +153,17 @@ void WetInkView::unsettle(Row& row) const {
   row.mask.clear();
 }
 
+void WetInkView::restyle(Row& row) {
+  const LineStyle* style = outline_mode_ ? nullptr : grain_.styles().find(row.medium);
+  row.has_style = style && row.segments.size() <= kMaxStyled;
+  row.styled.clear();
+  if (!row.has_style) return;
+  unsettle(row);
+  row.dabs.trace_styled(styler_, *style, row.styled);
+}
+
 void WetInkView::settle(Row& row, std::size_t to) {
-  if (to <= row.settled) return;
+  if (to <= row.settled || row.has_style) return;
   const PixelRect all = screen();
   if (row.mask.empty()) {
     row.mask.assign(static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height()),
@@ -188,7 +210,8 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
   const QRect ink = part & view_.part_of(row.dabs.bounds());
   const PixelRect pixels = view_.pixels_of(QRectF(ink)).intersected(screen());
   if (ink.isEmpty() || pixels.empty()) return;
-  QImage& image = brush_.cover(row.dabs, row.settled, DabRows::kAll, pixels);
+  QImage& image = row.has_style ? brush_.cover(row.styled, pixels)
+                                : brush_.cover(row.dabs, row.settled, DabRows::kAll, pixels);
   ink_pixels(image, pixels, row);
   if (cover) cover(image, {pixels.x0, pixels.y0});
   draw_pixels(painter, image, pixels, view_.dpr);

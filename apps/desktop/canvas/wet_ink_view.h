@@ -29,10 +29,13 @@ class InkBrush {
   /// Returns how much of each pixel the segments [from, to) cover, as the alpha channel of a white
   /// picture. The result is valid until the next call.
   QImage& cover(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels);
+  /// Does the same for an outline in device pixels.
+  QImage& cover(const Outline& outline, const PixelRect& pixels);
 
  private:
   void fill(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels,
             Rgba color);
+  void fill(const Outline& outline, const PixelRect& pixels, Rgba color);
 
   Rasterizer rasterizer_;
   StrokeOutliner outliner_;
@@ -46,11 +49,17 @@ class InkBrush {
 /// Therefore each sample only requires painting the new segments and the provisional end, even if
 /// the line crosses itself there.
 ///
+/// A style depends on the whole stroke, so ink with a style is computed and painted again for every
+/// update. Strokes of more than kMaxStyled segments are shown without their style until they are
+/// finished, so that the cost of an update is bounded.
+///
 /// After the stroke has been added to the document, the worker may need a moment to update its
 /// tiles. Until the tiles contain the stroke, the ink is *drying*: this class continues to paint
 /// it.
 class WetInkView {
  public:
+  static constexpr std::size_t kMaxStyled = 400;
+
   void set_view(const DeviceView& view);
   /// Sets the grain, and the medium of the strokes in progress by its id.
   void set_grain(const Grain& grain, const std::string& medium);
@@ -85,8 +94,11 @@ class WetInkView {
     std::size_t firm = 0;  ///< number of segments at the start that the last update did not change
     std::size_t settled = 0;           ///< number of segments in the mask
     std::vector<std::uint8_t> mask{};  ///< one byte per device pixel
+    bool has_style = false;
+    Outline styled{};  ///< the ink, if it has a style
   };
   void add(Row& row, const Overlay::InkSegment& segment) const;
+  void restyle(Row& row);
   void settle(Row& row, std::size_t to);
   void unsettle(Row& row) const;
   void paint_row(QPainter& painter, const QRect& part, const Row& row, const Cover& cover);
@@ -99,6 +111,7 @@ class WetInkView {
   std::string medium_ = "pencil";
   bool outline_mode_ = false;
   InkBrush brush_;
+  LineStyler styler_;
   PressureMap pressure_;
   VisitMap visits_;
   std::vector<TipAt> way_;

@@ -24,7 +24,7 @@ constexpr std::array<Name, 8> kNames{{
     {"glass", QT_TRANSLATE_NOOP("Material", "Glass")},
 }};
 
-constexpr std::array<Name, 10> kMedia{{
+constexpr std::array<Name, 16> kMedia{{
     {"pencil", QT_TRANSLATE_NOOP("Material", "Pencil")},
     {"pencil-hard", QT_TRANSLATE_NOOP("Material", "Hard pencil")},
     {"pencil-soft", QT_TRANSLATE_NOOP("Material", "Soft pencil")},
@@ -35,6 +35,12 @@ constexpr std::array<Name, 10> kMedia{{
     {"ink-pen", QT_TRANSLATE_NOOP("Material", "Ink pen")},
     {"brush-pen", QT_TRANSLATE_NOOP("Material", "Brush pen")},
     {"eraser", QT_TRANSLATE_NOOP("Material", "Eraser")},
+    {"dashed-pen", QT_TRANSLATE_NOOP("Material", "Dashed pen")},
+    {"double-line", QT_TRANSLATE_NOOP("Material", "Double line")},
+    {"arrow-pen", QT_TRANSLATE_NOOP("Material", "Arrow pen")},
+    {"rope", QT_TRANSLATE_NOOP("Material", "Rope")},
+    {"leaf", QT_TRANSLATE_NOOP("Material", "Leaf")},
+    {"hatched", QT_TRANSLATE_NOOP("Material", "Hatched pen")},
 }};
 
 /// Returns the label of a material. The label of a built-in material is translated by its id,

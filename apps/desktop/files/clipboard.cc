@@ -13,6 +13,7 @@
 
 #include "desktop/files/page_picture.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/io/limits.h"
 #include "felt/io/ndjson/ndjson_writer.h"
@@ -80,7 +81,7 @@ QImage picture_of(const Drawing& drawing) {
   const Rect area = ink_area(ink_bounds(drawing.document));
   const double fits = std::sqrt(kMaxPixels / std::max(1.0, area.width() * area.height()));
   return page_picture(drawing.document, area, std::min(kDpi / kMmPerInch, fits),
-                      {255, 255, 255, 0});
+                      {255, 255, 255, 0}, Grain::solid(with_texts(drawing.materials)));
 }
 
 /// Reads a drawing of any text format.

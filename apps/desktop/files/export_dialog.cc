@@ -23,6 +23,7 @@
 #include "desktop/files/page_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/formats/format_traits.h"
 #include "felt/render/view.h"
 
@@ -121,6 +122,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, const Selection& selection, Q
   dpi_->setValue(settings.number(files_keys::kExportDpi, files_keys::kExportDpiDefault));
   background_->setChecked(settings.flag(files_keys::kExportBackground, true));
   if (const Result<Grain> grain = grain_of(drawing)) surface_grain_ = *grain;
+  solid_grain_ = Grain::solid(with_texts(drawing.materials));
   grain_->setChecked(surface_grain_ && settings.flag(kShowsGrain, kShowsGrainDefault));
   grain_->setToolTip(tr("As on the screen. Lines stay editable; the grain is added as a picture"));
   compact_->setChecked(settings.flag(files_keys::kExportCompact, false));
@@ -269,7 +271,7 @@ void ExportDialog::show_result() {
   const double ratio = devicePixelRatioF();
   const bool is_grained = can_grain(chosen) && chosen.grain && surface_grain_;
   const QImage picture = page_thumbnail(
-      document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : Grain(),
+      document, area, kPreviewSize * ratio, paper, is_grained ? *surface_grain_ : solid_grain_,
       chosen.pictures ? PictureChoice::kAll : PictureChoice::kMarked);
   picture_->setPixmap(on_squares(picture, ratio));
   show_size(chosen, area);

@@ -13,13 +13,15 @@
 #include "desktop/files/page_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
+#include "felt/formats/drawing_materials.h"
+#include "felt/io/drawing_styles.h"
 #include "felt/io/picture/grain_mask.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/page_painter.h"
 #include "felt/render/picture_pixels.h"
 #include "felt/render/raster.h"
+#include "felt/render/styled_outline.h"
 #include "felt/render/view.h"
-#include "felt/stroke/outline/outline_path.h"
 
 namespace felt::desktop {
 namespace {
@@ -33,8 +35,8 @@ QColor color_of(Rgba c) {
   return {c.r, c.g, c.b, c.a};
 }
 
-QPainterPath path_of(const Stroke& stroke) {
-  const OutlinePath outline = outline_path(stroke, kPrintToleranceMm);
+QPainterPath path_of(const Stroke& stroke, const LineStyle* style) {
+  const OutlinePath outline = styled_path(stroke, style, kPrintToleranceMm);
   QPainterPath path;
   path.setFillRule(Qt::WindingFill);
   const Point* p = outline.points.data();
@@ -105,7 +107,10 @@ void paint_picture(QPainter& painter, const LayerPicture& picture) {
 class VectorPainter {
  public:
   VectorPainter(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain)
-      : painter_(painter), document_(drawing.document), grain_(grain) {
+      : painter_(painter),
+        document_(drawing.document),
+        styles_(styles_of(drawing)),
+        grain_(grain) {
     painter.setPen(Qt::NoPen);
     // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
     // painted without grain, so that all strokes look alike.
@@ -131,11 +136,12 @@ class VectorPainter {
     const auto mask = masks_ ? masks_->of(stroke).value_or(std::nullopt) : std::nullopt;
     if (mask && paint_grained(painter_, stroke, *grain_, *mask, rasterizer_)) return;
     painter_.setBrush(color_of(stroke.color()));
-    painter_.drawPath(path_of(stroke));
+    painter_.drawPath(path_of(stroke, styles_.find(stroke.medium())));
   }
 
   QPainter& painter_;
   const Document& document_;
+  LineStyles styles_;
   const std::optional<Grain>& grain_;
   std::optional<GrainMasks> masks_;
   Rasterizer rasterizer_;
@@ -186,7 +192,7 @@ Result<PrintedPage> PrintedPage::create(Drawing drawing, double dpi,
 
 Result<void> PrintedPage::make_parts(double dpi) {
   const Document& document = drawing_.document;
-  const Grain grain = grain_.value_or(Grain());
+  const Grain grain = grain_.value_or(Grain::solid(with_texts(drawing_.materials)));
   const double picture_dpi = std::min(dpi, kPrintBlendDpi);
   const double px_per_mm = picture_dpi / kMmPerInch;
   std::map<LayerId, Rect> areas;

@@ -51,6 +51,7 @@ MaterialEditor::MaterialEditor(Studio& studio, MaterialEditorModel& model, QWidg
       presets_(new QComboBox(this)),
       fields_(new MaterialFieldsView(this)),
       pairs_(new PairTable(this)),
+      shape_(new ShapeRow(this)),
       preview_(new StrokePreview(this)),
       plot_(new ProbePlot(this)),
       sign_(new StabilitySign(this)),
@@ -101,6 +102,7 @@ void MaterialEditor::watch() {
   for (auto* number : findChildren<QLineEdit*>()) number->installEventFilter(this);
   for (auto* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
   connect(pairs_, &PairTable::chosen, &model_, &MaterialEditorModel::set_pair);
+  connect(shape_, &ShapeRow::chosen, &model_, &MaterialEditorModel::set_shape);
   connect(&model_, &MaterialEditorModel::selected, this, &MaterialEditor::follow_desk);
   connect(&model_, &MaterialEditorModel::changed, this, &MaterialEditor::follow_desk);
   connect(&model_, &MaterialEditorModel::failed, this, [this](const QString& why) { report(why); });
@@ -157,6 +159,7 @@ QWidget* MaterialEditor::make_figures() {
   figures->setContentsMargins(0, 0, kMarginPx, 0);
   fields_->add_to_group(true, QStringLiteral("grain"), make_relief_button());
   fields_->add_to_group(false, QStringLiteral("feel"), pairs_);
+  fields_->add_to_group(false, QStringLiteral("style"), shape_);
   figures->addWidget(fields_);
   QScrollArea* area = scrolling(content, tr("Values"), column);
   rows->addWidget(area, 1);
@@ -222,6 +225,7 @@ void MaterialEditor::follow_desk() {
   fields_->show_material(now, model_.origin());
   if (const auto* medium = std::get_if<Medium>(&now)) {
     pairs_->show_pairs(*medium, studio_.materials());
+    shape_->show_shape(medium->style.shape);
   }
   list_->show_chosen(model_.key());
   fill_presets();

@@ -16,6 +16,7 @@
 #include "desktop/materials/material_list.h"
 #include "desktop/materials/pair_table.h"
 #include "desktop/materials/probe_plot.h"
+#include "desktop/materials/shape_row.h"
 #include "desktop/materials/stability_sign.h"
 #include "desktop/materials/stroke_preview.h"
 
@@ -86,6 +87,7 @@ class MaterialEditor : public QWidget {
   QComboBox* presets_;
   MaterialFieldsView* fields_;
   PairTable* pairs_;
+  ShapeRow* shape_;
   StrokePreview* preview_;
   ProbePlot* plot_;
   StabilitySign* sign_;

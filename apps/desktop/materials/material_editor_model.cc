@@ -286,6 +286,14 @@ void MaterialEditorModel::set_pair(const std::string& surface, std::optional<dou
   if (to != now()) change(std::move(to), tr("Friction of a pair"));
 }
 
+void MaterialEditorModel::set_shape(const std::string& shape) {
+  AnyMaterial to = now();
+  auto* medium = std::get_if<Medium>(&to);
+  if (!medium || !read_style_shape(shape)) return;
+  medium->style.shape = shape;
+  if (to != now()) change(std::move(to), tr("Shape of the style"));
+}
+
 void MaterialEditorModel::revert() {
   const AnyMaterial was = origin();
   if (was != now()) change(was, tr("Revert"));

@@ -62,6 +62,8 @@ class MaterialEditorModel : public QObject {
   /// Sets the friction of the selected medium on `surface`. Nullopt restores the default: the
   /// product of the medium's and the surface's friction.
   void set_pair(const std::string& surface, std::optional<double> friction);
+  /// Sets the shape of the selected medium's style. Ignores a text that is no shape.
+  void set_shape(const std::string& shape);
   /// Restores origin().
   void revert();
 

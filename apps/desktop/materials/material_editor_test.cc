@@ -77,6 +77,27 @@ TEST(MaterialEditor, EverySliderSetsWhatAFileMayHave) {
   });
 }
 
+TEST(MaterialEditor, AShapeIsUsedAndABadOneIsNot) {
+  Shown shown;
+  shown.fixture.select({false, "rope"});
+  const auto shape = [&] { return std::get<Medium>(shown.fixture.now()).style.shape; };
+  auto* line = shown.editor.findChild<QLineEdit*>(QStringLiteral("style_shape"));
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(line->text().toStdString(), shape());
+  const auto type = [&](const char* text) {
+    line->setText(QString::fromLatin1(text));
+    Q_EMIT line->editingFinished();
+  };
+  type("M0 0H1V.5Z");
+  EXPECT_EQ(shape(), "M0 0H1V.5Z");
+  EXPECT_TRUE(shown.fixture.is_own());
+  type("M0 0H2V.5Z");
+  EXPECT_EQ(shape(), "M0 0H1V.5Z");
+  EXPECT_EQ(material_error(shown.fixture.now()), "");
+  shown.fixture.steps().undo();
+  EXPECT_EQ(line->text().toStdString(), find_medium("rope")->style.shape);
+}
+
 TEST(MaterialEditor, ANumberThatIsTypedIsFelt) {
   Shown shown;
   shown.spin("feel.stiffness_n_per_m")->setValue(800.0);
@@ -119,7 +140,8 @@ TEST(MaterialEditor, TheKeyBFlipsAndTheLabelSaysWhich) {
 TEST(MaterialEditor, TheListTakesWhatIsChosenInHand) {
   Shown shown;
   const std::vector<MaterialKey> keys = shown.editor.list().keys();
-  EXPECT_EQ(keys.size(), surface_materials().size() + media().size() - 1) << "no eraser";
+  EXPECT_EQ(keys.size(), surface_materials().size() + Materials::built_in().media().size() - 1)
+      << "no eraser";
   Q_EMIT shown.editor.list().chosen({true, "canvas"});
   EXPECT_EQ(shown.studio.session().surface().id, "canvas");
   EXPECT_EQ(shown.fixture.key().id, "canvas");

@@ -238,6 +238,7 @@ constexpr std::array kGroups{
     GroupName{"line", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Line")},
     GroupName{"look", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Appearance")},
     GroupName{"sound", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Sound")},
+    GroupName{"style", QT_TRANSLATE_NOOP("felt::desktop::MaterialFieldsView", "Style of lines")},
 };
 
 QString group_id(std::string_view field) {

@@ -1001,6 +1001,30 @@
         <source>%1, %2, lines of %3.</source>
         <translation>%1, %2, Linien von %3.</translation>
     </message>
+    <message>
+        <source>Dashed pen</source>
+        <translation>Strichelstift</translation>
+    </message>
+    <message>
+        <source>Double line</source>
+        <translation>Doppellinie</translation>
+    </message>
+    <message>
+        <source>Arrow pen</source>
+        <translation>Pfeilstift</translation>
+    </message>
+    <message>
+        <source>Rope</source>
+        <translation>Seil</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Hatched pen</source>
+        <translation>Schraffurstift</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -4381,6 +4405,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Import %1</source>
         <translation>%1 importieren</translation>
     </message>
+    <message>
+        <source>Shape of the style</source>
+        <translation>Form des Stils</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialFieldsView</name>
@@ -4415,6 +4443,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Sound</source>
         <translation>Klang</translation>
+    </message>
+    <message>
+        <source>Style of lines</source>
+        <translation>Stil der Linien</translation>
     </message>
 </context>
 <context>
@@ -5299,6 +5331,17 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Saturation %1 %, brightness %2 %</source>
         <translation>Sättigung %1 %, Helligkeit %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ShapeRow</name>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Path data of SVG with M, L, H, V, C and Z: x 0 to 1 along one repeat, y -0.5 to 0.5 across the line</source>
+        <translation>Pfaddaten von SVG mit M, L, H, V, C und Z: x 0 bis 1 entlang einer Wiederholung, y -0.5 bis 0.5 quer zur Linie</translation>
     </message>
 </context>
 <context>
@@ -7660,6 +7703,98 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>pinch</source>
         <translation>zusammenziehen</translation>
+    </message>
+    <message>
+        <source>Angle of the hatching</source>
+        <translation>Winkel der Schraffur</translation>
+    </message>
+    <message>
+        <source>Arrow heads</source>
+        <translation>Pfeilspitzen</translation>
+    </message>
+    <message>
+        <source>Direction of the hatching on the page, clockwise from the x axis.</source>
+        <translation>Richtung der Schraffur auf der Seite, im Uhrzeigersinn von der x-Achse.</translation>
+    </message>
+    <message>
+        <source>Distance between the lines of the hatching.</source>
+        <translation>Abstand zwischen den Linien der Schraffur.</translation>
+    </message>
+    <message>
+        <source>Gap between dashes or repeats, in widths of the line.</source>
+        <translation>Lücke zwischen Strichen oder Wiederholungen, in Breiten der Linie.</translation>
+    </message>
+    <message>
+        <source>Length of a dash</source>
+        <translation>Länge eines Strichs</translation>
+    </message>
+    <message>
+        <source>Length of a dash or of one repeat, in widths of the line; 1 makes dots.</source>
+        <translation>Länge eines Strichs oder einer Wiederholung, in Breiten der Linie; 1 ergibt Punkte.</translation>
+    </message>
+    <message>
+        <source>Length of an arrow head</source>
+        <translation>Länge einer Pfeilspitze</translation>
+    </message>
+    <message>
+        <source>Length of an arrow head, in widths of the line.</source>
+        <translation>Länge einer Pfeilspitze, in Breiten der Linie.</translation>
+    </message>
+    <message>
+        <source>Spacing of the hatching</source>
+        <translation>Abstand der Schraffur</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>The ends of an open line that have arrow heads.</source>
+        <translation>Die Enden einer offenen Linie, die Pfeilspitzen haben.</translation>
+    </message>
+    <message>
+        <source>Thinness</source>
+        <translation>Schmalheit</translation>
+    </message>
+    <message>
+        <source>What is drawn in place of a solid line. Repeat and stretch use the shape.</source>
+        <translation>Was anstelle einer durchgezogenen Linie gezeichnet wird. Wiederholen und Strecken verwenden die Form.</translation>
+    </message>
+    <message>
+        <source>Width of dashes, rails, shafts and hatching lines, as a share of the width of the line.</source>
+        <translation>Breite von Strichen, Schienen, Schäften und Schraffurlinien, als Anteil an der Breite der Linie.</translation>
+    </message>
+    <message>
+        <source>dashes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>doppelt</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>hatch</source>
+        <translation>Schraffur</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>schlicht</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
     </message>
 </context>
 </TS>

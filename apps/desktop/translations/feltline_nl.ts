@@ -1001,6 +1001,30 @@
         <source>%1, %2, lines of %3.</source>
         <translation>%1, %2, lijnen van %3.</translation>
     </message>
+    <message>
+        <source>Dashed pen</source>
+        <translation>Streepjespen</translation>
+    </message>
+    <message>
+        <source>Double line</source>
+        <translation>Dubbele lijn</translation>
+    </message>
+    <message>
+        <source>Arrow pen</source>
+        <translation>Pijlenpen</translation>
+    </message>
+    <message>
+        <source>Rope</source>
+        <translation>Touw</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Blad</translation>
+    </message>
+    <message>
+        <source>Hatched pen</source>
+        <translation>Arceerpen</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -4381,6 +4405,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Import %1</source>
         <translation>%1 importeren</translation>
     </message>
+    <message>
+        <source>Shape of the style</source>
+        <translation>Vorm van de stijl</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialFieldsView</name>
@@ -4415,6 +4443,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Sound</source>
         <translation>Geluid</translation>
+    </message>
+    <message>
+        <source>Style of lines</source>
+        <translation>Stijl van lijnen</translation>
     </message>
 </context>
 <context>
@@ -5299,6 +5331,17 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Saturation %1 %, brightness %2 %</source>
         <translation>Verzadiging %1%, helderheid %2%</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ShapeRow</name>
+    <message>
+        <source>Shape</source>
+        <translation>Vorm</translation>
+    </message>
+    <message>
+        <source>Path data of SVG with M, L, H, V, C and Z: x 0 to 1 along one repeat, y -0.5 to 0.5 across the line</source>
+        <translation>Padgegevens van SVG met M, L, H, V, C en Z: x 0 tot 1 langs één herhaling, y -0.5 tot 0.5 dwars op de lijn</translation>
     </message>
 </context>
 <context>
@@ -7660,6 +7703,98 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>pinch</source>
         <translation>samenknijpen</translation>
+    </message>
+    <message>
+        <source>Angle of the hatching</source>
+        <translation>Hoek van de arcering</translation>
+    </message>
+    <message>
+        <source>Arrow heads</source>
+        <translation>Pijlpunten</translation>
+    </message>
+    <message>
+        <source>Direction of the hatching on the page, clockwise from the x axis.</source>
+        <translation>Richting van de arcering op de pagina, met de klok mee vanaf de x-as.</translation>
+    </message>
+    <message>
+        <source>Distance between the lines of the hatching.</source>
+        <translation>Afstand tussen de lijnen van de arcering.</translation>
+    </message>
+    <message>
+        <source>Gap between dashes or repeats, in widths of the line.</source>
+        <translation>Ruimte tussen streepjes of herhalingen, in breedten van de lijn.</translation>
+    </message>
+    <message>
+        <source>Length of a dash</source>
+        <translation>Lengte van een streepje</translation>
+    </message>
+    <message>
+        <source>Length of a dash or of one repeat, in widths of the line; 1 makes dots.</source>
+        <translation>Lengte van een streepje of van één herhaling, in breedten van de lijn; 1 geeft punten.</translation>
+    </message>
+    <message>
+        <source>Length of an arrow head</source>
+        <translation>Lengte van een pijlpunt</translation>
+    </message>
+    <message>
+        <source>Length of an arrow head, in widths of the line.</source>
+        <translation>Lengte van een pijlpunt, in breedten van de lijn.</translation>
+    </message>
+    <message>
+        <source>Spacing of the hatching</source>
+        <translation>Afstand van de arcering</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stijl</translation>
+    </message>
+    <message>
+        <source>The ends of an open line that have arrow heads.</source>
+        <translation>De uiteinden van een open lijn die pijlpunten hebben.</translation>
+    </message>
+    <message>
+        <source>Thinness</source>
+        <translation>Smalheid</translation>
+    </message>
+    <message>
+        <source>What is drawn in place of a solid line. Repeat and stretch use the shape.</source>
+        <translation>Wat in plaats van een doorgetrokken lijn wordt getekend. Herhalen en uitrekken gebruiken de vorm.</translation>
+    </message>
+    <message>
+        <source>Width of dashes, rails, shafts and hatching lines, as a share of the width of the line.</source>
+        <translation>Breedte van streepjes, rails, schachten en arceerlijnen, als deel van de breedte van de lijn.</translation>
+    </message>
+    <message>
+        <source>dashes</source>
+        <translation>streepjes</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>dubbel</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>einde</translation>
+    </message>
+    <message>
+        <source>hatch</source>
+        <translation>arcering</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>geen</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>effen</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>herhalen</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>begin</translation>
     </message>
 </context>
 </TS>

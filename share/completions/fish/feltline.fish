@@ -84,7 +84,7 @@ complete -c feltline -n '__fish_seen_subcommand_from fit' -l filter -d 'Remove p
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l steady -r -d 'Remove the shaking of a hand: a file, or HZ,MM,DEG'
 complete -c feltline -n '__fish_seen_subcommand_from steady' -f -a calibrate -d 'Find the shaking from a spiral of 10 s'
 complete -c feltline -n '__fish_seen_subcommand_from steady' -s o -l output -r -d 'Output file'
-complete -c feltline -n '__fish_seen_subcommand_from fit' -l medium -x -a 'pencil pencil-hard pencil-soft charcoal chalk crayon felt-tip ink-pen brush-pen' -d 'Medium of the lines'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l medium -x -a 'pencil pencil-hard pencil-soft charcoal chalk crayon felt-tip ink-pen brush-pen dashed-pen double-line arrow-pen rope leaf hatched' -d 'Medium of the lines'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l min-width -x -d 'Width in mm without pressure'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l max-width -x -d 'Width in mm at full pressure'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l scheme -x -a 'feltline paper2002' -d 'Fitting scheme'

@@ -7,6 +7,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/check.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/io/inkml/inkml_writer.h"
 #include "felt/io/picture/pdf_writer.h"
@@ -25,7 +26,9 @@ Result<std::string> png_bytes(const Drawing& drawing, const WriteOptions& option
   options_of_page.dpi = options.dpi;
   options_of_page.area = options.area.value_or(drawing.page.area());
   options_of_page.paper = options.paper.value_or(drawing.page.paper);
-  options_of_page.grain = options.grain;
+  options_of_page.grain = options.grain.is_plain() && !drawing.materials.empty()
+                              ? Grain::solid(with_texts(drawing.materials))
+                              : options.grain;
   Result<PagePainter> page = PagePainter::create({}, options_of_page);
   if (!page) return tl::unexpected(page.error());
   if (auto ok = page->draw(drawing.document, options.pictures); !ok) {

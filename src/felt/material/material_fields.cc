@@ -83,7 +83,7 @@ constexpr std::array<SurfaceField, 10> kSurfaceFields = {{
         "sound.brightness", "Brightness of the sound", "", 0, 1, "From dull to bright."),
 }};
 
-constexpr std::array<MediumField, 29> kMediumFields = {{
+constexpr std::array<MediumField, 37> kMediumFields = {{
     row<Medium, &Medium::color_rgb>("color", "Colour", "", Kind::kColor, 0, 0,
                                     "Default colour of this medium."),
     row<Medium, &Medium::draws>("draws", "Draws", "", Kind::kSwitch, 0, 1,
@@ -155,6 +155,30 @@ constexpr std::array<MediumField, 29> kMediumFields = {{
                                                      "", 0, 1, "From dull to bright."),
     medium<&Medium::sound, &MediumSound::squeak>(
         "sound.squeak", "Squeak", "", 0, 1, "How easily the tip squeaks by sticking and slipping."),
+    row<Medium, &Medium::style, &MediumStyle::kind>(
+        "style.kind", "Style", "", Kind::kChoice, 0, 0,
+        "What is drawn in place of a solid line. Repeat and stretch use the shape.", kStyleKinds),
+    medium<&Medium::style, &MediumStyle::length>(
+        "style.length", "Length of a dash", "widths", 0.2, 50,
+        "Length of a dash or of one repeat, in widths of the line; 1 makes dots."),
+    medium<&Medium::style, &MediumStyle::gap>(
+        "style.gap", "Gap", "widths", 0, 50,
+        "Gap between dashes or repeats, in widths of the line."),
+    medium<&Medium::style, &MediumStyle::thin>(
+        "style.thin", "Thinness", "", 0.05, 1,
+        "Width of dashes, rails, shafts and hatching lines, as a share of the width of the line."),
+    row<Medium, &Medium::style, &MediumStyle::arrows>(
+        "style.arrows", "Arrow heads", "", Kind::kChoice, 0, 0,
+        "The ends of an open line that have arrow heads.", kStyleArrows),
+    medium<&Medium::style, &MediumStyle::arrow_length>(
+        "style.arrow_length", "Length of an arrow head", "widths", 0.5, 10,
+        "Length of an arrow head, in widths of the line."),
+    medium<&Medium::style, &MediumStyle::angle_deg>(
+        "style.angle_deg", "Angle of the hatching", "deg", -90, 90,
+        "Direction of the hatching on the page, clockwise from the x axis."),
+    medium<&Medium::style, &MediumStyle::spacing_mm>(
+        "style.spacing_mm", "Spacing of the hatching", "mm", 0.3, 50,
+        "Distance between the lines of the hatching."),
 }};
 
 template <class Table>

@@ -23,7 +23,7 @@ enum class MaterialFieldKind : std::uint8_t {
 /// One field of a material. Each field is a line of the material's text, a row of the editor and a
 /// line of docs/formats/material.md. Besides these fields, a text has `kind`, `id` and `label`. The
 /// text of a surface may also have a custom relief (`grain.picture`, `grain.heights`), and the text
-/// of a medium may have the table `pairs`.
+/// of a medium may have the table `pairs` and the shape of its style (`style.shape`).
 template <class Material>
 struct MaterialField {
   std::string_view id;     ///< table and key, with the unit in the name: "grain.height_um"
@@ -66,6 +66,9 @@ inline constexpr std::array<std::string_view, 6> kGrainCharacters = {"grain",  "
                                                                      "fibres", "wood",  "picture"};
 
 inline constexpr std::size_t kMaxPairs = 64;
+
+/// The key of MediumStyle::shape.
+inline constexpr std::string_view kStyleShapeKey = "style.shape";
 
 template <class Material>
 bool MaterialField<Material>::allows(double value) const noexcept {

@@ -338,7 +338,7 @@ TEST(MaterialFile, WritesEveryBuiltInMaterial) {
   for (const SurfaceMaterial& surface : surface_materials()) {
     EXPECT_EQ(surface_of(write_material(surface)), surface) << write_material(surface);
   }
-  for (const Medium& medium : media()) {
+  for (const Medium& medium : Materials::built_in().media()) {
     EXPECT_EQ(medium_from(write_material(medium)), medium) << write_material(medium);
   }
 }

@@ -75,7 +75,7 @@ TEST(BuiltInMaterials, EachTextIsAMaterial) {
     surfaces += std::holds_alternative<SurfaceMaterial>(*material) ? 1 : 0;
   }
   EXPECT_EQ(surfaces, surface_materials().size());
-  EXPECT_EQ(built_in_texts().size() - surfaces, media().size());
+  EXPECT_EQ(built_in_texts().size() - surfaces, Materials::built_in().media().size());
   EXPECT_EQ(surface_materials().front().id, "paper");
   EXPECT_EQ(media().front().id, "pencil");
   EXPECT_FALSE(find_medium("eraser")->draws);

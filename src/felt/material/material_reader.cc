@@ -136,8 +136,11 @@ class TextReader {
       if (take_head(entry, medium) || take_figure(entry, medium_fields(), medium)) continue;
       if (entry.key.starts_with("pairs.")) {
         take_pair(entry, medium);
+      } else if (entry.key == kStyleShapeKey) {
+        take_shape(entry, medium);
       } else {
-        unknown(entry, "medium", medium_fields(), {"kind", "id", "label", "pairs.SURFACE"});
+        unknown(entry, "medium", medium_fields(),
+                {"kind", "id", "label", "pairs.SURFACE", std::string(kStyleShapeKey)});
       }
     }
     finish(entries, medium);
@@ -198,6 +201,14 @@ class TextReader {
     } else {
       medium.pairs.push_back({surface, *number});
     }
+  }
+
+  void take_shape(const TomlEntry& entry, Medium& medium) {
+    const auto* text = std::get_if<std::string>(&entry.value);
+    if (!text) return refuse(entry, "path data as text");
+    const Result<StyleShape> shape = read_style_shape(*text);
+    if (!shape) return say(entry.line, entry.key + ": " + shape.error().message);
+    medium.style.shape = *text;
   }
 
   void take_heights(const TomlEntry& entry, SurfaceMaterial& surface) {

@@ -1,4 +1,5 @@
 #include <array>
+#include <type_traits>
 
 #include "felt/material/custom_relief.h"
 #include "felt/material/material_fields.h"
@@ -56,12 +57,26 @@ std::string comment(const std::string& allowed, std::string_view help) {
   return "  # " + allowed + ". " + std::string(help) + "\n";
 }
 
+constexpr std::string_view kStyleTable = "style";
+
+/// Returns true for the fields of a style that is the default, which are left out, so that versions
+/// of Feltline without styles can read the text.
+template <class Material>
+bool is_left_out(const Material& material, std::string_view field) {
+  if constexpr (std::is_same_v<Material, Medium>) {
+    return material.style == MediumStyle{} && field.starts_with("style.");
+  } else {
+    return false;
+  }
+}
+
 /// Appends all fields in their order. `after` appends the other entries of a table.
 template <class Material, class Field, class After>
 void append_figures(std::string& out, const Material& material, std::span<const Field> fields,
                     const After& after) {
   std::string_view table;
   for (const Field& field : fields) {
+    if (is_left_out(material, field.id)) continue;
     const std::size_t dot = field.id.find('.');
     const std::string_view in = dot == std::string_view::npos ? "" : field.id.substr(0, dot);
     if (in != table) {
@@ -100,6 +115,10 @@ std::string write_material(const SurfaceMaterial& surface) {
 std::string write_material(const Medium& medium) {
   std::string out = head("medium", medium.id, medium.label);
   append_figures(out, medium, medium_fields(), [&](std::string_view table) {
+    if (table == kStyleTable) {
+      out += "shape = " + toml_text(medium.style.shape) +
+             "  # path data: x 0 to 1 along one repeat, y -0.5 to 0.5 across the line.\n";
+    }
     if (table != "feel" || medium.pairs.empty()) return;
     out +=
         "\n[pairs]  # friction on a surface, by its id: 0 to " + number_text(kMaxFriction) + "\n";

@@ -46,7 +46,10 @@ std::span<const SurfaceMaterial> surface_materials() noexcept {
 }
 
 std::span<const Medium> media() noexcept {
-  return Materials::built_in().media();
+  const std::span<const Medium> all = Materials::built_in().media();
+  const auto is_plain = [](const Medium& medium) { return medium.style == MediumStyle{}; };
+  const auto plain = std::find_if_not(all.begin(), all.end(), is_plain) - all.begin();
+  return all.first(static_cast<std::size_t>(plain));
 }
 
 const SurfaceMaterial* find_surface(std::string_view id) noexcept {

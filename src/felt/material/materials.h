@@ -9,6 +9,7 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/height_field.h"
+#include "felt/material/medium_style.h"
 
 namespace felt {
 
@@ -71,7 +72,7 @@ struct PairFriction {
 };
 
 /// A medium to draw or erase with: how it slides (docs/design/forces.md#friction), how its line
-/// depends on force and tilt, how it looks on a relief, and how it sounds.
+/// depends on force and tilt, how it looks on a relief, how it sounds, and how it stylises lines.
 struct Medium {
   std::string id;                  ///< its name in strokes, documents and events: "pencil"
   std::string label;               ///< its name in the user interface: "Pencil"
@@ -84,6 +85,7 @@ struct Medium {
   MediumLine line{};
   MediumLook look{};
   MediumSound sound{};
+  MediumStyle style{};
   std::uint32_t color_rgb = 0x202020;  ///< its usual colour, 0xRRGGBB
   bool draws = true;                   ///< false for the eraser
 
@@ -158,8 +160,10 @@ class Materials {
   std::vector<Medium> media_;
 };
 
-// Shorthands for surfaces(), media(), find_surface() and find_medium() of Materials::built_in().
+// Shorthands for surfaces(), find_surface() and find_medium() of Materials::built_in().
 std::span<const SurfaceMaterial> surface_materials() noexcept;
+/// Returns the built-in media without a style. A medium with a style feels and sounds like one of
+/// them; it is at the end of Materials::built_in().media().
 std::span<const Medium> media() noexcept;
 const SurfaceMaterial* find_surface(std::string_view id) noexcept;
 const Medium* find_medium(std::string_view id) noexcept;

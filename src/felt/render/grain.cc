@@ -74,9 +74,16 @@ struct Grain::State {
 };
 
 Grain::Grain(const HeightField* field, const Materials& materials)
-    : state_(std::make_shared<const State>(field, materials)) {}
+    : state_(std::make_shared<const State>(field, materials)), styles_(materials) {}
+
+Grain Grain::solid(const Materials& materials) {
+  Grain grain;
+  grain.styles_ = LineStyles(materials);
+  return grain;
+}
 
 bool operator==(const Grain& a, const Grain& b) noexcept {
+  if (!(a.styles_ == b.styles_)) return false;
   if (a.state_ == b.state_) return true;
   return a.state_ && b.state_ && a.state_->field == b.state_->field &&
          a.state_->looks == b.state_->looks;

@@ -5,6 +5,7 @@
 
 #include "felt/geometry/height_field.h"
 #include "felt/material/materials.h"
+#include "felt/render/line_style.h"
 
 namespace felt {
 
@@ -37,13 +38,19 @@ struct InkLook;
 /// detail that the pixel cannot show. The look of a stroke does not depend on earlier strokes, so
 /// strokes may be shaded in any order.
 ///
+/// A grain also holds the styles of the media's lines (LineStyles), because everything that draws
+/// ink needs both.
+///
 /// A value type. Copies share their tables: 1.4 MB for the relief, 4.2 MB more if it is ever drawn
 /// at more than 24 pixels per wavelength, and 32 KiB for each medium and scale. The dust takes 1.4
 /// MB once. Safe to use from any thread.
 class Grain {
  public:
-  /// Creates a plain grain, with which every medium is solid ink.
+  /// Creates a plain grain, with which every medium is solid ink, and the styles of the built-in
+  /// media.
   Grain() noexcept = default;
+  /// Returns a plain grain with the styles of these media.
+  static Grain solid(const Materials& materials);
   /// Requires that `field` outlives all copies. If `field` is null, the surface is smooth; the
   /// media still have their own dust, hairs and edges.
   explicit Grain(const HeightField* field, const Materials& materials = Materials::built_in());
@@ -64,13 +71,17 @@ class Grain {
   [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view medium,
                                                     double px_per_mm) const;
 
-  /// Returns true if both have the same relief and media with the same looks, so that they draw the
-  /// same pixels.
+  /// Returns the styles of the media's lines.
+  [[nodiscard]] const LineStyles& styles() const noexcept { return styles_; }
+
+  /// Returns true if both have the same relief and media with the same looks and styles, so that
+  /// they draw the same pixels.
   friend bool operator==(const Grain& a, const Grain& b) noexcept;
 
  private:
   struct State;
   std::shared_ptr<const State> state_;
+  LineStyles styles_;
 };
 
 /// The grain of a file that contains strokes as outlines (.svg, .pdf), and its resolution.

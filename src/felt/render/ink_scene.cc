@@ -165,9 +165,22 @@ InkScene::SeenStrokes InkScene::look(const std::vector<StrokeId>& ids) const {
   return seen;
 }
 
+/// Adds the area of a stroke.
+void InkScene::add_seen(const Stroke& stroke, InkDamage& damage) const {
+  styles_.find(stroke.medium()) ? damage.push_back(stroke.bounds()) : add_ink(stroke, damage);
+}
+
+/// Adds the area in which two shapes of a stroke differ. A style depends on the whole stroke.
+void InkScene::add_change(const Stroke& before, const Stroke& after, InkDamage& damage) const {
+  const bool has_style = styles_.find(before.medium()) || styles_.find(after.medium());
+  if (!has_style) return add_difference(before, after, damage);
+  damage.push_back(before.bounds());
+  damage.push_back(after.bounds());
+}
+
 /// Adds the visible differences. A stroke looks the same if neither its shape nor the strokes below
 /// it change, even if its index does.
-void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage) {
+void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage) const {
   const auto by_id = [](const Seen& a, const Seen& b) { return a.id < b.id; };
   const auto stays = [&](const SeenStrokes& in, const SeenStrokes& other) {
     SeenStrokes sorted = other;
@@ -184,19 +197,19 @@ void InkScene::compare(SeenStrokes before, SeenStrokes after, InkDamage& damage)
   auto b = before.begin(), a = after.begin();
   while (b != before.end() || a != after.end()) {
     if (a == after.end() || (b != before.end() && b->id < a->id)) {
-      if (b->is_visible) add_ink(*b->stroke, damage);
+      if (b->is_visible) add_seen(*b->stroke, damage);
       ++b;
     } else if (b == before.end() || a->id < b->id) {
-      if (a->is_visible) add_ink(*a->stroke, damage);
+      if (a->is_visible) add_seen(*a->stroke, damage);
       ++a;
     } else {
       const bool same_place = same_order && a->layer == b->layer && a->below == b->below &&
                               a->is_visible && b->is_visible;
       if (!same_place) {
-        if (b->is_visible) add_ink(*b->stroke, damage);
-        if (a->is_visible) add_ink(*a->stroke, damage);
+        if (b->is_visible) add_seen(*b->stroke, damage);
+        if (a->is_visible) add_seen(*a->stroke, damage);
       } else if (a->stroke != b->stroke) {
-        add_difference(*b->stroke, *a->stroke, damage);
+        add_change(*b->stroke, *a->stroke, damage);
       }
       ++a;
       ++b;

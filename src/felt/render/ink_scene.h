@@ -10,6 +10,7 @@
 #include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/render/ink_damage.h"
+#include "felt/render/line_style.h"
 #include "felt/render/picture_pixels.h"
 #include "felt/render/scene_stroke.h"
 #include "felt/render/stroke_grid.h"
@@ -79,6 +80,10 @@ class InkScene {
   InkScene(const InkScene&) = delete;
   InkScene& operator=(const InkScene&) = delete;
 
+  /// Sets the styles with which the strokes are drawn; at first, those of the built-in media. If a
+  /// part of a stroke with a style changes, all of it may look different and counts as damage.
+  void set_styles(const LineStyles& styles) { styles_ = styles; }
+
   /// Applies an edit of the document and ends the preview. Adds the area to repaint to `damage`.
   /// Fails if Document::apply would fail; in that case the preview is removed, and nothing else
   /// changes.
@@ -135,7 +140,9 @@ class InkScene {
   using FillLists = std::map<LayerId, std::vector<FillId>>;
 
   [[nodiscard]] SeenStrokes look(const std::vector<StrokeId>& ids) const;
-  static void compare(SeenStrokes before, SeenStrokes after, InkDamage& damage);
+  void compare(SeenStrokes before, SeenStrokes after, InkDamage& damage) const;
+  void add_seen(const Stroke& stroke, InkDamage& damage) const;
+  void add_change(const Stroke& before, const Stroke& after, InkDamage& damage) const;
   void add_layers(const Edit& edit, InkDamage& damage) const;
   [[nodiscard]] SeenFills look_at_fills(const std::vector<FillId>& ids) const;
   static void compare_fills(const SeenFills& before, const SeenFills& after, InkDamage& damage);
@@ -159,6 +166,7 @@ class InkScene {
   std::optional<Edit> preview_;
   std::vector<StrokeId> previewed_;
   std::uint64_t revision_ = 0;
+  LineStyles styles_;
 };
 
 }  // namespace felt

@@ -206,5 +206,35 @@ TEST(StrokeOrder, KeepsPlacesAsAListDoes) {
   for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i]->rank(), i);
 }
 
+/// If one segment of a stroke with a style changes, dashes move on the whole stroke.
+TEST(InkScene, AStyleIsRepaintedAsAWhole) {
+  const auto damage_of = [](const std::string& medium) {
+    StrokeData data;
+    for (int i = 0; i <= 30; ++i) data.points.push_back({4.0 * i, 0.1 * (i % 3)});
+    data.joints.assign(9, JointKind::kCorner);
+    data.widths = {{0.0, 1.0}, {10.0, 1.0}};
+    data.medium = medium;
+    Document document;
+    EditBuilder builder(document);
+    const StrokeId id =
+        builder.add(document.layers()[0].id,
+                    std::make_shared<const Stroke>(Stroke::create(data).value()));
+    EXPECT_TRUE(document.apply(std::move(builder).build("Add")));
+    InkScene scene(document);
+    InkDamage damage;
+    data.points.back().x += 1.0;
+    EditBuilder change(document);
+    change.replace(id, std::make_shared<const Stroke>(Stroke::create(data).value()));
+    EXPECT_TRUE(scene.apply(std::move(change).build("Move"), damage));
+    const Rect whole = document.find(id)->bounds();
+    return std::any_of(damage.begin(), damage.end(), [&](const Rect& area) {
+      return area.x0 <= whole.x0 && area.y0 <= whole.y0 && area.x1 >= whole.x1 &&
+             area.y1 >= whole.y1;
+    });
+  };
+  EXPECT_FALSE(damage_of("pencil"));
+  EXPECT_TRUE(damage_of("dashed-pen"));
+}
+
 }  // namespace
 }  // namespace felt::ink_scene_test

@@ -23,6 +23,7 @@
 #include "felt/render/pressure_map.h"
 #include "felt/render/segments_in_area.h"
 #include "felt/render/stroke_measures.h"
+#include "felt/render/styled_outline.h"
 #include "felt/render/tip_travel.h"
 #include "felt/render/visit_map.h"
 #include "felt/render/wide_vectors.h"
@@ -147,6 +148,8 @@ struct Rasterizer::State {
   /// Sets TipAt::travel of the paths of walk(), and `ring_travel`. Its time depends only on these
   /// paths, not on the whole stroke, if `measures` has kept the stroke.
   void measure(const Stroke& stroke, const View& view);
+  /// Adds the lines of the hatching to the paths of walk().
+  void walk_hatching(const View& view);
   /// Computes the push in a band of rows from the paths of walk(), and the visits if the look
   /// builds up.
   void lay_tip(PixelRect band, const InkLook& look);
@@ -158,6 +161,8 @@ struct Rasterizer::State {
   Cells cells{kRasterCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
+  LineStyler styler;
+  const StyledInk* styled = nullptr;  // of the stroke that is drawn, if it has a style
   SegmentsInArea runs;
   std::vector<Dab> dabs, more_dabs;
   Outline joined;
@@ -194,10 +199,20 @@ void Rasterizer::State::walk(const Stroke& stroke, const View& view) {
   ways.back().out = direction(first[0], first[1]);
 }
 
+void Rasterizer::State::walk_hatching(const View& view) {
+  const std::vector<Dab>& lines = styled->hatching;
+  for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+    Way& way = ways.emplace_back();
+    for (const Dab& dab : {lines[i], lines[i + 1]}) {
+      way.tips.push_back({view.to_px(dab.center), view.px_per_mm * dab.radius_mm, dab.tone});
+    }
+  }
+}
+
 void Rasterizer::State::measure(const Stroke& stroke, const View& view) {
   const std::span<const double> travels = measures.travels(stroke, view.px_per_mm);
   ring_travel = stroke.closed() ? travels.back() : 0.0;
-  for (std::size_t n = 0; n < ways.size(); ++n) {
+  for (std::size_t n = 0; n < runs.runs().size(); ++n) {
     const std::span<TipAt> tips = ways[n].tips;
     auto segment = static_cast<std::size_t>(runs.runs()[n].first);
     std::size_t first = 0;
@@ -302,6 +317,17 @@ const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, co
   return s.joined;
 }
 
+const Outline& Rasterizer::trace_ink(const Stroke& stroke, const LineStyle* style, const View& view,
+                                     const Rect& shown) {
+  State& s = *state_;
+  s.styled = nullptr;
+  if (!style) return trace_near(stroke, view, shown);
+  s.measures.use(stroke);
+  s.runs.find(s.measures.areas(), shown);
+  s.styled = &s.styler.ink(stroke, *style, kRasterTolerancePx / view.px_per_mm);
+  return s.styled->outline;
+}
+
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target) {
   const PixelRect part = clip.intersected(target.rect());
   if (visible(part).empty()) return;
@@ -354,17 +380,20 @@ const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
                       Pixels target) {
   const InkLook* look = grain.is_plain() ? nullptr : look_of(stroke, view, grain);
-  if (look == nullptr) return draw(stroke, view, clip, target);
+  const LineStyle* style = grain.styles().find(stroke.medium());
+  if (look == nullptr && !style) return draw(stroke, view, clip, target);
   const Rect bounds = rough_bounds(stroke);
   const PixelRect part = pixels_of(bounds, view, clip.intersected(target.rect()));
   const PixelRect seen = visible(part);
   if (seen.empty() || stroke.color().a == 0) return;
   if (!shown_by(seen, view).intersects(bounds)) return;
   State& s = *state_;
-  load(trace_near(stroke, view, shown_by(part, view)), view, part);
+  load(trace_ink(stroke, style, view, shown_by(part, view)), view, part);
+  if (look == nullptr) return blend_loaded(seen, stroke.color(), target);
   if (!s.cells.rewind_scanlines()) return;
   s.line.reset(s.cells.min_x(), s.cells.max_x());
   s.walk(stroke, view);
+  if (style) s.walk_hatching(view);
   if (look->builds_up) s.measure(stroke, view);
   const InkShade shade(*look, view);
   const std::uint32_t ink = solid(stroke.color(), target.order);

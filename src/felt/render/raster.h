@@ -53,8 +53,8 @@ class Rasterizer {
   void draw_center_line(const Stroke& stroke, const View& view, PixelRect clip, double width_px,
                         Pixels target);
 
-  /// Draws a stroke with the look of its medium on a surface (R47). If the grain is plain, the
-  /// pixels are the same as without a grain.
+  /// Draws a stroke with the look and the style of its medium on a surface (R47). If the grain is
+  /// plain and the medium has no style, the pixels are the same as without a grain.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
             Pixels target);
 
@@ -64,6 +64,9 @@ class Rasterizer {
   /// Returns the pixels of `part` that may change.
   [[nodiscard]] PixelRect visible(PixelRect part) const noexcept;
   const InkLook* look_of(const Stroke& stroke, const View& view, const Grain& grain);
+  /// Returns the outline of the ink near `shown`; `style` may be null.
+  const Outline& trace_ink(const Stroke& stroke, const LineStyle* style, const View& view,
+                           const Rect& shown);
   const Outline& trace_near(const Stroke& stroke, const View& view, const Rect& shown);
 
   struct State;

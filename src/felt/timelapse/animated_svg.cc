@@ -10,6 +10,7 @@
 #include "felt/io/fill_path.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/svg/svg_elements.h"
+#include "felt/render/styled_outline.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/outline/outline_path.h"
 #include "felt/timelapse/drawing_time.h"
@@ -62,7 +63,8 @@ void append_fill_color(std::string& out, Rgba color) {
 /// Writes shapes with their animations.
 class FilmShapes {
  public:
-  FilmShapes(const FilmTiming& timing, std::string& out) : timing_(timing), out_(out) {}
+  FilmShapes(const FilmTiming& timing, const LineStyles& styles, std::string& out)
+      : timing_(timing), styles_(styles), out_(out) {}
 
   Result<void> add(const ShapeLife& life) {
     const auto* stroke = std::get_if<StrokePtr>(&life.shape);
@@ -82,8 +84,10 @@ class FilmShapes {
     }
     if (life.to_ns) out_ += " display=\"none\"";
     out_ += " d=\"";
-    append_path_data(out_, on_grid(stroke ? outline_path(**stroke, kFilmToleranceMm)
-                                          : fill_path(*std::get<FillPtr>(life.shape))));
+    append_path_data(
+        out_, on_grid(stroke ? styled_path(**stroke, styles_.find((*stroke)->medium()),
+                                           kFilmToleranceMm)
+                             : fill_path(*std::get<FillPtr>(life.shape))));
     out_ += "\">";
     append_life(life, drawn_s);
     if (is_drawn) {
@@ -146,6 +150,7 @@ class FilmShapes {
   }
 
   const FilmTiming& timing_;
+  const LineStyles& styles_;
   std::string& out_;
   std::size_t masks_ = 0;
 };
@@ -216,8 +221,8 @@ void append_group_begin(std::string& out, double opacity, BlendMode blend) {
 
 /// Appends the layers that are gone at the end, and then the others, the lowest first.
 Result<void> append_layers(std::string& out, const StrokeLives& lives, const Document& end,
-                           const FilmTiming& timing) {
-  FilmShapes shapes(timing, out);
+                           const FilmTiming& timing, const LineStyles& styles) {
+  FilmShapes shapes(timing, styles, out);
   std::vector<LayerId> order;
   for (const ShapeLife& life : lives.all()) {
     const bool is_gone = end.layer(life.layer) == nullptr;
@@ -279,7 +284,7 @@ Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming
     append_fill_color(out, options.paper);
     out += "/>\n";
   }
-  if (Result<void> done = append_layers(out, lives, end, timing); !done) {
+  if (Result<void> done = append_layers(out, lives, end, timing, LineStyles(source.materials)); !done) {
     return tl::unexpected(done.error());
   }
   return out + "</svg>\n";

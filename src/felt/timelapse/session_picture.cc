@@ -101,6 +101,7 @@ SessionPicture::SessionPicture(Image image, const View& view, const PageOptions&
       paper_(page.paper),
       style_{.grain = page.grain, .is_seamless = true},
       scene_(start) {
+  scene_.set_styles(page.grain.styles());
   const Edit hiding = hiding_pictures(start);
   if (!hiding.empty()) FELT_CHECK(scene_.apply(hiding, damage_).has_value());
   damage_.assign(1, *page.area);

@@ -97,7 +97,7 @@ void Core::update_grain() {
   if (!is_full_module()) return;
   picture.set_grain(wants_grain && is_warm
                         ? Grain(surface_grain(session.surface()), session.materials())
-                        : Grain());
+                        : Grain::solid(session.materials()));
 }
 
 void Core::warm_up() {

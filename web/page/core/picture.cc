@@ -71,6 +71,7 @@ PixelRect Picture::rect_of(std::size_t tile) const noexcept {
 
 void Picture::open(const Document& document) {
   scene_ = std::make_unique<InkScene>(document);
+  scene_->set_styles(style_.grain.styles());
   drop_splits();
   damage(all(), false);
 }
@@ -149,6 +150,7 @@ void Picture::set_ground(const Page& page, Rgba desk) {
 void Picture::set_grain(const Grain& grain) {
   if (grain == style_.grain) return;
   style_.grain = grain;
+  scene_->set_styles(grain.styles());
   for (Tile& tile : tiles_) tile.split = {};
   damage(all(), false);
 }

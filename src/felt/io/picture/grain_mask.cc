@@ -89,7 +89,10 @@ GrainMasks::GrainMasks(const GrainPrint& print, const Rect& area) noexcept
 /// Computes `seen` and coverage_ of a mask of known size. `view` begins at its corner.
 void GrainMasks::draw(const Stroke& stroke, const View& view, GrainMask& mask) {
   const auto row = static_cast<std::size_t>(mask.width);
-  const Outline& outline = outliner_.trace(stroke, kRasterTolerancePx / view.px_per_mm);
+  const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
+  const LineStyle* style = print_.grain.styles().find(stroke.medium());
+  const Outline& outline = style ? styler_.ink(stroke, *style, tolerance_mm).outline
+                                 : outliner_.trace(stroke, tolerance_mm);
   for (int top = 0; top < mask.height; top += kBandRows) {
     const int rows = std::min(kBandRows, mask.height - top);
     const std::size_t count = row * static_cast<std::size_t>(rows);

@@ -12,6 +12,7 @@
 #include "felt/geometry/rect.h"
 #include "felt/render/grain.h"
 #include "felt/render/raster.h"
+#include "felt/render/styled_outline.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -59,6 +60,7 @@ class GrainMasks {
   std::int64_t pixels_left_ = kMaxPixels;
   Rasterizer rasterizer_;
   StrokeOutliner outliner_;
+  LineStyler styler_;
   std::vector<std::uint8_t> ink_, covered_, coverage_;
 };
 

@@ -11,11 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "felt/io/drawing_styles.h"
 #include "felt/io/fill_path.h"
 #include "felt/io/picture/pdf_objects.h"
 #include "felt/io/picture/pdf_pictures.h"
 #include "felt/io/unpack.h"
-#include "felt/stroke/outline/outline_path.h"
+#include "felt/render/styled_outline.h"
 
 namespace felt {
 namespace {
@@ -59,11 +60,12 @@ class Content {
     out_ += "re f\n";
   }
 
-  /// Appends a stroke. `mask` is the number of its mask, from 1, or 0 if all of the ink is visible.
-  void stroke(const Stroke& stroke, double tolerance_mm, std::size_t mask) {
-    set_color(stroke.color());
+  /// Appends a stroke with the outline `path`. `mask` is the number of its mask, from 1, or 0 if
+  /// all of the ink is visible.
+  void stroke(const OutlinePath& path, Rgba color, std::size_t mask) {
+    set_color(color);
     if (mask > 0) out_ += "q /G" + std::to_string(mask) + " gs\n";
-    outline(outline_path(stroke, tolerance_mm));
+    outline(path);
     out_ += mask > 0 ? "f\nQ\n" : "f\n";
   }
 
@@ -169,20 +171,21 @@ Result<void> check(const Document& document, const PdfOptions& options, const Re
 /// forms and their resources follow when they are known.
 class PdfParts final : public DrawingParts {
  public:
-  PdfParts(const Document& document, const PdfOptions& options, const Rect& area,
+  PdfParts(const Drawing& drawing, const PdfOptions& options, const Rect& area,
            PdfPictures pictures)
-      : document_(document),
-        ranges_(stroke_ranges(document, LayerChoice::kVisible)),
+      : document_(drawing.document),
+        styles_(styles_of(drawing)),
+        ranges_(stroke_ranges(drawing.document, LayerChoice::kVisible)),
         options_(options),
         area_(area),
         pictures_(std::move(pictures)),
         masks_(kFirstPdfObject + pictures_.bodies().size()) {
     if (options.grain) grain_.emplace(*options.grain, area);
     if (options.paper.a > 0) alphas_.insert(options.paper.a);
-    for (const Layer& layer : document.layers()) {
+    for (const Layer& layer : document_.layers()) {
       if (!layer.visible) continue;
-      for (const StrokeId id : layer.strokes) alphas_.insert(document.find(id)->color().a);
-      for (const FillId id : layer.fills) alphas_.insert(document.find_fill(id)->color.a);
+      for (const StrokeId id : layer.strokes) alphas_.insert(document_.find(id)->color().a);
+      for (const FillId id : layer.fills) alphas_.insert(document_.find_fill(id)->color.a);
       if (pictures_.has(layer)) alphas_.insert(255);
     }
   }
@@ -320,7 +323,8 @@ class PdfParts final : public DrawingParts {
         if (!seen) return tl::unexpected(with_context(seen.error(), "stroke " + stroke_name(id)));
         if (*seen) mask = masks_.add(**seen);
       }
-      content.stroke(*stroke, options_.tolerance_mm, mask);
+      const LineStyle* style = styles_.find(stroke->medium());
+      content.stroke(styled_path(*stroke, style, options_.tolerance_mm), stroke->color(), mask);
     }
     return {};
   }
@@ -340,6 +344,7 @@ class PdfParts final : public DrawingParts {
   }
 
   const Document& document_;
+  LineStyles styles_;
   std::vector<StrokeRange> ranges_;
   PdfOptions options_;
   Rect area_;
@@ -360,7 +365,7 @@ Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const Pd
   if (auto ok = check(drawing.document, options, area); !ok) return tl::unexpected(ok.error());
   return PdfPictures::create(drawing.document, options.pictures, kFirstPdfObject)
       .map([&](PdfPictures pictures) -> std::unique_ptr<DrawingParts> {
-        return std::make_unique<PdfParts>(drawing.document, options, area, std::move(pictures));
+        return std::make_unique<PdfParts>(drawing, options, area, std::move(pictures));
       });
 }
 

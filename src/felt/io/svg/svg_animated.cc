@@ -54,7 +54,7 @@ Result<std::string> svg_animated_text(std::span<const AnimatedPicture> pictures,
     const FilmTime end{start.frame + picture.frames, frames};
     text += start.frame == 0 ? "<g>\n" : "<g visibility=\"hidden\">\n";
     append_turn(text, start, end, static_cast<double>(frames) / options.frames_per_second);
-    if (Result<void> done = append_compact_ink(text, picture.drawing.document); !done) {
+    if (Result<void> done = append_compact_ink(text, picture.drawing); !done) {
       return tl::unexpected(done.error());
     }
     text += "</g>\n";

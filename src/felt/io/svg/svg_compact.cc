@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "felt/document/visible_strokes.h"
+#include "felt/io/drawing_styles.h"
 #include "felt/io/fill_path.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/svg/svg_elements.h"
+#include "felt/render/styled_outline.h"
 #include "felt/stroke/color_text.h"
-#include "felt/stroke/outline/outline_path.h"
 
 namespace felt {
 namespace {
@@ -43,8 +44,9 @@ std::string box_text(const Rect& area) {
   return text;
 }
 
-void append_compact_path(std::string& out, const Stroke& stroke, std::string_view fill) {
-  OutlinePath path = outline_path(stroke, kCompactToleranceMm);
+void append_compact_path(std::string& out, const Stroke& stroke, const LineStyles& styles,
+                         std::string_view fill) {
+  OutlinePath path = styled_path(stroke, styles.find(stroke.medium()), kCompactToleranceMm);
   for (Point& p : path.points) p = {rounded(p.x), rounded(p.y)};
   out += "<path";
   out += fill;
@@ -55,7 +57,8 @@ void append_compact_path(std::string& out, const Stroke& stroke, std::string_vie
 
 /// Appends the strokes. Neighbours of the same colour are in a group that has the colour. They are
 /// not one path, because outlines that overlap could cancel each other.
-Result<void> append_strokes(std::string& out, const std::vector<StrokePtr>& strokes) {
+Result<void> append_strokes(std::string& out, const std::vector<StrokePtr>& strokes,
+                            const LineStyles& styles) {
   for (std::size_t i = 0; i < strokes.size();) {
     std::size_t end = i + 1;
     while (end < strokes.size() && strokes[end]->color() == strokes[i]->color()) ++end;
@@ -69,7 +72,7 @@ Result<void> append_strokes(std::string& out, const std::vector<StrokePtr>& stro
         return fail(ErrorCode::kLimitExceeded,
                     "stroke " + std::to_string(i + 1) + ": the stroke extends beyond 1e9 mm");
       }
-      append_compact_path(out, *strokes[i], is_group ? "" : fill);
+      append_compact_path(out, *strokes[i], styles, is_group ? "" : fill);
     }
     if (is_group) out += "</g>\n";
   }
@@ -112,10 +115,12 @@ Result<void> append_fills(std::string& out, const Document& document, const Laye
 
 // Strokes of neighbouring layers can share a group, unless one of the layers has fills or is drawn
 // as a whole.
-Result<void> append_compact_ink(std::string& out, const Document& document) {
+Result<void> append_compact_ink(std::string& out, const Drawing& drawing) {
+  const Document& document = drawing.document;
+  const LineStyles styles = styles_of(drawing);
   std::vector<StrokePtr> strokes;
   LayerGroupPtr open;  // the group of layers that has begun, if it is drawn as a whole
-  const auto flush = [&] { return append_strokes(out, std::exchange(strokes, {})); };
+  const auto flush = [&] { return append_strokes(out, std::exchange(strokes, {}), styles); };
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     const LayerGroupPtr group = layer.group && layer.group->is_whole() ? layer.group : nullptr;
@@ -168,7 +173,7 @@ Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& o
   const Rgba paper = options.paper.value_or(shows_page ? drawing.page.paper : Rgba{0, 0, 0, 0});
   std::string text;
   append_compact_head(text, area, paper);
-  if (Result<void> done = append_compact_ink(text, drawing.document); !done) {
+  if (Result<void> done = append_compact_ink(text, drawing); !done) {
     return tl::unexpected(done.error());
   }
   text += "</svg>\n";

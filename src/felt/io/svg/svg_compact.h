@@ -19,7 +19,7 @@ Result<std::string> svg_compact_text(const Drawing& drawing, const SvgOptions& o
 /// unless its alpha is 0.
 void append_compact_head(std::string& out, const Rect& area, Rgba paper);
 
-/// Appends the visible ink of a document as such outlines. Fails if a coordinate is beyond 1e9 mm.
-Result<void> append_compact_ink(std::string& out, const Document& document);
+/// Appends the visible ink of a drawing as such outlines. Fails if a coordinate is beyond 1e9 mm.
+Result<void> append_compact_ink(std::string& out, const Drawing& drawing);
 
 }  // namespace felt

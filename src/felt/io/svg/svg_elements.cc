@@ -12,7 +12,9 @@
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/picture/grain_mask.h"
 #include "felt/io/svg/svg_fill.h"
+#include "felt/io/svg/svg_pattern_effect.h"
 #include "felt/io/xml/xml_text.h"
+#include "felt/render/styled_outline.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/width_profile.h"
 
@@ -315,7 +317,8 @@ void append_svg_group_end(std::string& out) {
 }
 
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
-                               std::size_t number, double tolerance_mm, const GrainMask* mask) {
+                               std::size_t number, double tolerance_mm, const GrainMask* mask,
+                               const LineStyle* style) {
   if (!within_reach(stroke.bounds())) {
     return fail(ErrorCode::kLimitExceeded, "the stroke extends beyond 1e9 mm");
   }
@@ -338,10 +341,14 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
     if (!png) return tl::unexpected(png.error());
     picture = *std::move(png);
   }
-  append_path_effect(out, d, count);
+  if (has_pattern_effect(style)) {
+    append_pattern_effect(out, stroke, *style, "w" + count);
+  } else {
+    append_path_effect(out, d, count);
+  }
   if (mask) append_mask(out, mask->area, picture, count);
   out += "<path id=\"s" + count + "\" d=\"";
-  append_path_data(out, outline_path(stroke, tolerance_mm));
+  append_path_data(out, styled_path(stroke, style, tolerance_mm));
   out += '"';
   append_color(out, d.color);
   if (mask) out += "mask=\"url(#" + std::string(kSvgMaskId) + count + ")\" ";

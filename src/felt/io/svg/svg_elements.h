@@ -13,6 +13,7 @@
 namespace felt {
 
 struct GrainMask;
+struct LineStyle;
 
 /// These functions write the pieces of an SVG file of a sketch (docs/formats/svg.md). Most of them
 /// append to `out`. Equal values give equal bytes.
@@ -69,11 +70,14 @@ void append_svg_group_end(std::string& out);
 /// Appends one stroke: a filled path that any viewer shows correctly, with Inkscape's PowerStroke
 /// and our attributes. `number` makes the element ids unique. `tolerance_mm` applies to the
 /// outline; our attributes are exact. If `mask` is set, the path gets this mask, which shows the
-/// grain; the path itself does not change. Call it inside a layer or group. Fails, and appends
-/// nothing, if XML cannot hold the id or medium, or if a coordinate is beyond 1e9 mm.
+/// grain; the path itself does not change. If `style` is set, the path is the stylised ink
+/// (styled_path()), and a style with a shape has Inkscape's effect Pattern Along Path instead of a
+/// PowerStroke. Call it inside a layer or group. Fails, and appends nothing, if XML cannot hold the
+/// id or medium, or if a coordinate is beyond 1e9 mm.
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
                                std::size_t number, double tolerance_mm,
-                               const GrainMask* mask = nullptr);
+                               const GrainMask* mask = nullptr,
+                               const LineStyle* style = nullptr);
 
 /// Appends one fill: a path with the even-odd rule. Its numbers are exact, and our attribute holds
 /// its references. Call it inside a layer or group, before the strokes. Fails, and appends nothing,

@@ -263,6 +263,24 @@ std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour&
   return d;
 }
 
+/// Reads a stroke with the effect Pattern Along Path whose centre line another program changed: its widths are
+/// those that we stored, stretched over the line. Returns nullopt if there are none.
+std::optional<StrokeData> stretched_model(const SvgVariableWidth& a, const SvgContour& line) {
+  StrokeData d;
+  const auto n = static_cast<double>(line.segment_count());
+  const auto stored = static_cast<double>(a.joints.size() + (line.closed ? 0 : 1));
+  if (a.points.empty() || !read_exact_widths(a, stored, d.widths)) return std::nullopt;
+  for (WidthKnot& knot : d.widths) knot.u *= n / stored;
+  d.widths.back().u = n;
+  for (std::size_t i = 1; i < d.widths.size(); ++i) {
+    if (!(d.widths[i].u > d.widths[i - 1].u)) return std::nullopt;
+  }
+  d.points = line.points;
+  d.closed = line.closed;
+  d.joints = svg_joints(d.points, d.closed);
+  return d;
+}
+
 /// Returns true if the knots of the effect are still those that we wrote. Otherwise another program
 /// changed the widths.
 bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot>& theirs,
@@ -378,6 +396,13 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
                               a.points.empty() ? 1e-4 : kKnotWidthMm)) {
       for (WidthKnot& k : knots->widths) k.tone = tone_at(d->widths, k.u);
       d->widths = std::move(knots->widths);
+    }
+  }
+  if (!d && a.is_ours && a.has_pattern) {
+    d = stretched_model(a, line);
+    if (d) {
+      wide.notices.emplace_back(
+          "has a line that another program changed; its widths were stretched over the line");
     }
   }
   if (!d) {

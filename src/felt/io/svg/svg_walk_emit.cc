@@ -205,7 +205,9 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
     const std::string_view one = svg_trimmed(effects.until(';'));
     if (one.empty() || one.front() != '#') continue;
     const pugi::xml_node effect = document_.find(one.substr(1));
-    if (std::string_view(effect.attribute("effect").value()) != "powerstroke") continue;
+    const std::string_view kind = effect.attribute("effect").value();
+    v.has_pattern = v.has_pattern || kind == "skeletal";
+    if (kind != "powerstroke") continue;
     v.has_effect = true;
     v.offset_points = effect.attribute("offset_points").value();
     v.interpolator = effect.attribute("interpolator_type").value();

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "felt/io/drawing_styles.h"
 #include "felt/io/svg/svg_elements.h"
 
 namespace felt {
@@ -16,10 +17,11 @@ enum class SvgLayers { kWritten, kLeftOut };
 /// the start tag of the layer, and the last part its end tag. The same applies to groups of layers.
 class SvgParts final : public DrawingParts {
  public:
-  SvgParts(const Document& document, const SvgOptions& options, const Rect& area, std::string head,
+  SvgParts(const Drawing& drawing, const SvgOptions& options, const Rect& area, std::string head,
            SvgLayers layers)
-      : document_(document),
-        ranges_(stroke_ranges(document, LayerChoice::kAll)),
+      : document_(drawing.document),
+        styles_(styles_of(drawing)),
+        ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
         pictures_(options.pictures),
         head_(std::move(head)),
@@ -90,14 +92,19 @@ class SvgParts final : public DrawingParts {
 
   Result<void> append_stroke(std::string& text, StrokeId id, std::size_t number) const {
     const StrokePtr stroke = document_.find(id);
-    if (!masks_) return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_);
+    const LineStyle* style = styles_.find(stroke->medium());
+    if (!masks_) {
+      return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_, nullptr,
+                               style);
+    }
     const Result<std::optional<GrainMask>> mask = masks_->of(*stroke);
     if (!mask) return tl::unexpected(mask.error());
     return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_,
-                             *mask ? &**mask : nullptr);
+                             *mask ? &**mask : nullptr, style);
   }
 
   const Document& document_;
+  LineStyles styles_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;
   PictureChoice pictures_;
@@ -121,8 +128,7 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const Sv
                                         options.area, options.margin_mm);
   std::string head;
   append_svg_head(head, area, page ? page->paper : options.paper.value_or(kNoPaper), *model);
-  return std::make_unique<SvgParts>(drawing.document, options, area, std::move(head),
-                                    SvgLayers::kWritten);
+  return std::make_unique<SvgParts>(drawing, options, area, std::move(head), SvgLayers::kWritten);
 }
 
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options) {
@@ -136,7 +142,7 @@ Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& optio
                                  options.margin_mm);
   std::string head;
   append_svg_head(head, area, options.paper.value_or(kNoPaper));
-  SvgParts parts(drawing.document, options, area, std::move(head), SvgLayers::kLeftOut);
+  SvgParts parts(drawing, options, area, std::move(head), SvgLayers::kLeftOut);
   return bytes_of(parts);
 }
 

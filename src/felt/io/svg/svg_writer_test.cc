@@ -23,6 +23,7 @@
 #include "felt/io/testing/import_checks.h"
 #include "felt/io/testing/test_drawings.h"
 #include "felt/render/page_painter.h"
+#include "felt/render/styled_outline.h"
 #include "felt/stroke/testing/ink_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "tests/support/scratch_path.h"
@@ -264,6 +265,56 @@ TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {
   EXPECT_EQ(std::string("#") + effect.attribute("id").value(),
             group.child("path").attribute("inkscape:path-effect").value());
   EXPECT_FALSE(group.child("path").attribute("stroke"));
+}
+
+Stroke with_medium(const Stroke& stroke, const std::string& medium) {
+  StrokeData data = stroke.data();
+  data.medium = medium;
+  return Stroke::create(std::move(data)).value();
+}
+
+/// A style is a path for all programs and comes back as the same stroke. Inkscape has an effect for
+/// shapes; the other styles keep the PowerStroke.
+TEST(SvgWriter, StylesArePathsAndStrokesComeBack) {
+  for (const char* medium : {"dashed-pen", "double-line", "arrow-pen", "rope", "leaf", "hatched"}) {
+    const bool has_shape = std::string(medium) == "rope" || std::string(medium) == "leaf";
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(medium + std::to_string(seed));
+      const Stroke stroke = with_medium(testing::random_stroke(seed), medium);
+      const std::string text = stream_text({stroke});
+      const auto document = parsed(text);
+      const pugi::xml_node group = document.child("svg").child("g");
+      EXPECT_EQ(model_of(group.child("path")), stroke.data());
+      EXPECT_STREQ(group.child("defs").child("inkscape:path-effect").attribute("effect").value(),
+                   has_shape ? "skeletal" : "powerstroke");
+      std::string path;
+      append_path_data(path, styled_path(stroke, LineStyles().find(medium), 0.005));
+      EXPECT_EQ(group.child("path").attribute("d").value(), path);
+      const Result<Imported> back = import_svg(text, {});
+      ASSERT_TRUE(back) << back.error().message;
+      const auto& layers = back->drawing.document.layers();
+      EXPECT_EQ(*back->drawing.document.find(layers[0].strokes[0]), stroke);
+    }
+  }
+}
+
+/// Inkscape changes the line of an effect. The stroke keeps its medium and widths.
+TEST(SvgWriter, ALineWithAShapeCanBeEditedInInkscape) {
+  std::string text =
+      stream_text({with_medium(testing::straight_stroke({0, 0}, {30, 0}, 1.0, 3.0), "rope")});
+  const std::string_view before = "inkscape:original-d=\"M0 0c10 0 20 0 30 0\"";
+  const std::size_t at = text.find(before);
+  ASSERT_NE(at, std::string::npos) << text;
+  text.replace(at, before.size(), "inkscape:original-d=\"M0 0C10 5 20 5 30 0C40 -5 50 -5 60 0\"");
+  const Result<Imported> back = import_svg(text, {});
+  ASSERT_TRUE(back) << back.error().message;
+  const Document& document = back->drawing.document;
+  const StrokePtr stroke = document.find(document.layers()[0].strokes[0]);
+  EXPECT_EQ(stroke->medium(), "rope");
+  EXPECT_EQ(stroke->segment_count(), 2);
+  EXPECT_NEAR(stroke->width_mm(0.0), 1.0, 1e-9);
+  EXPECT_NEAR(stroke->width_mm(1.0), 2.0, 1e-9);
+  EXPECT_NEAR(stroke->width_mm(2.0), 3.0, 1e-9);
 }
 
 TEST(SvgWriter, StatesTheAreaInMillimetres) {

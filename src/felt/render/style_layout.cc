@@ -1,0 +1,126 @@
+#include "felt/render/style_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+/// A part of a line between two corners or ends.
+struct LineSection {
+  StyleSpan span;
+  bool begins_at_corner = false, ends_at_corner = false;
+};
+
+/// Returns the parts of the line between its corners. Empty if the line is a ring without corners.
+std::vector<LineSection> sections_of(const Spine& spine, StyleSpan range) {
+  std::vector<double> corners;
+  for (const double at : spine.corners()) {
+    if (spine.closed() || (at > range.from && at < range.to)) corners.push_back(at);
+  }
+  std::vector<LineSection> sections;
+  if (spine.closed()) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const double to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + spine.end();
+      sections.push_back({{corners[i], to}, true, true});
+    }
+    return sections;
+  }
+  double from = range.from;
+  for (const double corner : corners) {
+    sections.push_back({{from, corner}, !sections.empty(), true});
+    from = corner;
+  }
+  sections.push_back({{from, range.to}, !sections.empty(), false});
+  return sections;
+}
+
+/// Returns the rhythm, stretched if it would give more than max_count spans.
+StyleRhythm bounded(const Spine& spine, StyleRhythm rhythm) {
+  const double count = spine.end() / (rhythm.length + rhythm.gap);
+  const double factor = std::max(1.0, count / rhythm.max_count);
+  rhythm.length *= factor;
+  rhythm.gap *= factor;
+  return rhythm;
+}
+
+void add_dashes(const LineSection& section, const StyleRhythm& r, std::vector<StyleSpan>& out) {
+  const double half_cap = 0.5 * r.cap;
+  const double first = section.begins_at_corner ? 0.5 * r.length : r.length;
+  const double last = section.ends_at_corner ? 0.5 * r.length : r.length;
+  // The visible part of the line, with the caps at its ends.
+  const double begin = section.span.from - (section.begins_at_corner ? 0.0 : half_cap);
+  const double end = section.span.to + (section.ends_at_corner ? 0.0 : half_cap);
+  const double gaps =
+      std::floor((end - begin - first - last + r.length) / (r.length + r.gap) + 0.5);
+  if (!(gaps >= 1.0)) return out.push_back(section.span);
+  const double scale = (end - begin) / (first + last + gaps * r.gap + (gaps - 1.0) * r.length);
+  for (double k = 0.0; k <= gaps; ++k) {
+    const double from = k == 0.0 ? begin
+                                 : begin + scale * (first + k * r.gap + (k - 1.0) * r.length);
+    const double to =
+        k == gaps ? end : begin + scale * (first + k * (r.gap + r.length));
+    StyleSpan dash{from + half_cap, to - half_cap};
+    if (k == 0.0 && section.begins_at_corner) dash.from = begin;
+    if (k == gaps && section.ends_at_corner) dash.to = end;
+    if (dash.to < dash.from) dash.from = dash.to = 0.5 * (dash.from + dash.to);
+    out.push_back(dash);
+  }
+}
+
+}  // namespace
+
+std::vector<StyleSpan> dash_spans(const Spine& spine, StyleSpan range, const StyleRhythm& rhythm) {
+  const StyleRhythm r = bounded(spine, rhythm);
+  const std::vector<LineSection> sections = sections_of(spine, range);
+  std::vector<StyleSpan> dashes;
+  if (sections.empty()) {
+    const double count = std::max(1.0, std::round(spine.end() / (r.length + r.gap)));
+    const double scale = spine.end() / (count * (r.length + r.gap));
+    const double half = std::max(0.0, 0.5 * (scale * r.length - r.cap));
+    for (double k = 1.0; k <= count; ++k) {
+      const double middle = spine.end() * k / count;
+      dashes.push_back({middle - half, middle + half});
+    }
+    return dashes;
+  }
+  std::vector<StyleSpan> part;
+  for (const LineSection& section : sections) {
+    part.clear();
+    add_dashes(section, r, part);
+    auto first = part.begin();
+    if (section.begins_at_corner && !dashes.empty()) {  // the halves on both sides of a corner
+      dashes.back().to = first->to;
+      ++first;
+    }
+    dashes.insert(dashes.end(), first, part.end());
+  }
+  if (spine.closed() && dashes.size() > 1) {  // both halves at the first corner
+    dashes.back().to = dashes.front().to + spine.end();
+    dashes.erase(dashes.begin());
+  }
+  return dashes;
+}
+
+std::vector<StyleSpan> repeat_spans(const Spine& spine, StyleSpan range,
+                                    const StyleRhythm& rhythm) {
+  const StyleRhythm r = bounded(spine, rhythm);
+  std::vector<LineSection> sections = sections_of(spine, range);
+  const bool is_ring = sections.empty();
+  if (is_ring) sections.push_back({{0.0, spine.end()}, false, false});
+  std::vector<StyleSpan> spans;
+  for (const LineSection& section : sections) {
+    const double from = section.span.from, size = section.span.to - from;
+    const double extra = is_ring ? 0.0 : r.gap;
+    const double count = std::max(1.0, std::round((size + extra) / (r.length + r.gap)));
+    const double scale = size / (count * (r.length + r.gap) - extra);
+    for (double k = 0.0; k < count; ++k) {
+      const double at = from + k * scale * (r.length + r.gap);
+      const bool is_last = !is_ring && k + 1.0 == count;  // ends exactly at the corner or end
+      spans.push_back({at, is_last ? section.span.to : at + scale * r.length});
+    }
+  }
+  return spans;
+}
+
+}  // namespace felt
