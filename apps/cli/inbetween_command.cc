@@ -15,6 +15,7 @@
 #include "felt/motion/ease.h"
 #include "felt/motion/inbetween.h"
 #include "felt/motion/stroke_shape.h"
+#include "felt/timelapse/timelapse_film.h"
 #include "format.h"
 #include "inbetween_pairs.h"
 #include "input.h"

@@ -5646,6 +5646,140 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::TimelapseActions</name>
+    <message>
+        <source>Export &amp;timelapse…</source>
+        <translation>&amp;Zeitraffer exportieren…</translation>
+    </message>
+    <message>
+        <source>Make a film of how a drawing was made, from a recording</source>
+        <translation>Aus einer Aufnahme einen Film machen, der zeigt, wie eine Zeichnung entstand</translation>
+    </message>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.ndjson *.felt)</source>
+        <translation>Aufnahmen (*.ndjson *.felt)</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Zeitraffer exportieren</translation>
+    </message>
+    <message>
+        <source>Making the film “%1”…</source>
+        <translation>Der Film „%1“ wird gemacht…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>„%1“ wurde nicht exportiert</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TimelapseDialog</name>
+    <message>
+        <source>GIF (repeats, 256 colours)</source>
+        <translation>GIF (läuft immer wieder, 256 Farben)</translation>
+    </message>
+    <message>
+        <source>Animated SVG (for web pages)</source>
+        <translation>Bewegtes SVG (für Webseiten)</translation>
+    </message>
+    <message>
+        <source>WebM film (VP9)</source>
+        <translation>WebM-Film (VP9)</translation>
+    </message>
+    <message>
+        <source>This window, which is being recorded</source>
+        <translation>Dieses Fenster, das aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>The recording in this drawing</source>
+        <translation>Die Aufnahme in dieser Zeichnung</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>Eine Datei</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>&amp;Grain of the surface in dry media</source>
+        <translation>&amp;Körnung des Untergrunds in trockenen Zeichenmitteln</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Zeitraffer exportieren</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Automatic: 30 s, or less if the drawing took less time</source>
+        <translation>Automatisch: 30 s, oder weniger, wenn das Zeichnen weniger Zeit brauchte</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> Pixel</translation>
+    </message>
+    <message>
+        <source>The longer side of the film</source>
+        <translation>Die längere Seite des Films</translation>
+    </message>
+    <message>
+        <source>&amp;Recording:</source>
+        <translation>&amp;Aufnahme:</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>Datei:</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>&amp;Length:</source>
+        <translation>&amp;Länge:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Datei der Aufnahme</translation>
+    </message>
+    <message>
+        <source>A script (.ndjson) or a drawing (.felt)</source>
+        <translation>Ein Skript (.ndjson) oder eine Zeichnung (.felt)</translation>
+    </message>
+    <message>
+        <source>This format needs the program ffmpeg, which is not installed. Install the package “ffmpeg”, or export an animated SVG.</source>
+        <translation>Dieses Format braucht das Programm ffmpeg, das nicht installiert ist. Installiere das Paket „ffmpeg“, oder exportiere ein bewegtes SVG.</translation>
+    </message>
+    <message>
+        <source>A recording is made by “feltline-desktop --record FILE.ndjson” or “feltline replay --recording”.</source>
+        <translation>Eine Aufnahme machen „feltline-desktop --record DATEI.ndjson“ und „feltline replay --recording“.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ToolBar</name>
     <message>
         <source>Tools</source>

@@ -5646,6 +5646,140 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::TimelapseActions</name>
+    <message>
+        <source>Export &amp;timelapse…</source>
+        <translation>&amp;Timelapse exporteren…</translation>
+    </message>
+    <message>
+        <source>Make a film of how a drawing was made, from a recording</source>
+        <translation>Van een opname een film maken die laat zien hoe een tekening ontstond</translation>
+    </message>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Een opname kiezen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.ndjson *.felt)</source>
+        <translation>Opnamen (*.ndjson *.felt)</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Timelapse exporteren</translation>
+    </message>
+    <message>
+        <source>Making the film “%1”…</source>
+        <translation>De film ‘%1’ wordt gemaakt…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>‘%1’ is niet geëxporteerd</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TimelapseDialog</name>
+    <message>
+        <source>GIF (repeats, 256 colours)</source>
+        <translation>GIF (herhaalt zich, 256 kleuren)</translation>
+    </message>
+    <message>
+        <source>Animated SVG (for web pages)</source>
+        <translation>Bewegende SVG (voor webpagina’s)</translation>
+    </message>
+    <message>
+        <source>WebM film (VP9)</source>
+        <translation>WebM-film (VP9)</translation>
+    </message>
+    <message>
+        <source>This window, which is being recorded</source>
+        <translation>Dit venster, dat wordt opgenomen</translation>
+    </message>
+    <message>
+        <source>The recording in this drawing</source>
+        <translation>De opname in deze tekening</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>Een bestand</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Kiezen…</translation>
+    </message>
+    <message>
+        <source>&amp;Grain of the surface in dry media</source>
+        <translation>&amp;Korrel van de ondergrond in droge tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Timelapse exporteren</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Automatic: 30 s, or less if the drawing took less time</source>
+        <translation>Automatisch: 30 s, of minder als het tekenen minder tijd kostte</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> pixels</translation>
+    </message>
+    <message>
+        <source>The longer side of the film</source>
+        <translation>De langste zijde van de film</translation>
+    </message>
+    <message>
+        <source>&amp;Recording:</source>
+        <translation>&amp;Opname:</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>Bestand:</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formaat:</translation>
+    </message>
+    <message>
+        <source>&amp;Length:</source>
+        <translation>&amp;Lengte:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Grootte:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Bestand van de opname</translation>
+    </message>
+    <message>
+        <source>A script (.ndjson) or a drawing (.felt)</source>
+        <translation>Een script (.ndjson) of een tekening (.felt)</translation>
+    </message>
+    <message>
+        <source>This format needs the program ffmpeg, which is not installed. Install the package “ffmpeg”, or export an animated SVG.</source>
+        <translation>Dit formaat heeft het programma ffmpeg nodig, dat niet is geïnstalleerd. Installeer het pakket ‘ffmpeg’, of exporteer een bewegende SVG.</translation>
+    </message>
+    <message>
+        <source>A recording is made by “feltline-desktop --record FILE.ndjson” or “feltline replay --recording”.</source>
+        <translation>Een opname maken ‘feltline-desktop --record BESTAND.ndjson’ en ‘feltline replay --recording’.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ToolBar</name>
     <message>
         <source>Tools</source>

@@ -29,7 +29,7 @@ constexpr auto kRecent = "file.recent_menu";
 constexpr std::array kMenus{
     MenuRow{"file", QT_TRANSLATE_NOOP("Menus", "&File"),
             "file.new file.new_window file.open file.recent_menu - file.save file.save_as "
-            "file.revert - file.import file.import_picture file.export* file.page* file.print* - "
+            "file.revert - file.import file.import_picture file.export* file.timelapse file.page* file.print* - "
             "file.* - file.close "
             "file.quit"},
     MenuRow{
