@@ -27,5 +27,7 @@ inline const QString kTimelapseFormat = QStringLiteral("files/timelapse_format")
 inline const QString kTimelapseSeconds = QStringLiteral("files/timelapse_seconds");
 inline const QString kTimelapseSize = QStringLiteral("files/timelapse_size");
 inline constexpr double kTimelapseSizeDefault = 1280.0;
+/// The last choice in the dialog for animations: a number of AnimationFormat.
+inline const QString kAnimationFormat = QStringLiteral("files/animation_format");
 
 }  // namespace felt::desktop::files_keys

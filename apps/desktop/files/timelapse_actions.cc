@@ -102,18 +102,25 @@ QString TimelapseActions::ask_name(TimelapseFormat format) const {
 }
 
 void TimelapseActions::make(const QString& path, const TimelapseRequest& request) {
+  run(path, [path, request](TimelapseProgress& progress) {
+    return make_timelapse(path, request, progress);
+  });
+}
+
+void TimelapseActions::run(const QString& path,
+                           std::function<Result<void>(TimelapseProgress&)> work) {
   action_->setEnabled(false);
   progress_ = std::make_shared<TimelapseProgress>();
   show_progress(QFileInfo(path).fileName());
-  worker_.start([this, path, request, progress = progress_]() -> FileWorker::Answer {
-    const Result<void> done = make_timelapse(path, request, *progress);
+  worker_.start([this, path, work = std::move(work), progress = progress_]() -> FileWorker::Answer {
+    const Result<void> done = work(*progress);
     return [this, path, done] { end(path, done); };
   });
 }
 
 void TimelapseActions::show_progress(const QString& name) {
   shown_ = new QProgressDialog(tr("Making the film “%1”…").arg(name), tr("Cancel"), 0, 0, window_);
-  shown_->setWindowTitle(tr("Export timelapse"));
+  shown_->setWindowTitle(tr("Export"));
   shown_->setWindowModality(Qt::NonModal);
   shown_->setAttribute(Qt::WA_DeleteOnClose, false);
   shown_->setAttribute(Qt::WA_ShowWithoutActivating);

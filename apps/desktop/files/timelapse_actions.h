@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "desktop/engine/actions.h"
@@ -28,6 +29,8 @@ class TimelapseActions : public QObject {
 
   /// Starts a film. Errors are shown to the user. Requires that no film is being made.
   void make(const QString& path, const TimelapseRequest& request);
+  /// Runs the work of a film in the same way: `work` writes the file `path` on the other thread.
+  void run(const QString& path, std::function<Result<void>(TimelapseProgress&)> work);
   /// Cancels the film that is being made, if any.
   void cancel() { progress_->is_cancelled = true; }
   [[nodiscard]] bool is_busy() const { return worker_.is_busy(); }

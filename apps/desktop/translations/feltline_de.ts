@@ -1066,6 +1066,17 @@
     </message>
 </context>
 <context>
+    <name>Motion</name>
+    <message>
+        <source>A motion needs two key drawings: two layers with lines that are not locked.</source>
+        <translation>Eine Bewegung braucht zwei Schlüsselzeichnungen: zwei Ebenen mit Linien, die nicht gesperrt sind.</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animation exportieren</translation>
+    </message>
+</context>
+<context>
     <name>OfferPopup</name>
     <message>
         <source>Delete 1 line</source>
@@ -2192,6 +2203,45 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::AnimationDialog</name>
+    <message>
+        <source>Numbered PNG files</source>
+        <translation>Nummerierte PNG-Dateien</translation>
+    </message>
+    <message>
+        <source>Numbered SVG files</source>
+        <translation>Nummerierte SVG-Dateien</translation>
+    </message>
+    <message>
+        <source>One animated SVG</source>
+        <translation>Ein bewegtes SVG</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animation exportieren</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation type="unfinished"> Pixel</translation>
+    </message>
+    <message>
+        <source>The longer side of the pictures</source>
+        <translation>Die längere Seite der Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::AnswerScale</name>
     <message>
         <source>%1 of %2</source>
@@ -3261,6 +3311,13 @@ Ihre Zeichnung ist noch geöffnet: Speichern Sie sie an einem anderen Ort.</tran
     </message>
 </context>
 <context>
+    <name>felt::desktop::FilmView</name>
+    <message>
+        <source>Film of the key drawings</source>
+        <translation>Film der Schlüsselzeichnungen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ForceGraph</name>
     <message>
         <source>Plot of the forces of the last seconds</source>
@@ -4052,6 +4109,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Tactile check</source>
         <translation>Tastprüfung</translation>
     </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialEditor</name>
@@ -4404,6 +4465,113 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>or press Space</source>
         <translation>oder Leertaste drücken</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MotionPanel</name>
+    <message>
+        <source>Add &amp;key drawing</source>
+        <translation>&amp;Schlüsselzeichnung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds a layer for the next key drawing</source>
+        <translation>Fügt eine Ebene für die nächste Schlüsselzeichnung hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Onion skin</source>
+        <translation>Zwiebel&amp;haut</translation>
+    </message>
+    <message>
+        <source>The key drawings before and after the current one shine through</source>
+        <translation>Die Schlüsselzeichnungen vor und nach der aktuellen scheinen durch</translation>
+    </message>
+    <message>
+        <source>&amp;Play the motion</source>
+        <translation>Bewegung abs&amp;pielen</translation>
+    </message>
+    <message>
+        <source>Plays the key drawings and the drawings between them; Esc stops</source>
+        <translation>Spielt die Schlüsselzeichnungen und die Zeichnungen dazwischen ab; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Export &amp;animation…</source>
+        <translation>&amp;Animation exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the key drawings and the drawings between them as files</source>
+        <translation>Die Schlüsselzeichnungen und die Zeichnungen dazwischen als Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>Key drawings</source>
+        <translation>Schlüsselzeichnungen</translation>
+    </message>
+    <message>
+        <source>Each layer with lines that is not locked is a key drawing, from the bottom up</source>
+        <translation>Jede Ebene mit Linien, die nicht gesperrt ist, ist eine Schlüsselzeichnung, von unten nach oben</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Starts slowly</source>
+        <translation>Beginnt langsam</translation>
+    </message>
+    <message>
+        <source>Ends slowly</source>
+        <translation>Endet langsam</translation>
+    </message>
+    <message>
+        <source>Starts and ends slowly</source>
+        <translation>Beginnt und endet langsam</translation>
+    </message>
+    <message>
+        <source>The number of drawings from one key drawing to the next</source>
+        <translation>Die Zahl der Zeichnungen von einer Schlüsselzeichnung zur nächsten</translation>
+    </message>
+    <message>
+        <source>For how many frames each key drawing is shown</source>
+        <translation>Wie viele Bilder lang jede Schlüsselzeichnung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>In-&amp;betweens:</source>
+        <translation>&amp;Zwischenzeichnungen:</translation>
+    </message>
+    <message>
+        <source>&amp;Hold:</source>
+        <translation>&amp;Halten:</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Tempo:</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Zeichnung</translation>
+    </message>
+    <message>
+        <source>Onion skin</source>
+        <translation>Zwiebelhaut</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Draw the second key drawing on a layer of its own.</source>
+        <translation>Zeichne die zweite Schlüsselzeichnung auf einer eigenen Ebene.</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 s</source>
+        <translation>%1 Bilder, %2 s</translation>
     </message>
 </context>
 <context>
@@ -5678,6 +5846,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>“%1” was not exported</source>
         <translation>„%1“ wurde nicht exportiert</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
     </message>
 </context>
 <context>

@@ -1066,6 +1066,17 @@
     </message>
 </context>
 <context>
+    <name>Motion</name>
+    <message>
+        <source>A motion needs two key drawings: two layers with lines that are not locked.</source>
+        <translation>Een beweging heeft twee sleuteltekeningen nodig: twee lagen met lijnen die niet vergrendeld zijn.</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animatie exporteren</translation>
+    </message>
+</context>
+<context>
     <name>OfferPopup</name>
     <message>
         <source>Delete 1 line</source>
@@ -2192,6 +2203,45 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::AnimationDialog</name>
+    <message>
+        <source>Numbered PNG files</source>
+        <translation>Genummerde PNG-bestanden</translation>
+    </message>
+    <message>
+        <source>Numbered SVG files</source>
+        <translation>Genummerde SVG-bestanden</translation>
+    </message>
+    <message>
+        <source>One animated SVG</source>
+        <translation>Eén bewegende SVG</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animatie exporteren</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation type="unfinished"> pixels</translation>
+    </message>
+    <message>
+        <source>The longer side of the pictures</source>
+        <translation>De langste zijde van de afbeeldingen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formaat:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Grootte:</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::AnswerScale</name>
     <message>
         <source>%1 of %2</source>
@@ -3261,6 +3311,13 @@ Je tekening is nog open: sla haar op een andere plaats op.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::FilmView</name>
+    <message>
+        <source>Film of the key drawings</source>
+        <translation>Film van de sleuteltekeningen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ForceGraph</name>
     <message>
         <source>Plot of the forces of the last seconds</source>
@@ -4052,6 +4109,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Tactile check</source>
         <translation>Tastcontrole</translation>
     </message>
+    <message>
+        <source>Motion</source>
+        <translation>Beweging</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialEditor</name>
@@ -4404,6 +4465,113 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>or press Space</source>
         <translation>of druk op de spatiebalk</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MotionPanel</name>
+    <message>
+        <source>Add &amp;key drawing</source>
+        <translation>&amp;Sleuteltekening toevoegen</translation>
+    </message>
+    <message>
+        <source>Adds a layer for the next key drawing</source>
+        <translation>Voegt een laag voor de volgende sleuteltekening toe</translation>
+    </message>
+    <message>
+        <source>&amp;Onion skin</source>
+        <translation>&amp;Doorschijnende buren</translation>
+    </message>
+    <message>
+        <source>The key drawings before and after the current one shine through</source>
+        <translation>De sleuteltekeningen voor en na de huidige schijnen door</translation>
+    </message>
+    <message>
+        <source>&amp;Play the motion</source>
+        <translation>Beweging afs&amp;pelen</translation>
+    </message>
+    <message>
+        <source>Plays the key drawings and the drawings between them; Esc stops</source>
+        <translation>Speelt de sleuteltekeningen en de tekeningen ertussen af; Esc stopt</translation>
+    </message>
+    <message>
+        <source>Export &amp;animation…</source>
+        <translation>&amp;Animatie exporteren…</translation>
+    </message>
+    <message>
+        <source>Write the key drawings and the drawings between them as files</source>
+        <translation>De sleuteltekeningen en de tekeningen ertussen als bestanden schrijven</translation>
+    </message>
+    <message>
+        <source>Key drawings</source>
+        <translation>Sleuteltekeningen</translation>
+    </message>
+    <message>
+        <source>Each layer with lines that is not locked is a key drawing, from the bottom up</source>
+        <translation>Elke laag met lijnen die niet vergrendeld is, is een sleuteltekening, van onder naar boven</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gelijkmatig</translation>
+    </message>
+    <message>
+        <source>Starts slowly</source>
+        <translation>Begint langzaam</translation>
+    </message>
+    <message>
+        <source>Ends slowly</source>
+        <translation>Eindigt langzaam</translation>
+    </message>
+    <message>
+        <source>Starts and ends slowly</source>
+        <translation>Begint en eindigt langzaam</translation>
+    </message>
+    <message>
+        <source>The number of drawings from one key drawing to the next</source>
+        <translation>Het aantal tekeningen van de ene sleuteltekening naar de volgende</translation>
+    </message>
+    <message>
+        <source>For how many frames each key drawing is shown</source>
+        <translation>Hoeveel beelden lang elke sleuteltekening wordt getoond</translation>
+    </message>
+    <message>
+        <source>In-&amp;betweens:</source>
+        <translation>&amp;Tussentekeningen:</translation>
+    </message>
+    <message>
+        <source>&amp;Hold:</source>
+        <translation>&amp;Vasthouden:</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Snelheid:</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nieuwe tekening</translation>
+    </message>
+    <message>
+        <source>Onion skin</source>
+        <translation>Doorschijnend</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Afspelen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporteren…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Draw the second key drawing on a layer of its own.</source>
+        <translation>Teken de tweede sleuteltekening op een eigen laag.</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 s</source>
+        <translation>%1 beelden, %2 s</translation>
     </message>
 </context>
 <context>
@@ -5678,6 +5846,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>“%1” was not exported</source>
         <translation>‘%1’ is niet geëxporteerd</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
     </message>
 </context>
 <context>
