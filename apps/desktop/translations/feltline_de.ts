@@ -2222,7 +2222,7 @@
     </message>
     <message>
         <source> pixels</source>
-        <translation type="unfinished"> Pixel</translation>
+        <translation> Pixel</translation>
     </message>
     <message>
         <source>The longer side of the pictures</source>

@@ -2222,7 +2222,7 @@
     </message>
     <message>
         <source> pixels</source>
-        <translation type="unfinished"> pixels</translation>
+        <translation> pixels</translation>
     </message>
     <message>
         <source>The longer side of the pictures</source>
