@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "commands.h"
+#include "felt/base/numbered_names.h"
 #include "felt/base/same_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/drawing_parts.h"
 #include "felt/io/svg/svg_animated.h"
-#include "felt/motion/ease.h"
-#include "felt/motion/inbetween.h"
+#include "felt/motion/key_film.h"
 #include "felt/motion/stroke_shape.h"
+#include "felt/timelapse/timelapse_film.h"
 #include "format.h"
 #include "inbetween_pairs.h"
 #include "input.h"
@@ -151,7 +152,7 @@ class FilmMaker {
  private:
   void find_area();
   [[nodiscard]] Result<void> check_pairs() const;
-  Result<void> make_step(std::size_t step);
+  Result<void> add_key(std::size_t i, KeyFilm& film);
   Result<void> add(Drawing drawing, int frames, bool is_key);
   Result<void> write_numbered(const Drawing& drawing);
   Result<void> write_film() const;
@@ -224,24 +225,19 @@ Result<void> FilmMaker::add(Drawing drawing, int frames, bool is_key) {
   return {};
 }
 
-Result<void> FilmMaker::make_step(std::size_t step) {
-  const Drawing &from = keys_[step], &to = keys_[step + 1];
-  const KeyStrokes a = key_strokes(from.document), b = key_strokes(to.document);
+/// Adds a key drawing and, unless it is the first one, the step to it.
+Result<void> FilmMaker::add_key(std::size_t i, KeyFilm& film) {
+  if (i == 0) return film.add(keys_[0]);
+  const std::size_t step = i - 1;
+  const KeyStrokes a = key_strokes(keys_[step].document), b = key_strokes(keys_[i].document);
   Result<std::vector<GivenPair>> given = pairs_of_step(pairs_, step, a, b);
   if (!given) return tl::unexpected(given.error());
-  InbetweenOptions options{*std::move(given)};
-  if (args_.lone == "grow") options.lone = LoneStroke::kGrow;
-  const Result<Inbetween> motion = Inbetween::create(from, to, options);
-  if (!motion) {
-    const std::string names = args_.inputs[step] + " to " + args_.inputs[step + 1];
-    return tl::unexpected(with_context(motion.error(), names));
+  if (Result<void> added = film.add(keys_[i], *std::move(given)); !added) {
+    return tl::unexpected(
+        with_context(added.error(), args_.inputs[step] + " to " + args_.inputs[i]));
   }
-  table_ += matches_rows(motion->correspondence(), step, a, b);
-  for (int i = 1; i <= args_.frames; ++i) {
-    const double time = static_cast<double>(i) / (args_.frames + 1);
-    if (auto ok = add(motion->at(ease_.at(time)), 1, false); !ok) return ok;
-  }
-  return add(to, args_.hold, true);
+  table_ += matches_rows(film.correspondence(step), step, a, b);
+  return {};
 }
 
 /// Checks the pairs of all steps, so that a wrong one is reported before a file is written.
@@ -270,9 +266,13 @@ Result<void> FilmMaker::make() {
     matches.emplace(*std::move(created));
   }
   find_area();
-  if (auto ok = add(keys_.front(), args_.hold, true); !ok) return ok;
-  for (std::size_t step = 0; step + 1 < keys_.size(); ++step) {
-    if (auto ok = make_step(step); !ok) return ok;
+  const LoneStroke lone = args_.lone == "grow" ? LoneStroke::kGrow : LoneStroke::kFade;
+  KeyFilm film({args_.frames, args_.hold, ease_, lone});
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    if (auto ok = add_key(i, film); !ok) return ok;
+  }
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    if (auto ok = add(film.picture(i), film.frames(i), film.is_key(i)); !ok) return ok;
   }
   if (!output_.names) {
     if (auto ok = write_film(); !ok) return ok;

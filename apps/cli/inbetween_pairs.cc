@@ -101,28 +101,4 @@ std::string matches_rows(const Correspondence& correspondence, std::size_t step,
   return text;
 }
 
-std::optional<NumberedNames> NumberedNames::parse(const std::string& text) {
-  const std::size_t folder = text.find_last_of('/');  // a folder's name may contain anything
-  const std::size_t start = folder == std::string::npos ? 0 : folder;
-  for (std::size_t at = text.find('%', start); at != std::string::npos;
-       at = text.find('%', at + 1)) {
-    std::size_t end = at + 1;
-    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
-    if (end == text.size() || text[end] != 'd') continue;
-    const auto digits = whole_number_of(std::string_view(text).substr(at + 1, end - at - 1));
-    NumberedNames names;
-    names.before_ = text.substr(0, at);
-    names.after_ = text.substr(end + 1);
-    names.digits_ = static_cast<std::size_t>(std::min<std::uint64_t>(digits.value_or(1), 20));
-    return names;
-  }
-  return std::nullopt;
-}
-
-std::string NumberedNames::name(std::size_t number) const {
-  std::string digits = std::to_string(number);
-  if (digits.size() < digits_) digits.insert(0, digits_ - digits.size(), '0');
-  return before_ + digits + after_;
-}
-
 }  // namespace felt::cli

@@ -31,17 +31,4 @@ std::string matches_header();
 std::string matches_rows(const Correspondence& correspondence, std::size_t step,
                          const KeyStrokes& from, const KeyStrokes& to);
 
-/// The names of numbered files: "walk-%03d.svg", or a folder.
-class NumberedNames {
- public:
-  /// Parses a name with one "%d" or "%03d". Returns nullopt if it contains no "%" that begins one.
-  static std::optional<NumberedNames> parse(const std::string& text);
-  /// Returns the name with a number.
-  [[nodiscard]] std::string name(std::size_t number) const;
-
- private:
-  std::string before_, after_;
-  std::size_t digits_ = 1;
-};
-
 }  // namespace felt::cli

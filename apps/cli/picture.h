@@ -48,9 +48,6 @@ struct PictureOptions {
 /// (<https://www.w3.org/TR/css-values-4/#reference-pixel>).
 inline constexpr double kScreenDpi = 96.0;
 
-/// Room between the ink and the edge of a film.
-inline constexpr double kFilmMarginMm = 5.0;
-
 /// The picture options of the command line, before they are parsed.
 struct PictureArguments {
   double dpi = 300.0;

@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "felt/base/same_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/replay/apply_recording.h"
+#include "felt/replay/guarded_imports.h"
 #include "input.h"
 
 namespace felt::cli {
@@ -90,18 +90,7 @@ std::string folder_of(const std::string& path) {
 }
 
 ReadImport reads_imports(const std::string& script, std::vector<std::string> outputs) {
-  return [folder = folder_of(script),
-          outputs = std::move(outputs)](const std::string& import) -> Result<VisibleInk> {
-    const std::string path = import.rfind('/', 0) == 0 ? import : folder + import;
-    for (const std::string& output : outputs) {
-      if (output.empty() || output == "-" || !is_same_file(path, output)) continue;
-      return fail(ErrorCode::kInvalidArgument,
-                  path +
-                      ": is imported, and the output would overwrite it; nothing was written. "
-                      "Choose another file");
-    }
-    return read_strokes(path);
-  };
+  return guarded_imports(folder_of(script), std::move(outputs), read_strokes);
 }
 
 Result<void> read_script_file(const std::string& path, ScriptRun& run) {

@@ -3,18 +3,9 @@
 #include <string>
 
 #include "console.h"
-#include "felt/document/drawing.h"
-#include "felt/timelapse/timelapse.h"
+#include "felt/timelapse/timelapse_input.h"
 
 namespace felt::cli {
-
-/// A recording, and the drawing that it belongs to.
-struct TimelapseInput {
-  TimelapseSource source;
-  /// The page of a .felt drawing, or of the drawing on which a script begins; has_page is false if
-  /// there is none.
-  Drawing frame;
-};
 
 /// The files on the command line; "-" is stdin or stdout.
 struct TimelapseFiles {

@@ -180,6 +180,23 @@ void Canvas::set_notes(const Overlay& notes) {
   refresh_soon();
 }
 
+void Canvas::set_onion(const std::optional<Document>& onion) {
+  Shown& s = *shown_;
+  if (onion && !s.onion) {
+    s.onion = std::make_unique<InkView>();
+    s.onion->set_view(view_, devicePixelRatioF());
+    s.onion->set_paper(studio_.page().paper);
+    take_grain();
+    connect(s.onion.get(), &InkView::changed, this, &Canvas::on_ink);
+  }
+  if (onion) {
+    s.onion->set_document(*onion);
+  } else {
+    s.onion.reset();
+  }
+  update();
+}
+
 void Canvas::center_on(Point at) {
   CanvasView view = view_;
   view.center_on(at);
@@ -197,6 +214,7 @@ void Canvas::set_outline_mode(bool on) {
 void Canvas::lay_out() {
   dpr_ = devicePixelRatioF();
   ink_.set_view(view_, dpr_);
+  if (shown_->onion) shown_->onion->set_view(view_, dpr_);
   const DeviceView view{view_, dpr_, ink_.transform().map(QPointF(0, 0)) - view_.to_px({0, 0})};
   shown_->wet.set_view(view);
   shown_->bands.set_view(view);
@@ -220,6 +238,7 @@ void Canvas::take_layers() {
 void Canvas::take_look() {
   shown_->desk.set_page(studio_.page());
   ink_.set_paper(studio_.page().paper);
+  if (shown_->onion) shown_->onion->set_paper(studio_.page().paper);
   shown_->desk.set_palette(palette());
   shown_->look = MarkLook(shown_->desk.paper());
   update();
@@ -231,6 +250,7 @@ void Canvas::take_grain() {
   const Grain grain = on ? Grain(surface_grain(session.surface()), session.materials())
                          : Grain::solid(session.materials());
   ink_.set_grain(grain);
+  if (shown_->onion) shown_->onion->set_grain(grain);
   shown_->wet.set_grain(grain, drawing_medium(session));
   update();
 }

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "desktop/canvas/canvas_view.h"
 #include "desktop/canvas/ink_view.h"
@@ -59,6 +60,8 @@ class Canvas : public QWidget {
   /// Sets marks that are shown besides those of the tool, for example the faults of a raised
   /// drawing.
   void set_notes(const Overlay& notes);
+  /// Shows a document below the ink, such as the key drawings before and after the current one.
+  void set_onion(const std::optional<Document>& onion);
   /// Moves the view so that this point is in the middle of the widget.
   void center_on(Point at);
   /// Hides the hints for a new user, which otherwise appear while the drawing is empty.

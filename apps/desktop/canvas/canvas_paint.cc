@@ -78,6 +78,7 @@ void Canvas::paintEvent(QPaintEvent* event) {
   painting_ = event->region();
   ink_.paint(painter, {});  // paints nothing, but accepts the tiles that the worker has finished;
                             // because painting_ is set, this part is not scheduled again
+  if (shown_->onion) shown_->onion->paint(painter, {});
   painting_ = {};
   paint_ground(painter, event->region());
   paint_marks(painter, event->region());
@@ -103,6 +104,7 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
       return Rgba{static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()),
                   static_cast<std::uint8_t>(c.blue()), 255};
     });
+    if (s.onion) s.onion->paint(painter, part);
     ink_.paint(painter, part);
     const Layer* layer = studio_.session().document().layer(studio_.session().layer());
     const LayerGroup* group = layer ? layer->group.get() : nullptr;

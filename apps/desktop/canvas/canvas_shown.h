@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <memory>
 
 #include "desktop/canvas/canvas.h"
 #include "desktop/canvas/desk.h"
@@ -22,6 +23,7 @@ struct Canvas::Shown {
   MarkLook look{Qt::white};
   BandView bands;
   MirroredInkView wet;
+  std::unique_ptr<InkView> onion;  // below the ink; usually null
   Marks marks, next;
   InkBrush brush;
   FirstMinute first_minute;

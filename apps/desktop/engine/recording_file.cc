@@ -1,6 +1,7 @@
 #include "desktop/engine/recording_file.h"
 
 #include <QFileInfo>
+#include <QVariant>
 #include <utility>
 
 #include "felt/io/events/event_writer.h"
@@ -9,6 +10,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kLongestMs = 50;
+constexpr auto kRecordingProperty = "recording";  // of a studio that is recorded
 
 /// Returns the path with a number: "a/b-2.ndjson" for "a/b.ndjson".
 QString numbered(const QString& path, int number) {
@@ -32,8 +34,9 @@ RecordingFile::~RecordingFile() {
   flush();
 }
 
-void RecordingFile::begin() {
+void RecordingFile::begin(const Document& start) {
   flush();
+  start_ = start;
   file_.close();
   error_.clear();
   file_.setFileName(numbered(path_, ++session_));
@@ -71,10 +74,15 @@ std::unique_ptr<RecordingFile> record_into(const QString& path, StudioOptions& o
   if (path.isEmpty()) return nullptr;
   auto recording = std::make_unique<RecordingFile>(path);
   options.connect_early = [file = recording.get()](Studio& studio) {
+    studio.setProperty(kRecordingProperty, QVariant::fromValue<QObject*>(file));
     QObject::connect(&studio, &Studio::session_began, file, &RecordingFile::begin);
     QObject::connect(&studio, &Studio::event_applied, file, &RecordingFile::add);
   };
   return recording;
+}
+
+RecordingFile* recording_of(const Studio& studio) {
+  return qobject_cast<RecordingFile*>(studio.property(kRecordingProperty).value<QObject*>());
 }
 
 }  // namespace felt::desktop

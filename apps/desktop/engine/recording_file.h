@@ -30,8 +30,8 @@ class RecordingFile : public QObject {
   explicit RecordingFile(QString path);
   ~RecordingFile() override;
 
-  /// Begins the recording of a session.
-  void begin();
+  /// Begins the recording of a session that begins with this document.
+  void begin(const Document& start = {});
   void add(const Event& event);
   /// Writes everything received so far to the file.
   void flush();
@@ -39,6 +39,8 @@ class RecordingFile : public QObject {
   [[nodiscard]] const QString& error() const noexcept { return error_; }
   /// Returns the path of the current file.
   [[nodiscard]] QString path() const { return file_.fileName(); }
+  /// Returns the document with which the session began that is recorded in path().
+  [[nodiscard]] const Document& start() const noexcept { return start_; }
 
  Q_SIGNALS:
   void failed(const QString& why);
@@ -53,11 +55,15 @@ class RecordingFile : public QObject {
   std::string text_;
   QTimer timer_;
   QString error_;
+  Document start_;
   int session_ = 0;
 };
 
 /// Changes `options` so that a studio that is created with them records its sessions into the
 /// returned file. Returns null if `path` is empty.
 std::unique_ptr<RecordingFile> record_into(const QString& path, StudioOptions& options);
+
+/// Returns the file into which the sessions of a studio are recorded; null if they are not.
+RecordingFile* recording_of(const Studio& studio);
 
 }  // namespace felt::desktop

@@ -24,6 +24,7 @@
 #include "desktop/files/output_actions.h"
 #include "desktop/files/picture_actions.h"
 #include "desktop/files/recent_pictures.h"
+#include "desktop/files/timelapse_actions.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/session/session_medium.h"
@@ -82,6 +83,10 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
           [this](const QString& path, bool done, const LostObjects& lost, const QString& changed) {
             if (done) Q_EMIT exported(path, lost, changed);
           });
+  auto* films = new TimelapseActions(*this, studio, actions, window);
+  connect(films, &TimelapseActions::made, this, [this](const QString& path, bool done) {
+    if (done) Q_EMIT exported(path, LostObjects(), QString());
+  });
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   show_large_icons(*recent_menu_);
   fill_recent_menu();

@@ -21,4 +21,13 @@ inline const QString kExportBackground = QStringLiteral("files/export_background
 inline const QString kExportInkOnly = QStringLiteral("files/export_ink_only");
 inline const QString kExportCompact = QStringLiteral("files/export_compact");
 
+/// The last choices in the dialog for films: the extension such as ".webm", the length in seconds
+/// (0: automatic), and the longer side in pixels.
+inline const QString kTimelapseFormat = QStringLiteral("files/timelapse_format");
+inline const QString kTimelapseSeconds = QStringLiteral("files/timelapse_seconds");
+inline const QString kTimelapseSize = QStringLiteral("files/timelapse_size");
+inline constexpr double kTimelapseSizeDefault = 1280.0;
+/// The last choice in the dialog for animations: a number of AnimationFormat.
+inline const QString kAnimationFormat = QStringLiteral("files/animation_format");
+
 }  // namespace felt::desktop::files_keys

@@ -1088,6 +1088,10 @@
         <source>Export the so&amp;lid</source>
         <translation>Kör&amp;per exportieren</translation>
     </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
 </context>
 <context>
     <name>OfferPopup</name>
@@ -4138,6 +4142,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Solid view</source>
         <translation>Körperansicht</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
     </message>
 </context>
 <context>
@@ -7795,6 +7803,308 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>start</source>
         <translation>Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>Motion</name>
+    <message>
+        <source>A motion needs two key drawings: two layers with lines that are not locked.</source>
+        <translation>Eine Bewegung braucht zwei Schlüsselzeichnungen: zwei Ebenen mit Linien, die nicht gesperrt sind.</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animation exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::AnimationDialog</name>
+    <message>
+        <source>Numbered PNG files</source>
+        <translation>Nummerierte PNG-Dateien</translation>
+    </message>
+    <message>
+        <source>Numbered SVG files</source>
+        <translation>Nummerierte SVG-Dateien</translation>
+    </message>
+    <message>
+        <source>One animated SVG</source>
+        <translation>Ein bewegtes SVG</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animation exportieren</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> Pixel</translation>
+    </message>
+    <message>
+        <source>The longer side of the pictures</source>
+        <translation>Die längere Seite der Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::FilmView</name>
+    <message>
+        <source>Film of the key drawings</source>
+        <translation>Film der Schlüsselzeichnungen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MotionPanel</name>
+    <message>
+        <source>Add &amp;key drawing</source>
+        <translation>&amp;Schlüsselzeichnung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds a layer for the next key drawing</source>
+        <translation>Fügt eine Ebene für die nächste Schlüsselzeichnung hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Onion skin</source>
+        <translation>Zwiebel&amp;haut</translation>
+    </message>
+    <message>
+        <source>The key drawings before and after the current one shine through</source>
+        <translation>Die Schlüsselzeichnungen vor und nach der aktuellen scheinen durch</translation>
+    </message>
+    <message>
+        <source>&amp;Play the motion</source>
+        <translation>Bewegung abs&amp;pielen</translation>
+    </message>
+    <message>
+        <source>Plays the key drawings and the drawings between them; Esc stops</source>
+        <translation>Spielt die Schlüsselzeichnungen und die Zeichnungen dazwischen ab; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Export &amp;animation…</source>
+        <translation>&amp;Animation exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the key drawings and the drawings between them as files</source>
+        <translation>Die Schlüsselzeichnungen und die Zeichnungen dazwischen als Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>Key drawings</source>
+        <translation>Schlüsselzeichnungen</translation>
+    </message>
+    <message>
+        <source>Each layer with lines that is not locked is a key drawing, from the bottom up</source>
+        <translation>Jede Ebene mit Linien, die nicht gesperrt ist, ist eine Schlüsselzeichnung, von unten nach oben</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Starts slowly</source>
+        <translation>Beginnt langsam</translation>
+    </message>
+    <message>
+        <source>Ends slowly</source>
+        <translation>Endet langsam</translation>
+    </message>
+    <message>
+        <source>Starts and ends slowly</source>
+        <translation>Beginnt und endet langsam</translation>
+    </message>
+    <message>
+        <source>The number of drawings from one key drawing to the next</source>
+        <translation>Die Zahl der Zeichnungen von einer Schlüsselzeichnung zur nächsten</translation>
+    </message>
+    <message>
+        <source>For how many frames each key drawing is shown</source>
+        <translation>Wie viele Bilder lang jede Schlüsselzeichnung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>In-&amp;betweens:</source>
+        <translation>&amp;Zwischenzeichnungen:</translation>
+    </message>
+    <message>
+        <source>&amp;Hold:</source>
+        <translation>&amp;Halten:</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Tempo:</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Zeichnung</translation>
+    </message>
+    <message>
+        <source>Onion skin</source>
+        <translation>Zwiebelhaut</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Draw the second key drawing on a layer of its own.</source>
+        <translation>Zeichne die zweite Schlüsselzeichnung auf einer eigenen Ebene.</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 s</source>
+        <translation>%1 Bilder, %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TimelapseActions</name>
+    <message>
+        <source>Export &amp;timelapse…</source>
+        <translation>&amp;Zeitraffer exportieren…</translation>
+    </message>
+    <message>
+        <source>Make a film of how a drawing was made, from a recording</source>
+        <translation>Aus einer Aufnahme einen Film machen, der zeigt, wie eine Zeichnung entstand</translation>
+    </message>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.ndjson *.felt)</source>
+        <translation>Aufnahmen (*.ndjson *.felt)</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Zeitraffer exportieren</translation>
+    </message>
+    <message>
+        <source>Making the film “%1”…</source>
+        <translation>Der Film „%1“ wird gemacht…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>„%1“ wurde nicht exportiert</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TimelapseDialog</name>
+    <message>
+        <source>GIF (repeats, 256 colours)</source>
+        <translation>GIF (läuft immer wieder, 256 Farben)</translation>
+    </message>
+    <message>
+        <source>Animated SVG (for web pages)</source>
+        <translation>Bewegtes SVG (für Webseiten)</translation>
+    </message>
+    <message>
+        <source>WebM film (VP9)</source>
+        <translation>WebM-Film (VP9)</translation>
+    </message>
+    <message>
+        <source>This window, which is being recorded</source>
+        <translation>Dieses Fenster, das aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>The recording in this drawing</source>
+        <translation>Die Aufnahme in dieser Zeichnung</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>Eine Datei</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>&amp;Grain of the surface in dry media</source>
+        <translation>&amp;Körnung des Untergrunds in trockenen Zeichenmitteln</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Zeitraffer exportieren</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Automatic: 30 s, or less if the drawing took less time</source>
+        <translation>Automatisch: 30 s, oder weniger, wenn das Zeichnen weniger Zeit brauchte</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> Pixel</translation>
+    </message>
+    <message>
+        <source>The longer side of the film</source>
+        <translation>Die längere Seite des Films</translation>
+    </message>
+    <message>
+        <source>&amp;Recording:</source>
+        <translation>&amp;Aufnahme:</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>Datei:</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>&amp;Length:</source>
+        <translation>&amp;Länge:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Datei der Aufnahme</translation>
+    </message>
+    <message>
+        <source>A script (.ndjson) or a drawing (.felt)</source>
+        <translation>Ein Skript (.ndjson) oder eine Zeichnung (.felt)</translation>
+    </message>
+    <message>
+        <source>This format needs the program ffmpeg, which is not installed. Install the package “ffmpeg”, or export an animated SVG.</source>
+        <translation>Dieses Format braucht das Programm ffmpeg, das nicht installiert ist. Installiere das Paket „ffmpeg“, oder exportiere ein bewegtes SVG.</translation>
+    </message>
+    <message>
+        <source>A recording is made by “feltline-desktop --record FILE.ndjson” or “feltline replay --recording”.</source>
+        <translation>Eine Aufnahme machen „feltline-desktop --record DATEI.ndjson“ und „feltline replay --recording“.</translation>
     </message>
 </context>
 </TS>

@@ -1088,6 +1088,10 @@
         <source>Export the so&amp;lid</source>
         <translation>&amp;Lichaam exporteren</translation>
     </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporteren</translation>
+    </message>
 </context>
 <context>
     <name>OfferPopup</name>
@@ -4138,6 +4142,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Solid view</source>
         <translation>Lichaamsweergave</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Beweging</translation>
     </message>
 </context>
 <context>
@@ -7795,6 +7803,308 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>start</source>
         <translation>begin</translation>
+    </message>
+</context>
+<context>
+    <name>Motion</name>
+    <message>
+        <source>A motion needs two key drawings: two layers with lines that are not locked.</source>
+        <translation>Een beweging heeft twee sleuteltekeningen nodig: twee lagen met lijnen die niet vergrendeld zijn.</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animatie exporteren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::AnimationDialog</name>
+    <message>
+        <source>Numbered PNG files</source>
+        <translation>Genummerde PNG-bestanden</translation>
+    </message>
+    <message>
+        <source>Numbered SVG files</source>
+        <translation>Genummerde SVG-bestanden</translation>
+    </message>
+    <message>
+        <source>One animated SVG</source>
+        <translation>Eén bewegende SVG</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Animatie exporteren</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> pixels</translation>
+    </message>
+    <message>
+        <source>The longer side of the pictures</source>
+        <translation>De langste zijde van de afbeeldingen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formaat:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Grootte:</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::FilmView</name>
+    <message>
+        <source>Film of the key drawings</source>
+        <translation>Film van de sleuteltekeningen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MotionPanel</name>
+    <message>
+        <source>Add &amp;key drawing</source>
+        <translation>&amp;Sleuteltekening toevoegen</translation>
+    </message>
+    <message>
+        <source>Adds a layer for the next key drawing</source>
+        <translation>Voegt een laag voor de volgende sleuteltekening toe</translation>
+    </message>
+    <message>
+        <source>&amp;Onion skin</source>
+        <translation>&amp;Doorschijnende buren</translation>
+    </message>
+    <message>
+        <source>The key drawings before and after the current one shine through</source>
+        <translation>De sleuteltekeningen voor en na de huidige schijnen door</translation>
+    </message>
+    <message>
+        <source>&amp;Play the motion</source>
+        <translation>Beweging afs&amp;pelen</translation>
+    </message>
+    <message>
+        <source>Plays the key drawings and the drawings between them; Esc stops</source>
+        <translation>Speelt de sleuteltekeningen en de tekeningen ertussen af; Esc stopt</translation>
+    </message>
+    <message>
+        <source>Export &amp;animation…</source>
+        <translation>&amp;Animatie exporteren…</translation>
+    </message>
+    <message>
+        <source>Write the key drawings and the drawings between them as files</source>
+        <translation>De sleuteltekeningen en de tekeningen ertussen als bestanden schrijven</translation>
+    </message>
+    <message>
+        <source>Key drawings</source>
+        <translation>Sleuteltekeningen</translation>
+    </message>
+    <message>
+        <source>Each layer with lines that is not locked is a key drawing, from the bottom up</source>
+        <translation>Elke laag met lijnen die niet vergrendeld is, is een sleuteltekening, van onder naar boven</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gelijkmatig</translation>
+    </message>
+    <message>
+        <source>Starts slowly</source>
+        <translation>Begint langzaam</translation>
+    </message>
+    <message>
+        <source>Ends slowly</source>
+        <translation>Eindigt langzaam</translation>
+    </message>
+    <message>
+        <source>Starts and ends slowly</source>
+        <translation>Begint en eindigt langzaam</translation>
+    </message>
+    <message>
+        <source>The number of drawings from one key drawing to the next</source>
+        <translation>Het aantal tekeningen van de ene sleuteltekening naar de volgende</translation>
+    </message>
+    <message>
+        <source>For how many frames each key drawing is shown</source>
+        <translation>Hoeveel beelden lang elke sleuteltekening wordt getoond</translation>
+    </message>
+    <message>
+        <source>In-&amp;betweens:</source>
+        <translation>&amp;Tussentekeningen:</translation>
+    </message>
+    <message>
+        <source>&amp;Hold:</source>
+        <translation>&amp;Vasthouden:</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Snelheid:</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nieuwe tekening</translation>
+    </message>
+    <message>
+        <source>Onion skin</source>
+        <translation>Doorschijnend</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Afspelen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporteren…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Draw the second key drawing on a layer of its own.</source>
+        <translation>Teken de tweede sleuteltekening op een eigen laag.</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 s</source>
+        <translation>%1 beelden, %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TimelapseActions</name>
+    <message>
+        <source>Export &amp;timelapse…</source>
+        <translation>&amp;Timelapse exporteren…</translation>
+    </message>
+    <message>
+        <source>Make a film of how a drawing was made, from a recording</source>
+        <translation>Van een opname een film maken die laat zien hoe een tekening ontstond</translation>
+    </message>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Een opname kiezen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.ndjson *.felt)</source>
+        <translation>Opnamen (*.ndjson *.felt)</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Timelapse exporteren</translation>
+    </message>
+    <message>
+        <source>Making the film “%1”…</source>
+        <translation>De film ‘%1’ wordt gemaakt…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>‘%1’ is niet geëxporteerd</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TimelapseDialog</name>
+    <message>
+        <source>GIF (repeats, 256 colours)</source>
+        <translation>GIF (herhaalt zich, 256 kleuren)</translation>
+    </message>
+    <message>
+        <source>Animated SVG (for web pages)</source>
+        <translation>Bewegende SVG (voor webpagina’s)</translation>
+    </message>
+    <message>
+        <source>WebM film (VP9)</source>
+        <translation>WebM-film (VP9)</translation>
+    </message>
+    <message>
+        <source>This window, which is being recorded</source>
+        <translation>Dit venster, dat wordt opgenomen</translation>
+    </message>
+    <message>
+        <source>The recording in this drawing</source>
+        <translation>De opname in deze tekening</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>Een bestand</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Kiezen…</translation>
+    </message>
+    <message>
+        <source>&amp;Grain of the surface in dry media</source>
+        <translation>&amp;Korrel van de ondergrond in droge tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Export timelapse</source>
+        <translation>Timelapse exporteren</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Automatic: 30 s, or less if the drawing took less time</source>
+        <translation>Automatisch: 30 s, of minder als het tekenen minder tijd kostte</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> pixels</translation>
+    </message>
+    <message>
+        <source>The longer side of the film</source>
+        <translation>De langste zijde van de film</translation>
+    </message>
+    <message>
+        <source>&amp;Recording:</source>
+        <translation>&amp;Opname:</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>Bestand:</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formaat:</translation>
+    </message>
+    <message>
+        <source>&amp;Length:</source>
+        <translation>&amp;Lengte:</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Grootte:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Bestand van de opname</translation>
+    </message>
+    <message>
+        <source>A script (.ndjson) or a drawing (.felt)</source>
+        <translation>Een script (.ndjson) of een tekening (.felt)</translation>
+    </message>
+    <message>
+        <source>This format needs the program ffmpeg, which is not installed. Install the package “ffmpeg”, or export an animated SVG.</source>
+        <translation>Dit formaat heeft het programma ffmpeg nodig, dat niet is geïnstalleerd. Installeer het pakket ‘ffmpeg’, of exporteer een bewegende SVG.</translation>
+    </message>
+    <message>
+        <source>A recording is made by “feltline-desktop --record FILE.ndjson” or “feltline replay --recording”.</source>
+        <translation>Een opname maken ‘feltline-desktop --record BESTAND.ndjson’ en ‘feltline replay --recording’.</translation>
     </message>
 </context>
 </TS>

@@ -24,6 +24,7 @@
 #include "desktop/panels/guide_actions.h"
 #include "desktop/panels/history_panel.h"
 #include "desktop/panels/layers_panel.h"
+#include "desktop/panels/motion_panel.h"
 #include "desktop/panels/options_panel.h"
 #include "desktop/panels/tactile_panel.h"
 #include "desktop/panels/tool_bar.h"
@@ -38,6 +39,7 @@
 #include "desktop/window/drawing_looks.h"
 #include "desktop/window/eyedropper.h"
 #include "desktop/window/menus.h"
+#include "desktop/window/motion_window.h"
 #include "desktop/window/offer_popup.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/preset_menu.h"
@@ -225,6 +227,9 @@ void MainWindow::make_panels() {
           });
   connect(tactile, &TactilePanel::marks_changed, canvas_, &Canvas::set_notes);
   connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);
+  auto* motion = new MotionPanel(*studio_, *actions_);
+  add_panel(QStringLiteral("motion"), tr("Motion"), motion);
+  connect_motion(*motion, *canvas_, *files_);
   // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
@@ -269,8 +274,9 @@ void MainWindow::place_panels() {
   tabifyDockWidget(dock("layers"), dock("colors"));
   tabifyDockWidget(dock("colors"), dock("history"));
   tabifyDockWidget(dock("history"), dock("tactile"));
+  tabifyDockWidget(dock("tactile"), dock("motion"));
   addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
-  for (QDockWidget* hidden : {dock("forces"), dock("tactile"), solid}) {
+  for (QDockWidget* hidden : {dock("forces"), dock("tactile"), dock("motion"), solid}) {
     if (hidden) hidden->hide();  // hidden at first, to keep the window simple
   }
   check_panel_actions();

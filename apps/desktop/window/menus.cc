@@ -27,11 +27,13 @@ struct MenuRow {
 constexpr auto kRecent = "file.recent_menu";
 
 constexpr std::array kMenus{
-    MenuRow{"file", QT_TRANSLATE_NOOP("Menus", "&File"),
-            "file.new file.new_window file.open file.recent_menu - file.save file.save_as "
-            "file.revert - file.import file.import_picture file.export* file.page* file.print* - "
-            "file.* - file.close "
-            "file.quit"},
+    MenuRow{
+        "file", QT_TRANSLATE_NOOP("Menus", "&File"),
+        "file.new file.new_window file.open file.recent_menu - file.save file.save_as "
+        "file.revert - file.import file.import_picture file.export* file.timelapse file.animation "
+        "file.page* file.print* - "
+        "file.* - file.close "
+        "file.quit"},
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
         "edit.undo edit.redo edit.as_drawn edit.exact - edit.cut edit.copy edit.copy* edit.paste "
@@ -42,12 +44,13 @@ constexpr std::array kMenus{
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
             "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
             "view.rotate* view.mirror view.scroll_* - view.outline view.grain view.force_arrow "
-            "view.* - view.panel_solid view.materials view.compare_materials - view.panel_* "
-            "view.next_part "
+            "view.onion_skin view.play - view.* - view.panel_solid view.materials "
+            "view.compare_materials - view.panel_* view.next_part "
             "view.hide_panels view.full_screen"},
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
-            "layer.add layer.duplicate layer.merge layer.rename layer.remove - layer.show "
+            "layer.add layer.add_key layer.duplicate layer.merge layer.rename layer.remove - "
+            "layer.show "
             "layer.lock layer.export_picture - layer.raise layer.lower - layer.group "
             "layer.ungroup layer.leave_group - layer.*"},
     MenuRow{"guide", QT_TRANSLATE_NOOP("Menus", "&Guides"),

@@ -59,6 +59,7 @@ Result<void> play_source(const TimelapseSource& source, Session& session,
   }
   const Result<void> done =
       play_recording(source.recording, [&](const Event& event) -> Result<void> {
+        if (source.is_cancelled && source.is_cancelled()) return fail(ErrorCode::kIo, "cancelled");
         if (Result<void> ok = before(event); !ok) return ok;
         return apply_event(event, source.read_import, session);
       });

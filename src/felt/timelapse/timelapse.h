@@ -24,6 +24,8 @@ struct TimelapseSource {
   Drawing start{.has_page = false};
   ReadImport read_import{};  ///< reads the files of import events
   Materials materials = Materials::built_in();
+  /// If set, it is called before each event; if it returns true, the play fails with "cancelled".
+  std::function<bool()> is_cancelled{};
 };
 
 /// What a recording contains, known before a film of it is made.

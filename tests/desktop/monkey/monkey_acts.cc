@@ -17,11 +17,11 @@ namespace {
 
 /// Returns true for commands that end the program or could overwrite files of the user.
 bool is_forbidden(const QString& name) {
-  static const std::array<const char*, 13> kNames = {
-      "file.quit",         "file.close",      "file.open",           "file.save",
-      "file.save_as",      "file.import",     "file.import_picture", "file.export",
-      "file.print",        "file.new_window", "file.print_preview",  "color.open_palette",
-      "color.save_palette"};
+  static const std::array<const char*, 15> kNames = {
+      "file.quit",      "file.close",         "file.open",           "file.save",
+      "file.save_as",   "file.import",        "file.import_picture", "file.export",
+      "file.print",     "file.new_window",    "file.print_preview",  "file.timelapse",
+      "file.animation", "color.open_palette", "color.save_palette"};
   for (const char* forbidden : kNames) {
     if (name == QLatin1String(forbidden)) return true;
   }
