@@ -52,7 +52,7 @@ QString ask_name(FileActions& files, const FormatRow& row, QWidget* window) {
   QString suggested =
       QDir(files.folder()).filePath(QFileInfo(files.display_name()).completeBaseName() + ending);
   for (;;) {
-    const QString chosen = files.dialogs().save_name(
+    QString chosen = files.dialogs().save_name(
         window, solid_text(QT_TRANSLATE_NOOP("SolidActions", "Export the solid")), suggested,
         solid_text(row.files), ending.mid(1));
     if (chosen.isEmpty() || chosen.endsWith(ending, Qt::CaseInsensitive)) return chosen;
@@ -89,10 +89,11 @@ void add_solid_actions(Actions& actions, FileActions& files, SolidPanel& panel, 
                     solid_text(row.text), {}, solid_text(row.tip), [&files, &panel, &row, window] {
                       // The dialog's event loop may replace the bodies: those that are seen now are
                       // written.
-                      const std::shared_ptr<const Solid> solid = panel.solid();
+                      std::shared_ptr<const Solid> solid = panel.solid();
                       if (!solid) return;
                       const QString path = ask_name(files, row, window);
-                      if (!path.isEmpty()) export_solid(files, solid, row.format, path, window);
+                      if (!path.isEmpty())
+                        export_solid(files, std::move(solid), row.format, path, window);
                     });
     action->setEnabled(false);
     made.push_back(action);
