@@ -52,7 +52,7 @@ QString ask_name(FileActions& files, const FormatRow& row, QWidget* window) {
   QString suggested =
       QDir(files.folder()).filePath(QFileInfo(files.display_name()).completeBaseName() + ending);
   for (;;) {
-    const QString chosen = files.dialogs().save_name(
+    QString chosen = files.dialogs().save_name(
         window, solid_text(QT_TRANSLATE_NOOP("SolidActions", "Export the solid")), suggested,
         solid_text(row.files), ending.mid(1));
     if (chosen.isEmpty() || chosen.endsWith(ending, Qt::CaseInsensitive)) return chosen;

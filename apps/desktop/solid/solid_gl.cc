@@ -28,7 +28,9 @@ constexpr int kSamplesPerPixel = 4;
 /// (solid_scene_bench.cc), and so many lines cannot be told apart anyway.
 constexpr GLsizei kMaxFastLines = 30'000;
 
-/// The shaders are also valid for OpenGL ES 2.0. The formula of the light is that of paint_solid().
+/// The shaders are also valid for OpenGL ES 2.0, which has no CENTROID. Without that, a smooth
+/// picture has specks beside a section, where the middle of a pixel is outside of a triangle. The
+/// formula of the light is that of paint_solid().
 constexpr const char* kVertexShader = R"(
 attribute vec3 at;
 attribute vec3 normal;
@@ -36,7 +38,7 @@ attribute vec3 color;
 uniform mat4 to_clip;
 varying vec3 point_normal;
 varying vec3 point_color;
-varying vec3 at_mm;
+CENTROID varying vec3 at_mm;
 void main() {
   gl_Position = to_clip * vec4(at, 1.0);
   point_normal = normal;
@@ -55,7 +57,7 @@ uniform vec3 up;
 uniform vec3 towards;
 varying vec3 point_normal;
 varying vec3 point_color;
-varying vec3 at_mm;
+CENTROID varying vec3 at_mm;
 uniform sampler2D ink;
 uniform vec4 ink_place;  // the share of the picture at the origin, and for each mm
 uniform bool has_ink;
@@ -119,6 +121,19 @@ void add_points(const SolidBody& body, std::vector<GlPoint>& points) {
   }
 }
 
+/// Adds the triangles and the lines of a body whose first point has the index `first`.
+void add_indices(const SolidBody& body, std::uint32_t first, std::vector<std::uint32_t>& triangles,
+                 std::vector<std::uint32_t>& lines) {
+  for (const SolidBody::Triangle& t : body.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangles.push_back(first + t[k]);
+      // Each edge belongs to two triangles, in opposite directions.
+      const std::uint32_t next = t[(k + 1) % 3];
+      if (t[k] < next) lines.insert(lines.end(), {first + t[k], first + next});
+    }
+  }
+}
+
 enum class ProgramKind : std::uint8_t { kWhole, kSection, kLines, kLinesOfSection };
 constexpr std::size_t kPrograms = 4;
 
@@ -136,8 +151,10 @@ GLuint make_shader(QOpenGLFunctions& gl, GLenum type, const QByteArray& source) 
 }
 
 /// Returns 0 if the program cannot be built.
-GLuint make_program(QOpenGLFunctions& gl, ProgramKind kind) {
-  QByteArray defines;
+GLuint make_program(QOpenGLContext& context, ProgramKind kind) {
+  QOpenGLFunctions& gl = *context.functions();
+  QByteArray defines =
+      context.isOpenGLES() ? "#define CENTROID\n" : "#version 120\n#define CENTROID centroid\n";
   const bool is_section = kind == ProgramKind::kSection || kind == ProgramKind::kLinesOfSection;
   if (is_section) defines += "#define SECTION\n";
   if (kind == ProgramKind::kLines || kind == ProgramKind::kLinesOfSection) {
@@ -182,7 +199,7 @@ struct SolidGl::Parts {
   std::array<float, 4> ink_place{};
 
   bool begin() { return context.makeCurrent(&surface); }
-  [[nodiscard]] QOpenGLExtraFunctions& gl() { return *context.extraFunctions(); }
+  [[nodiscard]] QOpenGLExtraFunctions& gl() const { return *context.extraFunctions(); }
   bool make_parts();
   bool make_frames(QSize size_px);
   void free_frames();
@@ -220,7 +237,7 @@ bool SolidGl::Parts::make_parts() {
   if (!is_es && !is_3 && !context.hasExtension("GL_ARB_framebuffer_object")) return false;
   has_samples = !is_es || is_3;
   for (std::size_t i = 0; i < kPrograms; ++i) {
-    programs[i] = make_program(gl(), static_cast<ProgramKind>(i));
+    programs[i] = make_program(context, static_cast<ProgramKind>(i));
     if (programs[i] == 0) return false;
   }
   gl().glGenBuffers(kBuffers, buffers.data());
@@ -258,14 +275,7 @@ void SolidGl::set_solid(const Solid& solid, const FrontPaint* paint) {
   for (const SolidBody& body : solid.bodies) {
     const auto first = static_cast<std::uint32_t>(points.size());
     add_points(body, points);
-    for (const SolidBody::Triangle& t : body.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangles.push_back(first + t[k]);
-        // Each edge belongs to two triangles, in opposite directions.
-        const std::uint32_t next = t[(k + 1) % 3];
-        if (t[k] < next) lines.insert(lines.end(), {first + t[k], first + next});
-      }
-    }
+    add_indices(body, first, triangles, lines);
     for (const Vec3& p : body.points) radius_mm = std::max(radius_mm, norm(p));
   }
   const auto fill = [this](GLenum target, Parts::Buffer buffer, const auto& data) {
@@ -352,8 +362,9 @@ void SolidGl::Parts::draw(ProgramKind kind, const SolidCamera& camera, const Sol
   const auto attribute = [this](GLuint index, GLenum type, GLboolean normalized,
                                 std::size_t offset) {
     gl().glEnableVertexAttribArray(index);
-    gl().glVertexAttribPointer(index, 3, type, normalized, sizeof(GlPoint),
-                               reinterpret_cast<const void*>(offset));
+    // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* const at = reinterpret_cast<const void*>(offset);
+    gl().glVertexAttribPointer(index, 3, type, normalized, sizeof(GlPoint), at);
   };
   attribute(0, GL_FLOAT, GL_FALSE, offsetof(GlPoint, at));
   attribute(1, GL_SHORT, GL_TRUE, offsetof(GlPoint, normal));

@@ -55,7 +55,7 @@ namespace {
 
 /// Version of the layout for restoreState(). If the stored version differs, the original layout is
 /// used.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstWindowSize{1280, 820};
 /// Part of the screen that is reserved for the frame around the window.
 constexpr QSize kFrame{0, 40};
@@ -265,9 +265,9 @@ void MainWindow::place_panels() {
     panel->show();
   }
   QDockWidget* solid = dock("solid");  // null in a program without solids
-  if (solid) addDockWidget(Qt::RightDockWidgetArea, solid);
+  // On the other side, so that the page and not another panel gets its room when it is closed.
+  if (solid) addDockWidget(Qt::LeftDockWidgetArea, solid);
   addDockWidget(Qt::RightDockWidgetArea, dock("options"));
-  if (solid) splitDockWidget(solid, dock("options"), Qt::Horizontal);
   // This split must come first, because splitting beside a tabbed panel only adds a tab.
   splitDockWidget(dock("options"), dock("layers"), Qt::Vertical);
   tabifyDockWidget(dock("options"), dock("feel"));
