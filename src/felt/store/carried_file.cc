@@ -24,6 +24,20 @@ bool names_present(const Statement& row, int column, IsThere is_there) {
          (row.is_integer(column) && is_there(static_cast<std::uint64_t>(row.integer(column))));
 }
 
+void append_value(ByteWriter& out, const Statement& row, int column) {
+  if (row.is_integer(column)) {
+    out.u8(1);
+    return out.u64(static_cast<std::uint64_t>(row.integer(column)));
+  }
+  if (row.is_real(column)) {
+    out.u8(2);
+    return out.f64(row.real(column));
+  }
+  const bool is_text = row.is_text(column), is_blob = row.is_blob(column);
+  out.u8(is_text ? 3 : is_blob ? 4 : 5);
+  out.text(is_text ? row.text(column) : is_blob ? row.blob(column) : "");
+}
+
 /// Appends every value of every row, so that equal rows give equal bytes.
 Result<void> append_rows(std::string& bytes, const Database& db, const std::string& select) {
   const auto row = db.prepare(select.c_str());
@@ -33,18 +47,7 @@ Result<void> append_rows(std::string& bytes, const Database& db, const std::stri
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
     if (!*more) return {};
-    for (int i = 0; i < row->columns(); ++i) {
-      if (row->is_integer(i)) {
-        out.u8(1);
-        out.u64(static_cast<std::uint64_t>(row->integer(i)));
-      } else if (row->is_real(i)) {
-        out.u8(2);
-        out.f64(row->real(i));
-      } else {
-        out.u8(row->is_text(i) ? 3 : row->is_blob(i) ? 4 : 5);
-        out.text(row->is_text(i) ? row->text(i) : row->is_blob(i) ? row->blob(i) : "");
-      }
-    }
+    for (int i = 0; i < row->columns(); ++i) append_value(out, *row, i);
   }
 }
 
