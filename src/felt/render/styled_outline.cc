@@ -22,6 +22,9 @@ constexpr double kCenterShare = 0.5;
 constexpr double kShortest = 0.5;
 /// How far the shaft of an arrow reaches into the head, as a share of the head.
 constexpr double kNotch = 0.25;
+/// Largest distance between the ends of a line that is hatched, as a share of its length: loops that
+/// are drawn by hand seldom meet exactly (chosen by eye).
+constexpr double kOpening = 0.1;
 /// Points that a dash may have, for the limit of dashes.
 constexpr double kPointsOfDash = 64.0;
 
@@ -110,8 +113,7 @@ void LineStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm
 /// Returns true if the line encloses an area.
 bool LineStyler::State::goes_round() const noexcept {
   const SpinePoint &first = spine.points().front(), &last = spine.points().back();
-  return spine.closed() ||
-         distance(first.center, last.center) <= 2.0 * std::max(first.radius, last.radius);
+  return spine.closed() || distance(first.center, last.center) <= kOpening * last.length;
 }
 
 /// Draws the arrow heads, and returns the part of the line for the rest of the style.

@@ -40,8 +40,8 @@ struct StyledRow {
 /// or repeat; arrow heads end exactly at the ends of the line. On a closed line without corners,
 /// the pattern has no seam. Shapes are bent with the line. The two rails of a double line are
 /// offset curves, without the loops that these have inside of bends tighter than the offset. A line
-/// counts as closed for hatching if the distance between its ends is at most the width there. Lines
-/// of the hatching are `spacing_mm` apart, have the same position on the whole page, and are
+/// counts as closed for hatching if the distance between its ends is at most a tenth of its length.
+/// Lines of the hatching are `spacing_mm` apart, have the same position on the whole page, and are
 /// clipped to the inside of the centre line by the even-odd rule.
 ///
 /// A line shorter than half of its width is drawn as without a style. All results lie within the

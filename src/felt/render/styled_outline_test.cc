@@ -310,7 +310,9 @@ TEST(StyledOutline, HatchingFillsTheInsideByEvenOdd) {
   open.closed = false;
   open.joints.pop_back();
   EXPECT_EQ(ink_of(Stroke::create(open).value(), style).hatching.size(), 20u) << "the ends meet";
-  open.points.back().y += 1.01;
+  open.points.back().y += 7.0;  // of 73 mm
+  EXPECT_EQ(ink_of(Stroke::create(open).value(), style).hatching.size(), 20u);
+  open.points.back().y += 1.0;  // of 72 mm
   EXPECT_TRUE(ink_of(Stroke::create(open).value(), style).hatching.empty());
 }
 
