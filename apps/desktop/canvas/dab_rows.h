@@ -63,8 +63,8 @@ class DabRows {
   /// within `part`.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
-  /// Appends to `out` the outline of the stylised ink of all segments; it needs all of them. Joints
-  /// that bend sharply count as corners.
+  /// Appends to `out` the outline of the stylised ink of all segments; it needs all of them. Any
+  /// joint may be a corner.
   void trace_styled(LineStyler& styler, const LineStyle& style, Outline& out) const;
   /// Calls `lay(dabs, travels)` with the part of each row of dabs that touches `part`, and with
   /// TipAt::travel of these dabs.

@@ -36,8 +36,8 @@ class Spine {
   void build(const StyledRow& row, double max_step);
 
   [[nodiscard]] std::span<const SpinePoint> points() const noexcept { return points_; }
-  /// Returns the positions of the declared corners, ascending. A corner at the seam of a closed
-  /// line is at 0.
+  /// Returns the positions of the declared corners that turn by at least 30 degrees, ascending. A
+  /// corner at the seam of a closed line is at 0.
   [[nodiscard]] std::span<const double> corners() const noexcept { return corners_; }
   [[nodiscard]] bool closed() const noexcept { return closed_; }
   /// Returns the length of the line, in widths.

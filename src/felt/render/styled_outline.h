@@ -24,7 +24,7 @@ struct StyledInk {
 /// any unit of length.
 struct StyledRow {
   std::span<const Dab> dabs;  ///< if it is closed, the last is where the first is
-  /// Indexes of dabs at declared corners, ascending.
+  /// Indexes of dabs at joints that may be corners, ascending.
   std::span<const std::size_t> corners;
   bool closed = false;
   bool is_mirrored = false;      ///< the row is shown mirrored, so left and right are exchanged
@@ -34,8 +34,8 @@ struct StyledRow {
 /// Computes the ink of stylised strokes. The screen, pictures and vector files use the same ink.
 ///
 /// A style is fitted to the line: positions along it are measured in widths of the line (the arc
-/// length divided by the width there). The line is divided at declared corners. Each part gets a
-/// whole number of dashes or repeats; lengths and gaps are scaled to fit. A dash bends around each
+/// length divided by the width there). The line is divided at declared corners of at least 30
+/// degrees. Each part gets a whole number of dashes or repeats; lengths and gaps are scaled to fit. A dash bends around each
 /// corner, with half of its length on either side. An open line begins and ends with a whole dash
 /// or repeat; arrow heads end exactly at the ends of the line. On a closed line without corners,
 /// the pattern has no seam. Shapes are bent with the line. The two rails of a double line are

@@ -198,6 +198,20 @@ TEST(StyledOutline, DashesBendAroundCorners) {
   }
 }
 
+/// A hand that moves in jerks makes many small corners. They do not change the rhythm.
+TEST(StyledOutline, SmallCornersDoNotDivideALine) {
+  StrokeData d;
+  d.points.push_back({0, 0});
+  for (int i = 1; i <= 40; ++i) {
+    const Point from = d.points.back(), to{1.0 * i, i % 2 == 0 ? 0.0 : 0.2};
+    d.points.insert(d.points.end(), {lerp(from, to, 1.0 / 3.0), lerp(from, to, 2.0 / 3.0), to});
+  }
+  d.joints.assign(39, JointKind::kCorner);
+  d.widths = {{0.0, 2.0}, {40.0, 2.0}};
+  const LineStyle style = style_of({.kind = StyleKind::kDashes, .length = 3.0, .gap = 1.5});
+  EXPECT_EQ(ink_of(Stroke::create(d).value(), style).outline.contour_count(), 5u);
+}
+
 TEST(StyledOutline, RailsMeetAtCorners) {
   const Outline outline =
       ink_of(square(), style_of({.kind = StyleKind::kDouble, .thin = 0.2})).outline;
