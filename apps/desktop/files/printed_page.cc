@@ -107,10 +107,7 @@ void paint_picture(QPainter& painter, const LayerPicture& picture) {
 class VectorPainter {
  public:
   VectorPainter(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain)
-      : painter_(painter),
-        document_(drawing.document),
-        styles_(styles_of(drawing)),
-        grain_(grain) {
+      : painter_(painter), document_(drawing.document), styles_(styles_of(drawing)), grain_(grain) {
     painter.setPen(Qt::NoPen);
     // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
     // painted without grain, so that all strokes look alike.

@@ -32,12 +32,9 @@ double steps_between(const Dab& a, const Dab& b, double max_step) noexcept {
 
 SpinePoint between(const SpinePoint& a, const SpinePoint& b, double t) noexcept {
   const Vec normal = normalized((1.0 - t) * a.normal + t * b.normal);
-  return {lerp(a.center, b.center, t),
-          std::lerp(a.radius, b.radius, t),
-          std::lerp(a.tone, b.tone, t),
-          normal == Vec{} ? a.normal : normal,
-          std::lerp(a.along, b.along, t),
-          std::lerp(a.length, b.length, t)};
+  return {lerp(a.center, b.center, t),    std::lerp(a.radius, b.radius, t),
+          std::lerp(a.tone, b.tone, t),   normal == Vec{} ? a.normal : normal,
+          std::lerp(a.along, b.along, t), std::lerp(a.length, b.length, t)};
 }
 
 }  // namespace

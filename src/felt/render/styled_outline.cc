@@ -22,8 +22,8 @@ constexpr double kCenterShare = 0.5;
 constexpr double kShortest = 0.5;
 /// How far the shaft of an arrow reaches into the head, as a share of the head.
 constexpr double kNotch = 0.25;
-/// Largest distance between the ends of a line that is hatched, as a share of its length: loops that
-/// are drawn by hand seldom meet exactly (chosen by eye).
+/// Largest distance between the ends of a line that is hatched, as a share of its length: loops
+/// that are drawn by hand seldom meet exactly (chosen by eye).
 constexpr double kOpening = 0.1;
 /// Points that a dash may have, for the limit of dashes.
 constexpr double kPointsOfDash = 64.0;
@@ -70,7 +70,8 @@ struct LineStyler::State {
       const StrokeData& d = stroke.data();
       return tolerance == tolerance_mm && closed == d.closed && style == how &&
              has_bytes_of(std::span<const Point>(points), std::span<const Point>(d.points)) &&
-             has_bytes_of(std::span<const WidthKnot>(widths), std::span<const WidthKnot>(d.widths)) &&
+             has_bytes_of(std::span<const WidthKnot>(widths),
+                          std::span<const WidthKnot>(d.widths)) &&
              joints == d.joints;
     }
   };
@@ -88,7 +89,7 @@ struct LineStyler::State {
   StyleShape head = arrow_head();
   std::list<Kept> kept;         // the one that was used last is the last
   std::size_t kept_points = 0;  // in `kept`
-  StyledInk loose;       // of a row
+  StyledInk loose;              // of a row
   std::size_t made = 0;
 };
 
@@ -149,9 +150,8 @@ void LineStyler::State::draw_line(const StyledRow& row, const LineStyle& style, 
     case StyleKind::kDouble:
       return pen.rails(range, how.thin);
     case StyleKind::kRepeat:
-      for (const StyleSpan span :
-           repeat_spans(spine, range,
-                        {how.length, how.gap, 0.0, most / (16.0 * points_of(style.shape))})) {
+      for (const StyleSpan span : repeat_spans(
+               spine, range, {how.length, how.gap, 0.0, most / (16.0 * points_of(style.shape))})) {
         pen.shape(span, style.shape);
       }
       return;

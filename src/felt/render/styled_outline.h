@@ -27,17 +27,17 @@ struct StyledRow {
   /// Indexes of dabs at joints that may be corners, ascending.
   std::span<const std::size_t> corners;
   bool closed = false;
-  bool is_mirrored = false;      ///< the row is shown mirrored, so left and right are exchanged
-  double units_per_mm = 0.0;     ///< for the hatching; 0 draws none
+  bool is_mirrored = false;   ///< the row is shown mirrored, so left and right are exchanged
+  double units_per_mm = 0.0;  ///< for the hatching; 0 draws none
 };
 
 /// Computes the ink of stylised strokes. The screen, pictures and vector files use the same ink.
 ///
 /// A style is fitted to the line: positions along it are measured in widths of the line (the arc
 /// length divided by the width there). The line is divided at declared corners of at least 30
-/// degrees. Each part gets a whole number of dashes or repeats; lengths and gaps are scaled to fit. A dash bends around each
-/// corner, with half of its length on either side. An open line begins and ends with a whole dash
-/// or repeat; arrow heads end exactly at the ends of the line. On a closed line without corners,
+/// degrees. Each part gets a whole number of dashes or repeats; lengths and gaps are scaled to fit.
+/// A dash bends around each corner, half of it on either side. An open line begins and ends with a
+/// whole dash or repeat; arrow heads end at the ends of the line. On a closed line without corners,
 /// the pattern has no seam. Shapes are bent with the line. The two rails of a double line are
 /// offset curves, without the loops that these have inside of bends tighter than the offset. A line
 /// counts as closed for hatching if the distance between its ends is at most a tenth of its length.

@@ -39,7 +39,8 @@ std::vector<LineStyle> random_styles(std::uint64_t seed) {
     how.arrow_length = random.uniform(0.5, 4.0);
     how.angle_deg = random.uniform(-90.0, 90.0);
     how.spacing_mm = random.uniform(0.3, 4.0);
-    how.shape = random.chance(0.5) ? "M0 .5L.2 -.5 1 -.2 .5 0zM.2 .1h.5v.1z" : std::string(kLensShape);
+    how.shape =
+        random.chance(0.5) ? "M0 .5L.2 -.5 1 -.2 .5 0zM.2 .1h.5v.1z" : std::string(kLensShape);
     styles.push_back(style_of(how));
   }
   return styles;
@@ -147,8 +148,8 @@ TEST(StyledOutline, DashesFillTheLineAsAWhole) {
   for (std::size_t k = 0; k < 5; ++k) {
     const auto begin = -1.0 + 9.0 * static_cast<double>(k);
     const auto contour = outline.contour(k);
-    const auto [low, high] = std::minmax_element(
-        contour.begin(), contour.end(), [](Point a, Point b) { return a.x < b.x; });
+    const auto [low, high] = std::minmax_element(contour.begin(), contour.end(),
+                                                 [](Point a, Point b) { return a.x < b.x; });
     EXPECT_NEAR(low->x, begin, 1e-9);
     EXPECT_NEAR(high->x, begin + 6.0, 1e-9);
   }
@@ -175,8 +176,8 @@ Stroke square() {
   const std::array<Point, 5> p{{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}};
   d.points.push_back(p[0]);
   for (std::size_t i = 0; i < 4; ++i) {
-    d.points.insert(d.points.end(), {lerp(p[i], p[i + 1], 1.0 / 3.0),
-                                     lerp(p[i], p[i + 1], 2.0 / 3.0), p[i + 1]});
+    d.points.insert(d.points.end(),
+                    {lerp(p[i], p[i + 1], 1.0 / 3.0), lerp(p[i], p[i + 1], 2.0 / 3.0), p[i + 1]});
   }
   d.joints.assign(4, JointKind::kCorner);
   d.closed = true;
@@ -230,13 +231,13 @@ TEST(StyledOutline, RailsMeetAtCorners) {
 
 TEST(StyledOutline, RailsHaveNoLoopsInTightBends) {
   // A bend of radius 1 mm in a line that is 6 mm wide.
-  const Stroke bend = Stroke::create({.points = {{0, 0}, {10, 0}, {19, 0}, {20, 1}, {21, 2}, {20, 10}, {20, 20}},
-                                      .joints = {JointKind::kSmooth},
-                                      .closed = false,
-                                      .widths = {{0.0, 6.0}, {2.0, 6.0}}})
-                          .value();
-  const Outline outline =
-      ink_of(bend, style_of({.kind = StyleKind::kDouble, .thin = 0.1})).outline;
+  const Stroke bend =
+      Stroke::create({.points = {{0, 0}, {10, 0}, {19, 0}, {20, 1}, {21, 2}, {20, 10}, {20, 20}},
+                      .joints = {JointKind::kSmooth},
+                      .closed = false,
+                      .widths = {{0.0, 6.0}, {2.0, 6.0}}})
+          .value();
+  const Outline outline = ink_of(bend, style_of({.kind = StyleKind::kDouble, .thin = 0.1})).outline;
   for (const Point p : {Point{10, 2.7}, Point{10, -2.7}, Point{17.6, 15.0}}) {
     EXPECT_TRUE(is_inked(outline, p)) << p.x << ' ' << p.y;
   }
@@ -339,8 +340,8 @@ TEST(StyledOutline, HatchingCoversItsShareOfAnyClosedStroke) {
     Outline inside;  // of the centre line
     for (const Dab& dab : dabs) inside.points.push_back(dab.center);
     inside.ends = {inside.points.size()};
-    const StyledInk ink = ink_of(
-        stroke, style_of({.kind = StyleKind::kHatch, .angle_deg = 30.0, .spacing_mm = 0.5}));
+    const StyledInk ink =
+        ink_of(stroke, style_of({.kind = StyleKind::kHatch, .angle_deg = 30.0, .spacing_mm = 0.5}));
     for (std::size_t i = 0; i + 1 < ink.hatching.size(); i += 2) {
       const Point middle = lerp(ink.hatching[i].center, ink.hatching[i + 1].center, 0.5);
       if (distance(ink.hatching[i].center, ink.hatching[i + 1].center) < 0.05) continue;

@@ -84,10 +84,9 @@ class FilmShapes {
     }
     if (life.to_ns) out_ += " display=\"none\"";
     out_ += " d=\"";
-    append_path_data(
-        out_, on_grid(stroke ? styled_path(**stroke, styles_.find((*stroke)->medium()),
-                                           kFilmToleranceMm)
-                             : fill_path(*std::get<FillPtr>(life.shape))));
+    append_path_data(out_, on_grid(stroke ? styled_path(**stroke, styles_.find((*stroke)->medium()),
+                                                        kFilmToleranceMm)
+                                          : fill_path(*std::get<FillPtr>(life.shape))));
     out_ += "\">";
     append_life(life, drawn_s);
     if (is_drawn) {
@@ -284,7 +283,8 @@ Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming
     append_fill_color(out, options.paper);
     out += "/>\n";
   }
-  if (Result<void> done = append_layers(out, lives, end, timing, LineStyles(source.materials)); !done) {
+  if (Result<void> done = append_layers(out, lives, end, timing, LineStyles(source.materials));
+      !done) {
     return tl::unexpected(done.error());
   }
   return out + "</svg>\n";

@@ -68,8 +68,9 @@ void append_pattern_effect(std::string& out, const Stroke& stroke, const LineSty
   out += "<defs><inkscape:path-effect id=\"" + id +
          "\" effect=\"skeletal\" is_visible=\"true\" lpeversion=\"1\" copytype=\"";
   out += repeats ? "repeated_stretched" : "single_stretched";
-  out += "\" prop_scale=\"1\" scale_y_rel=\"false\" prop_units=\"false\" "
-         "vertical_pattern=\"false\" fuse_tolerance=\"0\" spacing=\"";
+  out +=
+      "\" prop_scale=\"1\" scale_y_rel=\"false\" prop_units=\"false\" "
+      "vertical_pattern=\"false\" fuse_tolerance=\"0\" spacing=\"";
   append_rounded(out, repeats ? style.how.gap * width_mm + (1.0 - box.width()) * length_mm : 0.0);
   out += "\" tang_offset=\"";
   append_rounded(out, repeats ? box.x0 * length_mm : 0.0);
