@@ -367,7 +367,8 @@ TEST(StyledOutline, WidthScalesTheStyle) {
     for (const LineStyle& style : random_styles(seed)) {
       if (style.how.kind == StyleKind::kHatch) continue;
       const Outline a = ink_of(stroke, style).outline;
-      const Outline& b = styler.ink(large, style, 2.0 * kToleranceMm).outline;
+      constexpr double kTwice = 2.0 * kToleranceMm;
+      const Outline& b = styler.ink(large, style, kTwice).outline;
       ASSERT_EQ(a.ends, b.ends) << seed;
       for (std::size_t i = 0; i < a.points.size(); ++i) {
         ASSERT_LE(distance({2.0 * a.points[i].x, 2.0 * a.points[i].y}, b.points[i]), 1e-6) << seed;
