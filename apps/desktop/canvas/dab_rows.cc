@@ -150,7 +150,7 @@ void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& ou
   }
 }
 
-void DabRows::trace_styled(LineStyler& styler, const LineStyle& style, Outline& out) const {
+void DabRows::trace_styled(StrokeStyler& styler, const StrokeStyle& style, Outline& out) const {
   for (std::size_t i = 0; i < pieces_.size();) {
     std::size_t next = i + 1;
     while (next < pieces_.size() && !pieces_[next].begins_row) ++next;

@@ -35,7 +35,7 @@ QColor color_of(Rgba c) {
   return {c.r, c.g, c.b, c.a};
 }
 
-QPainterPath path_of(const Stroke& stroke, const LineStyle* style) {
+QPainterPath path_of(const Stroke& stroke, const StrokeStyle* style) {
   const OutlinePath outline = styled_path(stroke, style, kPrintToleranceMm);
   QPainterPath path;
   path.setFillRule(Qt::WindingFill);
@@ -138,7 +138,7 @@ class VectorPainter {
 
   QPainter& painter_;
   const Document& document_;
-  LineStyles styles_;
+  StrokeStyles styles_;
   const std::optional<Grain>& grain_;
   std::optional<GrainMasks> masks_;
   Rasterizer rasterizer_;

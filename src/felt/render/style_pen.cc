@@ -58,7 +58,7 @@ void StylePen::begin(const Spine& spine, double tolerance, StyledInk& ink) {
 }
 
 bool StylePen::is_full() const noexcept {
-  return ink_->outline.points.size() >= LineStyler::kMaxPoints;
+  return ink_->outline.points.size() >= StrokeStyler::kMaxPoints;
 }
 
 /// Draws the row of dabs, and clears it.

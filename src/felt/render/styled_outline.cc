@@ -55,7 +55,7 @@ bool has_bytes_of(std::span<const T> a, std::span<const T> b) noexcept {
 
 }  // namespace
 
-struct LineStyler::State {
+struct StrokeStyler::State {
   struct Kept {
     std::vector<Point> points;
     std::vector<WidthKnot> widths;
@@ -77,10 +77,10 @@ struct LineStyler::State {
   };
 
   void flatten_stroke(const Stroke& stroke, double tolerance_mm);
-  void make(const StyledRow& row, const LineStyle& style, double tolerance, StyledInk& ink);
+  void make(const StyledRow& row, const StrokeStyle& style, double tolerance, StyledInk& ink);
   [[nodiscard]] bool goes_round() const noexcept;
   StyleSpan draw_arrows(const MediumStyle& how);
-  void draw_line(const StyledRow& row, const LineStyle& style, StyleSpan range);
+  void draw_line(const StyledRow& row, const StrokeStyle& style, StyleSpan range);
 
   Spine spine;
   StylePen pen;
@@ -94,7 +94,7 @@ struct LineStyler::State {
 };
 
 /// Sets the dabs of a stroke and their corners. A stroke with very many dabs is flattened coarsely.
-void LineStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm) {
+void StrokeStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm) {
   double tolerance = kCenterShare * tolerance_mm;
   flatten(stroke, 0, stroke.segment_count(), tolerance, dabs, ends);
   for (int i = 0; i < 16 && dabs.size() > Spine::kMaxPoints; ++i) {
@@ -112,13 +112,13 @@ void LineStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm
 }
 
 /// Returns true if the line encloses an area.
-bool LineStyler::State::goes_round() const noexcept {
+bool StrokeStyler::State::goes_round() const noexcept {
   const SpinePoint &first = spine.points().front(), &last = spine.points().back();
   return spine.closed() || distance(first.center, last.center) <= kOpening * last.length;
 }
 
 /// Draws the arrow heads, and returns the part of the line for the rest of the style.
-StyleSpan LineStyler::State::draw_arrows(const MediumStyle& how) {
+StyleSpan StrokeStyler::State::draw_arrows(const MediumStyle& how) {
   StyleSpan rest{0.0, spine.end()};
   if (spine.closed() || how.arrows == StyleArrows::kNone) return rest;
   const bool at_start = how.arrows != StyleArrows::kEnd, at_end = how.arrows != StyleArrows::kStart;
@@ -135,7 +135,8 @@ StyleSpan LineStyler::State::draw_arrows(const MediumStyle& how) {
   return rest;
 }
 
-void LineStyler::State::draw_line(const StyledRow& row, const LineStyle& style, StyleSpan range) {
+void StrokeStyler::State::draw_line(const StyledRow& row, const StrokeStyle& style,
+                                    StyleSpan range) {
   const MediumStyle& how = style.how;
   const double most = static_cast<double>(kMaxPoints);
   switch (how.kind) {
@@ -165,8 +166,8 @@ void LineStyler::State::draw_line(const StyledRow& row, const LineStyle& style, 
   }
 }
 
-void LineStyler::State::make(const StyledRow& row, const LineStyle& style, double tolerance,
-                             StyledInk& ink) {
+void StrokeStyler::State::make(const StyledRow& row, const StrokeStyle& style, double tolerance,
+                               StyledInk& ink) {
   ++made;
   const bool is_fine = style.how.kind == StyleKind::kDouble;
   spine.build(row, is_fine ? kFineStep : kCoarseStep);
@@ -180,13 +181,13 @@ void LineStyler::State::make(const StyledRow& row, const LineStyle& style, doubl
   draw_line(row, style, rest);
 }
 
-LineStyler::LineStyler() : state_(std::make_unique<State>()) {}
-LineStyler::~LineStyler() = default;
-LineStyler::LineStyler(LineStyler&&) noexcept = default;
-LineStyler& LineStyler::operator=(LineStyler&&) noexcept = default;
+StrokeStyler::StrokeStyler() : state_(std::make_unique<State>()) {}
+StrokeStyler::~StrokeStyler() = default;
+StrokeStyler::StrokeStyler(StrokeStyler&&) noexcept = default;
+StrokeStyler& StrokeStyler::operator=(StrokeStyler&&) noexcept = default;
 
-const StyledInk& LineStyler::ink(const Stroke& stroke, const LineStyle& style,
-                                 double tolerance_mm) {
+const StyledInk& StrokeStyler::ink(const Stroke& stroke, const StrokeStyle& style,
+                                   double tolerance_mm) {
   State& s = *state_;
   const auto found = std::find_if(s.kept.begin(), s.kept.end(), [&](const State::Kept& kept) {
     return kept.is_of(stroke, style.how, tolerance_mm);
@@ -208,18 +209,19 @@ const StyledInk& LineStyler::ink(const Stroke& stroke, const LineStyle& style,
   return kept.ink;
 }
 
-const StyledInk& LineStyler::ink(const StyledRow& row, const LineStyle& style, double tolerance) {
+const StyledInk& StrokeStyler::ink(const StyledRow& row, const StrokeStyle& style,
+                                   double tolerance) {
   state_->make(row, style, tolerance, state_->loose);
   return state_->loose;
 }
 
-std::size_t LineStyler::made_count() const noexcept {
+std::size_t StrokeStyler::made_count() const noexcept {
   return state_->made;
 }
 
-OutlinePath styled_path(const Stroke& stroke, const LineStyle* style, double tolerance_mm) {
+OutlinePath styled_path(const Stroke& stroke, const StrokeStyle* style, double tolerance_mm) {
   if (!style) return outline_path(stroke, tolerance_mm);
-  LineStyler styler;
+  StrokeStyler styler;
   const Outline& outline = styler.ink(stroke, *style, tolerance_mm).outline;
   OutlinePath path;
   path.points = outline.points;

@@ -50,21 +50,21 @@ struct StyledRow {
 ///
 /// Keeps the ink of the strokes that were used last, because a drawing is painted in many tiles.
 /// Not thread-safe.
-class LineStyler {
+class StrokeStyler {
  public:
   static constexpr std::size_t kMaxPoints = std::size_t{1} << 20;
   static constexpr std::size_t kMaxKept = 32;
 
-  LineStyler();
-  ~LineStyler();
-  LineStyler(LineStyler&&) noexcept;
-  LineStyler& operator=(LineStyler&&) noexcept;
+  StrokeStyler();
+  ~StrokeStyler();
+  StrokeStyler(StrokeStyler&&) noexcept;
+  StrokeStyler& operator=(StrokeStyler&&) noexcept;
 
   /// Returns the ink of a stroke. Requires tolerance_mm > 0. Valid until the next call.
-  const StyledInk& ink(const Stroke& stroke, const LineStyle& style, double tolerance_mm);
+  const StyledInk& ink(const Stroke& stroke, const StrokeStyle& style, double tolerance_mm);
   /// Returns the ink of a row of dabs. The tolerance has the unit of the row. Valid until the next
   /// call.
-  const StyledInk& ink(const StyledRow& row, const LineStyle& style, double tolerance);
+  const StyledInk& ink(const StyledRow& row, const StrokeStyle& style, double tolerance);
   /// Returns how many strokes have been stylised so far, without those that were kept.
   [[nodiscard]] std::size_t made_count() const noexcept;
 
@@ -74,6 +74,6 @@ class LineStyler {
 };
 
 /// Returns the ink of a stroke as paths for vector files: outline_path() if `style` is null.
-OutlinePath styled_path(const Stroke& stroke, const LineStyle* style, double tolerance_mm);
+OutlinePath styled_path(const Stroke& stroke, const StrokeStyle* style, double tolerance_mm);
 
 }  // namespace felt

@@ -19,16 +19,16 @@ using testing::winding;
 
 constexpr double kToleranceMm = 0.01;
 
-LineStyle style_of(MediumStyle how) {
-  LineStyle style{std::move(how), {}};
+StrokeStyle style_of(MediumStyle how) {
+  StrokeStyle style{std::move(how), {}};
   style.shape = read_style_shape(style.how.shape).value();
   return style;
 }
 
 /// Returns a style of every kind and some with arrow heads, with values that depend on the seed.
-std::vector<LineStyle> random_styles(std::uint64_t seed) {
+std::vector<StrokeStyle> random_styles(std::uint64_t seed) {
   testing::RandomStroke random(seed);
-  std::vector<LineStyle> styles;
+  std::vector<StrokeStyle> styles;
   for (std::size_t kind = 0; kind < kStyleKinds.size(); ++kind) {
     MediumStyle how;
     how.kind = static_cast<StyleKind>(kind);
@@ -46,8 +46,8 @@ std::vector<LineStyle> random_styles(std::uint64_t seed) {
   return styles;
 }
 
-StyledInk ink_of(const Stroke& stroke, const LineStyle& style) {
-  LineStyler styler;
+StyledInk ink_of(const Stroke& stroke, const StrokeStyle& style) {
+  StrokeStyler styler;
   return styler.ink(stroke, style, kToleranceMm);
 }
 
@@ -66,11 +66,11 @@ TEST(StyledOutline, StaysWithinThePlainInkOfAnyStroke) {
     const Stroke stroke = testing::random_stroke(seed);
     std::vector<Dab> dabs;
     flatten(stroke, 0.1 * kToleranceMm, dabs);
-    for (const LineStyle& style : random_styles(seed)) {
+    for (const StrokeStyle& style : random_styles(seed)) {
       SCOPED_TRACE(kStyleKinds[static_cast<std::size_t>(style.how.kind)]);
       const StyledInk ink = ink_of(stroke, style);
       ASSERT_FALSE(ink.outline.points.empty());
-      ASSERT_LE(ink.outline.points.size(), LineStyler::kMaxPoints);
+      ASSERT_LE(ink.outline.points.size(), StrokeStyler::kMaxPoints);
       const Outline outline = unhatched(ink);
       for (std::size_t i = 0; i < outline.points.size(); i += 1 + outline.points.size() / 150) {
         ASSERT_LE(testing::distance_outside(dabs, outline.points[i]), 2.0 * kToleranceMm);
@@ -83,10 +83,10 @@ TEST(StyledOutline, StaysWithinThePlainInkOfAnyStroke) {
 }
 
 TEST(StyledOutline, IsTheSameFromAnyStyler) {
-  LineStyler styler;
+  StrokeStyler styler;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Stroke stroke = testing::random_stroke(seed);
-    for (const LineStyle& style : random_styles(seed)) {
+    for (const StrokeStyle& style : random_styles(seed)) {
       const Outline first = styler.ink(stroke, style, kToleranceMm).outline;
       const std::size_t made = styler.made_count();
       EXPECT_EQ(styler.ink(stroke, style, kToleranceMm).outline.points, first.points);
@@ -117,7 +117,7 @@ TEST(StyledOutline, TurnsWithTheStroke) {
     const Stroke stroke = Stroke::create(data).value();
     for (Point& p : data.points) p = {-p.y, p.x};
     const Stroke turned = Stroke::create(data).value();
-    for (const LineStyle& style : random_styles(seed)) {
+    for (const StrokeStyle& style : random_styles(seed)) {
       if (style.how.kind == StyleKind::kHatch) continue;  // fixed on the page
       const Outline a = ink_of(stroke, style).outline, b = ink_of(turned, style).outline;
       ASSERT_EQ(a.ends, b.ends) << seed;
@@ -209,7 +209,7 @@ TEST(StyledOutline, SmallCornersDoNotDivideALine) {
   }
   d.joints.assign(39, JointKind::kCorner);
   d.widths = {{0.0, 2.0}, {40.0, 2.0}};
-  const LineStyle style = style_of({.kind = StyleKind::kDashes, .length = 3.0, .gap = 1.5});
+  const StrokeStyle style = style_of({.kind = StyleKind::kDashes, .length = 3.0, .gap = 1.5});
   EXPECT_EQ(ink_of(Stroke::create(d).value(), style).outline.contour_count(), 5u);
 }
 
@@ -272,7 +272,7 @@ TEST(StyledOutline, ShapesGoAcrossTheSeamOfAClosedLine) {
   cut.widths = {{0.0, 1.0}, {5.0, 1.0}};
   const Stroke with_seam = Stroke::create(cut).value();
   for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kRepeat, StyleKind::kDouble}) {
-    const LineStyle style =
+    const StrokeStyle style =
         style_of({.kind = kind, .length = 3.0, .gap = 2.0, .thin = 0.4, .shape = "M0 -.5H1V.5H0Z"});
     const Outline a = ink_of(rotated, style).outline, b = ink_of(with_seam, style).outline;
     int inked = 0;
@@ -314,7 +314,7 @@ TEST(StyledOutline, ArrowHeadsEndWhereTheLineEnds) {
 }
 
 TEST(StyledOutline, HatchingFillsTheInsideByEvenOdd) {
-  const LineStyle style =
+  const StrokeStyle style =
       style_of({.kind = StyleKind::kHatch, .thin = 0.5, .angle_deg = 0.0, .spacing_mm = 2.0});
   const StyledInk ink = ink_of(square(), style);
   EXPECT_EQ(ink.hatching.size(), 2u * 10u) << "lines 0, 2, ... 18 of the page";
@@ -363,8 +363,8 @@ TEST(StyledOutline, WidthScalesTheStyle) {
     for (Point& p : data.points) p = {2.0 * p.x, 2.0 * p.y};
     for (WidthKnot& k : data.widths) k.width_mm *= 2.0;
     const Stroke large = Stroke::create(data).value();
-    LineStyler styler;
-    for (const LineStyle& style : random_styles(seed)) {
+    StrokeStyler styler;
+    for (const StrokeStyle& style : random_styles(seed)) {
       if (style.how.kind == StyleKind::kHatch) continue;
       const Outline a = ink_of(stroke, style).outline;
       constexpr double kTwice = 2.0 * kToleranceMm;
@@ -379,7 +379,7 @@ TEST(StyledOutline, WidthScalesTheStyle) {
 
 TEST(StyledOutline, DotsHaveNoStyle) {
   const Stroke dot = testing::straight_stroke({0, 0}, {0.9, 0}, 2.0, 2.0);
-  for (const LineStyle& style : random_styles(1)) {
+  for (const StrokeStyle& style : random_styles(1)) {
     EXPECT_EQ(ink_of(dot, style).outline.points, outline_of(dot, kToleranceMm).points);
   }
 }
@@ -388,7 +388,7 @@ TEST(StyledOutline, LongPatternsAreBounded) {
   const Stroke thread = testing::straight_stroke({0, 0}, {100'000, 0}, 0.05, 0.05);
   for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kDouble, StyleKind::kRepeat}) {
     const StyledInk ink = ink_of(thread, style_of({.kind = kind, .length = 0.2, .gap = 0.0}));
-    EXPECT_LE(ink.outline.points.size(), LineStyler::kMaxPoints);
+    EXPECT_LE(ink.outline.points.size(), StrokeStyler::kMaxPoints);
     Rect box;
     for (const Point p : ink.outline.points) box.extend(p);
     EXPECT_NEAR(box.width(), 100'000.0, 10.0) << "the whole line has ink";
@@ -398,7 +398,7 @@ TEST(StyledOutline, LongPatternsAreBounded) {
 TEST(StyledPath, IsTheOutlineAndThePlainOneWithoutAStyle) {
   const Stroke stroke = testing::random_stroke(5);
   EXPECT_EQ(styled_path(stroke, nullptr, 0.01).points, outline_path(stroke, 0.01).points);
-  const LineStyle dashes = style_of({.kind = StyleKind::kDashes});
+  const StrokeStyle dashes = style_of({.kind = StyleKind::kDashes});
   const Outline outline = ink_of(stroke, dashes).outline;
   const OutlinePath path = styled_path(stroke, &dashes, kToleranceMm);
   EXPECT_EQ(path.points, outline.points);
