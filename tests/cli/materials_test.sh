@@ -9,7 +9,7 @@ has out "charcoal"
 is_empty err
 run 0 "$feltline" materials --json
 has out '{"id":"paper","kind":"surface","label":"Paper","path":null'
-lines out 18
+lines out 24
 
 # Each shown material can be read again without an error.
 ids=$(sed 's/^{"id":"\([^"]*\)".*/\1/' out)
@@ -19,7 +19,7 @@ for id in $ids; do
   texts+=("$id.toml")
 done
 run 0 "$feltline" materials check "${texts[@]}"
-lines out 18
+lines out 24
 has out "paper.toml: surface paper (can be read, but not saved as a custom material"
 run 1 "$feltline" materials show mud
 has err 'there is no material "mud"; there are paper, rough-paper'

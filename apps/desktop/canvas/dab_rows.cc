@@ -20,17 +20,6 @@ constexpr double kFarPx = 1e7;
 /// Rows are at least this many widths apart along the path, so that they count as separate visits
 /// (VisitMap).
 constexpr double kBetweenRows = 10.0;
-/// Cosine of the angle from which a joint of wet ink counts as a corner (30 degrees); only the
-/// finished stroke says which joints are corners.
-constexpr double kCornerCosine = 0.866;
-
-/// Returns true if the row bends sharply at dab i, which is neither its first nor its last.
-bool is_corner(std::span<const Dab> dabs, std::size_t i) {
-  const Vec into = normalized(dabs[i].center - dabs[i - 1].center);
-  const Vec out = normalized(dabs[i + 1].center - dabs[i].center);
-  return dot(into, out) < kCornerCosine;
-}
-
 void append(Outline& to, const Outline& from) {
   for (const std::size_t end : from.ends) to.ends.push_back(to.points.size() + end);
   to.points.insert(to.points.end(), from.points.begin(), from.points.end());
@@ -161,17 +150,14 @@ void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& ou
   }
 }
 
-void DabRows::trace_styled(LineStyler& styler, const LineStyle& style, Outline& out) const {
+void DabRows::trace_styled(StrokeStyler& styler, const StrokeStyle& style, Outline& out) const {
   for (std::size_t i = 0; i < pieces_.size();) {
     std::size_t next = i + 1;
     while (next < pieces_.size() && !pieces_[next].begins_row) ++next;
     const std::size_t first = pieces_[i].first;
     const auto dabs = std::span(dabs_).subspan(first, end_of(next - 1) - first);
     std::vector<std::size_t> corners;
-    for (std::size_t k = i + 1; k < next; ++k) {
-      const std::size_t at = pieces_[k].first - first;
-      if (at > 0 && at + 1 < dabs.size() && is_corner(dabs, at)) corners.push_back(at);
-    }
+    for (std::size_t k = i + 1; k < next; ++k) corners.push_back(pieces_[k].first - first);
     if (dabs.size() > 1) {
       const StyledRow row{dabs, corners, false, view_.view.is_mirrored(), 0.0};
       append(out, styler.ink(row, style, kRasterTolerancePx).outline);

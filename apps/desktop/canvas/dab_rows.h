@@ -63,9 +63,9 @@ class DabRows {
   /// within `part`.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
-  /// Appends to `out` the outline of the stylised ink of all segments; it needs all of them. Joints
-  /// that bend sharply count as corners.
-  void trace_styled(LineStyler& styler, const LineStyle& style, Outline& out) const;
+  /// Appends to `out` the outline of the stylised ink of all segments; it needs all of them. Any
+  /// joint may be a corner.
+  void trace_styled(StrokeStyler& styler, const StrokeStyle& style, Outline& out) const;
   /// Calls `lay(dabs, travels)` with the part of each row of dabs that touches `part`, and with
   /// TipAt::travel of these dabs.
   template <class Lay>

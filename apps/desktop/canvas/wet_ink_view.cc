@@ -154,7 +154,7 @@ void WetInkView::unsettle(Row& row) const {
 }
 
 void WetInkView::restyle(Row& row) {
-  const LineStyle* style = outline_mode_ ? nullptr : grain_.styles().find(row.medium);
+  const StrokeStyle* style = outline_mode_ ? nullptr : grain_.styles().find(row.medium);
   row.has_style = style && row.segments.size() <= kMaxStyled;
   row.styled.clear();
   if (!row.has_style) return;

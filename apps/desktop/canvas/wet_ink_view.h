@@ -111,7 +111,7 @@ class WetInkView {
   std::string medium_ = "pencil";
   bool outline_mode_ = false;
   InkBrush brush_;
-  LineStyler styler_;
+  StrokeStyler styler_;
   PressureMap pressure_;
   VisitMap visits_;
   std::vector<TipAt> way_;

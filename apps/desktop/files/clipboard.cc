@@ -80,8 +80,8 @@ QByteArray svg_of(const Drawing& drawing) {
 QImage picture_of(const Drawing& drawing) {
   const Rect area = ink_area(ink_bounds(drawing.document));
   const double fits = std::sqrt(kMaxPixels / std::max(1.0, area.width() * area.height()));
-  return page_picture(drawing.document, area, std::min(kDpi / kMmPerInch, fits),
-                      {255, 255, 255, 0}, Grain::solid(with_texts(drawing.materials)));
+  return page_picture(drawing.document, area, std::min(kDpi / kMmPerInch, fits), {255, 255, 255, 0},
+                      Grain::solid(with_texts(drawing.materials)));
 }
 
 /// Reads a drawing of any text format.

@@ -42,7 +42,7 @@ class ExportDialog : public QDialog {
   std::optional<Result<Document>> swell_document_, swell_selected_;  // the same for swell paper
   Page page_;
   bool has_pictures_ = false;
-  Grain solid_grain_;  // with the styles of the drawing's media
+  Grain solid_grain_;                   // with the styles of the drawing's media
   std::optional<Grain> surface_grain_;  // grain of the drawing's surface; nullopt if the surface is
                                         // unknown
   QComboBox* format_;

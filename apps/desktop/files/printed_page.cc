@@ -35,7 +35,7 @@ QColor color_of(Rgba c) {
   return {c.r, c.g, c.b, c.a};
 }
 
-QPainterPath path_of(const Stroke& stroke, const LineStyle* style) {
+QPainterPath path_of(const Stroke& stroke, const StrokeStyle* style) {
   const OutlinePath outline = styled_path(stroke, style, kPrintToleranceMm);
   QPainterPath path;
   path.setFillRule(Qt::WindingFill);
@@ -107,10 +107,7 @@ void paint_picture(QPainter& painter, const LayerPicture& picture) {
 class VectorPainter {
  public:
   VectorPainter(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain)
-      : painter_(painter),
-        document_(drawing.document),
-        styles_(styles_of(drawing)),
-        grain_(grain) {
+      : painter_(painter), document_(drawing.document), styles_(styles_of(drawing)), grain_(grain) {
     painter.setPen(Qt::NoPen);
     // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
     // painted without grain, so that all strokes look alike.
@@ -141,7 +138,7 @@ class VectorPainter {
 
   QPainter& painter_;
   const Document& document_;
-  LineStyles styles_;
+  StrokeStyles styles_;
   const std::optional<Grain>& grain_;
   std::optional<GrainMasks> masks_;
   Rasterizer rasterizer_;

@@ -7,13 +7,13 @@
 
 namespace felt {
 
-LineStyles styles_of(const Drawing& drawing) {
+StrokeStyles styles_of(const Drawing& drawing) {
   if (drawing.materials.empty()) return {};
   Materials known = Materials::built_in();
   for (const std::string& text : drawing.materials) {
     if (Result<AnyMaterial> material = read_material(text)) put(known, *std::move(material));
   }
-  return LineStyles(known);
+  return StrokeStyles(known);
 }
 
 }  // namespace felt

@@ -7,6 +7,6 @@ namespace felt {
 
 /// Returns the styles of the built-in media and of the media in a drawing's texts. Ignores a text
 /// that is not a valid material.
-LineStyles styles_of(const Drawing& drawing);
+StrokeStyles styles_of(const Drawing& drawing);
 
 }  // namespace felt

@@ -174,11 +174,11 @@ constexpr std::array<MediumField, 37> kMediumFields = {{
         "style.arrow_length", "Length of an arrow head", "widths", 0.5, 10,
         "Length of an arrow head, in widths of the line."),
     medium<&Medium::style, &MediumStyle::angle_deg>(
-        "style.angle_deg", "Angle of the hatching", "deg", -90, 90,
-        "Direction of the hatching on the page, clockwise from the x axis."),
-    medium<&Medium::style, &MediumStyle::spacing_mm>(
-        "style.spacing_mm", "Spacing of the hatching", "mm", 0.3, 50,
-        "Distance between the lines of the hatching."),
+        "style.angle_deg", "Angle of the hatching",
+        "deg", -90, 90, "Direction of the hatching on the page, clockwise from the x axis."),
+    medium<&Medium::style, &MediumStyle::spacing_mm>("style.spacing_mm", "Spacing of the hatching",
+                                                     "mm", 0.3, 50,
+                                                     "Distance between the lines of the hatching."),
 }};
 
 template <class Table>

@@ -78,7 +78,8 @@ class ShapeReader {
       *to += *value;
     }
     constexpr double kRounding = 1e-9;
-    if (!(p.x >= -kRounding && p.x <= 1.0 + kRounding && std::fabs(p.y) <= kHalfWidth + kRounding)) {
+    if (!(p.x >= -kRounding && p.x <= 1.0 + kRounding &&
+          std::fabs(p.y) <= kHalfWidth + kRounding)) {
       return problem("x must be 0 to 1 and y -0.5 to 0.5");
     }
     return p;
@@ -128,8 +129,8 @@ class ShapeReader {
       std::vector<Point>& contour = shape_.contours.back();
       if (contour.back() != begin_) {
         const Point from = contour.back();
-        contour.insert(contour.end(), {lerp(from, begin_, 1.0 / 3.0), lerp(from, begin_, 2.0 / 3.0),
-                                       begin_});
+        contour.insert(contour.end(),
+                       {lerp(from, begin_, 1.0 / 3.0), lerp(from, begin_, 2.0 / 3.0), begin_});
       }
       if (contour.size() < 4) shape_.contours.pop_back();
     }
@@ -148,8 +149,8 @@ class ShapeReader {
 
 Result<StyleShape> read_style_shape(std::string_view text) {
   if (text.size() > kMaxStyleShapeBytes) {
-    return fail(ErrorCode::kLimitExceeded, "the shape has more than " +
-                                               std::to_string(kMaxStyleShapeBytes) + " bytes");
+    return fail(ErrorCode::kLimitExceeded,
+                "the shape has more than " + std::to_string(kMaxStyleShapeBytes) + " bytes");
   }
   return ShapeReader(text).read();
 }

@@ -78,7 +78,7 @@ Grain::Grain(const HeightField* field, const Materials& materials)
 
 Grain Grain::solid(const Materials& materials) {
   Grain grain;
-  grain.styles_ = LineStyles(materials);
+  grain.styles_ = StrokeStyles(materials);
   return grain;
 }
 

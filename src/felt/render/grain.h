@@ -38,7 +38,7 @@ struct InkLook;
 /// detail that the pixel cannot show. The look of a stroke does not depend on earlier strokes, so
 /// strokes may be shaded in any order.
 ///
-/// A grain also holds the styles of the media's lines (LineStyles), because everything that draws
+/// A grain also holds the styles of the media's lines (StrokeStyles), because everything that draws
 /// ink needs both.
 ///
 /// A value type. Copies share their tables: 1.4 MB for the relief, 4.2 MB more if it is ever drawn
@@ -72,7 +72,7 @@ class Grain {
                                                     double px_per_mm) const;
 
   /// Returns the styles of the media's lines.
-  [[nodiscard]] const LineStyles& styles() const noexcept { return styles_; }
+  [[nodiscard]] const StrokeStyles& styles() const noexcept { return styles_; }
 
   /// Returns true if both have the same relief and media with the same looks and styles, so that
   /// they draw the same pixels.
@@ -81,7 +81,7 @@ class Grain {
  private:
   struct State;
   std::shared_ptr<const State> state_;
-  LineStyles styles_;
+  StrokeStyles styles_;
 };
 
 /// The grain of a file that contains strokes as outlines (.svg, .pdf), and its resolution.

@@ -82,7 +82,7 @@ class InkScene {
 
   /// Sets the styles with which the strokes are drawn; at first, those of the built-in media. If a
   /// part of a stroke with a style changes, all of it may look different and counts as damage.
-  void set_styles(const LineStyles& styles) { styles_ = styles; }
+  void set_styles(const StrokeStyles& styles) { styles_ = styles; }
 
   /// Applies an edit of the document and ends the preview. Adds the area to repaint to `damage`.
   /// Fails if Document::apply would fail; in that case the preview is removed, and nothing else
@@ -166,7 +166,7 @@ class InkScene {
   std::optional<Edit> preview_;
   std::vector<StrokeId> previewed_;
   std::uint64_t revision_ = 0;
-  LineStyles styles_;
+  StrokeStyles styles_;
 };
 
 }  // namespace felt

@@ -216,9 +216,8 @@ TEST(InkScene, AStyleIsRepaintedAsAWhole) {
     data.medium = medium;
     Document document;
     EditBuilder builder(document);
-    const StrokeId id =
-        builder.add(document.layers()[0].id,
-                    std::make_shared<const Stroke>(Stroke::create(data).value()));
+    const StrokeId id = builder.add(document.layers()[0].id,
+                                    std::make_shared<const Stroke>(Stroke::create(data).value()));
     EXPECT_TRUE(document.apply(std::move(builder).build("Add")));
     InkScene scene(document);
     InkDamage damage;

@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-using NamedStyles = std::vector<std::pair<std::string, LineStyle>>;
+using NamedStyles = std::vector<std::pair<std::string, StrokeStyle>>;
 
 bool has_style(const MediumStyle& style) noexcept {
   return style.kind != StyleKind::kPlain || style.arrows != StyleArrows::kNone;
@@ -15,7 +15,7 @@ std::shared_ptr<const NamedStyles> styles_of(const Materials& materials) {
   auto all = std::make_shared<NamedStyles>();
   for (const Medium& medium : materials.media()) {
     if (!has_style(medium.style)) continue;
-    LineStyle style{medium.style, {}};
+    StrokeStyle style{medium.style, {}};
     if (style.how.kind == StyleKind::kRepeat || style.how.kind == StyleKind::kStretch) {
       Result<StyleShape> shape = read_style_shape(style.how.shape);
       if (!shape) continue;
@@ -28,14 +28,14 @@ std::shared_ptr<const NamedStyles> styles_of(const Materials& materials) {
 
 }  // namespace
 
-LineStyles::LineStyles() noexcept {
+StrokeStyles::StrokeStyles() noexcept {
   static const std::shared_ptr<const NamedStyles> built_in = styles_of(Materials::built_in());
   all_ = built_in;
 }
 
-LineStyles::LineStyles(const Materials& materials) : all_(styles_of(materials)) {}
+StrokeStyles::StrokeStyles(const Materials& materials) : all_(styles_of(materials)) {}
 
-const LineStyle* LineStyles::find(std::string_view medium) const noexcept {
+const StrokeStyle* StrokeStyles::find(std::string_view medium) const noexcept {
   const auto found = std::find_if(all_->begin(), all_->end(),
                                   [medium](const auto& known) { return known.first == medium; });
   return found == all_->end() ? nullptr : &found->second;

@@ -161,7 +161,7 @@ struct Rasterizer::State {
   Cells cells{kRasterCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
-  LineStyler styler;
+  StrokeStyler styler;
   const StyledInk* styled = nullptr;  // of the stroke that is drawn, if it has a style
   SegmentsInArea runs;
   std::vector<Dab> dabs, more_dabs;
@@ -317,8 +317,8 @@ const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, co
   return s.joined;
 }
 
-const Outline& Rasterizer::trace_ink(const Stroke& stroke, const LineStyle* style, const View& view,
-                                     const Rect& shown) {
+const Outline& Rasterizer::trace_ink(const Stroke& stroke, const StrokeStyle* style,
+                                     const View& view, const Rect& shown) {
   State& s = *state_;
   s.styled = nullptr;
   if (!style) return trace_near(stroke, view, shown);
@@ -380,7 +380,7 @@ const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
                       Pixels target) {
   const InkLook* look = grain.is_plain() ? nullptr : look_of(stroke, view, grain);
-  const LineStyle* style = grain.styles().find(stroke.medium());
+  const StrokeStyle* style = grain.styles().find(stroke.medium());
   if (look == nullptr && !style) return draw(stroke, view, clip, target);
   const Rect bounds = rough_bounds(stroke);
   const PixelRect part = pixels_of(bounds, view, clip.intersected(target.rect()));

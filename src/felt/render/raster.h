@@ -65,7 +65,7 @@ class Rasterizer {
   [[nodiscard]] PixelRect visible(PixelRect part) const noexcept;
   const InkLook* look_of(const Stroke& stroke, const View& view, const Grain& grain);
   /// Returns the outline of the ink near `shown`; `style` may be null.
-  const Outline& trace_ink(const Stroke& stroke, const LineStyle* style, const View& view,
+  const Outline& trace_ink(const Stroke& stroke, const StrokeStyle* style, const View& view,
                            const Rect& shown);
   const Outline& trace_near(const Stroke& stroke, const View& view, const Rect& shown);
 

@@ -56,10 +56,9 @@ void add_dashes(const LineSection& section, const StyleRhythm& r, std::vector<St
   if (!(gaps >= 1.0)) return out.push_back(section.span);
   const double scale = (end - begin) / (first + last + gaps * r.gap + (gaps - 1.0) * r.length);
   for (double k = 0.0; k <= gaps; ++k) {
-    const double from = k == 0.0 ? begin
-                                 : begin + scale * (first + k * r.gap + (k - 1.0) * r.length);
-    const double to =
-        k == gaps ? end : begin + scale * (first + k * (r.gap + r.length));
+    const double from =
+        k == 0.0 ? begin : begin + scale * (first + k * r.gap + (k - 1.0) * r.length);
+    const double to = k == gaps ? end : begin + scale * (first + k * (r.gap + r.length));
     StyleSpan dash{from + half_cap, to - half_cap};
     if (k == 0.0 && section.begins_at_corner) dash.from = begin;
     if (k == gaps && section.ends_at_corner) dash.to = end;

@@ -32,7 +32,6 @@ std::vector<StyleSpan> dash_spans(const Spine& spine, StyleSpan range, const Sty
 /// Returns the spans of repeated shapes on the part `range` of a line: a whole number on each part
 /// between corners or ends, with gaps only in between. On a closed line without corners, a gap
 /// follows every shape.
-std::vector<StyleSpan> repeat_spans(const Spine& spine, StyleSpan range,
-                                    const StyleRhythm& rhythm);
+std::vector<StyleSpan> repeat_spans(const Spine& spine, StyleSpan range, const StyleRhythm& rhythm);
 
 }  // namespace felt

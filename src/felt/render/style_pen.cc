@@ -25,8 +25,8 @@ double area_of(std::span<const Point> contour) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < contour.size(); ++i) {
     const Point a = contour[i], b = contour[(i + 1) % contour.size()];
-    sum += (a.x - contour[0].x) * (b.y - contour[0].y) -
-           (b.x - contour[0].x) * (a.y - contour[0].y);
+    sum +=
+        (a.x - contour[0].x) * (b.y - contour[0].y) - (b.x - contour[0].x) * (a.y - contour[0].y);
   }
   return 0.5 * sum;
 }
@@ -58,7 +58,7 @@ void StylePen::begin(const Spine& spine, double tolerance, StyledInk& ink) {
 }
 
 bool StylePen::is_full() const noexcept {
-  return ink_->outline.points.size() >= LineStyler::kMaxPoints;
+  return ink_->outline.points.size() >= StrokeStyler::kMaxPoints;
 }
 
 /// Draws the row of dabs, and clears it.
@@ -187,7 +187,8 @@ void StylePen::bend(Point from, Point to, std::vector<Point>& out) const {
   const auto points = spine_->points();
   const double size = spine_->end();
   if (spine_->closed() && std::max(from.x, to.x) > size) {
-    if (std::min(from.x, to.x) >= size) return bend({from.x - size, from.y}, {to.x - size, to.y}, out);
+    if (std::min(from.x, to.x) >= size)
+      return bend({from.x - size, from.y}, {to.x - size, to.y}, out);
     const double y = std::lerp(from.y, to.y, (size - from.x) / (to.x - from.x));
     bend(from.x < to.x ? from : Point{from.x - size, from.y}, {from.x < to.x ? size : 0.0, y}, out);
     return bend({from.x < to.x ? 0.0 : size, y}, to.x > size ? Point{to.x - size, to.y} : to, out);

@@ -15,6 +15,9 @@ constexpr double kMaxRatio = 1.15;
 
 /// Normals of adjacent chords with a smaller scalar product (60 degrees) are not averaged.
 constexpr double kSharp = 0.5;
+/// Corners with a larger scalar product of the normals (30 degrees) do not divide a line: a fast or
+/// shaking hand makes many small ones.
+constexpr double kBlunt = 0.866;
 /// Largest turn between two points at the same position.
 constexpr double kMaxTurn = std::numbers::pi / 12.0;
 
@@ -29,12 +32,9 @@ double steps_between(const Dab& a, const Dab& b, double max_step) noexcept {
 
 SpinePoint between(const SpinePoint& a, const SpinePoint& b, double t) noexcept {
   const Vec normal = normalized((1.0 - t) * a.normal + t * b.normal);
-  return {lerp(a.center, b.center, t),
-          std::lerp(a.radius, b.radius, t),
-          std::lerp(a.tone, b.tone, t),
-          normal == Vec{} ? a.normal : normal,
-          std::lerp(a.along, b.along, t),
-          std::lerp(a.length, b.length, t)};
+  return {lerp(a.center, b.center, t),    std::lerp(a.radius, b.radius, t),
+          std::lerp(a.tone, b.tone, t),   normal == Vec{} ? a.normal : normal,
+          std::lerp(a.along, b.along, t), std::lerp(a.length, b.length, t)};
 }
 
 }  // namespace
@@ -106,8 +106,8 @@ void Spine::add_points(double side) {
       const Vec half = std::cos(0.5 * turn) * before + std::sin(0.5 * turn) * perp(before);
       add_turn(p, i == 0 ? half : before, is_seam ? 0.5 * turn : turn);
     }
-    const bool is_end = closed_ && i == last;
-    if (is_corner_[i] && !is_end && (closed_ || (i > 0 && i < last))) corners_.push_back(along);
+    const bool is_end = i == last || (i == 0 && !closed_);
+    if (is_corner_[i] && !is_end && dot(before, after) < kBlunt) corners_.push_back(along);
   }
 }
 

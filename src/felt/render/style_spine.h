@@ -16,9 +16,9 @@ struct SpinePoint {
   Point center;
   double radius = 0.0;
   double tone = 0.0;
-  Vec normal;              ///< unit vector to the right of the path (y of a shape)
-  double along = 0.0;      ///< distance from the start, in widths of the line
-  double length = 0.0;     ///< distance from the start, in the unit of the row
+  Vec normal;           ///< unit vector to the right of the path (y of a shape)
+  double along = 0.0;   ///< distance from the start, in widths of the line
+  double length = 0.0;  ///< distance from the start, in the unit of the row
 };
 
 /// The centre line of a stroke, to which styles are fitted: positions along it are measured in
@@ -31,13 +31,13 @@ class Spine {
   /// Largest number of points, unless the row itself has more dabs.
   static constexpr std::size_t kMaxPoints = std::size_t{1} << 14;
 
-  /// Replaces the spine. Adjacent points are at most `max_step` widths apart, unless this needs more
-  /// than kMaxPoints.
+  /// Replaces the spine. Adjacent points are at most `max_step` widths apart, unless this needs
+  /// more than kMaxPoints.
   void build(const StyledRow& row, double max_step);
 
   [[nodiscard]] std::span<const SpinePoint> points() const noexcept { return points_; }
-  /// Returns the positions of the declared corners, ascending. A corner at the seam of a closed
-  /// line is at 0.
+  /// Returns the positions of the declared corners that turn by at least 30 degrees, ascending. A
+  /// corner at the seam of a closed line is at 0.
   [[nodiscard]] std::span<const double> corners() const noexcept { return corners_; }
   [[nodiscard]] bool closed() const noexcept { return closed_; }
   /// Returns the length of the line, in widths.

@@ -22,6 +22,9 @@ constexpr double kCenterShare = 0.5;
 constexpr double kShortest = 0.5;
 /// How far the shaft of an arrow reaches into the head, as a share of the head.
 constexpr double kNotch = 0.25;
+/// Largest distance between the ends of a line that is hatched, as a share of its length: loops
+/// that are drawn by hand seldom meet exactly (chosen by eye).
+constexpr double kOpening = 0.1;
 /// Points that a dash may have, for the limit of dashes.
 constexpr double kPointsOfDash = 64.0;
 
@@ -52,7 +55,7 @@ bool has_bytes_of(std::span<const T> a, std::span<const T> b) noexcept {
 
 }  // namespace
 
-struct LineStyler::State {
+struct StrokeStyler::State {
   struct Kept {
     std::vector<Point> points;
     std::vector<WidthKnot> widths;
@@ -67,16 +70,17 @@ struct LineStyler::State {
       const StrokeData& d = stroke.data();
       return tolerance == tolerance_mm && closed == d.closed && style == how &&
              has_bytes_of(std::span<const Point>(points), std::span<const Point>(d.points)) &&
-             has_bytes_of(std::span<const WidthKnot>(widths), std::span<const WidthKnot>(d.widths)) &&
+             has_bytes_of(std::span<const WidthKnot>(widths),
+                          std::span<const WidthKnot>(d.widths)) &&
              joints == d.joints;
     }
   };
 
   void flatten_stroke(const Stroke& stroke, double tolerance_mm);
-  void make(const StyledRow& row, const LineStyle& style, double tolerance, StyledInk& ink);
+  void make(const StyledRow& row, const StrokeStyle& style, double tolerance, StyledInk& ink);
   [[nodiscard]] bool goes_round() const noexcept;
   StyleSpan draw_arrows(const MediumStyle& how);
-  void draw_line(const StyledRow& row, const LineStyle& style, StyleSpan range);
+  void draw_line(const StyledRow& row, const StrokeStyle& style, StyleSpan range);
 
   Spine spine;
   StylePen pen;
@@ -85,12 +89,12 @@ struct LineStyler::State {
   StyleShape head = arrow_head();
   std::list<Kept> kept;         // the one that was used last is the last
   std::size_t kept_points = 0;  // in `kept`
-  StyledInk loose;       // of a row
+  StyledInk loose;              // of a row
   std::size_t made = 0;
 };
 
 /// Sets the dabs of a stroke and their corners. A stroke with very many dabs is flattened coarsely.
-void LineStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm) {
+void StrokeStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm) {
   double tolerance = kCenterShare * tolerance_mm;
   flatten(stroke, 0, stroke.segment_count(), tolerance, dabs, ends);
   for (int i = 0; i < 16 && dabs.size() > Spine::kMaxPoints; ++i) {
@@ -108,14 +112,13 @@ void LineStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm
 }
 
 /// Returns true if the line encloses an area.
-bool LineStyler::State::goes_round() const noexcept {
+bool StrokeStyler::State::goes_round() const noexcept {
   const SpinePoint &first = spine.points().front(), &last = spine.points().back();
-  return spine.closed() ||
-         distance(first.center, last.center) <= 2.0 * std::max(first.radius, last.radius);
+  return spine.closed() || distance(first.center, last.center) <= kOpening * last.length;
 }
 
 /// Draws the arrow heads, and returns the part of the line for the rest of the style.
-StyleSpan LineStyler::State::draw_arrows(const MediumStyle& how) {
+StyleSpan StrokeStyler::State::draw_arrows(const MediumStyle& how) {
   StyleSpan rest{0.0, spine.end()};
   if (spine.closed() || how.arrows == StyleArrows::kNone) return rest;
   const bool at_start = how.arrows != StyleArrows::kEnd, at_end = how.arrows != StyleArrows::kStart;
@@ -132,7 +135,8 @@ StyleSpan LineStyler::State::draw_arrows(const MediumStyle& how) {
   return rest;
 }
 
-void LineStyler::State::draw_line(const StyledRow& row, const LineStyle& style, StyleSpan range) {
+void StrokeStyler::State::draw_line(const StyledRow& row, const StrokeStyle& style,
+                                    StyleSpan range) {
   const MediumStyle& how = style.how;
   const double most = static_cast<double>(kMaxPoints);
   switch (how.kind) {
@@ -147,9 +151,8 @@ void LineStyler::State::draw_line(const StyledRow& row, const LineStyle& style, 
     case StyleKind::kDouble:
       return pen.rails(range, how.thin);
     case StyleKind::kRepeat:
-      for (const StyleSpan span :
-           repeat_spans(spine, range,
-                        {how.length, how.gap, 0.0, most / (16.0 * points_of(style.shape))})) {
+      for (const StyleSpan span : repeat_spans(
+               spine, range, {how.length, how.gap, 0.0, most / (16.0 * points_of(style.shape))})) {
         pen.shape(span, style.shape);
       }
       return;
@@ -163,8 +166,8 @@ void LineStyler::State::draw_line(const StyledRow& row, const LineStyle& style, 
   }
 }
 
-void LineStyler::State::make(const StyledRow& row, const LineStyle& style, double tolerance,
-                             StyledInk& ink) {
+void StrokeStyler::State::make(const StyledRow& row, const StrokeStyle& style, double tolerance,
+                               StyledInk& ink) {
   ++made;
   const bool is_fine = style.how.kind == StyleKind::kDouble;
   spine.build(row, is_fine ? kFineStep : kCoarseStep);
@@ -178,13 +181,13 @@ void LineStyler::State::make(const StyledRow& row, const LineStyle& style, doubl
   draw_line(row, style, rest);
 }
 
-LineStyler::LineStyler() : state_(std::make_unique<State>()) {}
-LineStyler::~LineStyler() = default;
-LineStyler::LineStyler(LineStyler&&) noexcept = default;
-LineStyler& LineStyler::operator=(LineStyler&&) noexcept = default;
+StrokeStyler::StrokeStyler() : state_(std::make_unique<State>()) {}
+StrokeStyler::~StrokeStyler() = default;
+StrokeStyler::StrokeStyler(StrokeStyler&&) noexcept = default;
+StrokeStyler& StrokeStyler::operator=(StrokeStyler&&) noexcept = default;
 
-const StyledInk& LineStyler::ink(const Stroke& stroke, const LineStyle& style,
-                                 double tolerance_mm) {
+const StyledInk& StrokeStyler::ink(const Stroke& stroke, const StrokeStyle& style,
+                                   double tolerance_mm) {
   State& s = *state_;
   const auto found = std::find_if(s.kept.begin(), s.kept.end(), [&](const State::Kept& kept) {
     return kept.is_of(stroke, style.how, tolerance_mm);
@@ -206,18 +209,19 @@ const StyledInk& LineStyler::ink(const Stroke& stroke, const LineStyle& style,
   return kept.ink;
 }
 
-const StyledInk& LineStyler::ink(const StyledRow& row, const LineStyle& style, double tolerance) {
+const StyledInk& StrokeStyler::ink(const StyledRow& row, const StrokeStyle& style,
+                                   double tolerance) {
   state_->make(row, style, tolerance, state_->loose);
   return state_->loose;
 }
 
-std::size_t LineStyler::made_count() const noexcept {
+std::size_t StrokeStyler::made_count() const noexcept {
   return state_->made;
 }
 
-OutlinePath styled_path(const Stroke& stroke, const LineStyle* style, double tolerance_mm) {
+OutlinePath styled_path(const Stroke& stroke, const StrokeStyle* style, double tolerance_mm) {
   if (!style) return outline_path(stroke, tolerance_mm);
-  LineStyler styler;
+  StrokeStyler styler;
   const Outline& outline = styler.ink(stroke, *style, tolerance_mm).outline;
   OutlinePath path;
   path.points = outline.points;

@@ -24,24 +24,24 @@ struct StyledInk {
 /// any unit of length.
 struct StyledRow {
   std::span<const Dab> dabs;  ///< if it is closed, the last is where the first is
-  /// Indexes of dabs at declared corners, ascending.
+  /// Indexes of dabs at joints that may be corners, ascending.
   std::span<const std::size_t> corners;
   bool closed = false;
-  bool is_mirrored = false;      ///< the row is shown mirrored, so left and right are exchanged
-  double units_per_mm = 0.0;     ///< for the hatching; 0 draws none
+  bool is_mirrored = false;   ///< the row is shown mirrored, so left and right are exchanged
+  double units_per_mm = 0.0;  ///< for the hatching; 0 draws none
 };
 
 /// Computes the ink of stylised strokes. The screen, pictures and vector files use the same ink.
 ///
 /// A style is fitted to the line: positions along it are measured in widths of the line (the arc
-/// length divided by the width there). The line is divided at declared corners. Each part gets a
-/// whole number of dashes or repeats; lengths and gaps are scaled to fit. A dash bends around each
-/// corner, with half of its length on either side. An open line begins and ends with a whole dash
-/// or repeat; arrow heads end exactly at the ends of the line. On a closed line without corners,
+/// length divided by the width there). The line is divided at declared corners of at least 30
+/// degrees. Each part gets a whole number of dashes or repeats; lengths and gaps are scaled to fit.
+/// A dash bends around each corner, half of it on either side. An open line begins and ends with a
+/// whole dash or repeat; arrow heads end at the ends of the line. On a closed line without corners,
 /// the pattern has no seam. Shapes are bent with the line. The two rails of a double line are
 /// offset curves, without the loops that these have inside of bends tighter than the offset. A line
-/// counts as closed for hatching if the distance between its ends is at most the width there. Lines
-/// of the hatching are `spacing_mm` apart, have the same position on the whole page, and are
+/// counts as closed for hatching if the distance between its ends is at most a tenth of its length.
+/// Lines of the hatching are `spacing_mm` apart, have the same position on the whole page, and are
 /// clipped to the inside of the centre line by the even-odd rule.
 ///
 /// A line shorter than half of its width is drawn as without a style. All results lie within the
@@ -50,21 +50,21 @@ struct StyledRow {
 ///
 /// Keeps the ink of the strokes that were used last, because a drawing is painted in many tiles.
 /// Not thread-safe.
-class LineStyler {
+class StrokeStyler {
  public:
   static constexpr std::size_t kMaxPoints = std::size_t{1} << 20;
   static constexpr std::size_t kMaxKept = 32;
 
-  LineStyler();
-  ~LineStyler();
-  LineStyler(LineStyler&&) noexcept;
-  LineStyler& operator=(LineStyler&&) noexcept;
+  StrokeStyler();
+  ~StrokeStyler();
+  StrokeStyler(StrokeStyler&&) noexcept;
+  StrokeStyler& operator=(StrokeStyler&&) noexcept;
 
   /// Returns the ink of a stroke. Requires tolerance_mm > 0. Valid until the next call.
-  const StyledInk& ink(const Stroke& stroke, const LineStyle& style, double tolerance_mm);
+  const StyledInk& ink(const Stroke& stroke, const StrokeStyle& style, double tolerance_mm);
   /// Returns the ink of a row of dabs. The tolerance has the unit of the row. Valid until the next
   /// call.
-  const StyledInk& ink(const StyledRow& row, const LineStyle& style, double tolerance);
+  const StyledInk& ink(const StyledRow& row, const StrokeStyle& style, double tolerance);
   /// Returns how many strokes have been stylised so far, without those that were kept.
   [[nodiscard]] std::size_t made_count() const noexcept;
 
@@ -74,6 +74,6 @@ class LineStyler {
 };
 
 /// Returns the ink of a stroke as paths for vector files: outline_path() if `style` is null.
-OutlinePath styled_path(const Stroke& stroke, const LineStyle* style, double tolerance_mm);
+OutlinePath styled_path(const Stroke& stroke, const StrokeStyle* style, double tolerance_mm);
 
 }  // namespace felt

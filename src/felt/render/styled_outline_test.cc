@@ -19,16 +19,16 @@ using testing::winding;
 
 constexpr double kToleranceMm = 0.01;
 
-LineStyle style_of(MediumStyle how) {
-  LineStyle style{std::move(how), {}};
+StrokeStyle style_of(MediumStyle how) {
+  StrokeStyle style{std::move(how), {}};
   style.shape = read_style_shape(style.how.shape).value();
   return style;
 }
 
 /// Returns a style of every kind and some with arrow heads, with values that depend on the seed.
-std::vector<LineStyle> random_styles(std::uint64_t seed) {
+std::vector<StrokeStyle> random_styles(std::uint64_t seed) {
   testing::RandomStroke random(seed);
-  std::vector<LineStyle> styles;
+  std::vector<StrokeStyle> styles;
   for (std::size_t kind = 0; kind < kStyleKinds.size(); ++kind) {
     MediumStyle how;
     how.kind = static_cast<StyleKind>(kind);
@@ -39,14 +39,15 @@ std::vector<LineStyle> random_styles(std::uint64_t seed) {
     how.arrow_length = random.uniform(0.5, 4.0);
     how.angle_deg = random.uniform(-90.0, 90.0);
     how.spacing_mm = random.uniform(0.3, 4.0);
-    how.shape = random.chance(0.5) ? "M0 .5L.2 -.5 1 -.2 .5 0zM.2 .1h.5v.1z" : std::string(kLensShape);
+    how.shape =
+        random.chance(0.5) ? "M0 .5L.2 -.5 1 -.2 .5 0zM.2 .1h.5v.1z" : std::string(kLensShape);
     styles.push_back(style_of(how));
   }
   return styles;
 }
 
-StyledInk ink_of(const Stroke& stroke, const LineStyle& style) {
-  LineStyler styler;
+StyledInk ink_of(const Stroke& stroke, const StrokeStyle& style) {
+  StrokeStyler styler;
   return styler.ink(stroke, style, kToleranceMm);
 }
 
@@ -65,11 +66,11 @@ TEST(StyledOutline, StaysWithinThePlainInkOfAnyStroke) {
     const Stroke stroke = testing::random_stroke(seed);
     std::vector<Dab> dabs;
     flatten(stroke, 0.1 * kToleranceMm, dabs);
-    for (const LineStyle& style : random_styles(seed)) {
+    for (const StrokeStyle& style : random_styles(seed)) {
       SCOPED_TRACE(kStyleKinds[static_cast<std::size_t>(style.how.kind)]);
       const StyledInk ink = ink_of(stroke, style);
       ASSERT_FALSE(ink.outline.points.empty());
-      ASSERT_LE(ink.outline.points.size(), LineStyler::kMaxPoints);
+      ASSERT_LE(ink.outline.points.size(), StrokeStyler::kMaxPoints);
       const Outline outline = unhatched(ink);
       for (std::size_t i = 0; i < outline.points.size(); i += 1 + outline.points.size() / 150) {
         ASSERT_LE(testing::distance_outside(dabs, outline.points[i]), 2.0 * kToleranceMm);
@@ -82,10 +83,10 @@ TEST(StyledOutline, StaysWithinThePlainInkOfAnyStroke) {
 }
 
 TEST(StyledOutline, IsTheSameFromAnyStyler) {
-  LineStyler styler;
+  StrokeStyler styler;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Stroke stroke = testing::random_stroke(seed);
-    for (const LineStyle& style : random_styles(seed)) {
+    for (const StrokeStyle& style : random_styles(seed)) {
       const Outline first = styler.ink(stroke, style, kToleranceMm).outline;
       const std::size_t made = styler.made_count();
       EXPECT_EQ(styler.ink(stroke, style, kToleranceMm).outline.points, first.points);
@@ -116,7 +117,7 @@ TEST(StyledOutline, TurnsWithTheStroke) {
     const Stroke stroke = Stroke::create(data).value();
     for (Point& p : data.points) p = {-p.y, p.x};
     const Stroke turned = Stroke::create(data).value();
-    for (const LineStyle& style : random_styles(seed)) {
+    for (const StrokeStyle& style : random_styles(seed)) {
       if (style.how.kind == StyleKind::kHatch) continue;  // fixed on the page
       const Outline a = ink_of(stroke, style).outline, b = ink_of(turned, style).outline;
       ASSERT_EQ(a.ends, b.ends) << seed;
@@ -147,8 +148,8 @@ TEST(StyledOutline, DashesFillTheLineAsAWhole) {
   for (std::size_t k = 0; k < 5; ++k) {
     const auto begin = -1.0 + 9.0 * static_cast<double>(k);
     const auto contour = outline.contour(k);
-    const auto [low, high] = std::minmax_element(
-        contour.begin(), contour.end(), [](Point a, Point b) { return a.x < b.x; });
+    const auto [low, high] = std::minmax_element(contour.begin(), contour.end(),
+                                                 [](Point a, Point b) { return a.x < b.x; });
     EXPECT_NEAR(low->x, begin, 1e-9);
     EXPECT_NEAR(high->x, begin + 6.0, 1e-9);
   }
@@ -175,8 +176,8 @@ Stroke square() {
   const std::array<Point, 5> p{{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}};
   d.points.push_back(p[0]);
   for (std::size_t i = 0; i < 4; ++i) {
-    d.points.insert(d.points.end(), {lerp(p[i], p[i + 1], 1.0 / 3.0),
-                                     lerp(p[i], p[i + 1], 2.0 / 3.0), p[i + 1]});
+    d.points.insert(d.points.end(),
+                    {lerp(p[i], p[i + 1], 1.0 / 3.0), lerp(p[i], p[i + 1], 2.0 / 3.0), p[i + 1]});
   }
   d.joints.assign(4, JointKind::kCorner);
   d.closed = true;
@@ -198,6 +199,20 @@ TEST(StyledOutline, DashesBendAroundCorners) {
   }
 }
 
+/// A hand that moves in jerks makes many small corners. They do not change the rhythm.
+TEST(StyledOutline, SmallCornersDoNotDivideALine) {
+  StrokeData d;
+  d.points.push_back({0, 0});
+  for (int i = 1; i <= 40; ++i) {
+    const Point from = d.points.back(), to{1.0 * i, i % 2 == 0 ? 0.0 : 0.2};
+    d.points.insert(d.points.end(), {lerp(from, to, 1.0 / 3.0), lerp(from, to, 2.0 / 3.0), to});
+  }
+  d.joints.assign(39, JointKind::kCorner);
+  d.widths = {{0.0, 2.0}, {40.0, 2.0}};
+  const StrokeStyle style = style_of({.kind = StyleKind::kDashes, .length = 3.0, .gap = 1.5});
+  EXPECT_EQ(ink_of(Stroke::create(d).value(), style).outline.contour_count(), 5u);
+}
+
 TEST(StyledOutline, RailsMeetAtCorners) {
   const Outline outline =
       ink_of(square(), style_of({.kind = StyleKind::kDouble, .thin = 0.2})).outline;
@@ -216,13 +231,13 @@ TEST(StyledOutline, RailsMeetAtCorners) {
 
 TEST(StyledOutline, RailsHaveNoLoopsInTightBends) {
   // A bend of radius 1 mm in a line that is 6 mm wide.
-  const Stroke bend = Stroke::create({.points = {{0, 0}, {10, 0}, {19, 0}, {20, 1}, {21, 2}, {20, 10}, {20, 20}},
-                                      .joints = {JointKind::kSmooth},
-                                      .closed = false,
-                                      .widths = {{0.0, 6.0}, {2.0, 6.0}}})
-                          .value();
-  const Outline outline =
-      ink_of(bend, style_of({.kind = StyleKind::kDouble, .thin = 0.1})).outline;
+  const Stroke bend =
+      Stroke::create({.points = {{0, 0}, {10, 0}, {19, 0}, {20, 1}, {21, 2}, {20, 10}, {20, 20}},
+                      .joints = {JointKind::kSmooth},
+                      .closed = false,
+                      .widths = {{0.0, 6.0}, {2.0, 6.0}}})
+          .value();
+  const Outline outline = ink_of(bend, style_of({.kind = StyleKind::kDouble, .thin = 0.1})).outline;
   for (const Point p : {Point{10, 2.7}, Point{10, -2.7}, Point{17.6, 15.0}}) {
     EXPECT_TRUE(is_inked(outline, p)) << p.x << ' ' << p.y;
   }
@@ -257,7 +272,7 @@ TEST(StyledOutline, ShapesGoAcrossTheSeamOfAClosedLine) {
   cut.widths = {{0.0, 1.0}, {5.0, 1.0}};
   const Stroke with_seam = Stroke::create(cut).value();
   for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kRepeat, StyleKind::kDouble}) {
-    const LineStyle style =
+    const StrokeStyle style =
         style_of({.kind = kind, .length = 3.0, .gap = 2.0, .thin = 0.4, .shape = "M0 -.5H1V.5H0Z"});
     const Outline a = ink_of(rotated, style).outline, b = ink_of(with_seam, style).outline;
     int inked = 0;
@@ -299,7 +314,7 @@ TEST(StyledOutline, ArrowHeadsEndWhereTheLineEnds) {
 }
 
 TEST(StyledOutline, HatchingFillsTheInsideByEvenOdd) {
-  const LineStyle style =
+  const StrokeStyle style =
       style_of({.kind = StyleKind::kHatch, .thin = 0.5, .angle_deg = 0.0, .spacing_mm = 2.0});
   const StyledInk ink = ink_of(square(), style);
   EXPECT_EQ(ink.hatching.size(), 2u * 10u) << "lines 0, 2, ... 18 of the page";
@@ -310,7 +325,9 @@ TEST(StyledOutline, HatchingFillsTheInsideByEvenOdd) {
   open.closed = false;
   open.joints.pop_back();
   EXPECT_EQ(ink_of(Stroke::create(open).value(), style).hatching.size(), 20u) << "the ends meet";
-  open.points.back().y += 1.01;
+  open.points.back().y += 7.0;  // of 73 mm
+  EXPECT_EQ(ink_of(Stroke::create(open).value(), style).hatching.size(), 20u);
+  open.points.back().y += 1.0;  // of 72 mm
   EXPECT_TRUE(ink_of(Stroke::create(open).value(), style).hatching.empty());
 }
 
@@ -323,8 +340,8 @@ TEST(StyledOutline, HatchingCoversItsShareOfAnyClosedStroke) {
     Outline inside;  // of the centre line
     for (const Dab& dab : dabs) inside.points.push_back(dab.center);
     inside.ends = {inside.points.size()};
-    const StyledInk ink = ink_of(
-        stroke, style_of({.kind = StyleKind::kHatch, .angle_deg = 30.0, .spacing_mm = 0.5}));
+    const StyledInk ink =
+        ink_of(stroke, style_of({.kind = StyleKind::kHatch, .angle_deg = 30.0, .spacing_mm = 0.5}));
     for (std::size_t i = 0; i + 1 < ink.hatching.size(); i += 2) {
       const Point middle = lerp(ink.hatching[i].center, ink.hatching[i + 1].center, 0.5);
       if (distance(ink.hatching[i].center, ink.hatching[i + 1].center) < 0.05) continue;
@@ -346,11 +363,12 @@ TEST(StyledOutline, WidthScalesTheStyle) {
     for (Point& p : data.points) p = {2.0 * p.x, 2.0 * p.y};
     for (WidthKnot& k : data.widths) k.width_mm *= 2.0;
     const Stroke large = Stroke::create(data).value();
-    LineStyler styler;
-    for (const LineStyle& style : random_styles(seed)) {
+    StrokeStyler styler;
+    for (const StrokeStyle& style : random_styles(seed)) {
       if (style.how.kind == StyleKind::kHatch) continue;
       const Outline a = ink_of(stroke, style).outline;
-      const Outline& b = styler.ink(large, style, 2.0 * kToleranceMm).outline;
+      constexpr double kTwice = 2.0 * kToleranceMm;
+      const Outline& b = styler.ink(large, style, kTwice).outline;
       ASSERT_EQ(a.ends, b.ends) << seed;
       for (std::size_t i = 0; i < a.points.size(); ++i) {
         ASSERT_LE(distance({2.0 * a.points[i].x, 2.0 * a.points[i].y}, b.points[i]), 1e-6) << seed;
@@ -361,7 +379,7 @@ TEST(StyledOutline, WidthScalesTheStyle) {
 
 TEST(StyledOutline, DotsHaveNoStyle) {
   const Stroke dot = testing::straight_stroke({0, 0}, {0.9, 0}, 2.0, 2.0);
-  for (const LineStyle& style : random_styles(1)) {
+  for (const StrokeStyle& style : random_styles(1)) {
     EXPECT_EQ(ink_of(dot, style).outline.points, outline_of(dot, kToleranceMm).points);
   }
 }
@@ -370,7 +388,7 @@ TEST(StyledOutline, LongPatternsAreBounded) {
   const Stroke thread = testing::straight_stroke({0, 0}, {100'000, 0}, 0.05, 0.05);
   for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kDouble, StyleKind::kRepeat}) {
     const StyledInk ink = ink_of(thread, style_of({.kind = kind, .length = 0.2, .gap = 0.0}));
-    EXPECT_LE(ink.outline.points.size(), LineStyler::kMaxPoints);
+    EXPECT_LE(ink.outline.points.size(), StrokeStyler::kMaxPoints);
     Rect box;
     for (const Point p : ink.outline.points) box.extend(p);
     EXPECT_NEAR(box.width(), 100'000.0, 10.0) << "the whole line has ink";
@@ -380,7 +398,7 @@ TEST(StyledOutline, LongPatternsAreBounded) {
 TEST(StyledPath, IsTheOutlineAndThePlainOneWithoutAStyle) {
   const Stroke stroke = testing::random_stroke(5);
   EXPECT_EQ(styled_path(stroke, nullptr, 0.01).points, outline_path(stroke, 0.01).points);
-  const LineStyle dashes = style_of({.kind = StyleKind::kDashes});
+  const StrokeStyle dashes = style_of({.kind = StyleKind::kDashes});
   const Outline outline = ink_of(stroke, dashes).outline;
   const OutlinePath path = styled_path(stroke, &dashes, kToleranceMm);
   EXPECT_EQ(path.points, outline.points);

@@ -63,7 +63,7 @@ void append_fill_color(std::string& out, Rgba color) {
 /// Writes shapes with their animations.
 class FilmShapes {
  public:
-  FilmShapes(const FilmTiming& timing, const LineStyles& styles, std::string& out)
+  FilmShapes(const FilmTiming& timing, const StrokeStyles& styles, std::string& out)
       : timing_(timing), styles_(styles), out_(out) {}
 
   Result<void> add(const ShapeLife& life) {
@@ -84,10 +84,9 @@ class FilmShapes {
     }
     if (life.to_ns) out_ += " display=\"none\"";
     out_ += " d=\"";
-    append_path_data(
-        out_, on_grid(stroke ? styled_path(**stroke, styles_.find((*stroke)->medium()),
-                                           kFilmToleranceMm)
-                             : fill_path(*std::get<FillPtr>(life.shape))));
+    append_path_data(out_, on_grid(stroke ? styled_path(**stroke, styles_.find((*stroke)->medium()),
+                                                        kFilmToleranceMm)
+                                          : fill_path(*std::get<FillPtr>(life.shape))));
     out_ += "\">";
     append_life(life, drawn_s);
     if (is_drawn) {
@@ -150,7 +149,7 @@ class FilmShapes {
   }
 
   const FilmTiming& timing_;
-  const LineStyles& styles_;
+  const StrokeStyles& styles_;
   std::string& out_;
   std::size_t masks_ = 0;
 };
@@ -221,7 +220,7 @@ void append_group_begin(std::string& out, double opacity, BlendMode blend) {
 
 /// Appends the layers that are gone at the end, and then the others, the lowest first.
 Result<void> append_layers(std::string& out, const StrokeLives& lives, const Document& end,
-                           const FilmTiming& timing, const LineStyles& styles) {
+                           const FilmTiming& timing, const StrokeStyles& styles) {
   FilmShapes shapes(timing, styles, out);
   std::vector<LayerId> order;
   for (const ShapeLife& life : lives.all()) {
@@ -284,7 +283,8 @@ Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming
     append_fill_color(out, options.paper);
     out += "/>\n";
   }
-  if (Result<void> done = append_layers(out, lives, end, timing, LineStyles(source.materials)); !done) {
+  if (Result<void> done = append_layers(out, lives, end, timing, StrokeStyles(source.materials));
+      !done) {
     return tl::unexpected(done.error());
   }
   return out + "</svg>\n";

@@ -90,7 +90,7 @@ GrainMasks::GrainMasks(const GrainPrint& print, const Rect& area) noexcept
 void GrainMasks::draw(const Stroke& stroke, const View& view, GrainMask& mask) {
   const auto row = static_cast<std::size_t>(mask.width);
   const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
-  const LineStyle* style = print_.grain.styles().find(stroke.medium());
+  const StrokeStyle* style = print_.grain.styles().find(stroke.medium());
   const Outline& outline = style ? styler_.ink(stroke, *style, tolerance_mm).outline
                                  : outliner_.trace(stroke, tolerance_mm);
   for (int top = 0; top < mask.height; top += kBandRows) {

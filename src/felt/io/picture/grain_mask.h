@@ -60,7 +60,7 @@ class GrainMasks {
   std::int64_t pixels_left_ = kMaxPixels;
   Rasterizer rasterizer_;
   StrokeOutliner outliner_;
-  LineStyler styler_;
+  StrokeStyler styler_;
   std::vector<std::uint8_t> ink_, covered_, coverage_;
 };
 

@@ -323,7 +323,7 @@ class PdfParts final : public DrawingParts {
         if (!seen) return tl::unexpected(with_context(seen.error(), "stroke " + stroke_name(id)));
         if (*seen) mask = masks_.add(**seen);
       }
-      const LineStyle* style = styles_.find(stroke->medium());
+      const StrokeStyle* style = styles_.find(stroke->medium());
       content.stroke(styled_path(*stroke, style, options_.tolerance_mm), stroke->color(), mask);
     }
     return {};
@@ -344,7 +344,7 @@ class PdfParts final : public DrawingParts {
   }
 
   const Document& document_;
-  LineStyles styles_;
+  StrokeStyles styles_;
   std::vector<StrokeRange> ranges_;
   PdfOptions options_;
   Rect area_;

@@ -44,7 +44,7 @@ std::string box_text(const Rect& area) {
   return text;
 }
 
-void append_compact_path(std::string& out, const Stroke& stroke, const LineStyles& styles,
+void append_compact_path(std::string& out, const Stroke& stroke, const StrokeStyles& styles,
                          std::string_view fill) {
   OutlinePath path = styled_path(stroke, styles.find(stroke.medium()), kCompactToleranceMm);
   for (Point& p : path.points) p = {rounded(p.x), rounded(p.y)};
@@ -58,7 +58,7 @@ void append_compact_path(std::string& out, const Stroke& stroke, const LineStyle
 /// Appends the strokes. Neighbours of the same colour are in a group that has the colour. They are
 /// not one path, because outlines that overlap could cancel each other.
 Result<void> append_strokes(std::string& out, const std::vector<StrokePtr>& strokes,
-                            const LineStyles& styles) {
+                            const StrokeStyles& styles) {
   for (std::size_t i = 0; i < strokes.size();) {
     std::size_t end = i + 1;
     while (end < strokes.size() && strokes[end]->color() == strokes[i]->color()) ++end;
@@ -117,7 +117,7 @@ Result<void> append_fills(std::string& out, const Document& document, const Laye
 // as a whole.
 Result<void> append_compact_ink(std::string& out, const Drawing& drawing) {
   const Document& document = drawing.document;
-  const LineStyles styles = styles_of(drawing);
+  const StrokeStyles styles = styles_of(drawing);
   std::vector<StrokePtr> strokes;
   LayerGroupPtr open;  // the group of layers that has begun, if it is drawn as a whole
   const auto flush = [&] { return append_strokes(out, std::exchange(strokes, {}), styles); };

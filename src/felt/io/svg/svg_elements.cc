@@ -318,7 +318,7 @@ void append_svg_group_end(std::string& out) {
 
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
                                std::size_t number, double tolerance_mm, const GrainMask* mask,
-                               const LineStyle* style) {
+                               const StrokeStyle* style) {
   if (!within_reach(stroke.bounds())) {
     return fail(ErrorCode::kLimitExceeded, "the stroke extends beyond 1e9 mm");
   }

@@ -13,7 +13,7 @@
 namespace felt {
 
 struct GrainMask;
-struct LineStyle;
+struct StrokeStyle;
 
 /// These functions write the pieces of an SVG file of a sketch (docs/formats/svg.md). Most of them
 /// append to `out`. Equal values give equal bytes.
@@ -76,8 +76,7 @@ void append_svg_group_end(std::string& out);
 /// id or medium, or if a coordinate is beyond 1e9 mm.
 Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
                                std::size_t number, double tolerance_mm,
-                               const GrainMask* mask = nullptr,
-                               const LineStyle* style = nullptr);
+                               const GrainMask* mask = nullptr, const StrokeStyle* style = nullptr);
 
 /// Appends one fill: a path with the even-odd rule. Its numbers are exact, and our attribute holds
 /// its references. Call it inside a layer or group, before the strokes. Fails, and appends nothing,

@@ -51,7 +51,7 @@ Rect bounds_of(const StyleShape& shape) noexcept {
 
 }  // namespace
 
-bool has_pattern_effect(const LineStyle* style) noexcept {
+bool has_pattern_effect(const StrokeStyle* style) noexcept {
   return style &&
          (style->how.kind == StyleKind::kRepeat || style->how.kind == StyleKind::kStretch) &&
          style->how.arrows == StyleArrows::kNone;
@@ -59,7 +59,7 @@ bool has_pattern_effect(const LineStyle* style) noexcept {
 
 // Inkscape moves the pattern's box to the start and the middle of the path, so offsets move it back
 // (lpe-patternalongpath.cpp, Inkscape 1.2).
-void append_pattern_effect(std::string& out, const Stroke& stroke, const LineStyle& style,
+void append_pattern_effect(std::string& out, const Stroke& stroke, const StrokeStyle& style,
                            const std::string& id) {
   const double width_mm = mean_width_mm(stroke);
   const double length_mm = style.how.length * width_mm;
@@ -68,8 +68,9 @@ void append_pattern_effect(std::string& out, const Stroke& stroke, const LineSty
   out += "<defs><inkscape:path-effect id=\"" + id +
          "\" effect=\"skeletal\" is_visible=\"true\" lpeversion=\"1\" copytype=\"";
   out += repeats ? "repeated_stretched" : "single_stretched";
-  out += "\" prop_scale=\"1\" scale_y_rel=\"false\" prop_units=\"false\" "
-         "vertical_pattern=\"false\" fuse_tolerance=\"0\" spacing=\"";
+  out +=
+      "\" prop_scale=\"1\" scale_y_rel=\"false\" prop_units=\"false\" "
+      "vertical_pattern=\"false\" fuse_tolerance=\"0\" spacing=\"";
   append_rounded(out, repeats ? style.how.gap * width_mm + (1.0 - box.width()) * length_mm : 0.0);
   out += "\" tang_offset=\"";
   append_rounded(out, repeats ? box.x0 * length_mm : 0.0);

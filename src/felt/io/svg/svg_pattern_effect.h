@@ -9,12 +9,12 @@ namespace felt {
 
 /// Returns true if Inkscape has a path effect that draws lines with this style: Pattern Along Path,
 /// for a shape that is repeated or stretched. `style` may be null.
-bool has_pattern_effect(const LineStyle* style) noexcept;
+bool has_pattern_effect(const StrokeStyle* style) noexcept;
 
 /// Appends the effect with this id as a definition. Inkscape applies it when the line is edited.
 /// The pattern has one width on the whole line, the stroke's mean width. Requires
 /// has_pattern_effect().
-void append_pattern_effect(std::string& out, const Stroke& stroke, const LineStyle& style,
+void append_pattern_effect(std::string& out, const Stroke& stroke, const StrokeStyle& style,
                            const std::string& id);
 
 }  // namespace felt

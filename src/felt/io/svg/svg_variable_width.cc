@@ -263,8 +263,8 @@ std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour&
   return d;
 }
 
-/// Reads a stroke with the effect Pattern Along Path whose centre line another program changed: its widths are
-/// those that we stored, stretched over the line. Returns nullopt if there are none.
+/// Reads a stroke with the effect Pattern Along Path whose centre line another program changed: its
+/// widths are those that we stored, stretched over the line. Returns nullopt if there are none.
 std::optional<StrokeData> stretched_model(const SvgVariableWidth& a, const SvgContour& line) {
   StrokeData d;
   const auto n = static_cast<double>(line.segment_count());

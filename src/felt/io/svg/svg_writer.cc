@@ -92,7 +92,7 @@ class SvgParts final : public DrawingParts {
 
   Result<void> append_stroke(std::string& text, StrokeId id, std::size_t number) const {
     const StrokePtr stroke = document_.find(id);
-    const LineStyle* style = styles_.find(stroke->medium());
+    const StrokeStyle* style = styles_.find(stroke->medium());
     if (!masks_) {
       return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_, nullptr,
                                style);
@@ -104,7 +104,7 @@ class SvgParts final : public DrawingParts {
   }
 
   const Document& document_;
-  LineStyles styles_;
+  StrokeStyles styles_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;
   PictureChoice pictures_;

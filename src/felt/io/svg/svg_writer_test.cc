@@ -288,7 +288,7 @@ TEST(SvgWriter, StylesArePathsAndStrokesComeBack) {
       EXPECT_STREQ(group.child("defs").child("inkscape:path-effect").attribute("effect").value(),
                    has_shape ? "skeletal" : "powerstroke");
       std::string path;
-      append_path_data(path, styled_path(stroke, LineStyles().find(medium), 0.005));
+      append_path_data(path, styled_path(stroke, StrokeStyles().find(medium), 0.005));
       EXPECT_EQ(group.child("path").attribute("d").value(), path);
       const Result<Imported> back = import_svg(text, {});
       ASSERT_TRUE(back) << back.error().message;
