@@ -41,6 +41,7 @@ Vec3 SurfaceProxy::step(const TriangleTree& body, const Vec3& pen, double fricti
   Vec3 goal = within_reach(place_, pen);
   Vec3 last_normal{};
   for (int i = 0; i < kSweeps; ++i) {
+    if (!is_finite(goal)) return place_;  // a pen so far away that its distance overflows
     const Vec3 move = goal - place_;
     const std::optional<SweepHit> hit = body.sweep(place_, goal);
     if (!hit) {

@@ -121,6 +121,14 @@ TEST(SurfaceProxy, APenThatIsNotFiniteMovesNothing) {
   SurfaceProxy proxy;
   proxy.reset({24, 24, 10});
   EXPECT_EQ(proxy.step(body, {std::nan(""), 0, 0}, 0.0), (Vec3{24, 24, 10}));
+  proxy.reset({-1e308, 0, 10});
+  EXPECT_EQ(proxy.step(body, {1e308, 0, 10}, 0.0), (Vec3{-1e308, 0, 10}));
+}
+
+TEST(TriangleTree, ASweepThatNeedsTooManyNodesStopsAtItsStart) {
+  const std::optional<SweepHit> hit = TriangleTree(hills()).sweep({1, 1, 20}, {47, 47, -20});
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->t, 0.0);
 }
 
 }  // namespace

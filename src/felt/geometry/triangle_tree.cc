@@ -90,7 +90,7 @@ std::optional<double> TriangleTree::crossing(const Face& face, const Vec3& from,
 std::optional<SweepHit> TriangleTree::sweep(const Vec3& from, const Vec3& to) const noexcept {
   const Vec3 move = to - from;
   if (!is_finite(from) || !is_finite(to)) return SweepHit{};
-  if (nodes_.empty()) return std::nullopt;
+  if (nodes_.empty() || norm_squared(move) <= 0.0) return std::nullopt;
   const Vec3 low = lower(from, to);
   const Vec3 high = upper(from, to);
   std::optional<SweepHit> first;
