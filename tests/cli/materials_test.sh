@@ -60,7 +60,7 @@ has out '"my-paper"'
 mkdir -p shared/feltline/materials
 cp bad.toml shared/feltline/materials/
 run 0 "$feltline" materials --json
-lines out 20
+lines out 26
 has err "shared/feltline/materials/bad.toml:$wrong: "
 rm -r shared
 
