@@ -103,8 +103,7 @@ std::string material_rows(std::span<const Material> materials) {
 std::string format_rows() {
   std::vector<std::string> rows;
   for (const FormatTraits& traits : format_table()) {
-    const bool is_here = traits.format == FileFormat::kFelt ||
-                         traits.format == FileFormat::kSvg ||
+    const bool is_here = traits.format == FileFormat::kFelt || traits.format == FileFormat::kSvg ||
                          traits.format == FileFormat::kNdjson ||
                          traits.format == FileFormat::kInkml;
     if (!is_here && traits.format != FileFormat::kXopp) continue;

@@ -325,7 +325,8 @@ void HapticMasterDevice::place_pen() noexcept {
 std::int64_t HapticMasterDevice::tick(std::int64_t now_ns) noexcept {
   const std::int64_t ns = time_.tick(now_ns);
   now_ns_ = now_ns;
-  sum_ns_ += std::min(ns, kSecond);  // cannot overflow; MotionCheck begins anew after less than that
+  sum_ns_ +=
+      std::min(ns, kSecond);  // cannot overflow; MotionCheck begins anew after less than that
   const bool was_resting = std::exchange(is_resting_, false);
   return was_resting && ns > kGuardNs ? 0 : ns;
 }
