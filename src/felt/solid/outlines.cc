@@ -219,6 +219,7 @@ Result<void> OutlineFinder::check_pinches(FaultChoice faults) {
 void OutlineFinder::set_depths() {
   for (std::size_t i = 0; i < lobes_.size(); ++i) {
     Lobe& lobe = lobes_[i];
+    lobe.depth = 0;
     const Point p = lobe.control_points.front();
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
@@ -254,6 +255,11 @@ std::string OutlineFinder::first_left_out() const {
 
 Result<FoundOutlines> OutlineFinder::find(HoleChoice holes, FaultChoice faults) {
   collect();
+  if (holes == HoleChoice::kFill) {
+    // Lines inside an outline do not matter then, and may cross each other as they like.
+    set_depths();
+    std::erase_if(lobes_, [](const Lobe& lobe) { return lobe.depth > 0; });
+  }
   drop_small();
   if (lobes_.empty() && largest_left_out_) {
     return fail(ErrorCode::kInvalidData,
@@ -267,9 +273,7 @@ Result<FoundOutlines> OutlineFinder::find(HoleChoice holes, FaultChoice faults) 
   FoundOutlines found;
   found.notes = std::move(notes_);
   for (std::size_t i = 0; i < lobes_.size(); ++i) {
-    const bool is_body =
-        holes == HoleChoice::kKeep ? lobes_[i].depth % 2 == 0 : lobes_[i].depth == 0;
-    if (is_body) found.outlines.push_back(outline_of(i, holes));
+    if (lobes_[i].depth % 2 == 0) found.outlines.push_back(outline_of(i, holes));
   }
   if (left_out_ > 0) {
     found.notes.push_back("left out " + std::to_string(left_out_) + " small closed " +

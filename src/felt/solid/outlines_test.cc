@@ -86,5 +86,18 @@ TEST(SolidOutlines, HiddenLayersDoNotCount) {
   EXPECT_FALSE(find_outlines(drawing.document, 2.0, HoleChoice::kKeep));
 }
 
+// Hatching inside a body: its lines cross, and enclose small areas that meet in points.
+TEST(SolidOutlines, LinesInsideAFilledOutlineMayCross) {
+  testing::SolidDrawing drawing;
+  drawing.polygon({{0, 0}, {100, 0}, {100, 100}, {0, 100}});
+  drawing.polyline({{20, 20}, {60, 60}, {60, 20}, {20, 60}, {20, 20}});
+  const auto kept = find_outlines(drawing.document, 2.0, HoleChoice::kKeep, FaultChoice::kRefuse);
+  EXPECT_FALSE(kept);
+  const auto filled = find_outlines(drawing.document, 2.0, HoleChoice::kFill, FaultChoice::kRefuse);
+  ASSERT_TRUE(filled) << filled.error().message;
+  EXPECT_EQ(filled->outlines.size(), 1U);
+  EXPECT_TRUE(filled->notes.empty());
+}
+
 }  // namespace
 }  // namespace felt::outlines_test
