@@ -18,7 +18,7 @@ constexpr qint64 kSteadyMs = 5000;
 
 /// Returns true if, after this fault, the pen cannot be read or its position is unknown.
 bool ends_reading(DeviceFault fault) {
-  return fault == DeviceFault::kDisconnected || fault == DeviceFault::kNotCalibrated;
+  return fault == DeviceFault::kDisconnected;
 }
 
 bool takes_no_force(DeviceFault fault) {
@@ -112,7 +112,12 @@ void DeviceCare::release(DeviceFault fault, const DeviceStatus& status) {
   const bool is_unsteady = since_back_.isValid() && since_back_.elapsed() < kSteadyMs;
   wait_for(info.id);
   has_failed_ = is_unsteady || fault != DeviceFault::kDisconnected;
-  QString text = words.what + QLatin1Char(' ') + words.to_do;
+  QString text = words.what + QLatin1Char(' ');
+  // The reason may be urgent, for example a machine that did not switch off.
+  if (fault == DeviceFault::kNotCalibrated && !words.details.isEmpty()) {
+    text += words.details + QLatin1Char(' ');
+  }
+  text += words.to_do;
   std::vector<DeviceMessage::Button> buttons;
   if (fault == DeviceFault::kNotCalibrated) {
     buttons.push_back(use_button(tr("Find its &home position…"), info.id));

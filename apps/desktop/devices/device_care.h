@@ -30,8 +30,9 @@ class DeviceCare : public QObject {
  public:
   static constexpr int kCalmMs = 200;  ///< interval at which the program checks whether the pen
                                        ///< is lifted
-  static constexpr int kPatienceMs =
-      500;  ///< delay before a fault that may clear itself is handled
+  /// Delay before a fault that may clear itself is handled. A machine that is not ready any more
+  /// needs up to half a second until it has confirmed that it is off; meanwhile it must be read.
+  static constexpr int kPatienceMs = 700;
 
   /// Manages the device of this studio; `notice` shows the messages.
   DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window);

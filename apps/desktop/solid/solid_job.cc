@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "felt/fill/document_map.h"
 #include "felt/solid/inflate.h"
 
 namespace felt::desktop {
@@ -56,18 +55,19 @@ void add_paint(const Document& document, const Grain& grain, SolidAnswer& answer
 
 }  // namespace
 
-SolidAnswer make_solid(const Document& document, const SolidRequest& request) {
+SolidAnswer make_solid(const Document& document, const SolidRequest& request,
+                       const std::atomic<bool>& is_cancelled) {
   SolidAnswer answer;
   answer.gap_mm = request.gap_mm.value_or(SolidRequest::kAutomaticGapsMm.front());
-  // Larger drawings would take seconds for each gap.
-  const bool can_search = document.stroke_count() <= DocumentMap::kMaxStrokes;
+  const bool can_search = document.stroke_count() <= SolidRequest::kMaxSearchedStrokes;
   if (!request.gap_mm && can_search) {
     GapAreas areas{};
-    for (std::size_t i = 0; i < areas.size(); ++i) {
+    for (std::size_t i = 0; i < areas.size() && !is_cancelled; ++i) {
       areas[i] = enclosed_area(document, SolidRequest::kAutomaticGapsMm[i]);
     }
     answer.gap_mm = automatic_gap(areas);
   }
+  if (is_cancelled) return answer;
   InflateOptions options;
   options.max_gap_mm = answer.gap_mm;
   options.holes = request.holes;
@@ -81,6 +81,7 @@ SolidAnswer make_solid(const Document& document, const SolidRequest& request) {
     answer.notes.push_back(inflated.error().message);
     answer.is_open = inflated.error().code == ErrorCode::kNotFound;
   }
+  if (is_cancelled) return answer;
   const bool wants_offer = request.gap_mm || !answer.solid;
   if (wants_offer && can_search && document.stroke_count() > 0) {
     const double area = answer.solid ? enclosed_area(document, answer.gap_mm) : 0.0;

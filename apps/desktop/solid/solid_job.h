@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +30,8 @@ struct SolidRequest {
   /// Chosen so that the parts which an open outline leaves closed (the head of the sample cat, 43 %
   /// of its area) do not count as the whole drawing.
   static constexpr double kEnoughArea = 0.8;
+  /// In larger drawings, no gap is searched: each search would take seconds.
+  static constexpr std::size_t kMaxSearchedStrokes = 2000;
 };
 
 /// The bodies of a drawing, and sentences about what is missing.
@@ -43,7 +47,10 @@ struct SolidAnswer {
 };
 
 /// Makes the bodies of a drawing. Outlines that cannot become bodies are left out, with a note.
-/// Takes up to a few seconds for large drawings. Safe to call from any thread.
-SolidAnswer make_solid(const Document& document, const SolidRequest& request);
+/// Takes milliseconds for a sketch, but up to 20 s for 10,000 strokes that all cross. If
+/// `is_cancelled` becomes true, the next step is not begun, and the answer has no body. Safe to
+/// call from any thread.
+SolidAnswer make_solid(const Document& document, const SolidRequest& request,
+                       const std::atomic<bool>& is_cancelled);
 
 }  // namespace felt::desktop

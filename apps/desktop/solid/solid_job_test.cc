@@ -13,10 +13,22 @@ class SolidJobTest : public ::testing::Test {
  protected:
   [[nodiscard]] SolidAnswer made(std::optional<double> gap_mm = std::nullopt,
                                  HoleChoice holes = HoleChoice::kFill) const {
-    return make_solid(studio_.session().document(), {.gap_mm = gap_mm, .holes = holes});
+    SolidRequest request;
+    request.gap_mm = gap_mm;
+    request.holes = holes;
+    return make_solid(studio_.session().document(), request, is_cancelled_);
   }
   Studio studio_{testing::without_threads()};
+  std::atomic<bool> is_cancelled_{false};
 };
+
+TEST_F(SolidJobTest, ACancelledJobHasNoBody) {
+  draw_square(studio_, {10, 10}, 40.0);
+  is_cancelled_ = true;
+  EXPECT_FALSE(made().solid);
+  is_cancelled_ = false;
+  EXPECT_TRUE(made().solid);
+}
 
 TEST_F(SolidJobTest, ClosedLinesNeedTheSmallestGapOnly) {
   draw_square(studio_, {10, 10}, 40.0);

@@ -52,9 +52,17 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
   connect(&delay_, &QTimer::timeout, this, &SolidPanel::start);
   connect(&announce_, &QTimer::timeout, this, [this] { summary_->setText(tr("Inflating…")); });
   connect(&studio_, &Studio::edited, this, &SolidPanel::wait);
-  connect(&studio_, &Studio::opened, this, &SolidPanel::wait);
+  connect(&studio_, &Studio::opened, this, [this] {
+    ++session_;
+    forget();
+    wait();
+  });
   show_gap(SolidRequest::kAutomaticGapsMm.front());
   scene_->set_placeholder(tr("Draw a closed line: it becomes a body here."));
+}
+
+SolidPanel::~SolidPanel() {
+  is_cancelled_ = true;
 }
 
 void SolidPanel::make_controls() {
@@ -153,7 +161,19 @@ void SolidPanel::set_on(bool on) {
   if (std::exchange(is_on_, on) == on) return;
   delay_.stop();
   waits_ = false;
-  if (on) start();
+  is_cancelled_ = !on;
+  if (on) return start();
+  ++session_;
+  forget();
+}
+
+/// The bodies of another time or another drawing must not be exported.
+void SolidPanel::forget() {
+  if (!solid()) return;
+  paint_.reset();
+  scene_->set_solid(nullptr);
+  export_->setEnabled(false);
+  Q_EMIT solid_changed();
 }
 
 void SolidPanel::show_gap(double gap_mm) {
@@ -199,18 +219,20 @@ void SolidPanel::start() {
   runs_ = true;
   announce_.start();
   if (!worker_) worker_ = std::make_unique<FileWorker>();
-  worker_->start(
-      [this, request = request(), document = studio_.session().document()]() -> FileWorker::Answer {
-        return [this, answer = make_solid(document, request)] { take(answer); };
-      });
+  worker_->start([this, request = request(), document = studio_.session().document(),
+                  asked = session_]() -> FileWorker::Answer {
+    return [this, answer = make_solid(document, request, is_cancelled_), asked] {
+      take(answer, asked);
+    };
+  });
 }
 
-void SolidPanel::take(const SolidAnswer& answer) {
+void SolidPanel::take(const SolidAnswer& answer, int asked) {
   runs_ = false;
   announce_.stop();
   if (!is_on_) return;
   if (waits_ && !delay_.isActive()) delay_.start();
-  show_answer(answer);
+  if (asked == session_) show_answer(answer);
 }
 
 void SolidPanel::show_answer(const SolidAnswer& answer) {

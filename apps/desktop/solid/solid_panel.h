@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QWidget>
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,8 @@ class SolidPanel : public QWidget {
   static constexpr int kAnnounceMs = 400;
 
   explicit SolidPanel(Studio& studio, QWidget* parent = nullptr);
+  /// Waits for the step of the job that runs.
+  ~SolidPanel() override;
 
   /// Starts or stops following the drawing.
   void set_on(bool on);
@@ -59,7 +62,8 @@ class SolidPanel : public QWidget {
   [[nodiscard]] SolidRequest request() const;
   void wait();
   void start();
-  void take(const SolidAnswer& answer);
+  void take(const SolidAnswer& answer, int asked);
+  void forget();
   void show_answer(const SolidAnswer& answer);
   void show_gap(double gap_mm);
   void set_gap(double gap_mm);
@@ -79,10 +83,12 @@ class SolidPanel : public QWidget {
   QToolButton* export_;
   QTimer delay_, announce_;
   bool is_on_ = false;
+  int session_ = 0;     // a job from before the last change of this number is not shown
   bool waits_ = false;  // the drawing changed since the bodies were begun
   bool runs_ = false;
   double offered_mm_ = 0.0;
-  std::unique_ptr<FileWorker> worker_;  // null before the first bodies
+  std::atomic<bool> is_cancelled_{false};  // must outlive worker_
+  std::unique_ptr<FileWorker> worker_;     // null before the first bodies
 };
 
 }  // namespace felt::desktop

@@ -67,6 +67,28 @@ TEST_F(SolidPanelTest, FollowsEditsUndoAndOtherDrawings) {
   EXPECT_EQ(bodies(), 0U);
 }
 
+// Otherwise they could be exported under the name of another drawing.
+TEST_F(SolidPanelTest, ForgetsTheBodiesWhenItIsClosedAndWhenAnotherDrawingIsOpened) {
+  draw_square(studio_, {10, 10}, 40.0);
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  ASSERT_TRUE(panel_.solid());
+  QSignalSpy changes(&panel_, &SolidPanel::solid_changed);
+  panel_.set_on(false);
+  EXPECT_FALSE(panel_.solid());
+  EXPECT_EQ(changes.count(), 1);
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  ASSERT_TRUE(panel_.solid());
+  studio_.open(Document{}, Page{});
+  EXPECT_FALSE(panel_.solid()) << "at once";
+  draw_square(studio_, {10, 10}, 40.0);
+  panel_.set_on(false);
+  panel_.set_on(true);  // while a job may run
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(bodies(), 1U);
+}
+
 TEST_F(SolidPanelTest, TheNewestDrawingWins) {
   panel_.set_on(true);
   for (int i = 0; i < 5; ++i) {

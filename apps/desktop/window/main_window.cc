@@ -250,7 +250,7 @@ void MainWindow::make_solid_panel() {
               resizeDocks({dock}, {kMinSolidWidth}, Qt::Horizontal);
             }
             // It follows the drawing also while all panels are hidden.
-            if (hidden_.isEmpty()) solid->set_on(on);
+            if (!hidden_.contains(dock)) solid->set_on(on);
           });
 #endif
 }

@@ -76,10 +76,11 @@ Rect bounds_of(const SolidBody& body) {
   return area;
 }
 
-bool is_blank(const Image& image) {
-  const std::vector<std::uint8_t>& bytes = image.bytes();
-  for (std::size_t i = 3; i < bytes.size(); i += 4) {
-    if (bytes[i] != 0) return false;
+bool is_blank(const Image& image, const PixelRect& part) {
+  for (int y = part.y0; y < part.y1; ++y) {
+    for (int x = part.x0; x < part.x1; ++x) {
+      if (image.at(x, y).a != 0) return false;
+    }
   }
   return true;
 }
@@ -116,11 +117,11 @@ Result<std::optional<FrontPaint>> front_paint(const Document& document, const So
   Result<Image> ink =
       render_page(without_outlines(document, solid), options, PictureChoice::kMarked);
   if (!ink) return tl::unexpected(ink.error());
-  if (is_blank(*ink)) return std::optional<FrontPaint>();
+  if (is_blank(*ink, {0, 0, ink->width(), ink->height()})) return std::optional<FrontPaint>();
   return FrontPaint{*std::move(ink), {area.x0, area.y1}, px_per_mm};
 }
 
-Result<FrontPaint> painted_front(const SolidBody& body, const FrontPaint& paint) {
+Result<std::optional<FrontPaint>> painted_front(const SolidBody& body, const FrontPaint& paint) {
   const Rect area = front_painting::bounds_of(body);
   const Vec corner = paint.to_px({area.x0, area.y1, 0.0});
   const int left = std::clamp(static_cast<int>(std::floor(corner.x)), 0, paint.ink.width() - 1);
@@ -129,8 +130,10 @@ Result<FrontPaint> painted_front(const SolidBody& body, const FrontPaint& paint)
   const auto side = [](double to, int from, int end) {
     return std::clamp(static_cast<int>(std::ceil(to)) - from, 1, end - from);
   };
-  Result<Image> image =
-      Image::create(side(far.x, left, paint.ink.width()), side(far.y, top, paint.ink.height()));
+  const PixelRect part{left, top, left + side(far.x, left, paint.ink.width()),
+                       top + side(far.y, top, paint.ink.height())};
+  if (front_painting::is_blank(paint.ink, part)) return std::optional<FrontPaint>();
+  Result<Image> image = Image::create(part.width(), part.height());
   if (!image) return tl::unexpected(image.error());
   const Pixels out = image->pixels();
   const Rgba under = shown_color(body.color);

@@ -42,7 +42,8 @@ bool is_front(const SolidBody& body, const SolidBody::Triangle& triangle) noexce
 Rgba shown_color(Rgba color) noexcept;
 
 /// Returns the picture of the front of one body: its shown colour with the ink on it, opaque. Its
-/// corner is that of the body's bounds. Fails if the memory limit of Image does not allow it.
-Result<FrontPaint> painted_front(const SolidBody& body, const FrontPaint& paint);
+/// corner is that of the body's bounds. Returns nullopt if there is no ink within these bounds.
+/// Fails if the memory limit of Image does not allow it.
+Result<std::optional<FrontPaint>> painted_front(const SolidBody& body, const FrontPaint& paint);
 
 }  // namespace felt

@@ -158,15 +158,17 @@ Result<void> GlbDocument::add_body(const SolidBody& body, const FrontPaint* pain
     append_item(primitives, R"({"attributes":{)" + fields + R"(},"indices":)" +
                                 add_indices(body, side) + R"(,"material":)" + material + "}");
   };
-  if (paint == nullptr) {
+  const Result<std::optional<FrontPaint>> front =
+      paint == nullptr ? std::nullopt : painted_front(body, *paint);
+  if (!front) return tl::unexpected(front.error());
+  if (!*front) {
     add_primitive(attributes, Side::kAll, plain);
   } else {
-    const Result<FrontPaint> front = painted_front(body, *paint);
-    if (!front) return tl::unexpected(front.error());
-    const Result<std::string> png = encode_png(front->ink, front->px_per_mm * kMmPerInch);
+    const FrontPaint& painted = **front;
+    const Result<std::string> png = encode_png(painted.ink, painted.px_per_mm * kMmPerInch);
     if (!png) return tl::unexpected(png.error());
     const std::string textured = add_textured_material(*png);
-    add_primitive(attributes + R"(,"TEXCOORD_0":)" + add_picture_positions(body, *front),
+    add_primitive(attributes + R"(,"TEXCOORD_0":)" + add_picture_positions(body, painted),
                   Side::kFront, textured);
     add_primitive(attributes, Side::kBack, plain);
   }

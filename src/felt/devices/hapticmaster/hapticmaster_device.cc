@@ -15,8 +15,6 @@ constexpr double kSecondsPerNs = 1e-9;
 const ShortText kUnguarded(
     "The process that switches the machine off when Feltline cannot does not run: prepare it "
     "again.");
-const ShortText kNotOff(
-    "The machine does not confirm that it is switched off: press its emergency button!");
 const ShortText kNotSent("The controller does not accept the request to end the force.");
 
 std::optional<Vec3> in_mm(const std::optional<Vec3>& m) noexcept {
@@ -44,12 +42,10 @@ HapticMasterDevice::HapticMasterDevice(std::unique_ptr<ControllerLink> link, Con
                .slow = ShortText("The controller answers too slowly.")}) {}
 
 // The guard switches the machine off when its connection is destroyed. The requests on this
-// connection do the same if the guard cannot.
+// connection do the same if the guard cannot. Waits at most a few seconds, on the edit thread.
 HapticMasterDevice::~HapticMasterDevice() {
   stop();
-  if (!guard_) return;
-  static_cast<void>(link_->send("set state off", kSendNs));
-  static_cast<void>(link_->send("remove all", kSendNs));
+  if (guard_) static_cast<void>(shut_down());
 }
 
 tl::unexpected<DeviceFault> HapticMasterDevice::failed(DeviceFault fault,
@@ -87,7 +83,7 @@ void HapticMasterDevice::follow_off(std::int64_t ns) noexcept {
   if (!is_off_pending_ || mode_ != Mode::kNotReady) return;
   off_ns_ += ns;
   off_asked_ns_ += ns;
-  if (off_ns_ > kOffKnownNs) mode_words_ = kNotOff;
+  if (off_ns_ > kOffKnownNs) mode_words_ = ShortText(kNotOff);
   if (off_asked_ns_ >= kOffAskedNs) ask_off();
 }
 

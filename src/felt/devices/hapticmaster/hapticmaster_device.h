@@ -24,6 +24,9 @@ namespace felt::hapticmaster {
 /// Opens another connection to the same controller.
 using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
 
+/// What the status says if the machine does not confirm that it is off.
+inline constexpr std::string_view kNotOff =
+    "The machine does not confirm that it is switched off: press its emergency button!";
 /// What the status says before the machine is prepared.
 inline constexpr std::string_view kNotPrepared =
     "The machine is not ready: it must be calibrated and switched on first.";
@@ -137,7 +140,8 @@ class HapticMasterDevice final : public DriverDevice {
   Result<void> find_end_stops();
   Result<void> create_effect();
   Result<void> prepare();
-  void shut_down();
+  Result<void> ensure_off();
+  Result<void> shut_down();
   void pause(std::int64_t ns);
 
   std::unique_ptr<ControllerLink> link_;

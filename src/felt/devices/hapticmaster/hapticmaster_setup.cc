@@ -127,8 +127,9 @@ Result<void> HapticMasterDevice::expect_state(std::string_view expected) {
   const Result<std::string> state = ask("get state");
   if (!state) return tl::unexpected(state.error());
   if (*state == expected) return {};
+  const char* const advice = expected == "off" ? "" : " Is its emergency button released?";
   return fail(ErrorCode::kIo, "The machine reports the state \"" + *state + "\" instead of \"" +
-                                  std::string(expected) + "\". Is its emergency button released?");
+                                  std::string(expected) + "\"." + advice);
 }
 
 // Gives the guard a reason to act, in this state of the machine. An effect is created, and there is
@@ -234,12 +235,27 @@ Result<void> HapticMasterDevice::prepare() {
   return create_effect();
 }
 
-void HapticMasterDevice::shut_down() {
-  if (mode_ != Mode::kGone) {
+// Asks the machine to switch off until it says that it is off. Fails if it has not done so after
+// kOffKnownNs, or if the controller does not answer.
+Result<void> HapticMasterDevice::ensure_off() {
+  static_cast<void>(settle());
+  SearchTime time;
+  while (mode_ != Mode::kGone && time.elapsed_ns() < kOffKnownNs) {
     static_cast<void>(ask("set state off"));
-    static_cast<void>(ask("remove all"));
+    const Result<std::string> state = ask("get state");
+    if (state && *state == "off") return {};
+    if (guard_) guard_->let_guard_speak();
+    pause(kOffAskedNs);
+    time.paused(kOffAskedNs);
   }
+  return fail(ErrorCode::kIo, std::string(kNotOff));
+}
+
+Result<void> HapticMasterDevice::shut_down() {
+  Result<void> off = ensure_off();
+  if (mode_ != Mode::kGone) static_cast<void>(ask("remove all"));
   guard_.reset();
+  return off;
 }
 
 Result<void> HapticMasterDevice::find_home() {
@@ -250,9 +266,9 @@ Result<void> HapticMasterDevice::find_home() {
   is_in_force_ = has_sample_ = is_off_pending_ = false;
   report_.clear_stop();
   if (auto done = prepare(); !done) {
-    if (mode_ != Mode::kGone) mode_words_ = ShortText(kNotPrepared);
-    shut_down();
-    return done;
+    const Result<void> off = shut_down();
+    if (mode_ != Mode::kGone) mode_words_ = ShortText(off ? kNotPrepared : kNotOff);
+    return off ? done : fail(done.error().code, done.error().message + " " + off.error().message);
   }
   gate_.release();
   is_release_pending_ = is_resting_ = false;

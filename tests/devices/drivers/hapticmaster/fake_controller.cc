@@ -358,8 +358,9 @@ std::string_view FakeController::answer_to_set(std::string_view what) {
       return "--- ERROR: not calibrated";
     }
     if (what == "init") looks_ = 0;
-    if (what == "off" && options_.ignored_offs > 0) {
-      --options_.ignored_offs;
+    int& ignored = state_ == "init" ? options_.ignored_offs_in_init : options_.ignored_offs;
+    if (what == "off" && ignored > 0) {
+      --ignored;
       return "state set to 'off'";
     }
     enter(what);

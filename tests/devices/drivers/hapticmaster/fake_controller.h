@@ -18,16 +18,17 @@ namespace felt::hapticmaster {
 struct FakeControllerOptions {
   bool is_force_calibrated = true;
   bool is_position_calibrated = true;
-  int init_looks = 5;           ///< `get state` requests until the machine has found its end stops
-  bool has_emergency = false;   ///< its emergency button is pressed: it does not leave `off`
-  std::size_t piece = 0;        ///< answers arrive in pieces of this size; 0: whole
-  bool quotes = true;           ///< answers `"force"` instead of `force;`
-  bool ignores_guard = false;   ///< the guard's connection is dead, but stays open
-  bool refuses_guard = false;   ///< no guard process can be started
-  bool gives_up_force = false;  ///< leaves the state `force` for `off` after a while
-  bool creates_twice = false;   ///< confirms that it has created an effect that exists already
-  bool keeps_effects = false;   ///< confirms `remove all`, but does not carry it out
-  int ignored_offs = 0;         ///< confirms so many requests to switch off without doing it
+  int init_looks = 5;            ///< `get state` requests until the machine has found its end stops
+  bool has_emergency = false;    ///< its emergency button is pressed: it does not leave `off`
+  std::size_t piece = 0;         ///< answers arrive in pieces of this size; 0: whole
+  bool quotes = true;            ///< answers `"force"` instead of `force;`
+  bool ignores_guard = false;    ///< the guard's connection is dead, but stays open
+  bool refuses_guard = false;    ///< no guard process can be started
+  bool gives_up_force = false;   ///< leaves the state `force` for `off` after a while
+  bool creates_twice = false;    ///< confirms that it has created an effect that exists already
+  bool keeps_effects = false;    ///< confirms `remove all`, but does not carry it out
+  int ignored_offs = 0;          ///< confirms so many requests to switch off without doing it
+  int ignored_offs_in_init = 0;  ///< the same, but only while it looks for its end stops
   int max_connections = 8;
   /// The guard also acts if no tick comes for its patience. The suites of all drivers let time
   /// stand still, and expect that a device can be read afterwards; this machine must be homed

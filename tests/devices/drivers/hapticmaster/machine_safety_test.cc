@@ -218,7 +218,7 @@ TEST(HapticMasterSafety, R49_ASearchWhoseStateIsRefusedEndsAtOnce) {
   ASSERT_TRUE(desk.open().has_value());
   desk.controller.say_instead("--- ERROR: busy", "get state", kOften, 3);  // after the trial
   EXPECT_FALSE(desk.device->find_home().has_value());
-  EXPECT_LE(desk.controller.requests(), 40);
+  EXPECT_LE(desk.controller.requests(), 100);
   EXPECT_EQ(desk.controller.state(), "off");
 }
 
@@ -254,6 +254,31 @@ TEST(HapticMasterSafety, R49_TheUserIsToldIfTheMachineDoesNotConfirmThatItIsOff)
   for (int i = 0; i < 30; ++i) static_cast<void>(desk.tick());
   EXPECT_EQ(desk.controller.state(), "off");
   EXPECT_THAT(desk.device->status().vendor_words.view(), HasSubstr("does not run"));
+}
+
+// Also when the device is closed at once, and when it could not be prepared.
+TEST(HapticMasterSafety, R49_ClosingItRepeatsTheRequestToSwitchOff) {
+  Desk desk;
+  ASSERT_TRUE(desk.open_at_home());
+  desk.push({1, 0, 0});
+  desk.controller.options().ignored_offs = 5;
+  desk.device.reset();
+  EXPECT_TRUE(desk.is_off());
+  EXPECT_EQ(desk.controller.broken_rule(), "");
+}
+
+TEST(HapticMasterSafety, R49_AMachineThatCouldNotBePreparedIsOffOrTheUserIsTold) {
+  for (const bool obeys : {true, false}) {
+    Desk desk({.is_position_calibrated = false, .init_looks = kOften});
+    ASSERT_TRUE(desk.open().has_value());
+    desk.controller.say_instead("--- ERROR: no position", "get measpos", kOften);
+    desk.controller.options().ignored_offs_in_init = obeys ? 6 : kOften;
+    const auto home = desk.device->find_home();
+    ASSERT_FALSE(home.has_value());
+    EXPECT_EQ(desk.controller.state() == "off", obeys);
+    EXPECT_THAT(home.error().message, HasSubstr("end stops"));
+    EXPECT_EQ(home.error().message.find("press its emergency button") == std::string::npos, obeys);
+  }
 }
 
 TEST(HapticMasterSafety, R49_AFrozenPositionIsNoticedThoughTheClockStandsStill) {
