@@ -1,24 +1,62 @@
 #include "felt/geometry/surface_proxy.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 namespace felt {
 namespace {
 
-// Two planes whose normals have a smaller sine between them count as one: their common edge has no
-// sure direction.
+// Two planes whose normals have a smaller sine between them have no sure common edge.
 constexpr double kSameplaneSine = 1e-6;
+// A movement into a plane by less than this share of the pull counts as along it; the next sweep
+// stops what is left of it.
+constexpr double kAlongShare = 1e-9;
 
-// The goal that friction leaves of `goal` on the plane through `place`: inside the cone the proxy
-// stays, outside it moves to the cone (Ruspini 1997, section 5).
-Vec3 goal_in_plane(const Vec3& place, const Vec3& goal, const Vec3& normal, double friction) {
-  const Vec3 pull = goal - place;
-  const double depth = std::max(0.0, -dot(pull, normal));
-  const Vec3 slide = pull - dot(pull, normal) * normal;
+// The planes that have stopped a step; they all go through the proxy (within the gap).
+struct Planes {
+  std::array<Vec3, SurfaceProxy::kPlanes> normals{};
+  std::size_t count = 0;
+};
+
+// The movement nearest to `pull` that enters none of the planes: none, one, two or all of them hold
+// it (Zilles and Salisbury 1995, section 4). The nearest is among the movements along one plane and
+// along the edge of two; staying is always allowed.
+Vec3 free_part(const Vec3& pull, const Planes& planes) noexcept {
+  Vec3 best{};
+  double best_distance = norm(pull);
+  const auto offer = [&](const Vec3& move) {
+    for (std::size_t k = 0; k < planes.count; ++k) {
+      if (dot(move, planes.normals[k]) < -kAlongShare * norm(pull)) return;
+    }
+    const double distance = norm(pull - move);
+    if (distance >= best_distance) return;
+    best = move;
+    best_distance = distance;
+  };
+  offer(pull);
+  for (std::size_t k = 0; k < planes.count; ++k) {
+    const Vec3& normal = planes.normals[k];
+    offer(pull - dot(pull, normal) * normal);
+    for (std::size_t m = 0; m < k; ++m) {
+      const Vec3 edge = cross(planes.normals[m], normal);
+      if (norm(edge) >= kSameplaneSine) offer((dot(pull, edge) / norm_squared(edge)) * edge);
+    }
+  }
+  return best;
+}
+
+// The goal that the planes and friction leave of the way from `place` to `pen`: inside the cone the
+// proxy stays, outside it moves to the cone (Ruspini 1997, section 5). What the planes hold back is
+// the depth, so that two planes act as one whose normal is their resultant.
+Vec3 held_goal(const Vec3& place, const Vec3& pen, const Planes& planes, double friction) noexcept {
+  const Vec3 pull = pen - place;
+  const Vec3 slide = free_part(pull, planes);
+  const double hold = friction * norm(pull - slide);
   const double length = norm(slide);
-  if (length <= friction * depth || length <= 0.0) return place;
-  return place + (1.0 - friction * depth / length) * slide;
+  if (length <= hold || length <= 0.0) return place;
+  return place + (1.0 - hold / length) * slide;
 }
 
 // The goal, or the point within reach on the way to it.
@@ -39,9 +77,8 @@ Vec3 SurfaceProxy::step(const TriangleTree& body, const Vec3& pen, double fricti
   if (!is_finite(pen)) return place_;
   touches_ = false;
   Vec3 goal = within_reach(place_, pen);
-  Vec3 last_normal{};
-  for (int i = 0; i < kSweeps; ++i) {
-    if (!is_finite(goal)) return place_;  // a pen so far away that its distance overflows
+  Planes planes;
+  while (is_finite(goal)) {  // a pen may be so far away that its distance overflows
     const Vec3 move = goal - place_;
     const std::optional<SweepHit> hit = body.sweep(place_, goal);
     if (!hit) {
@@ -53,14 +90,9 @@ Vec3 SurfaceProxy::step(const TriangleTree& body, const Vec3& pen, double fricti
     const double closing = -dot(move, hit->normal);
     const double stop = closing > 0.0 ? hit->t - kGap_mm / closing : 0.0;
     place_ += std::max(0.0, stop) * move;
-    const Vec3 edge = cross(last_normal, hit->normal);
-    if (i == 0 || norm(edge) < kSameplaneSine) {
-      goal = goal_in_plane(place_, i == 0 ? pen : goal, hit->normal, i == 0 ? friction : 0.0);
-    } else {
-      goal = place_ + (dot(goal - place_, edge) / norm_squared(edge)) * edge;
-    }
-    goal = within_reach(place_, goal);
-    last_normal = hit->normal;
+    if (planes.count == kPlanes) return place_;
+    planes.normals[planes.count++] = hit->normal;
+    goal = within_reach(place_, held_goal(place_, pen, planes, friction));
   }
   return place_;
 }

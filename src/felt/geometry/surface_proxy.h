@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "felt/geometry/triangle_tree.h"
 #include "felt/geometry/vec3.h"
 
@@ -11,8 +13,8 @@ namespace felt {
 /// its front, at any speed. Trivially copyable; real-time safe.
 class SurfaceProxy {
  public:
-  /// Sweeps in a step: the way to the pen, along one plane, and along the edge of two.
-  static constexpr int kSweeps = 3;
+  /// Planes that may stop a step, each after one sweep; a last sweep follows the third.
+  static constexpr std::size_t kPlanes = 3;
   /// Distance that the proxy keeps from a plane, mm: below what any device resolves (0.01 mm), far
   /// above rounding (1e-13 mm at coordinates of 1 m).
   static constexpr double kGap_mm = 1e-3;

@@ -102,6 +102,44 @@ TEST(SurfaceProxy, TheSameTestFindsAStepThatIsNotSweptWhole) {
   EXPECT_NE(fall(half_swept, place), std::nullopt);
 }
 
+// A valley along y whose sides rise by `slope`.
+TriangleTree valley(double slope) {
+  const auto at = [slope](double x, double y) { return Vec3{x, y, slope * std::abs(x)}; };
+  const std::vector<Triangle3> sides{{at(0, -200), at(200, -200), at(200, 200)},
+                                     {at(0, -200), at(200, 200), at(0, 200)},
+                                     {at(-200, -200), at(0, -200), at(0, 200)},
+                                     {at(-200, -200), at(0, 200), at(-200, 200)}};
+  return TriangleTree(sides);
+}
+
+// Starts 3e-16 mm behind one side, where a proxy came to rest after 269,951 random ticks.
+TEST(SurfaceProxy, FallsThroughNoValleyInWhichRoundingPutItBehindASide) {
+  SurfaceProxy proxy;
+  proxy.reset({-4.2632564145606011e-14, 46.218571849086977, 4.2188474935755949e-14});
+  const Vec3 place = proxy.step(valley(1.0), {3.886431706113723, 45.793657918837326, -4.0}, 0.0);
+  EXPECT_GE(place.z, std::abs(place.x) - 1e-9);
+}
+
+// On the left side at its gap, near the bottom: the first sweep hits the left side, the second the
+// right one, and only the right one may hold the proxy.
+TEST(SurfaceProxy, AFlatValleyDoesNotHoldASlidingProxy) {
+  const TriangleTree body = valley(0.005);
+  for (int i = 1; i <= 100; ++i) {
+    SurfaceProxy proxy;
+    const double x = -0.002 * i;
+    proxy.reset({x, 0, 0.005 * -x + SurfaceProxy::kGap_mm});
+    EXPECT_NEAR(proxy.step(body, {1.0, 0, -0.25}, 0.0).x, 1.0, 0.01) << x;
+  }
+}
+
+TEST(SurfaceProxy, AProxyRestsAtTheBottomOfASteepValley) {
+  const TriangleTree body = valley(4.0);
+  SurfaceProxy proxy;
+  proxy.reset({0.5, 0, 9});
+  for (int i = 0; i < 50; ++i) proxy.step(body, {0.1, 3, -2}, 0.0);
+  EXPECT_NEAR(norm(proxy.place() - Vec3{0, 3, 0}), 0.0, 0.01);
+}
+
 TEST(SurfaceProxy, FrictionHoldsInsideTheConeAndSlidesOutside) {
   const std::vector<Triangle3> floor{{{-50, -50, 0}, {50, -50, 0}, {0, 80, 0}}};
   const TriangleTree body(floor);

@@ -12,6 +12,10 @@ constexpr std::uint32_t kLeafFaces = 4;
 constexpr double kEdgeSlack = 1e-9;
 // Boxes are widened by this, mm, for the same reason.
 constexpr double kBoxSlack_mm = 1e-6;
+// A start this far behind a front, mm, still counts as in front: rounding (1e-13 mm at coordinates
+// of 1 m) puts a point that rests in a valley behind one of its planes. Smaller than the boxes'
+// slack.
+constexpr double kBehind_mm = 1e-7;
 
 Vec3 lower(const Vec3& a, const Vec3& b) noexcept {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -70,21 +74,24 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
   build(first + half, count - half);
 }
 
-// Moeller and Trumbore 1997, DOI 10.1080/10867651.1997.10487468, fronts only.
+// Moeller and Trumbore 1997, DOI 10.1080/10867651.1997.10487468, fronts only. A start on the plane,
+// or behind it by rounding, is a crossing at 0 if the triangle is below the start.
 std::optional<double> TriangleTree::crossing(const Face& face, const Vec3& from,
                                              const Vec3& move) noexcept {
-  const Vec3 p = cross(move, face.ac);
-  const double det = dot(face.ab, p);
-  if (!(det > 0.0)) return std::nullopt;  // parallel, or from behind
+  const double closing = -dot(move, face.normal);
+  if (!(closing > 0.0)) return std::nullopt;  // parallel, or from behind
   const Vec3 s = from - face.a;
+  const double height = dot(s, face.normal);
+  if (height < -kBehind_mm || height > closing) return std::nullopt;
+  const Vec3 ray = height > 0.0 ? move : -1.0 * face.normal;
+  const Vec3 p = cross(ray, face.ac);
+  const double det = dot(face.ab, p);
+  if (!(det > 0.0)) return std::nullopt;
   const double u = dot(s, p) / det;
   if (u < -kEdgeSlack || u > 1.0 + kEdgeSlack) return std::nullopt;
-  const Vec3 q = cross(s, face.ab);
-  const double v = dot(move, q) / det;
+  const double v = dot(ray, cross(s, face.ab)) / det;
   if (v < -kEdgeSlack || u + v > 1.0 + kEdgeSlack) return std::nullopt;
-  const double t = dot(face.ac, q) / det;
-  if (t < 0.0 || t > 1.0) return std::nullopt;
-  return t;
+  return std::max(0.0, height) / closing;
 }
 
 std::optional<SweepHit> TriangleTree::sweep(const Vec3& from, const Vec3& to) const noexcept {
