@@ -303,6 +303,22 @@ TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
   expect_opened_by_its_button_only(fixture);
 }
 
+// It may be switching itself off, and can say whether it has only while it is read.
+TEST(DeviceCare, AMachineThatIsNotReadyAnyMoreIsReadUntilItHasSaidWhy) {
+  Fixture fixture;
+  ASSERT_TRUE(fixture.care->use(kArm, nullptr));
+  fixture.arm->read_fault = DeviceFault::kNotCalibrated;
+  fixture.arm->vendor_words = "It was late.";
+  fixture.go_on(40);
+  EXPECT_EQ(fixture.device(), "scripted:1");
+  fixture.arm->vendor_words = "Press its emergency button!";
+  fixture.go_on(40);
+  QTest::qWait(DeviceCare::kPatienceMs + 100);
+  EXPECT_EQ(fixture.device(), "tablet");
+  EXPECT_TRUE(
+      fixture.notice->message().text.contains(QStringLiteral("Press its emergency button!")));
+}
+
 TEST(DeviceCare, ADeviceThatCannotBeLookedForIsOpenedByAPersonOnly) {
   Fixture fixture;
   fixture.arm->descriptor.is_connected = false;
