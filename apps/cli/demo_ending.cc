@@ -13,6 +13,7 @@
 #include "output.h"
 #ifdef FELT_SOLIDS
 #include "felt/io/picture/png.h"
+#include "felt/solid/gap_search.h"
 #include "felt/solid/inflate.h"
 #include "felt/solid/solid_picture.h"
 #include "felt/solid/solid_writer.h"
@@ -65,7 +66,6 @@ Result<void> write_fish(const std::string& folder) {
 
 #ifdef FELT_SOLIDS
 
-constexpr double kDemoGapMm = 8.0;  // the outline of the cat is sketched loosely
 constexpr double kDemoPictureDpi = 96.0;
 
 /// Writes the film if ffmpeg is there. Returns true if it has been written.
@@ -80,7 +80,7 @@ Result<bool> write_film(const std::string& folder, const Solid& solid, const Fro
 Result<void> write_solid(const Drawing& drawing, const std::string& folder, int size_px,
                          std::vector<std::string>& names) {
   InflateOptions options;
-  options.max_gap_mm = kDemoGapMm;
+  options.max_gap_mm = automatic_gap_mm(drawing.document);
   options.holes = HoleChoice::kFill;
   const Result<InflatedDrawing> inflated = inflate(drawing.document, options);
   if (!inflated) return tl::unexpected(inflated.error());

@@ -10,6 +10,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/io/picture/png.h"
 #include "felt/solid/front_paint.h"
+#include "felt/solid/gap_search.h"
 #include "felt/solid/inflate.h"
 #include "felt/solid/solid_picture.h"
 #include "felt/solid/solid_writer.h"
@@ -33,6 +34,7 @@ struct InflateArguments {
   std::string png;
   std::string film;
   InflateOptions options;
+  std::optional<double> gap_mm;
   bool fills_holes = false;
   bool paints = true;
 };
@@ -63,10 +65,11 @@ void add_options(CLI::App& command, InflateArguments& args) {
       ->check(number_between(0.05, 20.0))
       ->capture_default_str();
   command
-      .add_option("--gap", args.options.max_gap_mm,
-                  "Close gaps of the outline up to this size, in mm")
-      ->check(number_between(0.0, 32.0))
-      ->capture_default_str();
+      .add_option(
+          "--gap", args.gap_mm,
+          "Close gaps of the outline up to this size, in mm; default: the smallest of 2, 4\n"
+          "and 8 that closes most of the drawing")
+      ->check(number_between(0.0, 32.0));
   command.add_flag("--fill-holes", args.fills_holes,
                    "Ignore closed lines inside an outline; default: they are holes");
   command.add_flag(
@@ -139,6 +142,7 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (opened->drawing.document.stroke_count() == 0) {
     return console.error(input->name() + ": contains no strokes");
   }
+  args.options.max_gap_mm = args.gap_mm ? *args.gap_mm : automatic_gap_mm(opened->drawing.document);
   const Result<InflatedDrawing> inflated = inflate(opened->drawing.document, args.options);
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);

@@ -43,4 +43,4 @@ done
 
 # The picture of solids.md.
 "$feltline" fit --quiet "$here/../../share/samples/cat.ndjson" -o "$scratch/lines.felt"
-"$feltline" inflate "$scratch/lines.felt" --gap 8 --fill-holes --png "$here/solids.png"
+"$feltline" inflate "$scratch/lines.felt" --fill-holes --png "$here/solids.png"

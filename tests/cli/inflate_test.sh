@@ -1,4 +1,5 @@
 # feltline inflate: the outlines of a drawing as a solid.
+samples=$(cd "$(dirname "$0")/../../share/samples" && pwd)
 . "$(dirname "$0")/helpers.sh"
 
 # A ring with a body inside, and a whisker.
@@ -63,6 +64,13 @@ fi
 run 1 env PATH= "$feltline" inflate ring.svg --film none.webm
 has err "ffmpeg"
 [ ! -e none.webm ] || fail "a film was left"
+
+# A loose sketch: the gap is found, or given.
+run 0 "$feltline" fit --quiet "$samples/cat.ndjson" -o cat.felt
+run 0 "$feltline" inflate cat.felt --fill-holes -o found.obj
+run 0 "$feltline" inflate cat.felt --fill-holes --gap 8 -o given.obj
+same found.obj given.obj
+[ "$(grep -c '^o ' found.obj)" = 1 ] || fail "the cat is in pieces"
 
 # Wrong usage.
 run 2 "$feltline" inflate ring.svg

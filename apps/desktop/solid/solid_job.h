@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <atomic>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,20 +16,10 @@ namespace felt::desktop {
 
 /// How the solid view makes bodies of a drawing.
 struct SolidRequest {
-  /// The gaps that are tried if none is given, in mm.
-  static constexpr std::array kAutomaticGapsMm{2.0, 4.0, 8.0};
-
-  /// Gaps up to this size are closed, 0..32 mm. If not set, the smallest of kAutomaticGapsMm is
-  /// used that encloses at least kEnoughArea of what the best of them encloses.
+  /// Gaps up to this size are closed, 0..32 mm. If not set, automatic_gap_mm() is used.
   std::optional<double> gap_mm;
   HoleChoice holes = HoleChoice::kFill;
   Grain grain{};  ///< the look of the ink that is painted on the bodies
-
-  /// Chosen so that the parts which an open outline leaves closed (the head of the sample cat, 43 %
-  /// of its area) do not count as the whole drawing.
-  static constexpr double kEnoughArea = 0.8;
-  /// In larger drawings, no gap is searched: each search would take seconds.
-  static constexpr std::size_t kMaxSearchedStrokes = 2000;
 };
 
 /// The bodies of a drawing, and sentences about what is missing.

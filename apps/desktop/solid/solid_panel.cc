@@ -15,6 +15,7 @@
 #include "desktop/solid/solid_setting_keys.h"
 #include "felt/fill/fill_map.h"
 #include "felt/material/relief.h"
+#include "felt/solid/gap_search.h"
 
 namespace felt::desktop {
 namespace {
@@ -57,7 +58,7 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
     forget();
     wait();
   });
-  show_gap(SolidRequest::kAutomaticGapsMm.front());
+  show_gap(kAutomaticGapsMm.front());
   scene_->set_placeholder(tr("Draw a closed line: it becomes a body here."));
 }
 
