@@ -98,7 +98,8 @@ RC_GTEST_PROP(SvgNonzero, PolygonsCoverTheSameAreaByTheEvenOddRule, ()) {
     contours.push_back(random_contour(random, false));
   }
   const SvgArea area = svg_area(contours, Affine(), false);
-  RC_ASSERT(!area.may_lack_parts);
+  // Polygons that nearly touch may be left as they are, which the reader reports (173678222679).
+  RC_PRE(!area.may_lack_parts);
   RC_ASSERT(check_fill(area.fill).has_value());
   check_area(contours, area, random);
 }
