@@ -116,6 +116,20 @@ TEST(SvgImages, OurOwnFilesReadBackWithThem) {
   EXPECT_EQ(layer.picture->data->png, testing::picture_data()->png);
 }
 
+// A hidden layer keeps its lines in a file, so it keeps its picture, too.
+TEST(SvgImages, APictureOfAHiddenLayerReadsBack) {
+  DrawingBuilder builder;
+  LayerState state{"Ink", false, false, 1.0};
+  state.picture = testing::red_blue_picture(10.0, 20.0);
+  builder.add_layer(std::move(state));
+  const Drawing drawing = std::move(builder).build();
+  const std::string svg = svg_text(drawing, {.pictures = PictureChoice::kAll}).value();
+  const Drawing back = import_svg(svg).value().drawing;
+  ASSERT_EQ(back.document.layers().size(), 1U);
+  EXPECT_FALSE(back.document.layers()[0].visible);
+  EXPECT_TRUE(back.document.layers()[0].picture);
+}
+
 std::string notice_of(const std::string& inside, const ImportOptions& options = {}) {
   const Imported imported = read(inside, options);
   EXPECT_EQ(picture_in(imported), nullptr) << inside.substr(0, 100);

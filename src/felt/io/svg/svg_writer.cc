@@ -82,8 +82,10 @@ class SvgParts final : public DrawingParts {
       if (auto ok = append_svg_layer_group_begin(text, *layer.group); !ok) return ok;
     }
     if (auto ok = append_svg_layer_begin(text, layer, number); !ok) return ok;
-    const LayerPicture* picture = exported_picture(layer, pictures_);
-    if (picture) append_svg_picture(text, *picture);
+    // Also that of a hidden layer, which is written as hidden.
+    const bool has_picture =
+        layer.picture && (pictures_ == PictureChoice::kAll || layer.picture->exported);
+    if (has_picture) append_svg_picture(text, *layer.picture);
     for (const FillId id : layer.fills) {
       if (auto ok = append_svg_fill(text, fill_name(id), *document_.find_fill(id)); !ok) return ok;
     }
