@@ -18,6 +18,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/base64.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_writer.h"
 
@@ -71,18 +72,17 @@ const felt::ImportOptions& import_options() {
   return options;
 }
 
-/// Returns true if the document is so small that its outlines are computed quickly.
+/// Returns true if the document is so small that its outlines are computed quickly, and so near
+/// that a page around its ink has the same size when it is read again.
 bool is_handy(const felt::Document& document) {
   std::size_t segments = 0;
-  double farthest = 0.0;
   for (const felt::Layer& layer : document.layers()) {
     for (const felt::StrokeId id : layer.strokes) {
-      const felt::StrokePtr stroke = document.find(id);
-      segments += static_cast<std::size_t>(stroke->segment_count());
-      const felt::Rect r = stroke->bounds();
-      farthest = std::max({farthest, -r.x0, -r.y0, r.x1, r.y1});
+      segments += static_cast<std::size_t>(document.find(id)->segment_count());
     }
   }
+  const felt::Rect r = felt::ink_bounds(document, felt::LayerChoice::kAll);
+  const double farthest = r.empty() ? 0.0 : std::max({-r.x0, -r.y0, r.x1, r.y1});
   return segments < 200 && farthest < 1e4;
 }
 
