@@ -199,6 +199,7 @@ void Studio::point(PointerSample sample) {
   hand_->point({sample.time_ns - start_ns_, sample.position, sample.touching, sample.pressure,
                 sample.buttons, sample.tilt_deg});
   has_point_ = true;
+  touches_down_ = sample.touching && !in_contact(pen_.sample);
 }
 
 /// Makes the session's surface that of the page. A paper with the usual colour of the surface
@@ -266,9 +267,13 @@ void Studio::advance_to(std::int64_t time_ns) {
 
 void Studio::end_frame(std::int64_t time_ns) {
   advance_to(time_ns);
-  if (!has_point_) return;
-  step();
-  process();
+  // The hand plays the aims of a pointer with a delay (AimTrack); the first ink does not wait for it.
+  const bool comes_down = std::exchange(touches_down_, false);
+  for (int i = 0; i < kMostTicksAhead; ++i) {
+    if (!has_point_ && !(comes_down && !in_contact(pen_.sample))) return;
+    step();
+    process();
+  }
 }
 
 /// Lets one tick pass.

@@ -87,8 +87,9 @@ class Studio {
   /// is skipped.
   void advance_to(std::int64_t time_ns);
   /// Does the same, and handles all samples, so that the frame shows them: time may pass for one
-  /// more tick.
+  /// more tick, and for up to kMostTicksAhead until a pen that was set down touches the paper.
   void end_frame(std::int64_t time_ns);
+  static constexpr int kMostTicksAhead = 3;
   static constexpr std::int64_t kLongestNs = 100'000'000;
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   void finish();
@@ -154,7 +155,8 @@ class Studio {
   int ticks_to_process_ = 0;
   bool forces_ = true, has_forces_ = false;
   bool was_in_contact_ = false;
-  bool has_point_ = false;  // a sample of the pointer was not handled yet
+  bool has_point_ = false;     // a sample of the pointer was not handled yet
+  bool touches_down_ = false;  // the pointer came down, and no frame has ended since
   double strength_ = 1.0;
   std::unique_ptr<Play> play_;
   std::string play_error_;

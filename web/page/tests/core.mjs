@@ -20,6 +20,21 @@ const tests = {
     assert.ok(has_ink(core, 402, 300));
   },
 
+  async 'ink is in the next frame, whenever in the frame the pen came down'() {
+    for (const isFirst of [true, false]) {
+      for (let age = -3; age <= 17; ++age) {  // a frame may have begun before the pen came down
+        const core = await make({ isFirst });
+        core.paint(null, 1000);
+        core.samples(packed([{ time: 100, x: 400, y: 300, touching: false }]));
+        core.advance(149);
+        core.samples(packed([{ time: 150.3, x: 400, y: 300, pressure: 0.5 }]));
+        core.advance(150.3 + age);
+        core.paint();
+        assert.ok(has_ink(core, 400, 300), `no ink in a frame ${age} ms after pen-down`);
+      }
+    }
+  },
+
   async 'every sample counts, whatever the frames'() {
     const files = [];
     for (const size of [1, 3, 17]) {
