@@ -267,7 +267,8 @@ void Studio::advance_to(std::int64_t time_ns) {
 
 void Studio::end_frame(std::int64_t time_ns) {
   advance_to(time_ns);
-  // The hand plays the aims of a pointer with a delay (AimTrack); the first ink does not wait for it.
+  // The hand plays the aims of a pointer with a delay (AimTrack); the first ink does not wait for
+  // it.
   const bool comes_down = std::exchange(touches_down_, false);
   for (int i = 0; i < kMostTicksAhead; ++i) {
     if (!has_point_ && !(comes_down && !in_contact(pen_.sample))) return;
