@@ -244,9 +244,14 @@ void Studio::point(const PointerEvent& event) {
   // A touch that begins after a ring was closed is for the tool, even if the simulated pen has not
   // been lifted in between.
   if (std::exchange(hand_touches_, event.touching) != event.touching && !session_->ring()) {
-    touches_for_ring_ = touches_for_ring_ && !event.touching;
+    touches_elsewhere_ = touches_elsewhere_ && !event.touching;
   }
   loop_.point(event, session_->surface(), session_->device(), absent_pressure(*session_));
+}
+
+void Studio::lend_pen(bool lent) {
+  if (lent) finish_gesture();
+  is_pen_lent_ = lent;
 }
 
 void Studio::process() {
@@ -292,17 +297,18 @@ void Studio::deselect_for_drawing(const PenSample& sample) {
   static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
 }
 
-/// Lifts the pen of a sample while a ring is open, and until a touch that began meanwhile ends.
-/// pen() has the sample as it is.
-void Studio::lift_for_ring(PenSample& sample) {
-  touches_for_ring_ = (session_->ring() || touches_for_ring_) && in_contact(sample);
-  if (touches_for_ring_) lift(sample);
+/// Lifts the pen of a sample while a ring is open or the pen is lent, and until a touch that began
+/// meanwhile ends. pen() has the sample as it is.
+void Studio::lift_if_elsewhere(PenSample& sample) {
+  touches_elsewhere_ =
+      (session_->ring() || is_pen_lent_ || touches_elsewhere_) && in_contact(sample);
+  if (touches_elsewhere_) lift(sample);
 }
 
 void Studio::handle_sample(PenSample& sample) {
   sample.time_ns = last_event_ns_ = std::max(last_event_ns_, sample.time_ns);
   const PenSample as_read = sample;
-  lift_for_ring(sample);
+  lift_if_elsewhere(sample);
   deselect_for_drawing(sample);
   if (const Result<void> done = session_->sample(sample); !done) {
     Q_EMIT refused(text_of(done.error()));

@@ -116,6 +116,10 @@ class Studio : public QObject {
   /// events' own intervals, with a delay of a few milliseconds. If the device follows the hand
   /// exactly, each event becomes a sample.
   void point(const PointerEvent& event);
+  /// While the pen is lent, for example to a dialog, it does not touch the drawing: the session
+  /// sees a pen above the paper, and pen() has the pen as it is. A touch that began meanwhile stays
+  /// above the paper until it ends. A gesture in progress ends as if the pen had been lifted.
+  void lend_pen(bool lent);
   /// Returns the time on the clock of the session and of the haptic loop.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return loop_.now_ns(); }
   /// Handles all waiting samples, publishes the resulting force, and emits the signals for what
@@ -179,7 +183,7 @@ class Studio : public QObject {
   void handle_sample(PenSample& sample);
   void deselect_for_drawing(const PenSample& sample);
   void publish() { loop_.publish(session_->force()); }
-  void lift_for_ring(PenSample& sample);
+  void lift_if_elsewhere(PenSample& sample);
   void report_changes();
   [[nodiscard]] HapticLoop::PenActivity pen_activity() const;
 
@@ -200,7 +204,8 @@ class Studio : public QObject {
   std::vector<AnyMaterial> of_drawing_;  // materials that came with the drawing and differ from
                                          // options_.materials
   PenState pen_;
-  bool touches_for_ring_ = false;   // the pen has touched while a ring was open
+  bool is_pen_lent_ = false;        // lend_pen()
+  bool touches_elsewhere_ = false;  // the pen has touched while a ring was open or the pen was lent
   bool hand_touches_ = false;       // the hand of a mouse or tablet puts the pen down
   std::int64_t last_event_ns_ = 0;  // time of the last event of the session
   std::vector<Edit> edits_;         // edits that `edited` has not reported yet

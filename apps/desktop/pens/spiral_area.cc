@@ -46,6 +46,7 @@ QSize SpiralArea::sizeHint() const {
 void SpiralArea::clear() {
   samples_.clear();
   ink_.clear();
+  middle_mm_.reset();
   drawn_s_ = 0.0;
   touches_ = false;
   update();
@@ -73,7 +74,22 @@ void SpiralArea::paintEvent(QPaintEvent*) {
   }
 }
 
+void SpiralArea::add(const PenSample& sample) {
+  const Point mm{sample.position.x, sample.position.y};
+  const bool touches = in_contact(sample);
+  if (touches && !middle_mm_) middle_mm_ = mm;
+  const Vec from_middle = mm - middle_mm_.value_or(mm);
+  point(QRectF(rect()).center() + QPointF(from_middle.x, from_middle.y) / mm_per_px(), mm, touches,
+        sample.time_ns);
+}
+
 void SpiralArea::point(QPointF at, bool touching, std::uint64_t stamp_ms) {
+  const double scale = mm_per_px();
+  point(at, {scale * at.x(), scale * at.y()}, touching,
+        static_cast<std::int64_t>(stamp_ms) * 1'000'000);
+}
+
+void SpiralArea::point(QPointF at, Point mm, bool touching, std::int64_t time_ns) {
   if (!touching) {
     if (!std::exchange(touches_, false)) return;
     ink_.emplace_back(std::nan(""), std::nan(""));
@@ -81,13 +97,11 @@ void SpiralArea::point(QPointF at, bool touching, std::uint64_t stamp_ms) {
     return;
   }
   if (samples_.size() >= kMaxSamples) return;
-  const auto time_ns = static_cast<std::int64_t>(stamp_ms) * 1'000'000;
   if (std::exchange(touches_, true)) {
     drawn_s_ += 1e-9 * static_cast<double>(std::max<std::int64_t>(
                            time_ns - samples_.back().time_ns.value_or(time_ns), 0));
   }
-  const double scale = mm_per_px();
-  samples_.push_back({{scale * at.x(), scale * at.y()}, std::nullopt, time_ns});
+  samples_.push_back({mm, std::nullopt, time_ns});
   ink_.push_back(at);
   update();
   Q_EMIT drawn();

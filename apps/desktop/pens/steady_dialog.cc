@@ -62,10 +62,12 @@ SteadyDialog::SteadyDialog(Studio& studio, QWidget* parent)
       result_(new QLabel(this)) {
   setWindowTitle(tr("Measure the hand"));
   auto* layout = new QVBoxLayout(this);
-  auto* text = new QLabel(
+  QString words =
       tr("Trace the spiral slowly, from the middle outwards, without resting the hand. It takes "
-         "about ten seconds. What is measured stays on this computer."),
-      this);
+         "about ten seconds. What is measured stays on this computer.");
+  const bool is_held = studio.loop().device().hand() == nullptr;
+  if (is_held) words += QLatin1Char(' ') + tr("The spiral begins where your device touches first.");
+  auto* text = new QLabel(words, this);
   text->setWordWrap(true);
   layout->addWidget(text);
   layout->addWidget(area_, 1);
@@ -88,7 +90,15 @@ SteadyDialog::SteadyDialog(Studio& studio, QWidget* parent)
     if (found_) use_shake(studio_, *found_);
     accept();
   });
+  studio.lend_pen(true);
+  if (is_held) {
+    connect(&studio, &Studio::sampled, this, [this] { area_->add(studio_.pen().sample); });
+  }
   start_again();
+}
+
+SteadyDialog::~SteadyDialog() {
+  studio_.lend_pen(false);
 }
 
 void SteadyDialog::start_again() {

@@ -29,7 +29,9 @@ class SteadyDialog : public QDialog {
   /// Seconds after which the spiral is enough.
   static constexpr double kEnoughS = 10.0;
 
+  /// Borrows the pen from the drawing until the dialog is destroyed.
   explicit SteadyDialog(Studio& studio, QWidget* parent = nullptr);
+  ~SteadyDialog() override;
 
   [[nodiscard]] SpiralArea& area() noexcept { return *area_; }
   /// Returns the result of the spiral so far, if it shows a shaking.

@@ -5670,6 +5670,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Zeichnen Sie die Spirale langsam nach, von der Mitte nach außen, ohne die Hand abzulegen. Es dauert etwa zehn Sekunden. Was gemessen wird, bleibt auf diesem Computer.</translation>
     </message>
     <message>
+        <source>The spiral begins where your device touches first.</source>
+        <translation>Die Spirale beginnt dort, wo Ihr Gerät zuerst aufsetzt.</translation>
+    </message>
+    <message>
         <source>How much of the ten seconds is drawn</source>
         <translation>Wie viel von den zehn Sekunden gezeichnet ist</translation>
     </message>

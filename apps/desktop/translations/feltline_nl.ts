@@ -5670,6 +5670,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Teken de spiraal langzaam na, van het midden naar buiten, zonder de hand te laten rusten. Het duurt ongeveer tien seconden. Wat gemeten wordt, blijft op deze computer.</translation>
     </message>
     <message>
+        <source>The spiral begins where your device touches first.</source>
+        <translation>De spiraal begint waar uw apparaat het eerst neerkomt.</translation>
+    </message>
+    <message>
         <source>How much of the ten seconds is drawn</source>
         <translation>Hoeveel van de tien seconden getekend is</translation>
     </message>
