@@ -27,8 +27,9 @@ constexpr double kNotch = 0.25;
 /// diagonal of its box: loops that are drawn by hand seldom meet exactly, but a spiral or a wave is
 /// none (chosen by eye).
 constexpr double kOpening = 0.1, kOpeningOfBox = 0.25;
-/// Points that a dash may have, for the limit of dashes.
-constexpr double kPointsOfDash = 64.0;
+/// Points that a dash may have, and a shape for each of its control points, for the limits of
+/// dashes and repeats. A curve of a shape becomes at most 64 lines.
+constexpr double kPointsOfDash = 64.0, kPointsOfControl = 24.0;
 
 StyleShape arrow_head() {
   const auto line = [](Point a, Point b, std::vector<Point>& to) {
@@ -158,7 +159,8 @@ void StrokeStyler::State::draw_line(const StyledRow& row, const StrokeStyle& sty
       return pen.rails(range, how.thin);
     case StyleKind::kRepeat:
       for (const StyleSpan span : repeat_spans(
-               spine, range, {how.length, how.gap, 0.0, most / (16.0 * points_of(style.shape))})) {
+               spine, range,
+               {how.length, how.gap, 0.0, most / (kPointsOfControl * points_of(style.shape))})) {
         pen.shape(span, style.shape);
       }
       return;

@@ -475,6 +475,17 @@ TEST(StyledOutline, LongPatternsAreBounded) {
   }
 }
 
+/// All repeats together have too many points for the limit, so there are fewer.
+TEST(StyledOutline, LargeRepeatsFillTheWholeLine) {
+  const Stroke line = testing::straight_stroke({0, 0}, {100'000, 0}, 20.0, 20.0);
+  StrokeStyler styler;
+  const StyledInk& ink =
+      styler.ink(line, style_of({.kind = StyleKind::kRepeat, .length = 0.2, .gap = 0.0}), 1e-5);
+  Rect box;
+  for (const Point p : ink.outline.points) box.extend(p);
+  EXPECT_NEAR(box.width(), 100'000.0, 1.0);
+}
+
 TEST(StyledPath, IsTheOutlineAndThePlainOneWithoutAStyle) {
   const Stroke stroke = testing::random_stroke(5);
   EXPECT_EQ(styled_path(stroke, nullptr, 0.01).points, outline_path(stroke, 0.01).points);
