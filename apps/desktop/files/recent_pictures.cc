@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "desktop/files/page_picture.h"
+#include "felt/formats/drawing_materials.h"
 
 namespace felt::desktop {
 namespace {
@@ -46,7 +47,7 @@ void write_recent_picture(const QString& path, const Drawing& drawing) {
   const QSize size = kRecentPicture * kPixelRatio;
   const QImage page =
       page_thumbnail(with_newest_strokes(drawing.document, kMaxPictured), drawing.page.area(), size,
-                     paper, Grain(), PictureChoice::kAll);
+                     paper, Grain::solid(with_texts(drawing.materials)), PictureChoice::kAll);
   if (page.isNull()) return;
   QImage picture(size, QImage::Format_ARGB32_Premultiplied);
   picture.fill(Qt::transparent);

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "desktop/files/page_picture.h"
+#include "felt/formats/drawing_materials.h"
 
 namespace felt::desktop {
 namespace {
@@ -55,7 +56,7 @@ QLabel* picture_of(const Drawing& drawing, const QString& name, double ratio, QW
   const Page& page = drawing.page;
   const Rgba paper = page.paper.a > 0 ? page.paper : Rgba{255, 255, 255, 255};
   QImage picture = page_thumbnail(drawing.document, page.area(), kThumbnailSize * ratio, paper,
-                                  Grain(), PictureChoice::kAll);
+                                  Grain::solid(with_texts(drawing.materials)), PictureChoice::kAll);
   picture.setDevicePixelRatio(ratio);
   label->setPixmap(QPixmap::fromImage(picture));
   return label;

@@ -1,5 +1,6 @@
 #include "felt/material/medium_style.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -13,6 +14,18 @@ namespace {
 
 /// Half of the width of a line, in units of a shape.
 constexpr double kHalfWidth = 0.5;
+
+/// Returns false if all control points are on one straight line.
+bool encloses_area(const std::vector<Point>& contour) {
+  constexpr double kFlat = 1e-6;
+  const Point from = contour.front();
+  const Point far = *std::max_element(contour.begin(), contour.end(), [from](Point a, Point b) {
+    return distance(from, a) < distance(from, b);
+  });
+  return std::any_of(contour.begin(), contour.end(), [&](Point p) {
+    return std::fabs(cross(far - from, p - from)) > kFlat * distance(from, far);
+  });
+}
 
 /// Reads the commands of a shape one after another.
 class ShapeReader {
@@ -38,6 +51,10 @@ class ShapeReader {
     }
     finish();
     if (shape_.contours.empty()) return problem("the shape has no line or curve");
+    if (std::none_of(shape_.contours.begin(), shape_.contours.end(), encloses_area)) {
+      return fail(ErrorCode::kInvalidData,
+                  "the shape encloses no area, so its lines are invisible");
+    }
     return std::move(shape_);
   }
 
@@ -57,6 +74,7 @@ class ShapeReader {
 
   std::optional<double> number() {
     skip();
+    if (text_.substr(at_).starts_with("+-")) return std::nullopt;
     if (at_ < text_.size() && text_[at_] == '+') ++at_;
     double value = 0.0;
     const auto [end, error] =

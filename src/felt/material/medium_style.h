@@ -67,7 +67,7 @@ struct StyleShape {
 /// Reads a shape from path data of SVG with the commands M, L, H, V, C and Z; small letters are
 /// relative, and spaces or commas separate numbers. Contours are closed. Fails if there is another
 /// command, if a number is missing or not within 0..1 (x) and -0.5..0.5 (y), or if the text has no
-/// contour or is too long. The message names the character.
+/// contour that encloses an area or is too long. The message names the character, if there is one.
 Result<StyleShape> read_style_shape(std::string_view text);
 
 }  // namespace felt

@@ -46,13 +46,16 @@ TEST(StyleShape, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(error_of("M0 0L1.1 0"), HasSubstr("x must be 0 to 1 and y -0.5 to 0.5"));
   EXPECT_THAT(error_of("M0 0L1 .6"), HasSubstr("x must be 0 to 1"));
   EXPECT_THAT(error_of("M0 0L1 nan"), HasSubstr("missing"));
+  EXPECT_THAT(error_of("M0 0L1 +-.5 0 .5"), HasSubstr("missing at character 8"));
+  EXPECT_THAT(error_of("M0 .2L1 .2 .5 .2ZM0 0L1 .5"), HasSubstr("encloses no area"));
   EXPECT_THAT(error_of("M0 0\nL1 0"), HasSubstr("character 5"));
   EXPECT_THAT(error_of("M0 0" + std::string(kMaxStyleShapeBytes, 'z')), HasSubstr("400 bytes"));
 }
 
 TEST(StyleShape, KeepsItsFormForAnyText) {
-  constexpr std::array<std::string_view, 16> kParts{"M", "m",  "L",   "l",   "H",   "h", "v", "c",
-                                                    "Z", " 0", " .2", "-.1", ",.3", "+", "e", " 1"};
+  constexpr std::array<std::string_view, 16> kParts{
+      "L1 .5", "l.2-.1", "h.3", "V-.5", "H0",      "c.1.1.2 0.3-.1", "Z",   "z",
+      "M.2.2", "m0,.1",  " .5", ".1",   "C0 .5 1", " .5 1 0",        "+.2", "e"};
   std::size_t read = 0;
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
     std::mt19937_64 random(seed);
@@ -70,7 +73,7 @@ TEST(StyleShape, KeepsItsFormForAnyText) {
       }
     }
   }
-  EXPECT_GT(read, 100u);
+  EXPECT_GT(read, 100u);  // of those that enclose an area
 }
 
 TEST(MediumStyle, IsWrittenOnlyIfThereIsOne) {
@@ -81,7 +84,7 @@ TEST(MediumStyle, IsWrittenOnlyIfThereIsOne) {
   const std::string text = write_material(pen);
   EXPECT_THAT(text, HasSubstr("[style]"));
   EXPECT_EQ(std::get<Medium>(read_material(text).value()), pen);
-  pen.style.shape = "M0 0" + std::string(kMaxStyleShapeBytes - 8, ' ') + "H1Z";
+  pen.style.shape = "M0 0" + std::string(kMaxStyleShapeBytes - 11, ' ') + "H1V.5Z";
   EXPECT_EQ(material_error(pen), "") << "the longest shape fits into a line";
 }
 

@@ -6,18 +6,35 @@
 namespace felt {
 namespace {
 
+/// Smallest distance of corners that divide a line, as a share of a dash and its gap. From here on,
+/// rounding gives a gap between two corners.
+constexpr double kMinSection = 0.5;
+
 /// A part of a line between two corners or ends.
 struct LineSection {
   StyleSpan span;
   bool begins_at_corner = false, ends_at_corner = false;
 };
 
-/// Returns the parts of the line between its corners. Empty if the line is a ring without corners.
-std::vector<LineSection> sections_of(const Spine& spine, StyleSpan range) {
+/// Returns the corners at which the line is divided, ascending. A corner that is too near to the
+/// one before has no room for a gap in between: a zigzag would become a solid line.
+std::vector<double> dividing_corners(const Spine& spine, StyleSpan range, double min_distance) {
   std::vector<double> corners;
   for (const double at : spine.corners()) {
-    if (spine.closed() || (at > range.from && at < range.to)) corners.push_back(at);
+    if (!spine.closed() && !(at > range.from && at < range.to)) continue;
+    if (corners.empty() || at - corners.back() >= min_distance) corners.push_back(at);
   }
+  if (spine.closed() && corners.size() > 1 &&
+      corners.front() + spine.end() - corners.back() < min_distance) {
+    corners.pop_back();
+  }
+  return corners;
+}
+
+/// Returns the parts of the line between its corners. Empty if the line is a ring without corners.
+std::vector<LineSection> sections_of(const Spine& spine, StyleSpan range, const StyleRhythm& r) {
+  const std::vector<double> corners =
+      dividing_corners(spine, range, kMinSection * (r.length + r.gap));
   std::vector<LineSection> sections;
   if (spine.closed()) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -71,7 +88,7 @@ void add_dashes(const LineSection& section, const StyleRhythm& r, std::vector<St
 
 std::vector<StyleSpan> dash_spans(const Spine& spine, StyleSpan range, const StyleRhythm& rhythm) {
   const StyleRhythm r = bounded(spine, rhythm);
-  const std::vector<LineSection> sections = sections_of(spine, range);
+  const std::vector<LineSection> sections = sections_of(spine, range, r);
   std::vector<StyleSpan> dashes;
   if (sections.empty()) {
     const double count = std::max(1.0, std::round(spine.end() / (r.length + r.gap)));
@@ -104,7 +121,7 @@ std::vector<StyleSpan> dash_spans(const Spine& spine, StyleSpan range, const Sty
 std::vector<StyleSpan> repeat_spans(const Spine& spine, StyleSpan range,
                                     const StyleRhythm& rhythm) {
   const StyleRhythm r = bounded(spine, rhythm);
-  std::vector<LineSection> sections = sections_of(spine, range);
+  std::vector<LineSection> sections = sections_of(spine, range, r);
   const bool is_ring = sections.empty();
   if (is_ring) sections.push_back({{0.0, spine.end()}, false, false});
   std::vector<StyleSpan> spans;

@@ -245,15 +245,17 @@ void StylePen::shape(StyleSpan span, const StyleShape& shape) {
   append(ink_->outline, bent_);
 }
 
-/// The lines are numbered from the origin of the page. An edge that crosses line k adds the
-/// position of the crossing along the line; between the crossings 2 i and 2 i + 1 the line is
-/// inside (even-odd rule).
+/// The lines are numbered from the start of the line, and line k is (k + 1/2) spacings from it, so
+/// that the hatching moves with the line and no line runs along an edge that begins there. An edge
+/// that crosses line k adds a crossing; between the crossings 2 i and 2 i + 1 the line is inside
+/// (even-odd rule).
 void StylePen::hatching(double angle_deg, double spacing, double thin) {
   const double angle = angle_deg * std::numbers::pi / 180.0;
   const Vec along{std::cos(angle), std::sin(angle)}, across = perp(along);
   const auto points = spine_->points();
+  const Point origin = points.front().center;
   const auto height = [&](std::size_t i) {
-    return dot(points[i % points.size()].center - Point{}, across);
+    return dot(points[i % points.size()].center - origin, across);
   };
   double travel = 0.0, radius = 0.0, tone = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -263,26 +265,29 @@ void StylePen::hatching(double angle_deg, double spacing, double thin) {
   }
   const double step = std::max(spacing, travel / kMaxCrossings);
   if (!(step > 0.0) || !std::isfinite(travel)) return;
-  std::vector<std::pair<std::int64_t, double>> crossings;
+  crossings_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point a = points[i].center, b = points[(i + 1) % points.size()].center;
+    const SpinePoint &a = points[i], &b = points[(i + 1) % points.size()];
     const double from = height(i), to = height(i + 1);
-    const double low = std::ceil(std::min(from, to) / step), high = std::max(from, to) / step;
+    const double low = std::ceil(std::min(from, to) / step - 0.5);
+    const double high = std::max(from, to) / step - 0.5;
     for (double k = low; k < high; ++k) {
-      const Point at = lerp(a, b, std::clamp((k * step - from) / (to - from), 0.0, 1.0));
-      crossings.emplace_back(static_cast<std::int64_t>(k), dot(at - Point{}, along));
+      const double t = std::clamp(((k + 0.5) * step - from) / (to - from), 0.0, 1.0);
+      crossings_.push_back({static_cast<std::int64_t>(k),
+                            dot(lerp(a.center, b.center, t) - origin, along),
+                            std::min(thin * radius, std::lerp(a.radius, b.radius, t))});
     }
   }
-  std::sort(crossings.begin(), crossings.end());
-  for (std::size_t i = 0; i + 1 < crossings.size() && !is_full();) {
-    const auto [line, from] = crossings[i];
-    if (crossings[i + 1].first != line) {  // rounding lost a crossing
+  std::sort(crossings_.begin(), crossings_.end());
+  for (std::size_t i = 0; i + 1 < crossings_.size() && !is_full();) {
+    const Crossing &in = crossings_[i], &out = crossings_[i + 1];
+    if (out.line != in.line) {  // rounding lost a crossing
       ++i;
       continue;
     }
-    const Vec base = static_cast<double>(line) * step * across;
-    for (const double x : {from, crossings[i + 1].second}) {
-      row_.push_back({Point{} + base + x * along, thin * radius, tone});
+    const Point base = origin + (static_cast<double>(in.line) + 0.5) * step * across;
+    for (const Crossing& end : {in, out}) {
+      row_.push_back({base + end.at * along, end.radius, tone});
       ink_->hatching.push_back(row_.back());
     }
     append_row();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "felt/render/style_layout.h"
@@ -25,10 +26,22 @@ class StylePen {
   /// Draws a shape, stretched over `span` and bent with the line. If `from` is greater than `to`,
   /// the shape points backwards.
   void shape(StyleSpan span, const StyleShape& shape);
-  /// Draws parallel lines inside the closed spine. Lengths in the unit of the row.
+  /// Draws parallel lines inside the closed spine. Lengths in the unit of the row. Their width is
+  /// the share `thin` of the line's mean width, and at an end at most the line's width there.
   void hatching(double angle_deg, double spacing, double thin);
 
  private:
+  /// A point where a line of the hatching enters or leaves the area.
+  struct Crossing {
+    std::int64_t line = 0;
+    double at = 0.0;  ///< position along the line of the hatching
+    double radius = 0.0;
+
+    bool operator<(const Crossing& o) const noexcept {
+      return line != o.line ? line < o.line : at < o.at;
+    }
+  };
+
   [[nodiscard]] bool is_full() const noexcept;
   void append_row();
   void append_points(StyleSpan span, double thin);
@@ -47,6 +60,7 @@ class StylePen {
   std::vector<Dab> rail_;
   std::vector<bool> is_kept_;
   std::vector<Point> contour_;
+  std::vector<Crossing> crossings_;
   Outline bent_;
 };
 

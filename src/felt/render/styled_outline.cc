@@ -1,6 +1,7 @@
 #include "felt/render/styled_outline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <list>
 #include <type_traits>
@@ -22,11 +23,13 @@ constexpr double kCenterShare = 0.5;
 constexpr double kShortest = 0.5;
 /// How far the shaft of an arrow reaches into the head, as a share of the head.
 constexpr double kNotch = 0.25;
-/// Largest distance between the ends of a line that is hatched, as a share of its length: loops
-/// that are drawn by hand seldom meet exactly (chosen by eye).
-constexpr double kOpening = 0.1;
-/// Points that a dash may have, for the limit of dashes.
-constexpr double kPointsOfDash = 64.0;
+/// Largest distance between the ends of a line that is hatched, as a share of its length and of the
+/// diagonal of its box: loops that are drawn by hand seldom meet exactly, but a spiral or a wave is
+/// none (chosen by eye).
+constexpr double kOpening = 0.1, kOpeningOfBox = 0.25;
+/// Points that a dash may have, and a shape for each of its control points, for the limits of
+/// dashes and repeats. A curve of a shape becomes at most 64 lines.
+constexpr double kPointsOfDash = 64.0, kPointsOfControl = 24.0;
 
 StyleShape arrow_head() {
   const auto line = [](Point a, Point b, std::vector<Point>& to) {
@@ -113,8 +116,12 @@ void StrokeStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_
 
 /// Returns true if the line encloses an area.
 bool StrokeStyler::State::goes_round() const noexcept {
+  if (spine.closed()) return true;
+  Rect box;
+  for (const SpinePoint& p : spine.points()) box.extend(p.center);
   const SpinePoint &first = spine.points().front(), &last = spine.points().back();
-  return spine.closed() || distance(first.center, last.center) <= kOpening * last.length;
+  return distance(first.center, last.center) <=
+         std::min(kOpening * last.length, kOpeningOfBox * std::hypot(box.width(), box.height()));
 }
 
 /// Draws the arrow heads, and returns the part of the line for the rest of the style.
@@ -152,7 +159,8 @@ void StrokeStyler::State::draw_line(const StyledRow& row, const StrokeStyle& sty
       return pen.rails(range, how.thin);
     case StyleKind::kRepeat:
       for (const StyleSpan span : repeat_spans(
-               spine, range, {how.length, how.gap, 0.0, most / (16.0 * points_of(style.shape))})) {
+               spine, range,
+               {how.length, how.gap, 0.0, most / (kPointsOfControl * points_of(style.shape))})) {
         pen.shape(span, style.shape);
       }
       return;

@@ -35,18 +35,20 @@ struct StyledRow {
 ///
 /// A style is fitted to the line: positions along it are measured in widths of the line (the arc
 /// length divided by the width there). The line is divided at declared corners of at least 30
-/// degrees. Each part gets a whole number of dashes or repeats; lengths and gaps are scaled to fit.
+/// degrees that are at least half a dash and gap apart. Each part gets a whole number of dashes or
+/// repeats; lengths and gaps are scaled to fit.
 /// A dash bends around each corner, half of it on either side. An open line begins and ends with a
 /// whole dash or repeat; arrow heads end at the ends of the line. On a closed line without corners,
 /// the pattern has no seam. Shapes are bent with the line. The two rails of a double line are
 /// offset curves, without the loops that these have inside of bends tighter than the offset. A line
-/// counts as closed for hatching if the distance between its ends is at most a tenth of its length.
-/// Lines of the hatching are `spacing_mm` apart, have the same position on the whole page, and are
-/// clipped to the inside of the centre line by the even-odd rule.
+/// counts as closed for hatching if the distance between its ends is at most a tenth of its length
+/// and a quarter of the diagonal of its box. Lines of the hatching are `spacing_mm` apart, have one
+/// direction on the page, move with the start of the line, and are clipped to the inside of the
+/// centre line by the even-odd rule.
 ///
 /// A line shorter than half of its width is drawn as without a style. All results lie within the
-/// plain ink, or inside the line for hatching, and have at most kMaxPoints points, because long
-/// patterns are then repeated less often. Equal strokes give equal bytes.
+/// plain ink, or inside the line for hatching, and have at most twice kMaxPoints points, because
+/// long patterns are then repeated less often. Equal strokes give equal bytes.
 ///
 /// Keeps the ink of the strokes that were used last, because a drawing is painted in many tiles.
 /// Not thread-safe.

@@ -213,6 +213,25 @@ TEST(StyledOutline, SmallCornersDoNotDivideALine) {
   EXPECT_EQ(ink_of(Stroke::create(d).value(), style).outline.contour_count(), 5u);
 }
 
+/// The sides of a zigzag are too short for a gap between two corners.
+TEST(StyledOutline, R57_AZigzagOfShortSidesStaysDashed) {
+  for (const double side : {0.8, 1.5, 3.0, 4.0}) {
+    StrokeData d;
+    d.points.push_back({0, 0});
+    for (int i = 1; i <= 40; ++i) {
+      const Point from = d.points.back(), to{side * i, i % 2 == 0 ? 0.0 : side};
+      d.points.insert(d.points.end(), {lerp(from, to, 1.0 / 3.0), lerp(from, to, 2.0 / 3.0), to});
+    }
+    d.joints.assign(39, JointKind::kCorner);
+    d.widths = {{0.0, 1.0}, {40.0, 1.0}};
+    const StrokeStyle style = style_of({.kind = StyleKind::kDashes, .length = 3.0, .gap = 2.0});
+    const double widths = 40.0 * std::sqrt(2.0) * side;
+    EXPECT_GE(static_cast<double>(ink_of(Stroke::create(d).value(), style).outline.contour_count()),
+              widths / 5.0 / 1.7)
+        << side;
+  }
+}
+
 TEST(StyledOutline, RailsMeetAtCorners) {
   const Outline outline =
       ink_of(square(), style_of({.kind = StyleKind::kDouble, .thin = 0.2})).outline;
@@ -317,10 +336,10 @@ TEST(StyledOutline, HatchingFillsTheInsideByEvenOdd) {
   const StrokeStyle style =
       style_of({.kind = StyleKind::kHatch, .thin = 0.5, .angle_deg = 0.0, .spacing_mm = 2.0});
   const StyledInk ink = ink_of(square(), style);
-  EXPECT_EQ(ink.hatching.size(), 2u * 10u) << "lines 0, 2, ... 18 of the page";
-  EXPECT_TRUE(is_inked(ink.outline, {10.0, 4.2}));
-  EXPECT_FALSE(is_inked(ink.outline, {10.0, 4.3}));
-  EXPECT_FALSE(is_inked(ink.outline, {21.0, 4.0}));
+  EXPECT_EQ(ink.hatching.size(), 2u * 10u) << "lines 1, 3, ... 19";
+  EXPECT_TRUE(is_inked(ink.outline, {10.0, 5.2}));
+  EXPECT_FALSE(is_inked(ink.outline, {10.0, 5.3}));
+  EXPECT_FALSE(is_inked(ink.outline, {21.0, 5.0}));
   StrokeData open = square().data();
   open.closed = false;
   open.joints.pop_back();
@@ -329,6 +348,67 @@ TEST(StyledOutline, HatchingFillsTheInsideByEvenOdd) {
   EXPECT_EQ(ink_of(Stroke::create(open).value(), style).hatching.size(), 20u);
   open.points.back().y += 1.0;  // of 72 mm
   EXPECT_TRUE(ink_of(Stroke::create(open).value(), style).hatching.empty());
+}
+
+/// Who moves a shape expects its hatching to move with it.
+TEST(StyledOutline, R57_HatchingMovesWithItsLine) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    StrokeData data = testing::random_stroke(seed).data();
+    const Stroke stroke = Stroke::create(data).value();
+    const Vec move{13.7, -4.1};
+    for (Point& p : data.points) p += move;
+    const Stroke moved = Stroke::create(data).value();
+    const StrokeStyle style =
+        style_of({.kind = StyleKind::kHatch, .angle_deg = 20.0, .spacing_mm = 0.7});
+    const std::vector<Dab> a = ink_of(stroke, style).hatching, b = ink_of(moved, style).hatching;
+    ASSERT_EQ(a.size(), b.size()) << seed;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      ASSERT_LE(distance(a[i].center + move, b[i].center), 1e-6) << seed;
+    }
+  }
+}
+
+TEST(StyledOutline, HatchingIsNoWiderThanItsLine) {
+  // A ring that is 0.1 mm wide on one side and 8 mm on the other.
+  constexpr double k = 20.0 * 0.5522847498;
+  StrokeData d;
+  d.points = {{20, 0},   {20, k},   {k, 20},  {0, 20},  {-k, 20}, {-20, k}, {-20, 0},
+              {-20, -k}, {-k, -20}, {0, -20}, {k, -20}, {20, -k}, {20, 0}};
+  d.joints.assign(4, JointKind::kSmooth);
+  d.closed = true;
+  d.widths = {{0.0, 0.1}, {2.0, 8.0}, {4.0, 0.1}};
+  const Stroke ring = Stroke::create(d).value();
+  for (const double angle : {0.0, 45.0, 90.0}) {
+    const StyledInk ink =
+        ink_of(ring, style_of({.kind = StyleKind::kHatch, .angle_deg = angle, .spacing_mm = 1.0}));
+    EXPECT_FALSE(ink.hatching.empty());
+    for (const Point p : ink.outline.points) {
+      ASSERT_TRUE(ring.bounds().inflated(2.0 * kToleranceMm).contains(p)) << p.x << ' ' << p.y;
+    }
+  }
+}
+
+/// The ends of a spiral are near to each other in comparison with its length.
+TEST(StyledOutline, SpiralsAndWavesAreNotClosed) {
+  StrokeData spiral, wave;
+  for (int i = 0; i <= 120; ++i) {
+    const double angle = 0.3 * i, r = 1.0 + 0.2 * i;
+    for (auto [d, to] : {std::pair{&spiral, Point{r * std::cos(angle), r * std::sin(angle)}},
+                         std::pair{&wave, Point{0.3 * i, i % 2 == 0 ? 0.0 : 20.0}}}) {
+      if (i == 0) {
+        d->points.push_back(to);
+        continue;
+      }
+      const Point from = d->points.back();
+      d->points.insert(d->points.end(), {lerp(from, to, 1.0 / 3.0), lerp(from, to, 2.0 / 3.0), to});
+    }
+  }
+  for (StrokeData* d : {&spiral, &wave}) {
+    d->joints.assign(119, JointKind::kCorner);
+    d->widths = {{0.0, 1.0}, {120.0, 1.0}};
+    const Stroke stroke = Stroke::create(*d).value();
+    EXPECT_TRUE(ink_of(stroke, style_of({.kind = StyleKind::kHatch})).hatching.empty());
+  }
 }
 
 TEST(StyledOutline, HatchingCoversItsShareOfAnyClosedStroke) {
@@ -393,6 +473,17 @@ TEST(StyledOutline, LongPatternsAreBounded) {
     for (const Point p : ink.outline.points) box.extend(p);
     EXPECT_NEAR(box.width(), 100'000.0, 10.0) << "the whole line has ink";
   }
+}
+
+/// All repeats together have too many points for the limit, so there are fewer.
+TEST(StyledOutline, LargeRepeatsFillTheWholeLine) {
+  const Stroke line = testing::straight_stroke({0, 0}, {100'000, 0}, 20.0, 20.0);
+  StrokeStyler styler;
+  const StyledInk& ink =
+      styler.ink(line, style_of({.kind = StyleKind::kRepeat, .length = 0.2, .gap = 0.0}), 1e-5);
+  Rect box;
+  for (const Point p : ink.outline.points) box.extend(p);
+  EXPECT_NEAR(box.width(), 100'000.0, 1.0);
 }
 
 TEST(StyledPath, IsTheOutlineAndThePlainOneWithoutAStyle) {

@@ -154,8 +154,14 @@ class FilmShapes {
   std::size_t masks_ = 0;
 };
 
-/// Plays the recording and collects the shapes. Sets `end` to the document at the end.
-Result<void> collect(const TimelapseSource& source, StrokeLives& lives, Document& end) {
+/// What a recording has made in the end.
+struct EndOfRecording {
+  Document document;
+  Materials materials;
+};
+
+/// Plays the recording and collects the shapes. Sets `end`.
+Result<void> collect(const TimelapseSource& source, StrokeLives& lives, EndOfRecording& end) {
   std::vector<Edit> edits;
   Session session = session_of(source, [&edits](const Edit& edit) { edits.push_back(edit); });
   lives.see_start(source.start.document);
@@ -180,7 +186,7 @@ Result<void> collect(const TimelapseSource& source, StrokeLives& lives, Document
     return {};
   });
   see_edits();
-  end = session.document();
+  end = {session.document(), session.materials()};
   return done;
 }
 
@@ -263,7 +269,7 @@ void append_box(std::string& out, const Rect& area) {
 Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming& timing,
                                  const TimelapseSvgOptions& options) {
   StrokeLives lives;
-  Document end;
+  EndOfRecording end;
   if (Result<void> done = collect(source, lives, end); !done) return tl::unexpected(done.error());
   std::string out =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"";
@@ -283,7 +289,8 @@ Result<std::string> animated_svg(const TimelapseSource& source, const FilmTiming
     append_fill_color(out, options.paper);
     out += "/>\n";
   }
-  if (Result<void> done = append_layers(out, lives, end, timing, StrokeStyles(source.materials));
+  if (Result<void> done =
+          append_layers(out, lives, end.document, timing, StrokeStyles(end.materials));
       !done) {
     return tl::unexpected(done.error());
   }

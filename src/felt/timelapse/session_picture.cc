@@ -107,6 +107,16 @@ SessionPicture::SessionPicture(Image image, const View& view, const PageOptions&
   damage_.assign(1, *page.area);
 }
 
+void SessionPicture::set_materials(const Materials& materials) {
+  if (!style_.grain.is_plain()) return;
+  Grain grain = Grain::solid(materials);
+  if (grain == style_.grain) return;
+  style_.grain = std::move(grain);
+  scene_.set_styles(style_.grain.styles());
+  damage_.assign(1, view_.area_mm({0.0, 0.0}, {static_cast<double>(image_.width()),
+                                               static_cast<double>(image_.height())}));
+}
+
 Result<void> SessionPicture::apply(const Edit& edit) {
   return scene_.apply(with_exported_pictures(edit), damage_);
 }

@@ -29,6 +29,9 @@ class SessionPicture {
   static Result<std::unique_ptr<SessionPicture>> create(const PageOptions& page,
                                                         const Document& start);
 
+  /// Sets the materials whose lines may have styles, unless the picture has a grain, which has them
+  /// already.
+  void set_materials(const Materials& materials);
   /// Applies an edit of the document (SessionOptions::on_edit). Fails if the edit does not fit the
   /// edits before (a bug).
   Result<void> apply(const Edit& edit);

@@ -2,14 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "felt/base/hash.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/material/relief.h"
+#include "felt/timelapse/animated_svg.h"
 #include "felt/timelapse/session_picture.h"
 #include "felt/timelapse/shown_edit.h"
 #include "felt/timelapse/testing/drawn_recording.h"
@@ -106,6 +111,30 @@ TEST(Timelapse, TheSameRecordingGivesTheSameFrames) {
   EXPECT_EQ(hashes_of(source, timing), first);
   EXPECT_GT(std::set<std::uint64_t>(first.begin(), first.end()).size(), first.size() / 3)
       << "the film moves";
+}
+
+/// A recording defines the media that it uses. Their styles are seen in every kind of film.
+TEST(Timelapse, R57_LinesHaveTheStyleOfAMediumInTheRecording) {
+  testing::DrawnRecording made;
+  made.event(UseMaterial{"kind = \"medium\"\nid = \"dots\"\n[style]\nkind = \"dashes\"\n"});
+  made.event(SetOption{"pencil.medium", std::string("dots")});
+  made.line({10.0, 20.0}, {90.0, 20.0}, 40, 0.0);
+  const TimelapseSource source{made.take()};
+  const TimelapseSurvey survey = survey_recording(source).value();
+  PageOptions page = page_of(300, 210);
+  const Image plain = render_page(survey.end.document, page, PictureChoice::kMarked).value();
+  page.grain = Grain::solid(with_texts(survey.end.materials));
+  const Image dashed = render_page(survey.end.document, page, PictureChoice::kMarked).value();
+  ASSERT_NE(plain, dashed);
+  const FilmTiming timing(survey.drawing_ns, {2.0, 24, 0.5});
+  std::optional<Image> last;
+  ASSERT_TRUE(play_timelapse(source, timing, page_of(300, 210), [&](const Image& frame) {
+    last = frame;
+    return Result<void>();
+  }));
+  EXPECT_EQ(*last, dashed);
+  const std::string svg = animated_svg(source, timing, {{0.0, 0.0, 100.0, 70.0}}).value();
+  EXPECT_GT(std::count(svg.begin(), svg.end(), 'z'), 5) << "a path for each dash";
 }
 
 TEST(Timelapse, EveryStrokeIsSeenByTheEndAndTheLastFrameIsTheDrawing) {

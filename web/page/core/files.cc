@@ -43,9 +43,7 @@ Drawing empty_drawing(std::string_view text) {
 }
 
 bool is_empty(const Drawing& drawing) {
-  const std::span<const Layer> layers = drawing.document.layers();
-  return layers.size() == 1 && layers[0].strokes.empty() && layers[0].fills.empty() &&
-         drawing.document.guides().empty() && drawing.materials.empty() &&
+  return drawing.document == Document() && drawing.materials.empty() &&
          drawing.palette == Palette{} && !drawing.extras;
 }
 

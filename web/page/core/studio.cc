@@ -28,6 +28,12 @@ double absent_pressure(const Session& session) {
   return number ? *number : HandScriptOptions{}.absent_pressure;
 }
 
+bool is_known(const Materials& materials, const AnyMaterial& material) {
+  const std::string_view id = id_of(material);
+  return std::holds_alternative<Medium>(material) ? materials.find_medium(id) != nullptr
+                                                  : materials.find_surface(id) != nullptr;
+}
+
 void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
   for (const std::string& id : from.option_ids()) {
     const Result<OptionValue> value = from.option(id), present = to.option(id);
@@ -54,7 +60,9 @@ void Studio::make_session(Document document, std::span<const std::string> materi
   const std::unique_ptr<Session> before = std::exchange(session_, std::move(session));
   if (from == Options::kDefaults) return;
   static_cast<void>(session_->apply({event_time_ns(), UseDevice{stylus_->capabilities()}}));
-  add_materials(materials);
+  for (const std::string& text : materials) {
+    static_cast<void>(session_->apply({event_time_ns(), UseMaterial{text}}));
+  }
   if (from == Options::kOfLastSession) copy_options(*before, *session_, event_time_ns());
   if (from == Options::kFirst) apply_first_options();
 }
@@ -115,6 +123,8 @@ void Studio::apply_first_options() {
 
 void Studio::add_materials(std::span<const std::string> texts) {
   for (const std::string& text : texts) {
+    const Result<AnyMaterial> material = read_material(text);
+    if (!material || is_known(session_->materials(), *material)) continue;
     static_cast<void>(session_->apply({event_time_ns(), UseMaterial{text}}));
   }
 }

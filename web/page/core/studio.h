@@ -81,7 +81,8 @@ class Studio {
   Result<void> apply(decltype(Event::what) what);
   Result<void> import(const std::string& path, std::span<const StrokePtr> strokes,
                       std::span<const FillPtr> fills);
-  /// Adds media that come with a file, unless they are known.
+  /// Adds materials that come with a file, unless the session has one with this id: the present
+  /// drawing keeps its look.
   void add_materials(std::span<const std::string> texts);
   /// Lets the time pass until this time of the caller's clock, at most kLongestNs of it; the rest
   /// is skipped.

@@ -20,6 +20,7 @@
 #include "felt/io/svg/svg_compact.h"
 #include "felt/io/svg/svg_elements.h"
 #include "felt/io/svg/svg_import.h"
+#include "felt/io/svg/svg_path_parser.h"
 #include "felt/io/testing/import_checks.h"
 #include "felt/io/testing/test_drawings.h"
 #include "felt/render/page_painter.h"
@@ -295,6 +296,34 @@ TEST(SvgWriter, StylesArePathsAndStrokesComeBack) {
       const auto& layers = back->drawing.document.layers();
       EXPECT_EQ(*back->drawing.document.find(layers[0].strokes[0]), stroke);
     }
+  }
+}
+
+/// Inkscape rounds the number of copies down (LPEPatternAlongPath::doEffect_pwd2). It must make as
+/// many copies as Feltline draws, and at least one: with none, the line would be invisible.
+TEST(SvgWriter, R57_InkscapeRepeatsAShapeAsOftenAsFeltline) {
+  const auto copies_of = [](const Stroke& stroke) {
+    const auto document = parsed(stream_text({stroke}));
+    const pugi::xml_node effect =
+        document.child("svg").child("g").child("defs").child("inkscape:path-effect");
+    const double spacing = effect.attribute("spacing").as_double();
+    const double start = effect.attribute("tang_offset").as_double();
+    const SvgPathData pattern = parse_svg_path(effect.attribute("pattern").value(), 1000);
+    Rect box;
+    for (const SvgContour& contour : pattern.contours) {
+      for (const Point p : contour.points) box.extend(p);
+    }
+    const double length = distance(stroke.data().points.front(), stroke.data().points.back());
+    return std::floor((length - start + spacing) / (box.width() + spacing));
+  };
+  for (const double length : {1.2, 2.0, 5.0, 17.0, 33.3, 90.0}) {
+    const Stroke line =
+        with_medium(testing::straight_stroke({0, 0}, {length, 0}, 2.0, 2.0), "rope");
+    StrokeStyler styler;
+    const StrokeStyle& rope = *StrokeStyles().find("rope");
+    const std::size_t contours = styler.ink(line, rope, 0.01).outline.contour_count();
+    EXPECT_EQ(copies_of(line), static_cast<double>(contours / rope.shape.contours.size()))
+        << length;
   }
 }
 
