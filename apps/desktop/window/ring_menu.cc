@@ -353,11 +353,14 @@ bool RingMenu::release_key(const QKeyEvent& event) {
   return true;
 }
 
+/// Chooses a well without the pen. Screen readers say the button that gets the focus.
 void RingMenu::choose(std::size_t well) {
   if (!ring_) return;
   keys_chose_ = true;
+  if (ring_->chosen() == well) return;
   ring_->choose(well);
   update();
+  Q_EMIT studio_.tick_wanted();
 }
 
 /// Tells screen readers the present choice (see ReadingSpeech).

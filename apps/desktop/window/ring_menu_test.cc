@@ -210,6 +210,20 @@ TEST_F(RingMenuTest, SaysAndTicksEachChoice) {
   EXPECT_EQ(ticks.count(), 2);
 }
 
+// A pen that ticks is felt while the other hand chooses by keys.
+TEST_F(RingMenuTest, AChoiceByKeyTicksToo) {
+  QSignalSpy ticks(&window_.studio(), &Studio::tick_wanted);
+  trigger("tool.ring");
+  key(Qt::Key_Right);
+  EXPECT_EQ(ticks.count(), 1);
+  key(Qt::Key_Right);
+  EXPECT_EQ(ticks.count(), 1) << "the same choice";
+  key(Qt::Key_Up);
+  EXPECT_EQ(ticks.count(), 2);
+  key(Qt::Key_Return);
+  EXPECT_EQ(ticks.count(), 2) << "carrying it out is not another choice";
+}
+
 TEST_F(RingMenuTest, OtherThingsCloseIt) {
   const auto open = [this] {
     Q_EMIT canvas().ring_wanted(kAt);
