@@ -54,6 +54,7 @@ class Canvas : public QWidget {
   /// Sets whether the user draws with a tablet pen instead of a mouse. Ink then appears exactly
   /// under the tip of the pen.
   void set_tablet_in_hand(bool tablet);
+  [[nodiscard]] bool tablet_in_hand() const noexcept { return tablet_in_hand_; }
   /// Sets the translated message about the pen's pressure. The canvas shows it while the drawing is
   /// empty. If `status` is empty, the canvas derives the message from the samples.
   void set_pen_status(const QString& status);
@@ -94,6 +95,8 @@ class Canvas : public QWidget {
   void popup_wanted(QPointF px);
   /// The user holds the right button still, or a button with the role kRing, at this pixel.
   void ring_wanted(QPointF px);
+  /// The pen or a finger was held still on the surface at this pixel, and still touches it.
+  void ring_pressed(QPointF px);
 
  protected:
   bool event(QEvent* event) override;

@@ -37,12 +37,14 @@ PenInput::PenInput(Canvas& canvas)
       tablet_(canvas, hand_, drag_, settings_),
       touch_(canvas, hand_, settings_),
       mouse_(canvas, hand_, drag_, settings_),
-      keys_(canvas, hand_) {
+      keys_(canvas, hand_),
+      press_(canvas, hand_, settings_) {
   canvas.setTabletTracking(true);
   canvas.installEventFilter(this);
   qApp->installEventFilter(this);  // a tablet's proximity events go to the application
   connect(&tablet_, &TabletInput::came, &touch_, &TouchInput::cancel);
   connect(&tablet_, &TabletInput::pressure_seen_changed, this, &PenInput::say_pressure);
+  connect(&press_, &LongPress::held, this, &PenInput::open_ring);
   connect(&keys_, &KeyboardPen::said, &canvas,
           [this](const QString& text) { canvas_.setAccessibleDescription(text); });
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
@@ -69,6 +71,14 @@ void PenInput::say_pressure() {
     case TabletInput::Pressure::kNotSeen:
       return canvas_.set_pen_status({});
   }
+}
+
+/// Handles a long press: discards what it drew, and ignores the rest of the touch.
+void PenInput::open_ring(QPointF px) {
+  touch_.cancel();
+  tablet_.cancel();
+  canvas_.studio().apply(CancelEvent{});  // the pen of a device
+  Q_EMIT canvas_.ring_pressed(px);
 }
 
 bool PenInput::eventFilter(QObject* watched, QEvent* event) {

@@ -5,6 +5,7 @@
 
 #include "desktop/canvas/canvas.h"
 #include "desktop/pens/keyboard_pen.h"
+#include "desktop/pens/long_press.h"
 #include "desktop/pens/mouse_input.h"
 #include "desktop/pens/pen_hand.h"
 #include "desktop/pens/pen_settings.h"
@@ -26,6 +27,7 @@ bool is_made_up(const QMouseEvent& event);
 /// A drag while Space is held pans the view; if Ctrl is also held, the drag zooms the view, and if
 /// Shift is also held, it turns the view. A drag while Ctrl and Alt are held changes the size of
 /// the tool. The arrow keys move selected lines by 1 mm, with Shift by 10 mm, with Ctrl by 0.1 mm.
+/// A long press opens the ring of tools, if the settings say so (LongPress); its ink vanishes.
 /// If the input ends without a release (the window loses the focus, a release event is lost, the
 /// pen leaves the range), the pen is lifted.
 class PenInput : public QObject {
@@ -53,6 +55,7 @@ class PenInput : public QObject {
   void take_focus();
   void load_settings();
   void say_pressure();
+  void open_ring(QPointF px);
 
   Canvas& canvas_;
   PenSettings settings_;
@@ -62,6 +65,7 @@ class PenInput : public QObject {
   TouchInput touch_;
   MouseInput mouse_;
   KeyboardPen keys_;
+  LongPress press_;
   bool space_ = false;
 };
 

@@ -55,6 +55,7 @@ class PenInputTest : public ::testing::Test {
     set(kRightButton, QString::fromLatin1(kRightButtonDefault));
     set(kTouch, QString::fromLatin1(kTouchDefault));
     set(kTouchTaps, kTouchTapsDefault);
+    set(kLongPress, kLongPressDefault);
   }
   StudioOptions options() {
     StudioOptions options;
@@ -346,6 +347,79 @@ TEST_F(PenInputTest, AButtonThatIsHeldStillWantsTheRing) {
   hover({200, 120});
 }
 
+// A touch that rests opens the ring, and its dot vanishes; everything else draws as before.
+TEST_F(PenInputTest, ALongPressWantsTheRing) {
+  QSignalSpy ring(&canvas_, &Canvas::ring_pressed);
+  constexpr std::int64_t kLongMs = LongPress::kPressNs / kMs + 100;
+  const auto press = [this](QPointF at, Qt::MouseButtons others = Qt::NoButton) {
+    hover(at, others);
+    tablet(QEvent::TabletPress, at, 0.5, others | Qt::LeftButton, Qt::LeftButton);
+  };
+  press({300, 200});
+  wait(kLongMs);
+  release({300, 200});
+  EXPECT_EQ(ring.count(), 0) << "it is off at first";
+  EXPECT_EQ(strokes(), 1u) << "a dot";
+  set(pen_keys::kLongPress, true);
+  press({300, 200});
+  wait(LongPress::kPressNs / kMs - 100);
+  EXPECT_EQ(ring.count(), 0);
+  tablet(QEvent::TabletMove, {302, 201}, 0.5, Qt::LeftButton);
+  wait(200);
+  ASSERT_EQ(ring.count(), 1) << "a hand is never still";
+  EXPECT_LT(QLineF(ring.takeFirst().at(0).toPointF(), {302, 201}).length(), 1.0);
+  EXPECT_FALSE(input_.hand().is_down());
+  tablet(QEvent::TabletMove, {400, 300}, 0.5, Qt::LeftButton);
+  wait(kLongMs);
+  release({400, 300});
+  EXPECT_EQ(ring.count(), 0) << "once in a touch";
+  EXPECT_EQ(strokes(), 1u) << "neither the dot nor the rest of the touch is ink";
+  tablet_line({100, 100}, {500, 100});
+  wait(kLongMs);
+  release({500, 100});
+  press({300, 200});
+  tablet(QEvent::TabletMove, {310, 200}, 0.5, Qt::LeftButton);
+  wait(30);
+  tablet(QEvent::TabletMove, {300, 200}, 0.5, Qt::LeftButton);
+  wait(kLongMs);
+  release({300, 200});
+  EXPECT_EQ(ring.count(), 0) << "the rest at the end of a line, and after a movement";
+  EXPECT_EQ(strokes(), 3u);
+}
+
+TEST_F(PenInputTest, ARestThatMeansSomethingElseIsNoLongPress) {
+  QSignalSpy ring(&canvas_, &Canvas::ring_pressed);
+  constexpr std::int64_t kLongMs = LongPress::kPressNs / kMs + 100;
+  set(pen_keys::kLongPress, true);
+  const auto rest = [&] {
+    hover({300, 200});
+    tablet(QEvent::TabletPress, {300, 200}, 0.5, Qt::LeftButton, Qt::LeftButton);
+    wait(kLongMs);
+    release({300, 200});
+  };
+  mouse(QEvent::MouseButtonPress, {300, 100}, Qt::LeftButton, Qt::LeftButton);
+  wait(kLongMs);
+  mouse(QEvent::MouseButtonRelease, {300, 100}, Qt::LeftButton, Qt::NoButton);
+  wait(300);
+  EXPECT_EQ(ring.count(), 0) << "the right button of the mouse opens the ring";
+  tap(Qt::Key_Left);
+  tap(Qt::Key_Return);
+  wait(kLongMs);
+  tap(Qt::Key_Return);
+  wait(300);
+  EXPECT_EQ(ring.count(), 0) << "keys move the pen slowly";
+  studio_.apply(SelectTool{"read"});
+  rest();
+  EXPECT_EQ(ring.count(), 0) << "fingers rest while they read";
+  studio_.apply(SelectTool{"pencil"});
+  input_.hand().set_locked(kFirstModifier);
+  rest();
+  EXPECT_EQ(ring.count(), 0) << "a modifier";
+  input_.hand().set_locked(0);
+  rest();
+  EXPECT_EQ(ring.count(), 1);
+}
+
 TEST_F(PenInputTest, ArrowsMoveTheSelectedLines) {
   mouse_line({100, 100}, {500, 100});
   const auto start = [this] { return studio_.session().document().find({1})->position(0); };
@@ -616,7 +690,7 @@ TEST_F(PenInputTest, AFingerDrawsWhereItMay) {
 }
 
 /// A device that moves only in the plane. A user holds it and draws a line to the right.
-class PlanarPen final : public DriverDevice {
+class PlanarPen : public DriverDevice {
  public:
   explicit PlanarPen(const Capabilities& capabilities) {
     descriptor_.label = "Planar";
@@ -679,6 +753,42 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
     EXPECT_EQ(studio_.session().document().stroke_count(), static_cast<std::size_t>(line));
   }
   ASSERT_TRUE(studio_.use_device(QString::fromLatin1(kPenDeviceDefault)));
+  remove_pen_driver(driver);
+}
+
+/// A device whose pen a hand presses against the surface, and moves less than 1 mm.
+class RestingPen final : public PlanarPen {
+ public:
+  using PlanarPen::PlanarPen;
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    const double x_mm = 20.0 + 0.1 * std::sin(1e-7 * static_cast<double>(now_ns));
+    return PenSample{now_ns, {x_mm, 40.0, -0.25}, {}, {}, 0};
+  }
+};
+
+TEST_F(PenInputTest, ThePenOfADeviceMayPressLong) {
+  QSignalSpy ring(&canvas_, &Canvas::ring_pressed);
+  PenDeviceInfo info;
+  info.id = QStringLiteral("resting:1");
+  info.label = info.note = QStringLiteral("Resting");
+  info.capabilities.workspace_min = {0, 0, -1};
+  info.capabilities.workspace_max = {100, 80, 1};
+  const int driver = add_pen_driver(
+      {[info] { return std::vector<PenDeviceInfo>{info}; },
+       [info](const QString&, const DeviceSetup& asked) -> Result<std::unique_ptr<OpenDevice>> {
+         return std::make_unique<OpenDevice>(std::make_unique<RestingPen>(info.capabilities),
+                                             PlaneCalibration(), asked);
+       }});
+  for (const bool on : {false, true}) {
+    set(pen_keys::kLongPress, on);
+    ASSERT_TRUE(studio_.use_device(info.id));
+    wait(LongPress::kPressNs / kMs + 300);
+    EXPECT_EQ(ring.count(), on ? 1 : 0);
+    ASSERT_TRUE(studio_.use_device(QString::fromLatin1(kPenDeviceDefault)));
+    hover({100, 100});
+    wait(300);
+  }
+  EXPECT_EQ(strokes(), 1u) << "the press that opened no ring";
   remove_pen_driver(driver);
 }
 

@@ -34,5 +34,8 @@ inline constexpr auto kTouchDefault = "pan";
 /// A tap with two fingers undoes, one with three fingers redoes.
 inline constexpr auto kTouchTaps = "pens/touch_taps";
 inline constexpr bool kTouchTapsDefault = false;
+/// A pen or finger that rests on the surface after it has touched it opens the ring of tools.
+inline constexpr auto kLongPress = "pens/long_press";
+inline constexpr bool kLongPressDefault = false;
 
 }  // namespace felt::desktop::pen_keys

@@ -44,6 +44,7 @@ PenSettings PenSettings::load() {
   settings.right = button_role(text(kRightButton, kRightButtonDefault));
   settings.touch = touch_mode(text(kTouch, kTouchDefault));
   settings.touch_taps = Settings::the().flag(QString::fromLatin1(kTouchTaps), kTouchTapsDefault);
+  settings.long_press = Settings::the().flag(QString::fromLatin1(kLongPress), kLongPressDefault);
   return settings;
 }
 

@@ -24,6 +24,7 @@ struct PenSettings {
   ButtonRole right = ButtonRole::kEraser;
   TouchMode touch = TouchMode::kPan;
   bool touch_taps = false;  ///< two fingers undo, three redo
+  bool long_press = false;  ///< a press that rests opens the ring (LongPress)
 
   static PenSettings load();
 };

@@ -162,6 +162,16 @@ QCheckBox* PensPage::make_touch_taps() {
   return touch_taps_;
 }
 
+QCheckBox* PensPage::make_long_press() {
+  long_press_ = new QCheckBox(tr("&Hold the pen or finger still to open the ring of tools"));
+  long_press_->setToolTip(
+      tr("Touch and rest for 0.6 seconds, then move in a direction and lift. The dot that you drew "
+         "vanishes."));
+  connect(long_press_, &QCheckBox::toggled, this,
+          [this](bool on) { loads_ ? void() : set(pen_keys::kLongPress, on); });
+  return long_press_;
+}
+
 QWidget* PensPage::make_buttons() {
   using namespace pen_keys;
   auto* group = new QGroupBox(tr("Buttons, mouse and touch"));
@@ -190,6 +200,7 @@ QWidget* PensPage::make_buttons() {
       tr("Two fingers move, zoom and turn the view. While the pen is near, touch is ignored."));
   form->addRow(tr("One f&inger:"), touch);
   form->addRow(make_touch_taps());
+  form->addRow(make_long_press());
   const auto follow_touch = [this, touch] {
     touch_taps_->setEnabled(touch->currentData() != name_of(TouchMode::kOff));
   };
@@ -213,6 +224,7 @@ void PensPage::load() {
   area_->set_settings(settings);
   pressure_on_->setChecked(settings.pressure_on);
   touch_taps_->setChecked(settings.touch_taps);
+  long_press_->setChecked(settings.long_press);
   editor_->set_curve(settings.curve);
   editor_->setEnabled(settings.pressure_on);
   firmness_->setValue(int(std::lround(kSliderSteps * settings.curve.firmness())));

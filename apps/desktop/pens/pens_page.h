@@ -31,6 +31,7 @@ class PensPage : public QWidget {
   QWidget* make_test();
   QWidget* make_buttons();
   QCheckBox* make_touch_taps();
+  QCheckBox* make_long_press();
   QComboBox* make_roles(const char* key, const char* fallback, const QString& name);
   QComboBox* make_choice(const char* key, const QString& name);
   void set_curve(PressureCurve curve);
@@ -40,6 +41,7 @@ class PensPage : public QWidget {
 
   QCheckBox* pressure_on_;
   QCheckBox* touch_taps_;
+  QCheckBox* long_press_;
   PressureCurveEditor* editor_;
   QSlider* firmness_;
   QSlider* threshold_;

@@ -53,8 +53,9 @@ void TabletInput::take(const QTabletEvent& event) {
     }
     return;
   }
+  if (!tip || event.type() == QEvent::TabletPress) ignores_ = false;
   const bool senses = senses_pressure(event);
-  const bool touching = tip && (!senses || settings_.curve.touches(raw));
+  const bool touching = tip && !ignores_ && (!senses || settings_.curve.touches(raw));
   note_pressure(event, touching);
   std::optional<double> pressure;
   if (!settings_.pressure_on) pressure = kFixedPressure;
@@ -102,6 +103,12 @@ void TabletInput::use_button(std::size_t which, bool down, QPointF px) {
     drags_ = true;
     drag_.begin(ViewDrag::Kind::kPan, px);
   }
+}
+
+void TabletInput::cancel() {
+  if (!hand_.is_down(PenHand::Source::kTablet)) return;
+  ignores_ = true;
+  hand_.cancel();
 }
 
 void TabletInput::leave() {

@@ -28,6 +28,8 @@ class TabletInput : public QObject {
   void take(const QTabletEvent& event);
   /// Handles a pen that left the range: its gesture ends as if the pen had been lifted.
   void leave();
+  /// Discards the gesture in progress, and ignores the pen until it is lifted.
+  void cancel();
   /// Treats all side buttons as released and ends a drag of the view. Called when the window is no
   /// longer active.
   void release_all();
@@ -63,6 +65,7 @@ class TabletInput : public QObject {
   bool drags_ = false;                    // true while a side button drags the view
   std::array<ButtonRole, 2> held_roles_;  // roles of the side buttons while they are held
   std::array<bool, 2> held_{};
+  bool ignores_ = false;  // this touch was cancelled
   Pressure pressure_seen_ = Pressure::kNotSeen;
 };
 

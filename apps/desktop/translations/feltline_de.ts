@@ -4958,6 +4958,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>A tap is short, and the fingers do not move.</source>
         <translation>Ein Tippen ist kurz, und die Finger bewegen sich nicht.</translation>
     </message>
+    <message>
+        <source>&amp;Hold the pen or finger still to open the ring of tools</source>
+        <translation>Stift oder Finger still &amp;halten öffnet den Ring der Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Touch and rest for 0.6 seconds, then move in a direction and lift. The dot that you drew vanishes.</source>
+        <translation>0,6 Sekunden aufsetzen und ruhen, dann in eine Richtung bewegen und abheben. Der gezeichnete Punkt verschwindet.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::PictureActions</name>

@@ -4958,6 +4958,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>A tap is short, and the fingers do not move.</source>
         <translation>Een tik is kort, en de vingers bewegen niet.</translation>
     </message>
+    <message>
+        <source>&amp;Hold the pen or finger still to open the ring of tools</source>
+        <translation>Pen of vinger stil&amp;houden opent de ring met gereedschappen</translation>
+    </message>
+    <message>
+        <source>Touch and rest for 0.6 seconds, then move in a direction and lift. The dot that you drew vanishes.</source>
+        <translation>Raak 0,6 seconde aan zonder te bewegen, beweeg dan in een richting en til op. De getekende punt verdwijnt.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::PictureActions</name>

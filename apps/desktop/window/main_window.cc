@@ -219,11 +219,11 @@ void MainWindow::make_panels() {
   files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
   auto* tactile = new TactilePanel(*studio_);
-  add_panel(QStringLiteral("tactile"), tr("Tactile check"), tactile);
+  QDockWidget* dock = add_panel(QStringLiteral("tactile"), tr("Tactile check"), tactile);
   connect(actions_->find(QStringLiteral("view.panel_tactile")), &QAction::toggled, tactile,
-          [this, tactile](bool on) {
+          [this, tactile, dock](bool on) {
             // The marks stay while all panels are hidden.
-            if (hidden_.isEmpty()) tactile->set_on(on);
+            if (!hidden_.contains(dock)) tactile->set_on(on);
           });
   connect(tactile, &TactilePanel::marks_changed, canvas_, &Canvas::set_notes);
   connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);

@@ -24,6 +24,7 @@
 #include "desktop/help/guide_dialog.h"
 #include "desktop/help/shortcut_sheet.h"
 #include "desktop/help/tour_window.h"
+#include "desktop/panels/tactile_panel.h"
 #ifdef FELT_SOLIDS
 #include "desktop/solid/solid_panel.h"
 #endif
@@ -156,6 +157,29 @@ TEST(MainWindow, TheSolidViewIsClosedAtFirstAndFollowsTheDrawingWhenItIsOpened) 
   EXPECT_TRUE(window.actions().find(QStringLiteral("file.export_solid_stl"))->isEnabled());
 }
 #endif
+
+TEST(MainWindow, TheTactileCheckStartsAlsoWhileAllPanelsAreHidden) {
+  const auto window = shown_window();
+  QAction* hide = window->actions().find(QStringLiteral("view.hide_panels"));
+  QAction* open = window->actions().find(QStringLiteral("view.panel_tactile"));
+  auto* tactile = window->findChild<TactilePanel*>();
+  ASSERT_TRUE(tactile);
+  window->studio().open(example_document(QStringLiteral("cat")), Page{});
+  const auto checks = [tactile] {
+    return QTest::qWaitFor(
+        [tactile] { return tactile->is_up_to_date() && !tactile->faults().empty(); }, 20000);
+  };
+  hide->trigger();
+  open->trigger();
+  EXPECT_TRUE(checks()) << "opened while all panels are hidden";
+  QSignalSpy marks(tactile, &TactilePanel::marks_changed);
+  hide->trigger();
+  hide->trigger();
+  EXPECT_EQ(marks.count(), 0) << "the marks stay while all panels are hidden";
+  hide->trigger();
+  open->trigger();
+  EXPECT_EQ(marks.count(), 1) << "it was closed, and the marks are gone";
+}
 
 TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
   MainWindow one(still()), other(still());

@@ -58,6 +58,8 @@ RingMenu::RingMenu(const Actions& actions, Canvas& canvas, const MediaPictures& 
   hide();
   connect(&canvas, &Canvas::ring_wanted, this,
           [this](QPointF px) { open(RingContent::kTools, px, By::kButton); });
+  connect(&canvas, &Canvas::ring_pressed, this,
+          [this](QPointF px) { open(RingContent::kTools, px, By::kPress); });
   connect(&canvas, &Canvas::view_changed, this, &RingMenu::close_ring);
   connect(&studio_, &Studio::opened, this, &RingMenu::close_ring);
   connect(&studio_, &Studio::tool_changed, this, &RingMenu::close_ring);
@@ -69,8 +71,10 @@ void RingMenu::open(RingContent content, QPointF px, By by) {
   content_ = content;
   by_ = by;
   is_held_ = true;
-  keys_chose_ = touches_ = has_pen_ = skips_ = false;
-  is_pressed_ = by == By::kButton && !holds_device();
+  keys_chose_ = skips_ = false;
+  touches_ = by == By::kPress;
+  has_pen_ = touches_ && canvas_.tablet_in_hand();
+  is_pressed_ = by != By::kKey && !holds_device();
   fill();
   place(holds_device() ? canvas_.view().to_px(studio_.pen().hand) : px);
   if (!ring_ || !studio_.session().ring()) {  // a line began meanwhile
@@ -284,7 +288,7 @@ void RingMenu::point(QPointF px, Qt::MouseButtons buttons) {
   }
   const bool released = by_ == By::kButton && is_held_ && !others && !touches;
   if (released) is_held_ = false;
-  const bool lifted = std::exchange(touches_, touches) && !touches;
+  const bool lifted = lifts(touches);
   if (lifted || (released && ring_->chosen())) run();
 }
 
@@ -293,8 +297,15 @@ void RingMenu::follow_device() {
   const PenState& pen = studio_.pen();
   if (!ring_ || !holds_device()) return;
   move_to(pen.hand);
-  const bool touches = in_contact(pen.sample);
-  if (std::exchange(touches_, touches) && !touches) run();
+  if (lifts(in_contact(pen.sample))) run();
+}
+
+/// Returns true if the pen was lifted to choose. The lift of a long press leaves the ring open if
+/// nothing is chosen.
+bool RingMenu::lifts(bool touches) {
+  const bool lifted = std::exchange(touches_, touches) && !touches;
+  const bool of_press = lifted && by_ == By::kPress && std::exchange(is_held_, false);
+  return lifted && (!of_press || ring_->chosen());
 }
 
 /// Updates the choice for a position of the pen.
@@ -353,11 +364,14 @@ bool RingMenu::release_key(const QKeyEvent& event) {
   return true;
 }
 
+/// Chooses a well without the pen. Screen readers say the button that gets the focus.
 void RingMenu::choose(std::size_t well) {
   if (!ring_) return;
   keys_chose_ = true;
+  if (ring_->chosen() == well) return;
   ring_->choose(well);
   update();
+  Q_EMIT studio_.tick_wanted();
 }
 
 /// Tells screen readers the present choice (see ReadingSpeech).
@@ -377,7 +391,7 @@ void RingMenu::run() {
   // A copy, because the choice may open a ring, which replaces the wells.
   if (const auto choose = wells_[*well].choose) return choose();
   open(wells_[*well].opens, px, by_);
-  is_held_ = is_pressed_ = false;
+  is_held_ = is_pressed_ = touches_ = false;
 }
 
 void RingMenu::paintEvent(QPaintEvent* /*event*/) {

@@ -18,23 +18,24 @@ class QToolButton;
 namespace felt::desktop {
 
 /// The rings of tools, media and sizes around the pen (ChoiceRing). A ring opens for
-/// Canvas::ring_wanted, and for the commands of add_ring_menu().
+/// Canvas::ring_wanted and Canvas::ring_pressed, and for the commands of add_ring_menu().
 ///
 /// While it is open, it handles the input of the canvas, and nothing is drawn. With a force
 /// feedback device, the pen feels the wells on the surface (UseRing); other devices
 /// get a tick for each new choice (Studio::tick_wanted).
 ///
 /// The direction from the middle chooses. The choice is carried out when the button or key that
-/// opened the ring is released, by a click or tap, when the pen of a device is lifted, or by
-/// Return; the arrow keys choose, too. A release in the middle leaves the ring open. A click in the
-/// middle, a press outside of the canvas, and Escape close it without a choice. A choice does
-/// exactly what the tool bar or the media picker does, so that a recording contains their events.
+/// opened the ring is released or the pen that pressed is lifted, by a click or tap, when the pen
+/// of a device is lifted, or by Return; the arrow keys choose, too. A release in the middle leaves
+/// the ring open. A click in the middle, a press outside of the canvas, and Escape close it without
+/// a choice. A choice does exactly what the tool bar or the media picker does, so that a recording
+/// contains their events.
 class RingMenu : public QWidget {
   Q_OBJECT
 
  public:
   /// What opened the ring; its release may choose.
-  enum class By : std::uint8_t { kButton, kKey };
+  enum class By : std::uint8_t { kButton, kKey, kPress };
 
   /// The arguments must outlive this object. `actions` must have the commands of the tools.
   RingMenu(const Actions& actions, Canvas& canvas, const MediaPictures& pictures, QWidget* window);
@@ -65,6 +66,7 @@ class RingMenu : public QWidget {
   bool skip_rest_of_press(const QEvent& event);
   void point(QPointF px, Qt::MouseButtons buttons);
   bool take_key(QKeyEvent& event);
+  bool lifts(bool touches);
   bool release_key(const QKeyEvent& event);
   [[nodiscard]] bool holds_device() const;
   void follow_device();
@@ -84,7 +86,7 @@ class RingMenu : public QWidget {
   Point pen_;                       // its last position, mm
   QPointF middle_px_;               // in pixels of this widget
   By by_ = By::kButton;
-  bool is_held_ = false;     // the button or key that opened it has not been released
+  bool is_held_ = false;     // what opened it has not been released
   QElapsedTimer released_;   // since the release of a key chose
   bool keys_chose_ = false;  // the choice stays until the pen moves
   bool touches_ = false;     // the pen touches since the ring is open, or the left button is down

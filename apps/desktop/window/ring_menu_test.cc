@@ -7,12 +7,16 @@
 #include <QPointingDevice>
 #include <QSignalSpy>
 #include <QStatusBar>
+#include <QTabletEvent>
 #include <QTest>
 #include <QToolButton>
 #include <vector>
 
+#include "desktop/engine/settings.h"
 #include "desktop/engine/testing/kept_events.h"
 #include "desktop/engine/tool_size.h"
+#include "desktop/pens/long_press.h"
+#include "desktop/pens/pen_setting_keys.h"
 #include "desktop/testing/accessible_names.h"
 #include "desktop/window/main_window.h"
 #include "felt/base/constants.h"
@@ -48,6 +52,28 @@ class RingMenuTest : public ::testing::Test {
     mouse(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     EXPECT_TRUE(menu().isVisible()) << "the release chooses";
     mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, {});
+  }
+  void tablet(QEvent::Type type, QPointF at, Qt::MouseButtons buttons) {
+    static const auto* pen =
+        new QPointingDevice(QStringLiteral("test pen"), 11, QInputDevice::DeviceType::Stylus,
+                            QPointingDevice::PointerType::Pen,
+                            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure,
+                            1, 3, {}, QPointingDeviceUniqueId::fromNumericId(1), qApp);
+    const bool changes = type != QEvent::TabletMove;
+    QTabletEvent event(type, pen, at, canvas().mapToGlobal(at), buttons ? 0.5 : 0.0, 0, 0, 0, 0, 0,
+                       {}, changes ? Qt::LeftButton : Qt::NoButton, buttons);
+    event.setTimestamp(1000 + static_cast<quint64>(window_.studio().now_ns() / kMs));
+    QApplication::sendEvent(&canvas(), &event);
+    window_.studio().advance(10 * kMs);
+  }
+  /// Presses with a tablet's pen until the ring opens.
+  void press_long() {
+    Settings::the().set(QString::fromLatin1(pen_keys::kLongPress), true);
+    tablet(QEvent::TabletMove, kAt, {});
+    tablet(QEvent::TabletPress, kAt, Qt::LeftButton);
+    window_.studio().advance(LongPress::kPressNs + 50 * kMs);
+    Settings::the().set(QString::fromLatin1(pen_keys::kLongPress), pen_keys::kLongPressDefault);
+    ASSERT_TRUE(menu().isVisible());
   }
   /// Draws a line of 100 pixels to the right of kAt.
   void draw_line() {
@@ -210,6 +236,20 @@ TEST_F(RingMenuTest, SaysAndTicksEachChoice) {
   EXPECT_EQ(ticks.count(), 2);
 }
 
+// A pen that ticks is felt while the other hand chooses by keys.
+TEST_F(RingMenuTest, AChoiceByKeyTicksToo) {
+  QSignalSpy ticks(&window_.studio(), &Studio::tick_wanted);
+  trigger("tool.ring");
+  key(Qt::Key_Right);
+  EXPECT_EQ(ticks.count(), 1);
+  key(Qt::Key_Right);
+  EXPECT_EQ(ticks.count(), 1) << "the same choice";
+  key(Qt::Key_Up);
+  EXPECT_EQ(ticks.count(), 2);
+  key(Qt::Key_Return);
+  EXPECT_EQ(ticks.count(), 2) << "carrying it out is not another choice";
+}
+
 TEST_F(RingMenuTest, OtherThingsCloseIt) {
   const auto open = [this] {
     Q_EMIT canvas().ring_wanted(kAt);
@@ -310,6 +350,55 @@ TEST_F(RingMenuTest, ALineRightAfterAChoiceIsDrawn) {
   mouse(QEvent::MouseButtonRelease, top + QPointF(100, 0), Qt::LeftButton, {});
   studio.advance(300 * kMs);
   EXPECT_EQ(studio.session().document().stroke_count(), 1u);
+}
+
+// The pen touches and rests, moves in a direction, and lifts.
+TEST_F(RingMenuTest, AFlickAfterALongPressChooses) {
+  press_long();
+  tablet(QEvent::TabletMove, kAt + QPointF(30, 0), Qt::LeftButton);
+  tablet(QEvent::TabletMove, kAt + QPointF(70, 5), Qt::LeftButton);
+  EXPECT_EQ(menu().ring()->chosen(), 2u);
+  tablet(QEvent::TabletRelease, kAt + QPointF(70, 5), {});
+  EXPECT_FALSE(menu().isVisible());
+  EXPECT_EQ(tool(), "pull");
+  window_.studio().advance(300 * kMs);
+  EXPECT_EQ(window_.studio().session().document().stroke_count(), 0u);
+  EXPECT_EQ(window_.studio().session().history().undo_count(), 0u);
+}
+
+TEST_F(RingMenuTest, ALongPressThatIsLiftedInTheMiddleLeavesItOpen) {
+  press_long();
+  tablet(QEvent::TabletRelease, kAt, {});
+  ASSERT_TRUE(menu().isVisible());
+  tablet(QEvent::TabletMove, kAt + QPointF(0, 70), {});
+  tablet(QEvent::TabletPress, kAt + QPointF(0, 70), Qt::LeftButton);
+  EXPECT_TRUE(menu().isVisible());
+  tablet(QEvent::TabletRelease, kAt + QPointF(0, 70), {});
+  EXPECT_EQ(tool(), "eraser");
+  press_long();
+  tablet(QEvent::TabletMove, kAt + QPointF(-60, -60), Qt::LeftButton);
+  tablet(QEvent::TabletRelease, kAt + QPointF(-60, -60), {});
+  ASSERT_TRUE(menu().isVisible()) << "the ring of media";
+  tablet(QEvent::TabletMove, kAt + QPointF(-60, 10), {});
+  EXPECT_TRUE(menu().isVisible()) << "only a touch and lift chooses";
+}
+
+TEST_F(RingMenuTest, EscapeDuringALongPressDrawsNothing) {
+  press_long();
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(menu().isVisible());
+  for (int x = 0; x <= 100; x += 5) {
+    tablet(QEvent::TabletMove, kAt + QPointF(x, 0), Qt::LeftButton);
+  }
+  tablet(QEvent::TabletRelease, kAt + QPointF(100, 0), {});
+  window_.studio().advance(300 * kMs);
+  EXPECT_EQ(window_.studio().session().document().stroke_count(), 0u);
+  for (int x = 0; x <= 100; x += 5) {
+    tablet(x == 0 ? QEvent::TabletPress : QEvent::TabletMove, kAt + QPointF(x, 0), Qt::LeftButton);
+  }
+  tablet(QEvent::TabletRelease, kAt + QPointF(100, 0), {});
+  window_.studio().advance(300 * kMs);
+  EXPECT_EQ(window_.studio().session().document().stroke_count(), 1u) << "the next touch draws";
 }
 
 // The pen of a device feels the wells on the surface, and leaves no ink there.

@@ -225,7 +225,9 @@ Broken Episode::run() {
 
 void Episode::one_gesture(int number) {
   where_ = "gesture " + std::to_string(number);
-  if (dice_.chance(0.5)) choose_offer();  // of the last gesture, before anything else happens
+  // What the last gesture offers, before anything else happens.
+  if (dice_.chance(0.5)) choose_offer();
+  if (session_.exact_offer() && dice_.chance(0.5)) make_exact();
   const bool is_meant = dice_.chance(kMeant);
   if (is_meant) {
     mean_something();
@@ -282,7 +284,9 @@ void Episode::between_gestures() {
   if (k < 0.38) return change_layers();
   if (k < 0.42) return change_edges();
   if (k < 0.46) return use_ring();
-  if (k < 0.7) return choose_offer();
+  if (k < 0.66) return choose_offer();
+  if (k < 0.78) return change_guides();
+  if (k < 0.84) return make_exact();
 }
 
 /// Takes the pencil with all its gestures on.
@@ -312,7 +316,7 @@ void Episode::choose_offer() {
 
 /// Interrupts a gesture: undoes, changes the tool or an option, imports, cancels ...
 void Episode::interfere() {
-  switch (dice_.pick(10)) {
+  switch (dice_.pick(12)) {
     case 0:
       return undo_and_redo();
     case 1:
@@ -330,6 +334,10 @@ void Episode::interfere() {
       return choose_offer();
     case 8:
       return use_ring();
+    case 9:
+      return change_guides();
+    case 10:
+      return make_exact();
     case 6: {
       where_ += ", it is finished";
       const Result<void> done = session_.finish();

@@ -24,7 +24,7 @@ struct ToolTotals {
 
 struct Totals {
   std::map<std::string, ToolTotals, std::less<>> tools;
-  std::uint64_t samples = 0, undone = 0, chosen = 0;
+  std::uint64_t samples = 0, undone = 0, chosen = 0, exact = 0;
   std::uint64_t digest = 0xcbf29ce484222325ULL;  ///< FNV-1a hash of the final documents
 };
 
@@ -76,6 +76,8 @@ class Episode {
   void change_layers();
   void change_edges();
   void use_ring();
+  void change_guides();
+  void make_exact();
   void mean_something();
   void choose_offer();
   void back_and_forth();

@@ -24,8 +24,10 @@ namespace {
 
 constexpr int kGesturesInEpisode = 20;
 constexpr unsigned kHangsAfterS = 120;
-/// In so many gestures, some are offered as more than ink, and a choice is made.
+/// In so many gestures with all tools, some are offered as more than ink, and a choice is made.
 constexpr std::uint64_t kGesturesUntilAChoice = 1000;
+/// In so many gestures with all tools, some strokes keep to a guide and are made exact.
+constexpr std::uint64_t kGesturesUntilExact = 2000;
 
 struct Options {
   std::uint64_t gestures = 2000;
@@ -60,13 +62,11 @@ void print(const Options& options, const Totals& totals) {
   }
   std::printf(
       "gesture_fuzz: seed %llu, %llu gestures, %llu samples, %llu edits, %llu undone or redone, "
-      "%llu "
-      "offers chosen: no "
-      "rule broken; digest %016llx\n",
+      "%llu offers chosen, %llu strokes made exact: no rule broken; digest %016llx\n",
       static_cast<unsigned long long>(options.seed), static_cast<unsigned long long>(gestures),
       static_cast<unsigned long long>(totals.samples), static_cast<unsigned long long>(edits),
       static_cast<unsigned long long>(totals.undone),
-      static_cast<unsigned long long>(totals.chosen),
+      static_cast<unsigned long long>(totals.chosen), static_cast<unsigned long long>(totals.exact),
       static_cast<unsigned long long>(totals.digest));
 }
 
@@ -131,6 +131,11 @@ class Fuzz {
     }
     if (options_.gestures >= kGesturesUntilAChoice && !options_.episode && totals_.chosen == 0) {
       std::printf("broken rule: a stroke is offered as more than ink now and then\n");
+      return 1;
+    }
+    if (options_.gestures >= kGesturesUntilExact && !options_.episode && options_.tool.empty() &&
+        totals_.exact == 0) {
+      std::printf("broken rule: a stroke is made exact now and then\n");
       return 1;
     }
     if (const char* tool = idle_tool(totals_)) {

@@ -10,6 +10,7 @@
 
 #include "felt/geometry/rect.h"
 #include "felt/tools/tool.h"
+#include "tests/drawing/gestures/random_guide.h"
 
 namespace felt::gestures {
 namespace {
@@ -30,12 +31,15 @@ class Target {
       }
     }
     if (bounds_.empty()) bounds_ = {0.0, 0.0, 100.0, 100.0};
+    for (const auto& [id, guide] : document.guides()) guides_.push_back(guide);
   }
 
   [[nodiscard]] const Rect& bounds() const { return bounds_; }
   [[nodiscard]] double size_mm() const { return std::max(bounds_.width(), bounds_.height()); }
   /// Returns a random stroke, or null if the drawing has no strokes.
   StrokePtr any_stroke() { return strokes_.empty() ? nullptr : dice_.any(strokes_); }
+  /// Returns a random guide, or null if the drawing has no guides.
+  DrawingGuidePtr any_guide() { return guides_.empty() ? nullptr : dice_.any(guides_); }
   Point anywhere() {
     return {dice_.between(bounds_.x0 - 10.0, bounds_.x1 + 10.0),
             dice_.between(bounds_.y0 - 10.0, bounds_.y1 + 10.0)};
@@ -66,6 +70,7 @@ class Target {
  private:
   Dice& dice_;
   std::vector<StrokePtr> strokes_;
+  std::vector<DrawingGuidePtr> guides_;
   Rect bounds_;
 };
 
@@ -227,6 +232,11 @@ Way held_shape(Dice& dice, Target& target) {
   return way;
 }
 
+Way along_a_guide(Dice& dice, Target& target) {
+  const DrawingGuidePtr guide = target.any_guide();
+  return guide ? path_along(dice, *guide, dice.pick(20, kMaxSamples)) : straight(dice, target);
+}
+
 Way too_fast(Dice& dice, Target& target) {
   const Point a = target.somewhere();
   return line(a, a + (20.0 + target.size_mm()) * dice.direction(), dice.pick(1, 4));
@@ -262,6 +272,9 @@ constexpr std::array kKinds{
     Kind{"to and fro", to_and_fro},
     Kind{"twice around", twice_around},
     Kind{"held shape", held_shape},
+    Kind{"along a guide", along_a_guide},
+    Kind{"along a guide", along_a_guide},
+    Kind{"along a guide", along_a_guide},
     Kind{"fast", too_fast},
     Kind{"far", far_off},
 };
@@ -269,6 +282,7 @@ constexpr std::array kMeantKinds{
     Kind{"to and fro", to_and_fro},
     Kind{"twice around", twice_around},
     Kind{"held shape", held_shape},
+    Kind{"along a guide", along_a_guide},
 };
 
 /// Converts a path into pen samples.

@@ -19,13 +19,14 @@ struct PenGesture {
 };
 
 /// Returns a random gesture on `document`: taps, rests, lines, circles, scribbles, jumps; along
-/// existing strokes, near their ends and corners, or around one or all of them; out and back, too
-/// fast, or far off the page. The samples may have a pressure, changing buttons, or bounces of the
-/// tip.
+/// existing strokes and guides, near their ends and corners, or around one or all of them; out and
+/// back, too fast, or far off the page. The samples may have a pressure, changing buttons, or
+/// bounces of the tip.
 PenGesture random_gesture(Dice& dice, const Document& document, std::int64_t start_ns);
 
 /// Returns a gesture that the pencil may take for more than ink: to and fro over a stroke, twice
-/// around one, or a shape after which the pen rests. The pen is that of a tablet, without faults.
+/// around one, along a guide, or a shape after which the pen rests. The pen is that of a tablet,
+/// without faults.
 PenGesture meant_gesture(Dice& dice, const Document& document, std::int64_t start_ns);
 
 }  // namespace felt::gestures
