@@ -94,9 +94,10 @@ QPixmap LayerThumbnails::paint(const Layer& layer) {
   for (std::size_t i = count - std::min(count, kMaxStrokes); i < count; ++i) {
     strokes.push_back(studio_.session().document().find(layer.strokes[i]));
   }
-  Result<Image> ink = render_page(
-      strokes,
-      {.dpi = scale * kMmPerInch, .area = page.area(), .paper = {255, 255, 255, 0}, .grain = {}});
+  Result<Image> ink = render_page(strokes, {.dpi = scale * kMmPerInch,
+                                            .area = page.area(),
+                                            .paper = {255, 255, 255, 0},
+                                            .grain = Grain::solid(studio_.session().materials())});
   if (ink) {
     const Pixels pixels = ink->pixels();
     painter.drawImage(

@@ -30,6 +30,9 @@ class Spine {
  public:
   /// Largest number of points, unless the row itself has more dabs.
   static constexpr std::size_t kMaxPoints = std::size_t{1} << 14;
+  /// Corners whose directions have a larger scalar product (30 degrees) do not divide a line: a
+  /// fast or shaking hand makes many small ones.
+  static constexpr double kBlunt = 0.866;
 
   /// Replaces the spine. Adjacent points are at most `max_step` widths apart, unless this needs
   /// more than kMaxPoints.
@@ -57,15 +60,21 @@ class Spine {
 
  private:
   void add_dabs(const StyledRow& row, double max_step);
-  void add_points(double side);
+  void measure();
+  void add_points(double side, bool has_marks);
   void add_turn(SpinePoint p, Vec normal, double turn);
 
   std::vector<Dab> dabs_;
   std::vector<bool> is_corner_;  // of dabs_
+  std::vector<double> marks_;    // RowMark::along of dabs_, or -1
+  std::vector<double> alongs_;   // of dabs_
   std::vector<SpinePoint> points_;
   std::vector<double> corners_;
   bool closed_ = false;
 };
+
+/// Returns the length of the line between two dabs, in widths of the line, which change linearly.
+double length_in_widths(const Dab& a, const Dab& b) noexcept;
 
 /// Returns the position at `y` widths to the right of a point of a spine.
 inline Point beside(const SpinePoint& p, double y) noexcept {

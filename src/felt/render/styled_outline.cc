@@ -19,6 +19,8 @@ namespace {
 constexpr double kFineStep = 0.125, kCoarseStep = 4.0;
 /// The fraction of the tolerance for the centre line; the rest is for the edges.
 constexpr double kCenterShare = 0.5;
+/// The tolerance with which lines are measured, in widths.
+constexpr double kMeasureShare = 0.01;
 /// Lines shorter than this many widths have no style.
 constexpr double kShortest = 0.5;
 /// How far the shaft of an arrow reaches into the head, as a share of the head.
@@ -79,6 +81,8 @@ struct StrokeStyler::State {
     }
   };
 
+  void flatten_coarsely(const Stroke& stroke, double tolerance);
+  void set_marks(const Stroke& stroke);
   void flatten_stroke(const Stroke& stroke, double tolerance_mm);
   void make(const StyledRow& row, const StrokeStyle& style, double tolerance, StyledInk& ink);
   [[nodiscard]] bool goes_round() const noexcept;
@@ -89,6 +93,7 @@ struct StrokeStyler::State {
   StylePen pen;
   std::vector<Dab> dabs;
   std::vector<std::size_t> ends, corners;
+  std::vector<RowMark> marks;  // of the ends
   StyleShape head = arrow_head();
   std::list<Kept> kept;         // the one that was used last is the last
   std::size_t kept_points = 0;  // in `kept`
@@ -96,19 +101,45 @@ struct StrokeStyler::State {
   std::size_t made = 0;
 };
 
-/// Sets the dabs of a stroke and their corners. A stroke with very many dabs is flattened coarsely.
-void StrokeStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm) {
-  double tolerance = kCenterShare * tolerance_mm;
+/// Sets the dabs of a stroke. A stroke with very many dabs is flattened coarsely.
+void StrokeStyler::State::flatten_coarsely(const Stroke& stroke, double tolerance) {
   flatten(stroke, 0, stroke.segment_count(), tolerance, dabs, ends);
   for (int i = 0; i < 16 && dabs.size() > Spine::kMaxPoints; ++i) {
     tolerance *= 4.0;
     flatten(stroke, 0, stroke.segment_count(), tolerance, dabs, ends);
   }
+}
+
+/// Measures the segments with a tolerance that depends on the stroke only.
+void StrokeStyler::State::set_marks(const Stroke& stroke) {
+  double width = 0.0;
+  for (const WidthKnot& knot : stroke.widths()) width += knot.width_mm;
+  flatten_coarsely(stroke, kMeasureShare * width / static_cast<double>(stroke.widths().size()));
+  marks.clear();
+  double along = 0.0;
+  std::size_t i = 0;
+  for (const std::size_t end : ends) {
+    for (; i < end; ++i) along += length_in_widths(dabs[i], dabs[i + 1]);
+    marks.push_back({0, along});
+  }
+}
+
+/// Sets the dabs of a stroke, their marks and their corners.
+void StrokeStyler::State::flatten_stroke(const Stroke& stroke, double tolerance_mm) {
+  set_marks(stroke);
+  flatten_coarsely(stroke, kCenterShare * tolerance_mm);
+  for (std::size_t k = 0; k < ends.size(); ++k) marks[k].dab = ends[k];
   corners.clear();
   const int n = stroke.segment_count();
-  if (stroke.closed() && stroke.joint(n) == JointKind::kCorner) corners.push_back(0);
+  const auto is_corner = [&stroke](int before, int after) {
+    return dot(tangent(stroke.segment(before), 1.0), tangent(stroke.segment(after), 0.0)) <
+           Spine::kBlunt;
+  };
+  if (stroke.closed() && stroke.joint(n) == JointKind::kCorner && is_corner(n - 1, 0)) {
+    corners.push_back(0);
+  }
   for (int i = 1; i < n; ++i) {
-    if (stroke.joint(i) == JointKind::kCorner) {
+    if (stroke.joint(i) == JointKind::kCorner && is_corner(i - 1, i)) {
       corners.push_back(ends[static_cast<std::size_t>(i) - 1]);
     }
   }
@@ -212,7 +243,7 @@ const StyledInk& StrokeStyler::ink(const Stroke& stroke, const StrokeStyle& styl
   State::Kept& kept = s.kept.emplace_back(
       State::Kept{d.points, d.widths, d.joints, d.closed, style.how, tolerance_mm, {}});
   s.flatten_stroke(stroke, tolerance_mm);
-  s.make({s.dabs, s.corners, d.closed, false, 1.0}, style, tolerance_mm, kept.ink);
+  s.make({s.dabs, s.corners, d.closed, false, 1.0, s.marks}, style, tolerance_mm, kept.ink);
   s.kept_points += kept.ink.outline.points.size();
   return kept.ink;
 }

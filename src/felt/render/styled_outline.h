@@ -20,6 +20,12 @@ struct StyledInk {
   std::vector<Dab> hatching;
 };
 
+/// The exact position of a dab along its stroke, in widths of the line.
+struct RowMark {
+  std::size_t dab = 0;
+  double along = 0.0;
+};
+
 /// A row of dabs along the centre line of a stroke, for example the ink of a stroke in progress, in
 /// any unit of length.
 struct StyledRow {
@@ -29,6 +35,9 @@ struct StyledRow {
   bool closed = false;
   bool is_mirrored = false;   ///< the row is shown mirrored, so left and right are exchanged
   double units_per_mm = 0.0;  ///< for the hatching; 0 draws none
+  /// Ascending, the last for the last dab. If there are any, the layout of a style does not depend
+  /// on how finely the dabs were made, and `corners` are corners. May be empty.
+  std::span<const RowMark> marks{};
 };
 
 /// Computes the ink of stylised strokes. The screen, pictures and vector files use the same ink.
@@ -48,7 +57,9 @@ struct StyledRow {
 ///
 /// A line shorter than half of its width is drawn as without a style. All results lie within the
 /// plain ink, or inside the line for hatching, and have at most twice kMaxPoints points, because
-/// long patterns are then repeated less often. Equal strokes give equal bytes.
+/// long patterns are then repeated less often. Equal strokes give equal bytes. The positions of
+/// dashes and repeats do not depend on the tolerance, so they are the same at every zoom and in
+/// every file.
 ///
 /// Keeps the ink of the strokes that were used last, because a drawing is painted in many tiles.
 /// Not thread-safe.

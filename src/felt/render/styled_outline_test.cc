@@ -457,6 +457,22 @@ TEST(StyledOutline, WidthScalesTheStyle) {
   }
 }
 
+/// Dashes that moved with each zoom step would flicker, and a file would differ from the screen.
+TEST(StyledOutline, R57_TheLayoutDoesNotDependOnTheTolerance) {
+  StrokeStyler styler;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Stroke stroke = testing::random_stroke(seed);
+    for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kRepeat}) {
+      const StrokeStyle style = style_of({.kind = kind, .length = 0.7, .gap = 0.3});
+      const std::size_t fine = styler.ink(stroke, style, 0.001).outline.contour_count();
+      for (const double tolerance_mm : {0.01, 0.05, 0.2}) {
+        EXPECT_EQ(styler.ink(stroke, style, tolerance_mm).outline.contour_count(), fine)
+            << seed << ' ' << tolerance_mm;
+      }
+    }
+  }
+}
+
 TEST(StyledOutline, DotsHaveNoStyle) {
   const Stroke dot = testing::straight_stroke({0, 0}, {0.9, 0}, 2.0, 2.0);
   for (const StrokeStyle& style : random_styles(1)) {

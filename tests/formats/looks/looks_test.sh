@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # looks_test.sh FELTLINE COMPARE ROOT PROGRAM [FOLDER]
 #
-# Checks that other programs draw our files as we do. PROGRAM is rsvg, inkscape, chromium, pdf or
-# widths. Draws the sketches below with our PNG writer and, from our SVG or PDF, with that program at
+# Checks that other programs draw our files as we do. PROGRAM is rsvg, inkscape, chromium, pdf,
+# shapes or widths. Draws the sketches below with our PNG writer and, from our SVG or PDF, with that program at
 # the same size, and compares the pictures: the mean difference of a channel must be below 1 of 255. With
 # a tolerance of one pixel, no pixel may differ by more than the limit of the program (below).
+# "shapes": Inkscape draws lines with a shape from the effect alone, after their paths were removed.
 # "widths": Inkscape loads and saves our SVG, and we must read our exact strokes from its file.
 # Exits with 77 if the program is not installed. If FOLDER is given, keeps the pictures there.
 set -uo pipefail
@@ -15,9 +16,9 @@ readonly page=254x203.2 width=960 height=768 dpi=96 mean_limit=1.0
 case $program in pdf | chromium) worst_limit=64 ;; rsvg) worst_limit=24 ;; *) worst_limit=40 ;; esac
 
 declare -A commands=([rsvg]=rsvg-convert [inkscape]=inkscape [chromium]=chromium [pdf]=pdftoppm
-                     [widths]=inkscape)
+                     [shapes]=inkscape [widths]=inkscape)
 declare -A debian=([rsvg]=librsvg2-bin [inkscape]=inkscape [chromium]=chromium [pdf]=poppler-utils
-                   [widths]=inkscape)
+                   [shapes]=inkscape [widths]=inkscape)
 if ! command -v "${commands[$program]}" >/dev/null; then
   echo "skipped: ${commands[$program]} is not installed (Debian: ${debian[$program]}; ./dev setup looks)"
   exit 77
@@ -56,6 +57,25 @@ random_strokes() {
     sub(/}$/, ",\"color\":\"" colors[NR % 5 + 1] "\"}"); print }' >random.ndjson
 }
 
+# shape_lines: writes lines with a shape: some shorter than one repeat, a curve and a ring.
+shape_lines() {
+  local medium length middle y
+  stroke() { # MEDIUM SEGMENTS CLOSED
+    echo "{\"closed\":$3,\"segments\":[$2],\"joints\":$4,\"widths\":[[0,3],[$5,3]],\"material\":\"$1\"}"
+  }
+  for medium in rope leaf; do
+    y=$([ $medium = rope ] && echo 10 || echo 100)
+    for length in 2 4 7 20 33 60 200; do
+      middle=$((10 + length / 2))
+      stroke $medium "[10,$y,$middle,$y,$middle,$y,$((10 + length)),$y]" false '[]' 1
+      y=$((y + 7))
+    done
+    stroke $medium "[10,$((y + 8)),40,$((y - 12)),70,$((y + 28)),100,$((y + 8))]" false '[]' 1
+    stroke $medium "[220,$y,220,$((y + 14)),180,$((y + 14)),180,$y],[180,$y,180,$((y - 14)),220,$((y - 14)),220,$y]" \
+      true '["smooth","smooth"]' 2
+  done >shapes.ndjson
+}
+
 draw_ours() { # NAME
   "$feltline" convert "$1.ndjson" -o "$1.svg" --page $page --paper white &&
     "$feltline" convert "$1.ndjson" -o "$1.pdf" --page $page --paper white &&
@@ -68,6 +88,10 @@ draw_theirs() { # NAME
     inkscape)
       inkscape "$1.svg" --export-type=png --export-area-page --export-width=$width \
         --export-filename="$1.theirs.png" >/dev/null 2>inkscape.log || cat inkscape.log >&2 ;;
+    shapes)
+      sed -i -E 's/(<path id="s[0-9]+" )d="[^"]*"/\1d="M0 0L1 1"/' "$1.svg"
+      inkscape "$1.svg" --actions="select-all:all;transform-translate:0.0001,0;export-type:png;export-area-page;\
+export-width:$width;export-filename:$1.theirs.png;export-do" >/dev/null 2>inkscape.log || cat inkscape.log >&2 ;;
     chromium)
       timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir=profile \
         --window-size=$width,$height --screenshot="$work/$1.theirs.png" "file://$work/$1.svg" \
@@ -99,7 +123,10 @@ keep_widths() { # NAME
 random_strokes
 "$feltline" fit "$root/share/samples/cat.ndjson" -o cat.ndjson
 "$feltline" fit "$root/share/samples/handwriting.ndjson" -o handwriting.ndjson
-for name in cat handwriting random; do
+shape_lines
+names="cat handwriting random"
+[ "$program" != shapes ] || names=shapes
+for name in $names; do
   if [ "$program" = widths ]; then keep_widths $name; else compare_pictures $name; fi
 done
 [ -z "$keep" ] || { mkdir -p "$keep" && find . -maxdepth 1 \( -name "*.png" -o -name "*.svg" \) -exec cp {} "$keep" \; ; }

@@ -109,6 +109,35 @@ const tests = {
     assert.ok(is_red(), 'the picture is not painted');
   },
 
+  async 'the autosave keeps a drawing that has only a picture'() {
+    const from = join(folder, 'only-picture.ndjson'), to = join(folder, 'only-picture.felt');
+    writeFileSync(from, JSON.stringify({ t_ms: 0, event: 'picture', png: kPng, matrix: [10, 0, 0, 10, 20, 20] }));
+    assert.equal(spawnSync(feltline, ['replay', from, '-o', to]).status, 0);
+    const core = await make(), other = await make();
+    assert.deepEqual(core.open(readFileSync(to), 'a.felt'), { ok: true });
+    core.rebase();
+    assert.deepEqual(other.restore(core.base(), core.recorded()), { ok: true });
+    same(other.save('felt'), core.save('felt'), 'a picture without lines');
+  },
+
+  async 'a file that is added keeps the media of the drawing'() {
+    const medium = (kind) => `kind = "medium"\nid = "my-line"\n[style]\nkind = "${kind}"\n`;
+    const drawn = (kind) => {
+      const from = join(folder, `${kind}.ndjson`), to = join(folder, `${kind}.felt`);
+      const lines = [{ t_ms: 0, event: 'material', text: medium(kind) }, { t_ms: 1, event: 'option', id: 'pencil.medium', value: 'my-line' },
+        { points: [[10, 10], [60, 30]] }];
+      writeFileSync(from, lines.map((line) => JSON.stringify(line)).join('\n'));
+      assert.equal(spawnSync(feltline, ['replay', from, '-o', to]).status, 0);
+      return readFileSync(to);
+    };
+    const core = await make();
+    assert.deepEqual(core.open(drawn('dashes'), 'dashes.felt'), { ok: true });
+    assert.deepEqual(core.add(drawn('double'), 'double.felt'), { ok: true });
+    const text = Buffer.from(core.save('felt')).toString('latin1');
+    assert.match(text, /kind = "dashes"/);
+    assert.doesNotMatch(text, /kind = "double"/);
+  },
+
   async 'the samples of the native program are read exactly'() {
     const core = await make();
     for (const name of readdirSync(join(root, 'share/samples'))) {

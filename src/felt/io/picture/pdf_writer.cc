@@ -174,7 +174,7 @@ class PdfParts final : public DrawingParts {
   PdfParts(const Drawing& drawing, const PdfOptions& options, const Rect& area,
            PdfPictures pictures)
       : document_(drawing.document),
-        styles_(styles_of(drawing)),
+        styles_(options.grain ? options.grain->grain.styles() : styles_of(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kVisible)),
         options_(options),
         area_(area),

@@ -24,6 +24,7 @@ struct PdfOptions {
   Rgba paper{255, 255, 255, 0};  ///< colour behind the ink; not drawn if alpha is 0
   /// If set, each stroke has a mask with the grain of the surface. The strokes are still written as
   /// outlines.
+  /// Lines then have the styles of its media, otherwise those of the drawing.
   std::optional<GrainPrint> grain{};
   PictureChoice pictures = PictureChoice::kMarked;  ///< the pictures of layers in the file
 };

@@ -20,7 +20,7 @@ class SvgParts final : public DrawingParts {
   SvgParts(const Drawing& drawing, const SvgOptions& options, const Rect& area, std::string head,
            SvgLayers layers)
       : document_(drawing.document),
-        styles_(styles_of(drawing)),
+        styles_(options.grain ? options.grain->grain.styles() : styles_of(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
         pictures_(options.pictures),

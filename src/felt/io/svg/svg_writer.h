@@ -28,6 +28,7 @@ struct SvgOptions {
   std::optional<Rgba> paper{};
   /// If set, each stroke has a mask that shows the grain of the surface. All viewers support such
   /// masks. Lines and outlines do not change, and import_svg reads the same drawing.
+  /// Lines then have the styles of its media, otherwise those of the drawing.
   std::optional<GrainPrint> grain{};
   /// Pictures of layers that the file shows.
   PictureChoice pictures = PictureChoice::kMarked;
