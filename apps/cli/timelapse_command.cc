@@ -21,10 +21,13 @@ struct TimelapseArguments {
   std::string input, output, to, on;
   std::optional<double> seconds;
   int fps = 24;
-  double hold_s = 1.0;
+  std::optional<int> hold;
   std::string size = "1280";
   PictureArguments picture;
 };
+
+constexpr int kMaxHold =
+    static_cast<int>(FilmLength::kMaxSeconds) * FilmOptions::kMaxFramesPerSecond;
 
 constexpr const char* kTimelapseExamples =
     "feltline timelapse drawing.felt -o drawing.webm\n"
@@ -53,10 +56,10 @@ void add_options(CLI::App& command, TimelapseArguments& args) {
       ->capture_default_str();
   command
       .add_option(
-          "--hold", args.hold_s,
-          "How long the finished drawing stays at the end, in s: a part of the film, at most half")
-      ->check(number_between(0.0, FilmLength::kMaxSeconds))
-      ->capture_default_str();
+          "--hold", args.hold,
+          "Frames for which the finished drawing stays at the end (default: those of 1 s): a part\n"
+          "of the film, at most half")
+      ->check(CLI::Range(0, kMaxHold));
   command
       .add_option("--size", args.size,
                   "Size in pixels: WxH, or the longer side; the drawing is in the middle")
@@ -127,7 +130,8 @@ Result<FilmPlan> plan_film(const TimelapseArguments& args, TimelapseFormat forma
   plan.look = *std::move(look);
   TimelapseFilm& film = plan.film;
   film.format = format;
-  film.length = {args.seconds, args.fps, args.hold_s};
+  film.length = {args.seconds, args.fps,
+                 static_cast<double>(args.hold.value_or(args.fps)) / args.fps};
   film.paper = paper_of(plan.look, input.frame, format);
   const bool shows_page = !plan.look.fit && (plan.look.area || input.frame.has_page);
   // Playing the recording takes as long as making the film, so it is only done if needed.

@@ -2,6 +2,7 @@
 // the gestures that simulated people mean are found (README.md).
 //   bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER] [--notes FOLDER]
 //                  [--people N] [--seed N] [--each yes]
+// With --each yes, prints each false gesture, and each intended one that is not found.
 // Exits with 1 if a bar is missed: at most 1 false gesture in 10,000 strokes, at least 95 % found.
 #include <fmt/core.h>
 
@@ -97,7 +98,7 @@ bool check_meant(const Options& options) {
              "found", "first", options.people, options.seed);
   std::size_t drawn = 0, found = 0;
   bool is_met = true;
-  for (const MeantStrokes& m : draw_meant(options.people, options.seed)) {
+  for (const MeantStrokes& m : draw_meant(options.people, options.seed, options.each)) {
     const double n = static_cast<double>(m.drawn);
     const double share = n > 0.0 ? static_cast<double>(m.offered) / n : 0.0;
     fmt::print("{:<12} {:>6} {:>7.1f} % {:>7.1f} %\n",

@@ -1,5 +1,7 @@
 #include "meant_strokes.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +14,7 @@
 #include "felt/haptics/bricks/friction.h"
 #include "felt/haptics/bricks/plane.h"
 #include "felt/haptics/force_memory.h"
+#include "felt/recognise/scratch_out.h"
 #include "felt/session/session.h"
 
 namespace felt::bench {
@@ -172,6 +175,7 @@ class PersonFixture {
       now_ns_ = start_ns + tick_ns + 1'000'000;
       at = on_page(sample.position);
       const bool is_down = in_contact(sample);
+      if (is_down) drawn_.push_back(at);
       const double pressure = 0.45 + 0.05 * std::sin(0.07 * static_cast<double>(i));
       apply(PenEvent{
           {at.x, at.y, is_down ? -0.1 : 6.0}, is_down ? std::optional(pressure) : std::nullopt, 0});
@@ -179,6 +183,13 @@ class PersonFixture {
     lift(at);
   }
   [[nodiscard]] std::optional<OfferView> offered() const { return session_.offered(); }
+  [[nodiscard]] bool is_offered(OfferKind kind) const {
+    const std::optional<OfferView> offer = offered();
+    return offer && std::any_of(offer->rows.begin(), offer->rows.end(),
+                                [kind](const OfferRow& r) { return r.kind == kind; });
+  }
+  /// Returns the samples in contact of draw().
+  [[nodiscard]] const Path& drawn() const noexcept { return drawn_; }
 
  private:
   void lift(Point at) {
@@ -199,11 +210,22 @@ class PersonFixture {
   ForceMemory memory_;
   Session session_{make_tools(), {}};
   std::int64_t now_ns_ = 0;
+  Path drawn_;
 };
+
+void print_missed(OfferKind kind, std::size_t person, double size, const Path& path) {
+  const ScratchFeatures f = ScratchOut::features(path);
+  const bool has_shape = ScratchOut::find(path).has_value();
+  fmt::print(
+      "missed: {} of person {}, size {}: {} passes, along {:.2f}, evenness {:.2f}, "
+      "straightness {:.2f}, overlap {:.2f}, path {:.1f} diagonals{}\n",
+      kOfferKinds[static_cast<std::size_t>(kind)], person, size, f.passes, f.along, f.evenness,
+      f.straightness, f.overlap, f.path_per_diagonal, has_shape ? "; it crosses out" : "");
+}
 
 }  // namespace
 
-std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed) {
+std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed, bool each) {
   std::vector<MeantStrokes> all;
   const std::vector<Person> persons = population(people, seed);
   for (std::size_t k = 1; k < kOfferKinds.size(); ++k) {
@@ -217,11 +239,10 @@ std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed) {
         fixture.draw(meant_path(random, meant.kind, size), is_shape ? kCareful : kQuick, k,
                      is_shape ? kRestS : 0.0);
         ++meant.drawn;
-        const std::optional<OfferView> offer = fixture.offered();
-        if (!offer) continue;
-        meant.first += offer->rows.front().kind == meant.kind;
-        meant.offered += std::any_of(offer->rows.begin(), offer->rows.end(),
-                                     [&](const OfferRow& r) { return r.kind == meant.kind; });
+        const bool is_found = fixture.is_offered(meant.kind);
+        meant.offered += is_found;
+        meant.first += is_found && fixture.offered()->rows.front().kind == meant.kind;
+        if (each && !is_found) print_missed(meant.kind, p, size, fixture.drawn());
       }
     }
     all.push_back(meant);

@@ -17,7 +17,8 @@ struct MeantStrokes {
   std::size_t first = 0;    ///< it was the first one
 };
 
-/// Lets `people` persons of the simulated population make each gesture, in three sizes each.
-std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed);
+/// Lets `people` persons of the simulated population make each gesture, in three sizes each. If
+/// `each`, prints each one that is not found, with the features of a scratch-out.
+std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed, bool each);
 
 }  // namespace felt::bench

@@ -56,6 +56,22 @@ same raw.webm one.webm
 head -c $frame raw.webm >first.rgba
 cmp -s first.rgba last.rgba && fail "the film does not move"
 
+# --hold is a number of frames, as in `feltline inbetween`.
+still_frames() {  # FILE: how many frames at the end are the same
+  python3 -c '
+import sys
+data, size = open(sys.argv[1], "rb").read(), int(sys.argv[2])
+frames = [data[at:at + size] for at in range(0, len(data), size)]
+print(next((n for n, frame in enumerate(reversed(frames)) if frame != frames[-1]), len(frames)))' "$1" $frame
+}
+for hold in 3 9; do
+  run 0 env PATH="$PWD/fake:$PATH" "$feltline" timelapse rec.felt -o hold.webm --seconds 2 --fps 12 --size 594x420 --hold $hold
+  still=$(still_frames hold.webm)
+  [ "$still" -ge $hold ] && [ "$still" -le $((hold + 2)) ] || fail "$still frames with --hold $hold"
+done
+rm hold.webm
+run 2 "$feltline" timelapse rec.felt -o hold.webm --hold 1.5
+
 # A script that a hand draws, a recording as lines, and stdin.
 run 0 env PATH="$PWD/fake:$PATH" "$feltline" timelapse strokes.ndjson -o script.webm --size 160
 printf '%s\n' '{"t_ms":0,"event":"pen","x":5,"y":5,"z":0,"pressure":0.5}' \

@@ -22,12 +22,12 @@ TabletInput::TabletInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const Pe
     : hand_(hand), drag_(drag), studio_(canvas.studio()), settings_(settings), held_roles_{} {}
 
 bool TabletInput::is_near() const {
-  return since_.isValid() && since_.elapsed() < kPalmMs;
+  return last_ns_ && studio_.now_ns() - *last_ns_ < kPalmNs;
 }
 
 void TabletInput::take(const QTabletEvent& event) {
   if (!is_near()) Q_EMIT came();
-  since_.start();
+  last_ns_ = studio_.now_ns();
   const std::int64_t time_ns = clock_.time_ns(event.timestamp(), studio_.now_ns());
   const QPointF px = event.position();
   use_end(event.pointerType() == QPointingDevice::PointerType::Eraser);

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTabletEvent>
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "desktop/pens/device_clock.h"
 #include "desktop/pens/pen_hand.h"
@@ -19,8 +20,8 @@ class TabletInput : public QObject {
   Q_OBJECT
 
  public:
-  /// A touch within kPalmMs after the pen's last event counts as a palm.
-  static constexpr qint64 kPalmMs = 500;
+  /// A touch within kPalmNs after the pen's last event counts as a palm.
+  static constexpr std::int64_t kPalmNs = 500'000'000;
 
   TabletInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
 
@@ -60,7 +61,7 @@ class TabletInput : public QObject {
   Studio& studio_;
   const PenSettings& settings_;
   DeviceClock clock_;
-  QElapsedTimer since_;  // time since the last event
+  std::optional<std::int64_t> last_ns_;  // time of the last event
   bool erasing_ = false;
   bool drags_ = false;                    // true while a side button drags the view
   std::array<ButtonRole, 2> held_roles_;  // roles of the side buttons while they are held

@@ -48,7 +48,8 @@ void TouchInput::take(const QTouchEvent& event, bool pen_is_near) {
   }
   if (event.type() == QEvent::TouchCancel) return cancel();
   if (is_palm_) return;
-  if (const std::optional<int> fingers = tap_.take(event); fingers && *fingers > 1) {
+  const std::int64_t time_ns = clock_.time_ns(event.timestamp(), canvas_.studio().now_ns());
+  if (const std::optional<int> fingers = tap_.take(event, time_ns); fingers && *fingers > 1) {
     if (use_ == Use::kDraw) hand_.cancel();
     use_ = Use::kNothing;
     return tap(*fingers);
@@ -61,15 +62,14 @@ void TouchInput::take(const QTouchEvent& event, bool pen_is_near) {
   const bool draws = settings_.touch == TouchMode::kDraw && down.size() == 1 && use_ != Use::kView;
   if (draws) use_ = Use::kDraw;
   if (use_ == Use::kDraw) {
-    if (!event.points().isEmpty()) draw(event, event.points().constFirst());
+    if (!event.points().isEmpty()) draw(time_ns, event.points().constFirst());
     return;
   }
   if (!down.isEmpty()) use_ = Use::kView;
   if (use_ == Use::kView) move_view(event);
 }
 
-void TouchInput::draw(const QTouchEvent& event, const QEventPoint& finger) {
-  const std::int64_t time_ns = clock_.time_ns(event.timestamp(), canvas_.studio().now_ns());
+void TouchInput::draw(std::int64_t time_ns, const QEventPoint& finger) {
   const bool touching = finger.state() != QEventPoint::Released;
   hand_.point(PenHand::Source::kFinger, finger.position(), time_ns, touching, std::nullopt);
 }

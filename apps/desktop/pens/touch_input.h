@@ -33,13 +33,13 @@ class TouchInput : public QObject {
   enum class Use : std::uint8_t { kNothing, kView, kDraw };
 
   void tap(int fingers);
-  void draw(const QTouchEvent& event, const QEventPoint& finger);
+  void draw(std::int64_t time_ns, const QEventPoint& finger);
   void move_view(const QTouchEvent& event);
 
   Canvas& canvas_;
   PenHand& hand_;
   const PenSettings& settings_;
-  DeviceClock clock_;
+  DeviceClock clock_;  // its times are on the studio's clock, also those of taps
   TouchTap tap_;
   CanvasView view_before_;  // when the touch began
   Use use_ = Use::kNothing;

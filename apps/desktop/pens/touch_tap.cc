@@ -4,10 +4,10 @@
 
 namespace felt::desktop {
 
-std::optional<int> TouchTap::take(const QTouchEvent& event) {
+std::optional<int> TouchTap::take(const QTouchEvent& event, std::int64_t time_ns) {
   if (event.type() == QEvent::TouchBegin) {
     is_tap_ = true;
-    start_ms_ = event.timestamp();
+    start_ns_ = time_ns;
     fingers_.clear();
   }
   if (event.type() == QEvent::TouchCancel) cancel();
@@ -17,7 +17,7 @@ std::optional<int> TouchTap::take(const QTouchEvent& event) {
     const QPointF moved = finger.position() - down->second;
     if (std::hypot(moved.x(), moved.y()) > kMaxMovePx) cancel();
   }
-  if (event.timestamp() > start_ms_ + quint64{kMaxMs}) cancel();
+  if (time_ns - start_ns_ > kMaxNs) cancel();
   if (!is_tap_ || event.type() != QEvent::TouchEnd) return std::nullopt;
   is_tap_ = false;
   return int(fingers_.size());

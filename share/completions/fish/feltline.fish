@@ -37,7 +37,7 @@ complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l to -x -a 'web
 complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l on -r -d 'A drawing that a script begins with'
 complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l seconds -x -d 'Length of the film'
 complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l fps -x -d 'Frames per second'
-complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l hold -x -d 'How long the finished drawing stays'
+complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l hold -x -d 'Frames for which the finished drawing stays'
 complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l size -x -d 'WxH in pixels, or the longer side'
 complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'
 complete -c feltline -n '__fish_seen_subcommand_from timelapse' -l paper -x -d 'Colour behind the ink'

@@ -201,7 +201,9 @@ int ScratchOut::crossings(std::span<const Point> line) const {
 bool ScratchOut::covers(std::span<const Point> line) const {
   const double share = covered_share(line);
   if (share >= kCoveredShare) return true;
-  return share >= kCrossedShare && crossings(line) >= kMinCrossings;
+  if (share < kCrossedShare) return false;
+  const int crossed = crossings(line);
+  return crossed >= kMinCrossings || (share >= kFlatCrossedShare && crossed >= kMinFlatCrossings);
 }
 
 bool ScratchOut::is_about(const Rect& covered) const noexcept {

@@ -35,18 +35,19 @@ class ScratchOut {
   /// From this number of passes on, the limits of single passes are wider, because no letter has so
   /// many: a small scribble of a trembling hand is uneven.
   static constexpr int kSurePasses = 7;
-  static constexpr double kSureEvenness = 0.15, kSureStraightness = 0.75, kSureOverlap = 0.3;
+  static constexpr double kSureEvenness = 0.15, kSureStraightness = 0.65, kSureOverlap = 0.25;
   /// Smallest and largest length of the longest pass, in mm. A shorter scribble is a dot.
   static constexpr double kMinPassMm = 3.0, kMaxPassMm = 150.0;
   /// A line is covered if this share of its length is in the area between the passes.
   static constexpr double kCoveredShare = 0.75;
   /// A line of which less is in the area is covered, too, if this number of passes cross it and
-  /// this share is in the area: a long line that is scribbled over at an angle.
-  static constexpr int kMinCrossings = 4;
-  static constexpr double kCrossedShare = 0.4;
+  /// this share is in the area: a long line that is scribbled over at an angle. At a small angle,
+  /// fewer passes cross it, but more of it is in the area.
+  static constexpr int kMinCrossings = 4, kMinFlatCrossings = 3;
+  static constexpr double kCrossedShare = 0.4, kFlatCrossedShare = 0.55;
   /// The covered lines together reach over at least this share of the length of the area: a user
   /// who shades a face does not cross out an eye.
-  static constexpr double kMinReach = 0.45;
+  static constexpr double kMinReach = 0.4;
   /// Lines this near to the area count as inside.
   static constexpr double kMarginMm = 0.8;
 

@@ -78,6 +78,26 @@ TEST(ScratchOut, CoversALongLineThatMostPassesCross) {
   EXPECT_FALSE(found->covers(beside));
 }
 
+TEST(ScratchOut, CoversALineThatAFlatScribbleCrosses) {
+  const auto found = ScratchOut::find(zigzag(6, 50, 2));  // 50 mm along x, down to 6 mm or so
+  ASSERT_TRUE(found);
+  const Rect box = found->bounds();
+  const double y = 0.5 * (box.y0 + box.y1), half = 0.5 * box.height();
+  // It begins in the middle, leaves the area at its border, and goes on.
+  const auto line = joined({{2, y}, {56, y + 1.35 * half}});
+  EXPECT_LT(found->covered_share(line), ScratchOut::kCoveredShare);
+  EXPECT_GE(found->covered_share(line), ScratchOut::kFlatCrossedShare);
+  EXPECT_EQ(found->crossings(line), ScratchOut::kMinFlatCrossings);
+  EXPECT_TRUE(found->covers(line));
+}
+
+TEST(ScratchOut, ASteepScribbleReachesFartherThanWhatItCrossesOut) {
+  const auto found = ScratchOut::find(zigzag(10, 60, 6));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_about({12, 26, 48, 34})) << "two lines of 36 mm under 60 mm x 60 mm";
+  EXPECT_FALSE(found->is_about({12, 26, 36, 34}));
+}
+
 TEST(ScratchOut, ManyPassesMayBeUneven) {
   // The ends of the passes: the third and fourth are short.
   const std::vector<Point> ends{{0, 0},  {12, 1}, {1, 2},  {12, 3}, {8, 4},

@@ -18,6 +18,7 @@ constexpr int kStalls = 4;
 constexpr double kBetweenStallsS = 6.0;
 constexpr double kHeldS = 0.4;
 constexpr int kTicksAfter = 5;
+constexpr int kTicksOff = 2;  // in which the first reading after a stall must fail
 constexpr double kMinPushedMm = 0.15;
 constexpr double kControlReturns = 0.4;
 constexpr double kLimp = 0.5;
@@ -77,6 +78,23 @@ double sent_after_stall(const Trial& trial) {
     if (since >= 0) ++since;
   }
   return largest;
+}
+
+/// Returns true if the device was off when the loop went on after a stall: reading fails in the
+/// first ticks, always for the same reason, and stays so. A device that fails later worked again
+/// after the stall, so its failure does not show that it was switched off meanwhile.
+bool is_off_after_stall(const Trial& trial) {
+  int since = -1;
+  bool is_off = false;
+  for (const ProbeTick& tick : trial.ticks()) {
+    if (tick.after_stall) since = 0;
+    if (since < 0) continue;
+    const bool fails = tick.read_fault == DeviceFault::kNotCalibrated;
+    if (!fails && (is_off || since >= kTicksOff)) return false;
+    is_off = is_off || fails;
+    ++since;
+  }
+  return is_off;
 }
 
 /// The outcome if the device was switched off during a stall, by itself or by the guard process of
@@ -179,8 +197,8 @@ CheckOutcome check_watchdog(CheckContext& context) {
     if (stalls && trial.trouble().empty()) {
       trial.stall(kStallS);
       trial.pass(0.1);
-      if (trial.fault() == DeviceFault::kNotCalibrated) return switched_off(pushed);
       sent_n = std::max(sent_n, sent_after_stall(trial));
+      if (is_off_after_stall(trial) && sent_n <= kEpsilonN) return switched_off(pushed);
       if (const auto place = after_stall(trial, *axis)) limp.add(there - sign * (*place - rest));
     } else {
       trial.step({});

@@ -47,7 +47,8 @@ class BadDevice final : public Device {
   [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
-    is_off_ = is_off_ || (off_after_ns > 0 && has_read_ && now_ns - last_ns_ > off_after_ns);
+    if (off_after_ns > 0 && has_read_ && now_ns - last_ns_ > off_after_ns) gap_ns_ = now_ns;
+    is_off_ = is_off_ || (gap_ns_ && now_ns - *gap_ns_ >= off_late_ns);
     has_read_ = true;
     last_ns_ = now_ns;
     auto sample = device_.read(now_ns);
@@ -72,6 +73,7 @@ class BadDevice final : public Device {
   std::function<void(PenSample&)> bend_sample;
   std::size_t late_ticks = 0;
   std::int64_t off_after_ns = 0;  // without a read(), it is switched off; 0: never
+  std::int64_t off_late_ns = 0;   // this long after the next read()
   Capabilities& bend_capabilities() { return capabilities_; }
 
  private:
@@ -80,6 +82,7 @@ class BadDevice final : public Device {
   std::deque<Force> waiting_;
   bool is_off_ = false, has_read_ = false;
   std::int64_t last_ns_ = 0;
+  std::optional<std::int64_t> gap_ns_;
 };
 
 struct Setting {
@@ -189,6 +192,20 @@ TEST(ValidatorTest, ADeviceThatIsSwitchedOffWithoutCommandsPasses) {
   EXPECT_EQ(report.checks.back().id, "watchdog");
   EXPECT_EQ(report.checks.back().verdict, Verdict::kPassed);
   EXPECT_THAT(report_text(report), HasSubstr("it was switched off"));
+}
+
+// A device that works after the stall, and fails then, was not switched off meanwhile.
+TEST(ValidatorTest, ADeviceThatFailsAfterTheStallIsNotSwitchedOff) {
+  ValidationOptions options = quick();
+  options.level = 8;
+  const auto plant = [](BadDevice& device) {
+    device.off_after_ns = 50'000'000;
+    device.off_late_ns = 20'000'000;
+  };
+  const ValidationReport report = test({.plant = plant}, options);
+  EXPECT_THAT(ids_with(report, Verdict::kNotPossible), ElementsAre("watchdog"))
+      << report_text(report);
+  EXPECT_THAT(report_text(report), Not(HasSubstr("it was switched off")));
 }
 
 TEST(ValidatorTest, ADeviceThatIgnoresForceIsFound) {
