@@ -10,6 +10,7 @@ namespace felt {
 struct SolidTouch {
   SurfaceProxy proxy{};
   Vec3 pen_mm{};             ///< at the last tick
+  std::int64_t time_ns = 0;  ///< of the last tick
   std::uint32_t number = 0;  ///< SolidSurfaceOptions::number; 0: none
   /// The proxy follows the pen; false until the pen has been in front of the body.
   bool is_outside = false;

@@ -50,11 +50,18 @@ void SolidSurface::change_body(SolidTouch& touch) const noexcept {
   if (touch.is_outside) touch.proxy.reset(place + Vec3{0.0, 0.0, rise_mm});
 }
 
-bool SolidSurface::follow(const Vec3& pen, double friction, SolidTouch& touch) const noexcept {
+bool SolidSurface::follow(const PenSample& sample, double friction,
+                          SolidTouch& touch) const noexcept {
+  const Vec3& pen = sample.position;
   if (!is_finite(pen)) return false;
-  if (touch.number != options_.number) change_body(touch);
-  touch.is_outside = touch.is_outside && norm(pen - touch.pen_mm) <= kLostMm;
+  // Compares instead of subtracting, as Plane does.
+  const bool is_fresh = sample.time_ns >= touch.time_ns &&
+                        sample.time_ns - kGapNs <= touch.time_ns &&
+                        norm(pen - touch.pen_mm) <= kLostMm;
+  touch.is_outside = touch.is_outside && is_fresh;
   touch.pen_mm = pen;
+  touch.time_ns = sample.time_ns;
+  if (touch.number != options_.number) change_body(touch);
   if (!touch.is_outside) {
     if (!is_free_in_front(pen)) return false;
     touch.proxy.reset(pen);
@@ -81,7 +88,7 @@ Force SolidSurface::operator()(const PenSample& sample, ForceMemory& memory) con
   const double cone = along > 0.0 ? mu * across / along : 0.0;
   touch.friction_factor = 1.0;
   Force force;
-  if (follow(sample.position, cone, touch)) {
+  if (follow(sample, cone, touch)) {
     force = across_and_along(sample, across, along, memory);
   } else {
     memory.terms.add("plane", {});

@@ -36,10 +36,10 @@ struct SolidSurfaceOptions {
 ///
 /// There is no force until the pen has been where nothing of the body is between it and the hand,
 /// straight above. So a body that appears around the pen does not throw it out; the user pulls the
-/// pen out of it first. The same holds after a gap in the samples of more than kLostMm. If the body
-/// changes (another `number`) while the pen touches it, the proxy stays or is lifted by up to
-/// kFollowMm onto the new surface; if it would have to be lifted farther, the force ends until the
-/// pen has left the body. Publish a changed body with another fade_id.
+/// pen out of it first. The same holds after a gap in the samples of more than kLostMm or 20 ms. If
+/// the body changes (another `number`) while the pen touches it, the proxy stays or is lifted by up
+/// to kFollowMm onto the new surface; if it would have to be lifted farther, the force ends until
+/// the pen has left the body. Publish a changed body with another fade_id.
 ///
 /// The body must outlive the loop (Servo::oldest_in_use); its triangles are in mm in the frame of
 /// the page. The grain is projected onto the body along z. Do not combine with Plane or Friction.
@@ -47,6 +47,7 @@ class SolidSurface {
  public:
   static constexpr double kLostMm = 4.0;
   static constexpr double kFollowMm = 1.0;
+  static constexpr std::int64_t kGapNs = 20'000'000;
 
   SolidSurface(const TriangleTree& body, const SolidSurfaceOptions& options,
                const Texture& grain = Texture()) noexcept
@@ -61,7 +62,8 @@ class SolidSurface {
  private:
   [[nodiscard]] bool is_free_in_front(const Vec3& point) const noexcept;
   void change_body(SolidTouch& touch) const noexcept;
-  [[nodiscard]] bool follow(const Vec3& pen, double friction, SolidTouch& touch) const noexcept;
+  [[nodiscard]] bool follow(const PenSample& sample, double friction,
+                            SolidTouch& touch) const noexcept;
   [[nodiscard]] Force across_and_along(const PenSample& sample, double across_n_per_mm,
                                        double along_n_per_mm, ForceMemory& memory) const noexcept;
 
