@@ -16,9 +16,11 @@
 
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/geometry/testing/ball.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/snap_well.h"
+#include "felt/haptics/bricks/solid_surface.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/force_model.h"
 #include "felt/rt/null_device.h"
@@ -59,6 +61,17 @@ ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
 
 ForceModel paper_only(const Capabilities& device, std::uint32_t fade_id) {
   ForceModel model(make_surface_force(surface_materials()[0], media()[0], device));
+  model.set_fade_id(fade_id);
+  return model;
+}
+
+// Returns the surface of a body with `around`^2 * 2 triangles below the scribbling hand.
+template <int around>
+ForceModel body(const Capabilities& device, std::uint32_t fade_id) {
+  static const TriangleTree tree(testing::ball({70, 50, -15}, {30, 25, 15.5}, around, around));
+  const SurfaceMaterial& paper = surface_materials()[0];
+  ForceModel model(
+      make_solid_surface(tree, paper, media()[0], device, fade_id, surface_grain(paper)));
   model.set_fade_id(fade_id);
   return model;
 }
@@ -160,6 +173,10 @@ void bench_table(int ticks) {
   row("simulated stylus on paper", paper_only, 0);
   row("everything on", everything, 0);
   row("everything on, another feel every 20 ms", everything, 20);
+  row("touching a body of 5000 triangles", body<50>, 0);
+  row("touching a body of 100,000 triangles", body<224>, 0);
+  row("touching a body of 1,000,000 triangles", body<708>, 0);
+  row("100,000 triangles, another body every 20 ms", body<224>, 20);
   bench_hand_over();
 }
 

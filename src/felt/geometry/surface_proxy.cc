@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "felt/geometry/triangle_tree.h"
+
 namespace felt {
 namespace {
 
@@ -59,6 +61,14 @@ Vec3 held_goal(const Vec3& place, const Vec3& pen, const Planes& planes, double 
   return place + (1.0 - hold / length) * slide;
 }
 
+// The direction in which the planes push the pen back: against the part of its pull that they hold.
+Vec3 push_direction(const Vec3& place, const Vec3& pen, const Planes& planes) noexcept {
+  const Vec3 pull = pen - place;
+  const Vec3 held = free_part(pull, planes) - pull;
+  const double length = norm(held);
+  return length > 0.0 && is_finite(held) ? (1.0 / length) * held : Vec3{};
+}
+
 // The goal, or the point within reach on the way to it.
 Vec3 within_reach(const Vec3& place, const Vec3& goal) {
   const double length = norm(goal - place);
@@ -70,12 +80,14 @@ Vec3 within_reach(const Vec3& place, const Vec3& goal) {
 
 void SurfaceProxy::reset(const Vec3& pen) noexcept {
   place_ = pen;
+  normal_ = {};
   touches_ = false;
 }
 
 Vec3 SurfaceProxy::step(const TriangleTree& body, const Vec3& pen, double friction) noexcept {
   if (!is_finite(pen)) return place_;
   touches_ = false;
+  normal_ = {};
   Vec3 goal = within_reach(place_, pen);
   Planes planes;
   while (is_finite(goal)) {  // a pen may be so far away that its distance overflows
@@ -92,6 +104,7 @@ Vec3 SurfaceProxy::step(const TriangleTree& body, const Vec3& pen, double fricti
     place_ += std::max(0.0, stop) * move;
     if (planes.count == kPlanes) return place_;
     planes.normals[planes.count++] = hit->normal;
+    normal_ = push_direction(place_, pen, planes);
     goal = within_reach(place_, held_goal(place_, pen, planes, friction));
   }
   return place_;

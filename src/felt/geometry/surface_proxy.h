@@ -2,10 +2,11 @@
 
 #include <cstddef>
 
-#include "felt/geometry/triangle_tree.h"
 #include "felt/geometry/vec3.h"
 
 namespace felt {
+
+class TriangleTree;
 
 /// The point of a pen that stays outside a body (god-object: Zilles and Salisbury 1995, DOI
 /// 10.1109/IROS.1995.525876; friction cone: Ruspini, Kolarov, Khatib 1997, DOI
@@ -33,9 +34,14 @@ class SurfaceProxy {
   [[nodiscard]] const Vec3& place() const noexcept { return place_; }
   /// Returns true if a triangle held the proxy back in the last step.
   [[nodiscard]] bool touches() const noexcept { return touches_; }
+  /// Returns the unit normal of the contact: that of the triangle that holds the proxy, or the
+  /// resultant of several. Zero if nothing held the proxy back in the last step, or if the pen is
+  /// not behind what did.
+  [[nodiscard]] const Vec3& normal() const noexcept { return normal_; }
 
  private:
   Vec3 place_{};
+  Vec3 normal_{};
   bool touches_ = false;
 };
 

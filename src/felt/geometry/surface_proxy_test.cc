@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "felt/geometry/triangle_tree.h"
+
 namespace felt::surface_proxy_test {
 namespace {
 

@@ -43,6 +43,9 @@ class TriangleTree {
 
   /// Returns the number of triangles kept.
   [[nodiscard]] std::size_t size() const noexcept { return faces_.size(); }
+  /// Returns the upper corner of the box around the triangles, within 1e-6 mm; zero if there are
+  /// none.
+  [[nodiscard]] Vec3 high() const noexcept { return nodes_.empty() ? Vec3{} : nodes_[0].high; }
 
  private:
   struct Face {

@@ -7,6 +7,7 @@
 
 #include "felt/geometry/point.h"
 #include "felt/haptics/force.h"
+#include "felt/haptics/solid_touch.h"
 
 namespace felt {
 
@@ -127,6 +128,7 @@ struct ForceMemory {
   GuideHold guide;
   ClickState click;
   ShakeBand shake_band;
+  SolidTouch solid;
 
   ForceTerms terms;  ///< parts of the force on this tick
 

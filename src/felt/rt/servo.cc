@@ -121,8 +121,8 @@ void Servo::follow_strength() noexcept {
 void Servo::take_model() noexcept {
   model_waits_ = models_.update() || model_waits_;
   if (!model_waits_) return;
-  const ForceModel& next = models_.get();
-  if (next.fade_id() != current_.fade_id()) {
+  const NumberedModel& next = models_.get();
+  if (next.model.fade_id() != current_.model.fade_id()) {
     // At most two models are evaluated. A third model waits until the first has faded out, so that
     // the force stays continuous and the duration of a tick is bounded.
     if (fade_ < 1.0) return;
@@ -144,14 +144,15 @@ Force Servo::evaluate(PenSample sample) noexcept {
   if (fade_ < 1.0) fade_ = std::min(1.0, fade_ + report_.dt_s / options_.cross_fade_s);
   take_model();  // after fade_ has changed, so that a fade starts with the old force alone
   const bool fading = fade_ < 1.0;
-  const Slopes slopes =
-      fading ? scaled(fade_, current_.slopes()) + scaled(1.0 - fade_, outgoing_.slopes())
-             : current_.slopes();
+  const Slopes slopes = fading ? scaled(fade_, current_.model.slopes()) +
+                                     scaled(1.0 - fade_, outgoing_.model.slopes())
+                               : current_.model.slopes();
   const StiffnessScale scale = chain_.budget(slopes);
-  const Force force = force_of(current_, sample, scale, memory_);
+  const Force force = force_of(current_.model, sample, scale, memory_);
   report_.terms = memory_.terms;
+  report_.solid = memory_.solid;
   if (!fading) return force;
-  return fade_ * force + (1.0 - fade_) * force_of(outgoing_, sample, scale, outgoing_memory_);
+  return fade_ * force + (1.0 - fade_) * force_of(outgoing_.model, sample, scale, outgoing_memory_);
 }
 
 Force Servo::force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
@@ -167,6 +168,7 @@ void Servo::hand_over() noexcept {
   if (force_ring_ && report_.sample_ok) {
     force_ring_->push({report_.sample.time_ns, report_.asked, report_.sent});
   }
+  oldest_in_use_.store(fade_ < 1.0 ? outgoing_.number : current_.number, std::memory_order_release);
   reports_.publish(report_);
 }
 

@@ -29,6 +29,7 @@ struct TickReport {
   ForceTerms terms;       ///< of the current model, before cross-fade and strength
   double strength = 1.0;  ///< master strength on this tick, 0..1 (Servo::set_strength)
   SafetyReport safety;
+  SolidTouch solid;  ///< of the current model, as of the last accepted sample (SolidSurface)
   std::uint32_t ink_cuts = 0;  ///< strokes ended by jumps of the arm since the start (LeapFilter)
 };
 
@@ -83,8 +84,14 @@ class Servo {
   // Call the following functions on the edit thread unless they say otherwise.
   /// Sets the force model, which is used from the next tick on. If two models are still being
   /// cross-faded and the new model has another fade_id than the current one, the new model is used
-  /// when that cross-fade has ended, at most `cross_fade_s` later. Wait-free.
-  void publish(const ForceModel& model) noexcept FELT_NOT_HAPTIC;
+  /// when that cross-fade has ended, at most `cross_fade_s` later. Wait-free. Returns the number of
+  /// the model: 1, 2, ...
+  std::uint64_t publish(const ForceModel& model) noexcept FELT_NOT_HAPTIC;
+  /// Returns the number of the oldest model that a tick may still evaluate. What only models with
+  /// smaller numbers point to may be deleted. Safe to call from any thread.
+  [[nodiscard]] std::uint64_t oldest_in_use() const noexcept {
+    return oldest_in_use_.load(std::memory_order_acquire);
+  }
   /// Reports that the edit thread is alive. Call it at least every 100 ms with the loop's clock.
   void heartbeat(std::int64_t now_ns) noexcept FELT_NOT_HAPTIC;
   /// Enables forces on behalf of the user. Safe to call from any thread.
@@ -144,7 +151,12 @@ class Servo {
   bool is_arm_;
 
   // From the edit thread to the haptic thread.
-  LatestValue<ForceModel> models_;
+  struct NumberedModel {
+    ForceModel model;
+    std::uint64_t number = 0;
+  };
+  LatestValue<NumberedModel> models_;
+  std::uint64_t published_ = 0;  // number of the newest model; of the edit thread
   std::atomic<std::int64_t> heartbeat_ns_{kNever};
   std::atomic<bool> arm_asked_{false};
   std::atomic<bool> disarm_asked_{false};
@@ -155,9 +167,9 @@ class Servo {
   // The haptic thread alone uses these.
   SafetyChain chain_;
   std::unique_ptr<LeapFilter> leaps_;
-  ForceModel current_;
+  NumberedModel current_;
   ForceMemory memory_;
-  ForceModel outgoing_;  // the model that fades out, while fade_ < 1
+  NumberedModel outgoing_;  // the model that fades out, while fade_ < 1
   ForceMemory outgoing_memory_;
   double fade_ = 1.0;         // weight of current_
   bool model_waits_ = false;  // models_.get() has not been applied yet
@@ -167,6 +179,7 @@ class Servo {
   LoopStats stats_;
 
   // From the haptic thread to the edit thread and the autosave.
+  std::atomic<std::uint64_t> oldest_in_use_{0};
   LatestValue<TickReport> reports_;
   Ring edit_ring_;
   Ring autosave_ring_;

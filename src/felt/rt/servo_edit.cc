@@ -31,8 +31,9 @@ Servo::Servo(Device& device, const ServoOptions& options)
 
 Servo::~Servo() = default;
 
-void Servo::publish(const ForceModel& model) noexcept {
-  models_.publish(model);
+std::uint64_t Servo::publish(const ForceModel& model) noexcept {
+  models_.publish({model, ++published_});
+  return published_;
 }
 
 void Servo::heartbeat(std::int64_t now_ns) noexcept {

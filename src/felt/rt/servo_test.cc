@@ -320,6 +320,29 @@ RC_GTEST_PROP(Servo, ChangesOfFeelAreContinuousWheneverTheyCome, ()) {
   RC_ASSERT(loop.run(50).asked.x == newest);
 }
 
+// A body that a model points to may be deleted as soon as a newer model is in use alone.
+TEST(Servo, SaysWhichModelsAreInUse) {
+  ServoOptions options;
+  options.cross_fade_s = 0.005;
+  Loop loop(options);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 0u);
+  EXPECT_EQ(loop.servo->publish(model_of(Constant{}, 1)), 1u);
+  loop.run(20);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 1u);
+  EXPECT_EQ(loop.servo->publish(model_of(Constant{}, 1)), 2u);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 1u) << "no tick has seen the new one";
+  loop.run(1);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 2u) << "the same fade_id replaces it";
+  loop.servo->publish(model_of(Constant{}, 2));
+  loop.run(3);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 2u) << "it fades out";
+  loop.servo->publish(model_of(Constant{}, 3));
+  loop.run(4);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 3u) << "the next fade begins";
+  loop.run(10);
+  EXPECT_EQ(loop.servo->oldest_in_use(), 4u);
+}
+
 TEST(Servo, AFeelThatTakesOverStartsWithTheMemoryOfTheOther) {
   Loop loop;
   loop.servo->publish(model_of(Remembering{0.01}, 1));

@@ -461,5 +461,22 @@ TEST(Inflate, FarFromTheOriginItIsTheSame) {
   EXPECT_EQ(inflated(huge).solid.bodies.size(), 1U);
 }
 
+TEST(Inflate, PageTrianglesFaceOutwardsInTheFrameOfThePage) {
+  SolidDrawing drawing;
+  drawing.polygon({{20, 40}, {60, 40}, {60, 80}, {20, 80}});
+  const Solid solid = inflated(drawing).solid;
+  ASSERT_EQ(solid.bodies.size(), 1U);
+  const std::vector<Triangle3> triangles = page_triangles(solid, 5.0);
+  double volume = 0.0;
+  for (const auto& [a, b, c] : triangles) volume += dot(a, cross(b, c)) / 6.0;
+  EXPECT_NEAR(volume, volume_mm3(solid.bodies[0]), 1e-6 * volume);
+  const TriangleTree tree(triangles);
+  const auto hit = tree.sweep({42, 63, 50}, {42, 63, 0});
+  ASSERT_TRUE(hit);
+  const double height = height_at(solid.bodies[0], {42 - solid.origin.x, solid.origin.y - 63});
+  EXPECT_NEAR(50.0 - 50.0 * hit->t, height - 5.0, 1e-6);
+  EXPECT_GT(hit->normal.z, 0.9);
+}
+
 }  // namespace
 }  // namespace felt::inflate_test

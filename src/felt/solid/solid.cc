@@ -21,10 +21,6 @@ Vec3 restored(const Vec3& p) {
   return {static_cast<double>(s[0]), static_cast<double>(s[1]), static_cast<double>(s[2])};
 }
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 tl::unexpected<Error> broken(const char* what, const Vec3& p, Point origin) {
   char text[160];
   std::snprintf(text, sizeof text, "%s at (%.2f, %.2f) mm", what, origin.x + p.x, origin.y - p.y);
@@ -73,7 +69,7 @@ std::size_t open_point(const SolidBody& body) {
 double volume_mm3(const SolidBody& body) noexcept {
   double six = 0.0;
   for (const auto& [a, b, c] : body.triangles) {
-    six += dot(body.points[a], solid_check::cross(body.points[b], body.points[c]));
+    six += dot(body.points[a], cross(body.points[b], body.points[c]));
   }
   return six / 6.0;
 }
@@ -84,12 +80,26 @@ std::size_t triangle_count(const Solid& solid) noexcept {
   return count;
 }
 
+std::vector<Triangle3> page_triangles(const Solid& solid, double lowered_mm) {
+  std::vector<Triangle3> all;
+  all.reserve(triangle_count(solid));
+  for (const SolidBody& body : solid.bodies) {
+    const auto on_page = [&](std::uint32_t i) {
+      const Vec3& p = body.points[i];
+      return Vec3{solid.origin.x + p.x, solid.origin.y - p.y, p.z - lowered_mm};
+    };
+    for (const SolidBody::Triangle& t : body.triangles) {
+      all.push_back({on_page(t[0]), on_page(t[2]), on_page(t[1])});
+    }
+  }
+  return all;
+}
+
 std::vector<Vec3> point_normals(const SolidBody& body) {
   std::vector<Vec3> normals(body.points.size());
   for (const auto& [a, b, c] : body.triangles) {
     // The length is twice the area, so large triangles count more.
-    const Vec3 n =
-        solid_check::cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
+    const Vec3 n = cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
     for (const std::uint32_t i : {a, b, c}) normals[i] += n;
   }
   for (Vec3& n : normals) {

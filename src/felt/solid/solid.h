@@ -8,6 +8,7 @@
 #include "felt/base/result.h"
 #include "felt/document/id.h"
 #include "felt/geometry/point.h"
+#include "felt/geometry/triangle_tree.h"
 #include "felt/geometry/vec3.h"
 #include "felt/stroke/stroke.h"
 
@@ -40,6 +41,11 @@ double volume_mm3(const SolidBody& body) noexcept;
 
 /// Returns the number of triangles of all bodies.
 std::size_t triangle_count(const Solid& solid) noexcept;
+
+/// Returns the triangles of all bodies in the frame of the page (z = 0 is the plane of the
+/// outlines, y points down), lowered by `lowered_mm`. As that frame is left-handed, the corners are
+/// in the order in which Triangle3 has its front outside the body.
+std::vector<Triangle3> page_triangles(const Solid& solid, double lowered_mm = 0.0);
 
 /// The normals of the smooth surface at the points of a body: unit vectors that point outwards.
 std::vector<Vec3> point_normals(const SolidBody& body);

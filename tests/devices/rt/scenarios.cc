@@ -8,9 +8,11 @@
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/faulty_device.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/geometry/testing/ball.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/snap_well.h"
+#include "felt/haptics/bricks/solid_surface.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/force_model.h"
@@ -121,6 +123,25 @@ class AllBricks final : public Scribble {
   }
 };
 
+// Lets the pen touch bodies of 10^5 triangles. Each is cross-faded into a slightly other one.
+class Bodies final : public Scribble {
+ private:
+  static TriangleTree body(const Vec3& middle, double half_mm) {
+    return TriangleTree(testing::ball({middle.x, middle.y, -half_mm + 1.0},
+                                      {2.0 * half_mm, 2.0 * half_mm, half_mm}, 224, 224));
+  }
+  void feel(int tick) override {
+    if (tick % 130 != 0) return;
+    const auto turn = static_cast<std::uint32_t>(tick / 130);
+    const SurfaceMaterial& paper = surface_materials()[0];
+    publish(make_solid_surface(turn % 2 == 0 ? one_ : other_, paper, media()[0], device(), turn + 1,
+                               surface_grain(paper)),
+            turn + 1);
+  }
+
+  TriangleTree one_ = body(middle(), 20.0), other_ = body(middle(), 20.5);
+};
+
 // Publishes the force of the surface once, without other bricks.
 class Paper : public Scribble {
  public:
@@ -173,6 +194,7 @@ std::vector<Scenario> all_scenarios() {
       {"paper, 4 kHz", true, [] { return std::unique_ptr<Session>(new Paper("omega")); }},
       {"all materials", true, make<AllMaterials>},
       {"all bricks, always fading", true, make<AllBricks>},
+      {"bodies of 10^5 triangles", true, make<Bodies>},
       {"a drawing session, pencil", true, make_drawing_session},
       {"editing, every tool", true, make_editing_session},
       {"edit side hangs", true, make<HungEditSide>},

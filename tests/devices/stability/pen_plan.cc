@@ -78,9 +78,25 @@ double read_pull_n(double way_mm) noexcept {
          read_notch(1.0).force_at_n(way_mm);
 }
 
+// The movement on a body, whose way is an arc from its top.
+Side body_side(Trial trial, double t_s) noexcept {
+  Side side;
+  if (trial == Trial::kSlide) {
+    side.way_mm = kSlowMmPerS * std::max(0.0, t_s - kMoveS);
+    side.slides = smooth(kMoveS, kMoveS + 0.4, t_s);
+  } else {
+    side.way_mm = 8.0 + 22.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+    side.slides = 2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s));
+  }
+  return side;
+}
+
 Side side_of(Trial trial, const GuideLaw& law, double t_s) noexcept {
   Side side;
   switch (trial) {
+    case Trial::kFlank:
+    case Trial::kSlide:
+      return body_side(trial, t_s);
     case Trial::kRest:
     case Trial::kTap:
       break;
@@ -159,6 +175,7 @@ TrialTimes times_of(Trial trial, bool lets_go) noexcept {
       times = {.measure_from_s = 1.8, .measure_until_s = 2.8};
       break;
     case Trial::kSlow:
+    case Trial::kSlide:
       times = {.measure_from_s = 2.2, .measure_until_s = 3.4};
       break;
     case Trial::kTap:
@@ -190,6 +207,14 @@ PlannedPen planned_pen(Trial trial, const PlanGround& ground, double t_s) noexce
   const double push_n = 1e-3 * ground.plane_n_per_m * std::max(0.0, -z);
   const Side side = side_of(trial, ground.guide, t_s);
   PlannedPen planned;
+  if (is_on_body(trial)) {
+    const double angle = side.way_mm / kBodyRadiusMm;
+    const Vec3 out{std::sin(angle), 0.0, std::cos(angle)}, along{out.z, 0.0, -out.x};
+    planned.pen = Vec3{kTrialPlace.x, kTrialPlace.y, -kBodyRadiusMm} + (kBodyRadiusMm + z) * out;
+    const Vec3 load = push_n * out - side.slides * ground.friction * push_n * along;
+    planned.load = {load.x, 0.0, load.z};
+    return planned;
+  }
   planned.pen = {kTrialPlace.x + side.way_mm, kTrialPlace.y, z};
   planned.load = {-side.pull_n - side.slides * ground.friction * push_n, 0.0, push_n};
   return planned;

@@ -14,6 +14,9 @@ inline constexpr double kShakeHz = 5.0;
 /// How much deeper the pen is pressed from its rest and back (Trial::kClick).
 inline constexpr double kClickWayMm = 0.6;
 
+/// Radius of the body (Trial::kFlank, Trial::kSlide).
+inline constexpr double kBodyRadiusMm = 40.0;
+
 /// Times of the phases of a trial, in s since its start.
 struct TrialTimes {
   double measure_from_s = 0.0;  ///< start of the measurement of the high-frequency force

@@ -7,11 +7,13 @@
 #include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/geometry/testing/ball.h"
 #include "felt/haptics/bricks/band_damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/push_clicks.h"
 #include "felt/haptics/bricks/snap_well.h"
+#include "felt/haptics/bricks/solid_surface.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
@@ -105,6 +107,7 @@ Medium scaled_tool(const StabilityCell& cell) {
   if (cell.trial == Trial::kRidge) return scaled_medium(*cell.tool, kFillGlide, kFillGlide);
   if (cell.trial == Trial::kBundle) return scaled_medium(*cell.tool, kGatherGlide, kGatherGlide);
   if (cell.trial == Trial::kEdge || cell.trial == Trial::kClick) return *cell.tool;
+  if (is_on_body(cell.trial)) return *cell.tool;
   if (is_guide_of_drawing(cell.trial)) return guided_medium(*cell.tool);
   return *cell.tool;
 }
@@ -139,6 +142,15 @@ ForceModel click_model(const StabilityCell& cell, const SurfaceForce& surface,
   return ForceModel(Compose(surface, clicks));
 }
 
+// Returns the surface of a ball that touches the page from below at kTrialPlace. It has about as
+// many triangles as the window makes for a drawing.
+ForceModel body_model(const StabilityCell& cell, const Capabilities& device) {
+  constexpr double r = kBodyRadiusMm;
+  static const TriangleTree body(
+      testing::ball({kTrialPlace.x, kTrialPlace.y, -r}, {r, r, r}, 50, 50));
+  return ForceModel(make_solid_surface(body, *cell.surface, *cell.tool, device, 1));
+}
+
 ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
   // Grain is tested at rest only: there it must add no force. It may be felt while the pen moves.
   const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
@@ -165,6 +177,9 @@ ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
       return ring_model(cell, device);
     case Trial::kClick:
       return click_model(cell, surface, device);
+    case Trial::kFlank:
+    case Trial::kSlide:
+      return body_model(cell, device);
     case Trial::kRest:
     case Trial::kSlow:
     case Trial::kTap:
@@ -312,6 +327,10 @@ std::string_view name_of(Trial trial) noexcept {
       return "edge";
     case Trial::kClick:
       return "click";
+    case Trial::kFlank:
+      return "flank";
+    case Trial::kSlide:
+      return "slide";
   }
   return "";
 }

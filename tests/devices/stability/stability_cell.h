@@ -36,17 +36,22 @@ enum class Trial : std::uint8_t {
   kRing,   ///< a well of the ring of tools, without friction; the pen leaves it and comes back
   kEdge,   ///< the ridge at the edge of the page, with the friction of a pencil
   kClick,  ///< rests at a threshold that clicks, presses through another one and comes back
+  kFlank,  ///< rests on the flank of a body, moves to where it is steep and back
+  kSlide,  ///< moves at 20 mm/s over the facets of a body
 };
 /// The trials of guides of a drawing, and others that are made on all devices with one medium.
-inline constexpr Trial kGuideTrials[] = {Trial::kRuler,   Trial::kLine,        Trial::kCompass,
-                                         Trial::kEllipse, Trial::kPerspective, Trial::kRay,
-                                         Trial::kNode,    Trial::kTrace,       Trial::kTeacher,
-                                         Trial::kRing,    Trial::kEdge,        Trial::kClick};
+inline constexpr Trial kGuideTrials[] = {
+    Trial::kRuler, Trial::kLine,  Trial::kCompass, Trial::kEllipse, Trial::kPerspective,
+    Trial::kRay,   Trial::kNode,  Trial::kTrace,   Trial::kTeacher, Trial::kRing,
+    Trial::kEdge,  Trial::kClick, Trial::kFlank,   Trial::kSlide};
 inline constexpr Trial kTrials[] = {Trial::kRest,  Trial::kSlow,  Trial::kTap,   Trial::kWell,
                                     Trial::kEdit,  Trial::kGuide, Trial::kRidge, Trial::kBundle,
                                     Trial::kShake, Trial::kHold,  Trial::kRead};
 constexpr bool is_guide_of_drawing(Trial trial) noexcept {
   return trial >= Trial::kRuler;
+}
+constexpr bool is_on_body(Trial trial) noexcept {
+  return trial == Trial::kFlank || trial == Trial::kSlide;
 }
 std::string_view name_of(Trial trial) noexcept;
 

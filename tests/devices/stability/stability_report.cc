@@ -115,6 +115,8 @@ while such a guide acts. *ruler*: the pen comes from the free side and is pushed
 friction; the pen leaves it and comes back. *edge*: the ridge at the [edge of the
 page](design/forces.md#edges), with the whole friction. *click*: rest at a depth that
 [clicks](design/forces.md#clicks), then press through another one, 0.3 mm deeper, and come back.
+*flank*: rest on the flank of a [body](design/solids.md#touch), a ball of 80 mm with 4,900 triangles,
+then to where it is 43 degrees steep and back. *slide*: 20 mm/s over its facets.
 Paper, pencil, 1 kHz with delays of 0, 1 and 2 ticks, and 5 kHz with 1 tick.
 
 )";

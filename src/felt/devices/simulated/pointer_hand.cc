@@ -50,6 +50,7 @@ void PointerHand::point(const PointerEvent& event) noexcept {
   } else if (event.touching) {
     aim.target_mm.z = -aim_depth_mm(options_, pressure_, speed_mm_per_s_);
   }
+  if (std::isfinite(event.height_mm)) aim.target_mm.z += event.height_mm;
   hand_.aim_at(event.time_ns, aim);
 }
 

@@ -17,6 +17,8 @@ struct PointerEvent {
   std::optional<double> pressure{};  ///< 0..1; only from tablets
   std::uint32_t buttons = 0;
   std::optional<double> tilt_deg{};  ///< tilt from the upright, 0..90; only from some tablets
+  /// Height above the page of what the hand touches there, mm: that of a body.
+  double height_mm = 0.0;
 };
 
 /// The pressure for a pointer that cannot sense it (R18).
