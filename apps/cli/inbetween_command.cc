@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,7 +14,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/io/drawing_parts.h"
 #include "felt/io/svg/svg_animated.h"
-#include "felt/motion/key_film.h"
+#include "felt/motion/key_layers.h"
 #include "felt/motion/stroke_shape.h"
 #include "felt/timelapse/timelapse_film.h"
 #include "format.h"
@@ -33,30 +34,31 @@ struct InbetweenArguments {
   std::string output;
   std::string to;
   std::string matches;
-  std::string ease = "linear";
+  std::optional<std::string> ease;
   std::string lone = "fade";
   std::vector<std::string> pairs;
-  int frames = 12;
-  int hold = 1;
+  std::optional<int> frames;
+  std::optional<int> hold;
   double fps = 24.0;
   bool keys = false;
   PictureArguments picture;
 };
 
 void add_film_options(CLI::App& command, InbetweenArguments& args) {
-  command.add_option("--frames", args.frames, "In-betweens from one key drawing to the next")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
   command
-      .add_option("--ease", args.ease,
-                  "Speed of the motion: linear, ease, ease-in, ease-out, ease-in-out, four\n"
-                  "numbers as of CSS cubic-bezier (0.4,0,0.6,1), or a drawing whose first stroke\n"
-                  "goes from the start (time 0) to the end")
-      ->capture_default_str();
+      .add_option("--frames", args.frames,
+                  "In-betweens from one key drawing to the next; 12, or those of the layers")
+      ->check(CLI::Range(1, 10000));
+  command.add_option(
+      "--ease", args.ease,
+      "Speed of the motion: linear, ease, ease-in, ease-out, ease-in-out, four\n"
+      "numbers as of CSS cubic-bezier (0.4,0,0.6,1), or a drawing whose first stroke\n"
+      "goes from the start (time 0) to the end; linear, or that of the layers");
   command
-      .add_option("--hold", args.hold, "Frames for which an animated .svg shows each key drawing")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+      .add_option("--hold", args.hold,
+                  "Frames for which an animated .svg shows each key drawing; 1, or those of\n"
+                  "the layers")
+      ->check(CLI::Range(1, 10000));
   command.add_option("--fps", args.fps, "Frames a second of an animated .svg")
       ->check(number_between(1.0, 240.0))
       ->capture_default_str();
@@ -66,9 +68,11 @@ void add_film_options(CLI::App& command, InbetweenArguments& args) {
 void add_options(CLI::App& command, InbetweenArguments& args) {
   command
       .add_option("IN", args.inputs,
-                  "Two or more key drawings, in their order. Formats: " + readable_names())
+                  "Two or more key drawings, in their order; or one drawing whose unlocked layers\n"
+                  "are the key drawings, from the bottom up. Formats: " +
+                      readable_names())
       ->required()
-      ->expected(2, 1000);
+      ->expected(1, 1000);
   command
       .add_option(
           "-o,--output", args.output,
@@ -136,8 +140,8 @@ Result<Ease> parse_ease(const std::string& text) {
 /// Makes the film of one command line.
 class FilmMaker {
  public:
-  FilmMaker(const InbetweenArguments& args, FilmOutput output, PictureOptions picture, Ease ease,
-            std::vector<PairArgument> pairs)
+  FilmMaker(const InbetweenArguments& args, FilmOutput output, PictureOptions picture,
+            std::optional<Ease> ease, std::vector<PairArgument> pairs)
       : args_(args),
         output_(std::move(output)),
         picture_(std::move(picture)),
@@ -147,9 +151,14 @@ class FilmMaker {
 
   /// Returns false if a key drawing cannot be read; the console has the reason.
   bool read_keys(Console& console);
+  /// Throws a UsageError if a file that is written is also read, or is written twice.
+  void check_files(Console& console) const;
   Result<void> make();
 
  private:
+  bool add_layers(const Drawing& drawing, Console& console);
+  [[nodiscard]] KeySettings settings(const FilmKey& key) const;
+  [[nodiscard]] std::string name_of_key(std::size_t i) const;
   void find_area();
   [[nodiscard]] Result<void> check_pairs() const;
   Result<void> add_key(std::size_t i, KeyFilm& film);
@@ -160,9 +169,9 @@ class FilmMaker {
   const InbetweenArguments& args_;
   FilmOutput output_;
   PictureOptions picture_;
-  Ease ease_;
+  std::optional<Ease> ease_;  // absent: that of each key drawing
   std::vector<PairArgument> pairs_;
-  std::vector<Drawing> keys_;
+  std::vector<FilmKey> keys_;
   std::optional<Rect> area_;  // if absent, the page is shown
   std::vector<AnimatedPicture> pictures_;
   std::size_t written_ = 0;
@@ -182,9 +191,23 @@ bool FilmMaker::read_keys(Console& console) {
       return false;
     }
     if (!report_notices(input->name(), opened->report, console)) return false;
-    keys_.push_back(std::move(opened->drawing));
+    if (args_.inputs.size() == 1) return add_layers(opened->drawing, console);
+    keys_.push_back({std::move(opened->drawing)});
   }
   return true;
+}
+
+/// Makes the layers of a drawing the key drawings.
+bool FilmMaker::add_layers(const Drawing& drawing, Console& console) {
+  keys_ = film_keys(drawing.document, drawing.page);
+  for (FilmKey& key : keys_) {
+    key.drawing.has_page = drawing.has_page;
+    key.drawing.materials = drawing.materials;
+  }
+  if (keys_.size() >= 2) return true;
+  console.error(input_name(args_.inputs.front()) +
+                ": has fewer than two key drawings: layers with lines that are not locked");
+  return false;
 }
 
 /// All pictures show the same area: the page of the first drawing, or the ink of all.
@@ -193,9 +216,9 @@ void FilmMaker::find_area() {
     area_ = picture_.area;
     return;
   }
-  if (keys_.front().has_page && !picture_.fit) return;
+  if (keys_.front().drawing.has_page && !picture_.fit) return;
   Rect ink;
-  for (const Drawing& key : keys_) ink.extend(ink_bounds(key.document));
+  for (const FilmKey& key : keys_) ink.extend(ink_bounds(key.drawing.document));
   area_ = picture_area(ink, std::nullopt, kFilmMarginMm);
 }
 
@@ -225,16 +248,43 @@ Result<void> FilmMaker::add(Drawing drawing, int frames, bool is_key) {
   return {};
 }
 
+/// Returns the timing of a key drawing, or the options instead.
+KeySettings FilmMaker::settings(const FilmKey& key) const {
+  KeySettings settings = settings_of(key.timing);
+  settings.between = args_.frames.value_or(settings.between);
+  settings.hold = args_.hold.value_or(settings.hold);
+  if (ease_) settings.ease = *ease_;
+  return settings;
+}
+
+std::string FilmMaker::name_of_key(std::size_t i) const {
+  return args_.inputs.size() > 1 ? args_.inputs[i] : keys_[i].drawing.document.layers()[0].name;
+}
+
+/// Adds the pairs of a timing whose strokes the options do not mention.
+void add_other_pairs(std::vector<GivenPair>& given, const std::vector<GivenPair>& of_timing) {
+  const std::size_t count = given.size();
+  for (const GivenPair& pair : of_timing) {
+    const auto is_mentioned = [&pair](const GivenPair& other) {
+      return (pair.from && pair.from == other.from) || (pair.to && pair.to == other.to);
+    };
+    const auto end = given.begin() + static_cast<std::ptrdiff_t>(count);
+    if (std::none_of(given.begin(), end, is_mentioned)) given.push_back(pair);
+  }
+}
+
 /// Adds a key drawing and, unless it is the first one, the step to it.
 Result<void> FilmMaker::add_key(std::size_t i, KeyFilm& film) {
-  if (i == 0) return film.add(keys_[0]);
+  if (i == 0) return film.add(keys_[0].drawing, settings(keys_[0]));
   const std::size_t step = i - 1;
-  const KeyStrokes a = key_strokes(keys_[step].document), b = key_strokes(keys_[i].document);
+  const KeyStrokes a = key_strokes(keys_[step].drawing.document),
+                   b = key_strokes(keys_[i].drawing.document);
   Result<std::vector<GivenPair>> given = pairs_of_step(pairs_, step, a, b);
   if (!given) return tl::unexpected(given.error());
-  if (Result<void> added = film.add(keys_[i], *std::move(given)); !added) {
-    return tl::unexpected(
-        with_context(added.error(), args_.inputs[step] + " to " + args_.inputs[i]));
+  add_other_pairs(*given, given_pairs(keys_[step].timing, a, b));
+  Result<void> added = film.add(keys_[i].drawing, settings(keys_[i]), *std::move(given));
+  if (!added) {
+    return tl::unexpected(with_context(added.error(), name_of_key(step) + " to " + name_of_key(i)));
   }
   table_ += matches_rows(film.correspondence(step), step, a, b);
   return {};
@@ -243,8 +293,8 @@ Result<void> FilmMaker::add_key(std::size_t i, KeyFilm& film) {
 /// Checks the pairs of all steps, so that a wrong one is reported before a file is written.
 Result<void> FilmMaker::check_pairs() const {
   for (std::size_t step = 0; step + 1 < keys_.size(); ++step) {
-    const auto given = pairs_of_step(pairs_, step, key_strokes(keys_[step].document),
-                                     key_strokes(keys_[step + 1].document));
+    const auto given = pairs_of_step(pairs_, step, key_strokes(keys_[step].drawing.document),
+                                     key_strokes(keys_[step + 1].drawing.document));
     if (!given) return tl::unexpected(given.error());
   }
   for (const PairArgument& pair : pairs_) {
@@ -267,7 +317,7 @@ Result<void> FilmMaker::make() {
   }
   find_area();
   const LoneStroke lone = args_.lone == "grow" ? LoneStroke::kGrow : LoneStroke::kFade;
-  KeyFilm film({args_.frames, args_.hold, ease_, lone});
+  KeyFilm film(lone);
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     if (auto ok = add_key(i, film); !ok) return ok;
   }
@@ -281,7 +331,7 @@ Result<void> FilmMaker::make() {
 }
 
 Result<void> FilmMaker::write_film() const {
-  const Drawing& first = keys_.front();
+  const Drawing& first = keys_.front().drawing;
   AnimatedSvgOptions options;
   options.area = area_.value_or(first.page.area());
   if (picture_.paper) options.paper = *picture_.paper;
@@ -292,27 +342,27 @@ Result<void> FilmMaker::write_film() const {
   });
 }
 
-/// Throws a UsageError if a file that is written is also read, or is written twice.
-void check_files(const InbetweenArguments& args, const FilmOutput& output, Console& console) {
-  std::vector<std::string> inputs = args.inputs;
+void FilmMaker::check_files(Console& console) const {
+  std::vector<std::string> inputs = args_.inputs;
   std::error_code ignored;
-  if (!Ease::parse(args.ease) && std::filesystem::exists(args.ease, ignored)) {
-    inputs.push_back(args.ease);
+  if (args_.ease && !Ease::parse(*args_.ease) && std::filesystem::exists(*args_.ease, ignored)) {
+    inputs.push_back(*args_.ease);
   }
-  check_no_overwrite(inputs, {{"-o", output.names ? "" : args.output}, {"--matches", args.matches}},
-                     console);
-  if (!output.names) return;
-  const std::size_t steps = args.inputs.size() - 1;
-  const std::size_t count =
-      steps * static_cast<std::size_t>(args.frames) + (args.keys ? args.inputs.size() : 0);
+  check_no_overwrite(
+      inputs, {{"-o", output_.names ? "" : args_.output}, {"--matches", args_.matches}}, console);
+  if (!output_.names) return;
+  std::size_t count = args_.keys ? keys_.size() : 0;
+  for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
+    count += static_cast<std::size_t>(settings(keys_[i]).between);
+  }
   for (std::size_t number = 1; number <= count; ++number) {
-    const std::string name = output.names->name(number);
+    const std::string name = output_.names->name(number);
     check_no_overwrite(inputs, {{"-o", name}}, console);
-    if (args.matches.empty() || !is_same_file(name, args.matches)) continue;
+    if (args_.matches.empty() || !is_same_file(name, args_.matches)) continue;
     throw UsageError(
         fmt::format("-o {} and --matches {} are the same file; nothing was written. "
                     "Choose different files",
-                    name, args.matches));
+                    name, args_.matches));
   }
 }
 
@@ -321,7 +371,6 @@ void run_inbetween(const InbetweenArguments& args, Console& console) {
     throw UsageError("-o - and --matches - cannot both use stdout");
   }
   FilmOutput output = film_output(args);
-  check_files(args, output, console);
   std::vector<PairArgument> pairs;
   for (const std::string& text : args.pairs) {
     Result<PairArgument> pair = parse_pair(text);
@@ -330,10 +379,15 @@ void run_inbetween(const InbetweenArguments& args, Console& console) {
   }
   Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error());
-  Result<Ease> ease = parse_ease(args.ease);
-  if (!ease) throw UsageError("--ease: " + ease.error().message);
-  FilmMaker film(args, std::move(output), *std::move(picture), *std::move(ease), std::move(pairs));
+  std::optional<Ease> ease;
+  if (args.ease) {
+    Result<Ease> parsed = parse_ease(*args.ease);
+    if (!parsed) throw UsageError("--ease: " + parsed.error().message);
+    ease = *std::move(parsed);
+  }
+  FilmMaker film(args, std::move(output), *std::move(picture), std::move(ease), std::move(pairs));
   if (!film.read_keys(console)) return;
+  film.check_files(console);
   if (const Result<void> made = film.make(); !made) console.error(made.error().message);
 }
 
@@ -348,7 +402,8 @@ void add_inbetween_command(CLI::App& app, Console& console) {
       "feltline inbetween fish-1.svg fish-2.svg -o swim-%03d.svg --frames 12\n"
       "feltline inbetween fish-1.svg fish-2.svg fish-1.svg -o swim.svg --ease ease-in-out\n"
       "feltline inbetween a.felt b.felt -o frames/ --to png --keys --dpi 96\n"
-      "feltline inbetween a.felt b.felt -o ab.svg --pair 3:5 --matches matches.csv"));
+      "feltline inbetween a.felt b.felt -o ab.svg --pair 3:5 --matches matches.csv\n"
+      "feltline inbetween walk.felt -o walk.svg"));
   command->callback([args, &console] { run_inbetween(*args, console); });
 }
 

@@ -66,8 +66,36 @@ if [ -e none.felt ]; then
   has out "3 strokes"
 fi
 
+# The layers of one drawing are key drawings, with the timings and pairs that are in it.
+timed() {
+  cat <<'END'
+{"t_ms":0,"event":"import","path":"a.svg"}
+{"t_ms":0,"event":"layer","do":"add"}
+{"t_ms":0,"event":"import","path":"b.svg"}
+{"t_ms":0,"event":"layer","do":"add"}
+{"t_ms":0,"event":"import","path":"a.svg"}
+{"t_ms":0,"event":"timing","ids":[1],"between":2,"hold":5,"ease":[0.42,0,1,1],"pairs":[[1,6],[3,0]]}
+{"t_ms":0,"event":"timing","ids":[2],"between":4}
+END
+}
+timed >timed.ndjson
+run 0 "$feltline" replay timed.ndjson -o timed.felt
+run 0 "$feltline" inbetween timed.felt -o layers-%d.svg --keys --matches layers.csv
+[ "$(find . -name 'layers-*.svg' | wc -l)" = 9 ] || fail "3 keys and 2 + 4 in-betweens: $(echo layers-*)"
+has layers.csv "1,s1,s6,"
+has layers.csv "1,s3,none,"
+run 0 "$feltline" inbetween timed.felt -o layers.svg --fps 24
+[ "$(grep -c '<animate ' layers.svg)" = 9 ] || fail "$(grep -c '<animate ' layers.svg) pictures"
+has layers.svg 'dur="0.54'
+run 0 "$feltline" inbetween timed.felt -o layers.svg --frames 1 --hold 2 --pair 1:5 --matches layers.csv
+[ "$(grep -c '<animate ' layers.svg)" = 5 ] || fail "options come first: $(grep -c '<animate ' layers.svg) pictures"
+has layers.csv "1,s1,s5,"
+has layers.csv "1,s3,none,"
+run 2 "$feltline" inbetween timed.felt -o timed.felt --to svg
+run 1 "$feltline" inbetween a.svg -o x-%d.svg
+has err "a.svg: has fewer than two key drawings"
+
 # Errors: nothing is written.
-run 2 "$feltline" inbetween a.svg -o x-%d.svg
 run 2 "$feltline" inbetween a.svg b.svg
 run 2 "$feltline" inbetween a.svg b.svg -o x.png
 has err "numbered files"

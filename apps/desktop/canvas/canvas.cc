@@ -76,7 +76,7 @@ Canvas::Canvas(Studio& studio, QWidget* parent)
   pace_.setTimerType(Qt::PreciseTimer);
   connect(&pace_, &QTimer::timeout, this, &Canvas::flush);
   clock_.start();
-  ink_.set_document(studio.session().document());
+  take_document();
   listen();
   take_layers();
   take_look();
@@ -88,12 +88,15 @@ Canvas::~Canvas() = default;
 void Canvas::listen() {
   connect(&studio_, &Studio::edited, this, &Canvas::on_edit);
   connect(&studio_, &Studio::opened, this, [this] {
-    ink_.set_document(studio_.session().document());
+    take_document();
     take_layers();
     take_grain();
     fit_page();
   });
-  connect(&studio_, &Studio::shown, this, &Canvas::refresh_soon);
+  connect(&studio_, &Studio::shown, this, [this] {
+    take_view_of_layers();
+    refresh_soon();
+  });
   connect(&studio_, &Studio::page_changed, this, [this] {
     take_look();
     if (keeps_page_fitted_) fit_page();
@@ -148,7 +151,7 @@ void Canvas::fit_selection() {
 
 void Canvas::fit_ink() {
   Rect all;
-  const Document& document = studio_.session().document();
+  const Document& document = studio_.session().seen();
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) all.extend(document.find(id)->bounds());
@@ -222,10 +225,25 @@ void Canvas::lay_out() {
   update();
 }
 
+/// Shows the document as it is now, without the layers that are out of view.
+void Canvas::take_document() {
+  shown_->out_of_view = studio_.session().out_of_view();
+  ink_.set_document(studio_.session().seen());
+}
+
+/// Returns false if the same layers as before are out of view.
+bool Canvas::take_view_of_layers() {
+  if (shown_->out_of_view == studio_.session().out_of_view()) return false;
+  take_document();
+  take_layers();
+  update();
+  return true;
+}
+
 /// Tells the ink view to put new ink below the ink of the layers above the current one.
 void Canvas::take_layers() {
   const Session& session = studio_.session();
-  const auto& layers = session.document().layers();
+  const auto& layers = session.seen().layers();
   const auto use = std::find_if(layers.begin(), layers.end(),
                                 [&](const Layer& l) { return l.id == session.layer(); });
   const bool is_covered =
@@ -321,7 +339,7 @@ void Canvas::list_marks() {
 
 void Canvas::on_edit(const Edit& edit) {
   Shown& s = *shown_;
-  ink_.apply(edit);
+  if (!take_view_of_layers()) ink_.apply(studio_.session().seen_edit(edit));
   take_layers();
   // The document now contains the strokes of the wet ink. If one of them is so long that the tiles
   // will not show it immediately, the wet ink stays visible as drying ink.

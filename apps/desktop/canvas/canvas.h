@@ -118,6 +118,8 @@ class Canvas : public QWidget {
   void list_marks();
   PenMark pen_mark(const PenState& pen);
   [[nodiscard]] double nib_radius_px(double pull_n) const;
+  void take_document();
+  bool take_view_of_layers();
   void take_layers();
   void take_look();
   void take_status();

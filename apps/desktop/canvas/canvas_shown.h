@@ -3,6 +3,7 @@
 #include <QString>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "desktop/canvas/canvas.h"
 #include "desktop/canvas/desk.h"
@@ -23,7 +24,8 @@ struct Canvas::Shown {
   MarkLook look{Qt::white};
   BandView bands;
   MirroredInkView wet;
-  std::unique_ptr<InkView> onion;  // below the ink; usually null
+  std::unique_ptr<InkView> onion;    // below the ink; usually null
+  std::vector<LayerId> out_of_view;  // the layers that the ink view does not show (UseView)
   Marks marks, next;
   InkBrush brush;
   FirstMinute first_minute;

@@ -32,17 +32,16 @@ struct FilmView::Work {
   std::vector<QImage> ready;  // in the order of the pictures
   QString error;
 
-  void make(std::vector<Drawing> keys, const KeyFilmOptions& options, const PageOptions& page);
+  void make(std::vector<FilmKey> keys, const PageOptions& page);
   void fail_with(const Error& why) {
     const std::lock_guard lock(mutex);
     error = text_of(why);
   }
 };
 
-void FilmView::Work::make(std::vector<Drawing> keys, const KeyFilmOptions& options,
-                          const PageOptions& page) {
-  KeyFilm film(options);
-  for (Drawing& key : keys) {
+void FilmView::Work::make(std::vector<FilmKey> keys, const PageOptions& page) {
+  KeyFilm film;
+  for (FilmKey& key : keys) {
     if (is_cancelled) return;
     if (const Result<void> added = film.add(std::move(key)); !added) {
       return fail_with(added.error());
@@ -78,15 +77,18 @@ FilmView::~FilmView() {
   if (work_) work_->is_cancelled = true;
 }
 
-void FilmView::play(std::vector<Drawing> keys, const KeyFilmOptions& options) {
+void FilmView::play(std::vector<FilmKey> keys) {
   stop();
   pictures_.clear();
-  const std::size_t stride = static_cast<std::size_t>(options.between) + 1;
-  const std::size_t count = (keys.size() - 1) * stride + 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    pictures_.insert(pictures_.end(), i % stride == 0 ? std::size_t(options.hold) : 1, i);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const KeyTiming& timing = keys[k].timing;
+    pictures_.insert(pictures_.end(), std::size_t(timing.hold), count++);
+    if (k + 1 == keys.size()) break;
+    for (int i = 0; i < timing.between; ++i) pictures_.push_back(count++);
   }
-  const Rect area = keys.front().page.area();
+  const Page& shown = keys.front().drawing.page;
+  const Rect area = shown.area();
   const QSizeF room =
       QSizeF(canvas_.size() - QSize(2 * kFilmRoomPx, 2 * kFilmRoomPx)) * devicePixelRatioF();
   double px_per_mm = std::min(room.width() / area.width(), room.height() / area.height());
@@ -95,7 +97,7 @@ void FilmView::play(std::vector<Drawing> keys, const KeyFilmOptions& options) {
   PageOptions page;
   page.dpi = kMmPerInch * std::max(px_per_mm, 0.01);
   page.area = area;
-  page.paper = keys.front().page.paper;
+  page.paper = shown.paper;
   if (page.paper.a < 255) page.paper = {255, 255, 255, 255};
   work_ = std::make_shared<Work>();
   frame_ = 0;
@@ -107,7 +109,7 @@ void FilmView::play(std::vector<Drawing> keys, const KeyFilmOptions& options) {
   raise();
   setFocus();
   QThreadPool::globalInstance()->start(
-      [work = work_, keys = std::move(keys), options, page] { work->make(keys, options, page); });
+      [work = work_, keys = std::move(keys), page] { work->make(keys, page); });
 }
 
 void FilmView::stop() {

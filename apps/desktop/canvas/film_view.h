@@ -28,7 +28,7 @@ class FilmView : public QWidget {
   ~FilmView() override;
 
   /// Starts a film. Requires at least two key drawings with the same page.
-  void play(std::vector<Drawing> keys, const KeyFilmOptions& options);
+  void play(std::vector<FilmKey> keys);
   /// Stops the film and hides the view.
   void stop();
   [[nodiscard]] bool is_playing() const noexcept { return work_ != nullptr; }

@@ -25,8 +25,10 @@ Drawing vertical_line(double x_mm) {
   return drawing;
 }
 
-std::vector<Drawing> two_keys() {
-  return {vertical_line(40.0), vertical_line(250.0)};
+/// Returns two key drawings, with this number of in-betweens.
+std::vector<FilmKey> two_keys(int between = 12) {
+  const KeyTiming timing{.between = between};
+  return {{vertical_line(40.0), timing}, {vertical_line(250.0), timing}};
 }
 
 /// Returns the horizontal position of the dark pixels in the middle row, 0..1; -1 without any.
@@ -44,9 +46,7 @@ double dark_at(const QImage& picture) {
 TEST(FilmView, ShowsTheFramesInTheirOrderAgainAndAgain) {
   Fixture fixture;
   FilmView film(fixture.canvas);
-  KeyFilmOptions options;
-  options.between = 3;
-  film.play(two_keys(), options);
+  film.play(two_keys(3));
   EXPECT_TRUE(film.isVisible());
   EXPECT_EQ(film.geometry(), fixture.canvas.rect());
   ASSERT_TRUE(QTest::qWaitFor([&] { return film.ready() == 5; }, kWaitMs));
@@ -66,14 +66,14 @@ TEST(FilmView, EscapeAClickAndAnEditStopIt) {
   Fixture fixture;
   FilmView film(fixture.canvas);
   QSignalSpy stopped(&film, &FilmView::stopped);
-  film.play(two_keys(), {});
+  film.play(two_keys());
   QTest::keyClick(&film, Qt::Key_Escape);
   EXPECT_FALSE(film.is_playing());
   EXPECT_FALSE(film.isVisible());
-  film.play(two_keys(), {});
+  film.play(two_keys());
   QTest::mouseClick(&film, Qt::LeftButton);
   EXPECT_FALSE(film.is_playing());
-  film.play(two_keys(), {});
+  film.play(two_keys());
   QTest::keyClick(&film, Qt::Key_P);
   EXPECT_TRUE(film.is_playing());
   fixture.draw({{50, 50}, {90, 50}});
@@ -86,9 +86,9 @@ TEST(FilmView, AFilmThatCannotBeMadeSaysWhy) {
   Fixture fixture;
   FilmView film(fixture.canvas);
   QSignalSpy stopped(&film, &FilmView::stopped);
-  std::vector<Drawing> keys = two_keys();
-  keys.front().page.width_mm = std::numeric_limits<double>::quiet_NaN();
-  film.play(std::move(keys), {});
+  std::vector<FilmKey> keys = two_keys();
+  keys.front().drawing.page.width_mm = std::numeric_limits<double>::quiet_NaN();
+  film.play(std::move(keys));
   ASSERT_TRUE(stopped.count() > 0 || stopped.wait(kWaitMs));
   EXPECT_NE(stopped.front().front().toString(), QString());
   EXPECT_FALSE(film.is_playing());

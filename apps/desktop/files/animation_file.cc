@@ -71,15 +71,15 @@ Result<void> make_animation(const QString& path, const AnimationRequest& request
     return fail(ErrorCode::kInvalidArgument,
                 name + ": a film needs two key drawings: layers with lines that are not locked");
   }
-  KeyFilm film(request.film);
-  for (const Drawing& key : request.keys) {
+  KeyFilm film;
+  for (const FilmKey& key : request.keys) {
     if (progress.is_cancelled) return fail(ErrorCode::kIo, name + ": cancelled");
     if (const Result<void> added = film.add(key); !added) {
       return tl::unexpected(with_context(added.error(), name));
     }
   }
   progress.all = static_cast<std::int64_t>(film.size());
-  const Page& page = request.keys.front().page;
+  const Page& page = request.keys.front().drawing.page;
   if (request.format == AnimationFormat::kAnimatedSvg) {
     return write_animated_svg(name, film, page, progress);
   }

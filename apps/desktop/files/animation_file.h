@@ -17,8 +17,7 @@ enum class AnimationFormat {
 
 /// A film of key drawings that the user asks for.
 struct AnimationRequest {
-  std::vector<Drawing> keys;  ///< with the same page, which the film shows
-  KeyFilmOptions film{};
+  std::vector<FilmKey> keys;  ///< with the same page, which the film shows
   AnimationFormat format = AnimationFormat::kAnimatedSvg;
   int longer_px = 1280;  ///< the longer side of a .png
 };

@@ -11,6 +11,7 @@
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
+#include "felt/store/felt_file.h"
 
 namespace felt::desktop::animation_file_test {
 namespace {
@@ -19,9 +20,8 @@ struct AnimationFixture : StudioFixture {
   AnimationFixture() {
     for (int i = 0; i < 2; ++i) {
       draw(1, 2);
-      request.keys.push_back(files->drawing());
+      request.keys.push_back({files->drawing(), {.between = 2}});
     }
-    request.film.between = 2;
   }
   [[nodiscard]] QStringList written() const {
     return QDir(folder.path()).entryList(QDir::Files, QDir::Name);
@@ -44,7 +44,7 @@ TEST(Animation, NumberedFilesHaveTheKeyDrawingsAndTheDrawingsBetween) {
   fixture.request.format = AnimationFormat::kSvgFiles;
   ASSERT_TRUE(make_animation(fixture.at("swim.svg"), fixture.request, fixture.progress));
   EXPECT_EQ(read_drawing(fixture.at("swim-001.svg")).value().document.stroke_count(),
-            fixture.request.keys[0].document.stroke_count());
+            fixture.request.keys[0].drawing.document.stroke_count());
 }
 
 TEST(Animation, NoFileIsOverwrittenAndNothingStaysOfACancelledFilm) {
@@ -63,7 +63,7 @@ TEST(Animation, NoFileIsOverwrittenAndNothingStaysOfACancelledFilm) {
 
 TEST(Animation, AnAnimatedSvgPlaysEveryFrame) {
   AnimationFixture fixture;
-  fixture.request.film.hold = 6;
+  for (FilmKey& key : fixture.request.keys) key.timing.hold = 6;
   ASSERT_TRUE(make_animation(fixture.at("swim.svg"), fixture.request, fixture.progress));
   const std::string svg = read_file(fixture.at("swim.svg").toStdString(), 1 << 26).value();
   EXPECT_NE(svg.find("<animate"), std::string::npos);
@@ -72,6 +72,16 @@ TEST(Animation, AnAnimatedSvgPlaysEveryFrame) {
   const auto refused = make_animation(fixture.at("one.svg"), fixture.request, fixture.progress);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("two key drawings"), std::string::npos);
+}
+
+TEST(Animation, AFileIsTheSameWhileLayersAreOutOfViewForTheOnionSkin) {
+  AnimationFixture fixture;
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
+  fixture.draw(1, 2);
+  const std::string before = felt_bytes(fixture.files->drawing()).value();
+  fixture.studio.apply(UseView{{{1}}});
+  ASSERT_FALSE(fixture.studio.session().seen().layer({1})->visible);
+  EXPECT_EQ(felt_bytes(fixture.files->drawing()).value(), before);
 }
 
 TEST(Animation, TheDialogOffersTheSizeOfPicturesOnly) {

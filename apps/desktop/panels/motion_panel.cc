@@ -14,28 +14,30 @@
 #include <array>
 #include <utility>
 
-#include "desktop/engine/settings.h"
 #include "desktop/engine/text_of.h"
-#include "desktop/panels/key_layers.h"
-#include "desktop/panels/panel_setting_keys.h"
+#include "desktop/panels/onion_skin.h"
+#include "felt/motion/key_layers.h"
 
 namespace felt::desktop {
 namespace {
 
 using Do = LayerEvent::Do;
 
-constexpr int kMaxBetween = 1000;
 constexpr double kFramesPerSecond = 24.0;
 constexpr int kOnionDelayMs = 60;
 
-QSpinBox* frames_box(int least, const char* key, int fallback, QWidget* parent) {
+QSpinBox* frames_box(int least, int most, QWidget* parent) {
   auto* box = new QSpinBox(parent);
-  box->setRange(least, kMaxBetween);
-  const QString name = QString::fromLatin1(key);
-  box->setValue(static_cast<int>(Settings::the().number(name, fallback)));
-  QObject::connect(box, &QSpinBox::valueChanged, parent,
-                   [name](int value) { Settings::the().set(name, value); });
+  box->setRange(least, most);
+  box->setKeyboardTracking(false);  // a number is one change, not each of its digits
   return box;
+}
+
+/// Shows a number without a signal, unless it is shown already: a number that is being typed stays.
+void show_number(QSpinBox& box, int number) {
+  if (box.value() == number) return;
+  const QSignalBlocker quiet(box);
+  box.setValue(number);
 }
 
 }  // namespace
@@ -44,25 +46,24 @@ MotionPanel::MotionPanel(Studio& studio, Actions& actions, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       list_(new QListWidget(this)),
-      between_(frames_box(0, panel_keys::kMotionBetween, panel_keys::kMotionBetweenDefault, this)),
-      hold_(frames_box(1, panel_keys::kMotionHold, 1, this)),
+      between_(frames_box(0, KeyTiming::kMaxBetween, this)),
+      hold_(frames_box(1, KeyTiming::kMaxHold, this)),
       ease_(new QComboBox(this)),
       length_(new QLabel(this)) {
   add_actions(actions);
   build(actions);
   onion_delay_.setSingleShot(true);
   onion_delay_.setInterval(kOnionDelayMs);
-  connect(&onion_delay_, &QTimer::timeout, this, &MotionPanel::send_onion);
+  connect(&onion_delay_, &QTimer::timeout, this, &MotionPanel::show_onion);
   connect(&studio_, &Studio::edited, this, &MotionPanel::on_edit);
   connect(&studio_, &Studio::opened, this,
           [this, onion = actions.find(QStringLiteral("view.onion_skin"))] {
-            hidden_.clear();
             onion->setChecked(false);
             show_keys();
           });
   connect(&studio_, &Studio::layer_changed, this, [this] {
     show_keys();
-    if (is_onion_on_) send_onion();
+    if (is_onion_on_) onion_delay_.start();
   });
   show_keys();
 }
@@ -70,9 +71,15 @@ MotionPanel::MotionPanel(Studio& studio, Actions& actions, QWidget* parent)
 void MotionPanel::add_actions(Actions& actions) {
   actions.add(QStringLiteral("layer.add_key"), tr("Add &key drawing"), {},
               tr("Adds a layer for the next key drawing"), [this] { add_key(); });
+  actions.add(QStringLiteral("layer.same_timing"), tr("Same &timing for all key drawings"), {},
+              tr("Gives the in-betweens, hold and speed of this key drawing to all"),
+              [this] { use_timing_for_all(); });
   actions.add_switch(QStringLiteral("view.onion_skin"), tr("&Onion skin"), {},
                      tr("The key drawings before and after the current one shine through"), false,
                      [this](bool on) { set_onion(on); });
+  actions.add_switch(QStringLiteral("view.correct_matches"), tr("Correct &matches"), {},
+                     tr("Shows which line becomes which, and lets you draw from line to line"),
+                     false, [this](bool on) { Q_EMIT wants_matches(on); });
   actions.add(QStringLiteral("view.play"), tr("&Play the motion"), {},
               tr("Plays the key drawings and the drawings between them; Esc stops"),
               [this] { Q_EMIT wants_play(); });
@@ -87,28 +94,28 @@ void MotionPanel::build(const Actions& actions) {
   list_->setToolTip(
       tr("Each layer with lines that is not locked is a key drawing, from the bottom "
          "up"));
-  add_ease(tr("Even"), "linear");
-  add_ease(tr("Starts slowly"), "ease-in");
-  add_ease(tr("Ends slowly"), "ease-out");
-  add_ease(tr("Starts and ends slowly"), "ease-in-out");
-  const QString ease_key = QString::fromLatin1(panel_keys::kMotionEase);
-  ease_->setCurrentIndex(std::max(0, ease_->findData(Settings::the().text(ease_key))));
-  connect(ease_, &QComboBox::currentIndexChanged, this,
-          [this, ease_key] { Settings::the().set(ease_key, ease_->currentData()); });
+  add_ease(tr("Even"), {});
+  add_ease(tr("Starts slowly"), {0.42, 0.0, 1.0, 1.0});
+  add_ease(tr("Ends slowly"), {0.0, 0.0, 0.58, 1.0});
+  add_ease(tr("Starts and ends slowly"), {0.42, 0.0, 0.58, 1.0});
   length_->setWordWrap(true);
+  length_->setObjectName(QStringLiteral("length"));
   auto* form = new QFormLayout;
   form->setContentsMargins(8, 6, 8, 2);
-  between_->setToolTip(tr("The number of drawings from one key drawing to the next"));
-  hold_->setToolTip(tr("For how many frames each key drawing is shown"));
+  between_->setToolTip(tr("The number of drawings from this key drawing to the next"));
+  hold_->setToolTip(tr("For how many frames this key drawing is shown"));
+  ease_->setToolTip(tr("The speed from this key drawing to the next"));
   form->addRow(tr("In-&betweens:"), between_);
   form->addRow(tr("&Hold:"), hold_);
   form->addRow(tr("&Speed:"), ease_);
   form->addRow(length_);
   auto* grid = new QGridLayout;
   grid->setContentsMargins(6, 2, 6, 6);
-  const std::array<std::pair<const char*, QString>, 4> buttons{
+  const std::array<std::pair<const char*, QString>, 6> buttons{
       {{"layer.add_key", tr("New key")},
+       {"layer.same_timing", tr("Same for all")},
        {"view.onion_skin", tr("Onion skin")},
+       {"view.correct_matches", tr("Matches")},
        {"view.play", tr("Play")},
        {"file.animation", tr("Export…")}}};
   int at = 0;
@@ -126,68 +133,72 @@ void MotionPanel::build(const Actions& actions) {
   lines->addWidget(list_, 1);
   lines->addLayout(form);
   lines->addLayout(grid);
-  connect(between_, &QSpinBox::valueChanged, this, &MotionPanel::show_length);
-  connect(hold_, &QSpinBox::valueChanged, this, &MotionPanel::show_length);
+  const auto change = [this](TimingEvent event) {
+    event.layers = {studio_.session().layer()};
+    studio_.apply(std::move(event));
+    show_timing();  // a change during a gesture has no effect
+  };
+  connect(between_, &QSpinBox::valueChanged, this,
+          [change](int frames) { change({.between = frames}); });
+  connect(hold_, &QSpinBox::valueChanged, this, [change](int frames) { change({.hold = frames}); });
+  connect(ease_, &QComboBox::activated, this, [this, change](int item) {
+    if (item >= 0 && std::size_t(item) < eases_.size()) change({.ease = eases_[std::size_t(item)]});
+  });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row >= 0 && std::size_t(row) < keys_.size()) choose(keys_[std::size_t(row)]);
   });
 }
 
-void MotionPanel::add_ease(const QString& name, const char* ease) {
-  ease_->addItem(name, QString::fromLatin1(ease));
+void MotionPanel::add_ease(const QString& name, const EaseCurve& ease) {
+  ease_->addItem(name);
+  eases_.push_back(ease);
 }
 
-KeyFilmOptions MotionPanel::options() const {
-  KeyFilmOptions options;
-  options.between = between_->value();
-  options.hold = hold_->value();
-  const std::string ease = ease_->currentData().toString().toStdString();
-  if (Result<Ease> parsed = Ease::parse(ease)) options.ease = *std::move(parsed);
-  return options;
+KeyTiming MotionPanel::timing() const {
+  const Layer* layer = studio_.session().document().layer(studio_.session().layer());
+  return timing_or_default(layer ? layer->timing : nullptr);
+}
+
+void MotionPanel::use_timing_for_all() {
+  const KeyTiming timing = this->timing();
+  if (!keys_.empty()) {
+    studio_.apply(TimingEvent{keys_, timing.between, timing.hold, timing.ease, std::nullopt});
+  }
 }
 
 void MotionPanel::choose(LayerId key) {
   const Layer* layer = studio_.session().document().layer(key);
   if (!layer || key == studio_.session().layer()) return;
   if (!layer->visible && !studio_.apply(LayerEvent{Do::kShow, key})) return;
-  std::erase(hidden_, key);
-  if (!studio_.apply(LayerEvent{Do::kUse, key})) return;
-  if (is_onion_on_) hide_others();
+  if (studio_.apply(LayerEvent{Do::kUse, key}) && is_onion_on_) show_onion();
 }
 
 void MotionPanel::add_key() {
-  if (studio_.apply(LayerEvent{Do::kAdd, {}}) && is_onion_on_) hide_others();
-}
-
-/// Hides all key drawings but the current layer.
-void MotionPanel::hide_others() {
-  const LayerId current = studio_.session().layer();
-  for (const LayerId key : key_layers(studio_.session().document())) {
-    if (key == current || !studio_.session().document().layer(key)->visible) continue;
-    if (studio_.apply(LayerEvent{Do::kHide, key})) hidden_.push_back(key);
-  }
+  const KeyTiming timing = this->timing();
+  if (!studio_.apply(LayerEvent{Do::kAdd, {}})) return;
+  if (is_onion_on_) show_onion();
+  const LayerId added = studio_.session().layer();
+  studio_.apply(TimingEvent{{added}, timing.between, timing.hold, timing.ease, std::nullopt});
 }
 
 void MotionPanel::set_onion(bool on) {
-  if (std::exchange(is_onion_on_, on) == on) return;
-  if (on) {
-    hide_others();
-  } else {
-    for (const LayerId key : std::exchange(hidden_, {})) {
-      const Layer* layer = studio_.session().document().layer(key);
-      if (layer && !layer->visible) studio_.apply(LayerEvent{Do::kShow, key});
-    }
-  }
-  send_onion();
+  if (std::exchange(is_onion_on_, on) != on) show_onion();
 }
 
-void MotionPanel::send_onion() {
+/// Shows only the current key drawing, and the onion skin of its neighbours; or all layers.
+void MotionPanel::show_onion() {
   onion_delay_.stop();
+  const Session& session = studio_.session();
+  std::vector<LayerId> others;
+  if (is_onion_on_) others = key_layers(session.document());
+  std::erase(others, session.layer());
+  std::sort(others.begin(), others.end());
+  if (others != session.out_of_view()) studio_.apply(UseView{std::move(others)});
   if (!is_onion_on_) {
     Q_EMIT onion_changed(std::nullopt);
     return;
   }
-  Q_EMIT onion_changed(onion_skin(studio_.session().document(), studio_.session().layer()));
+  Q_EMIT onion_changed(onion_skin(session.document(), session.layer()));
 }
 
 void MotionPanel::on_edit(const Edit& edit) {
@@ -219,20 +230,34 @@ void MotionPanel::show_keys() {
     if (keys_[i] == studio_.session().layer()) current = row;
   }
   list_->setCurrentRow(current);
+  show_timing();
   show_length();
 }
 
+void MotionPanel::show_timing() {
+  const KeyTiming timing = this->timing();
+  show_number(*between_, timing.between);
+  show_number(*hold_, timing.hold);
+  const auto found = std::find(eases_.begin(), eases_.end(), timing.ease);
+  const int item = static_cast<int>(found - eases_.begin());
+  const bool is_listed = found != eases_.end();
+  const int listed = static_cast<int>(eases_.size());
+  if (ease_->count() > listed && is_listed) ease_->removeItem(listed);
+  if (ease_->count() == listed && !is_listed) ease_->addItem(tr("Another curve"));
+  ease_->setCurrentIndex(item);
+}
+
 void MotionPanel::show_length() {
-  const int keys = static_cast<int>(keys_.size());
-  if (keys < 2) {
+  if (keys_.size() < 2) {
     length_->setText(tr("Draw the second key drawing on a layer of its own."));
     return;
   }
-  const int frames = keys * hold_->value() + (keys - 1) * between_->value();
+  const auto frames = static_cast<qlonglong>(film_frames(studio_.session().document()));
   const QLocale locale;
   length_->setText(
       tr("%1 frames, %2 s")
-          .arg(locale.toString(frames), locale.toString(frames / kFramesPerSecond, 'f', 1)));
+          .arg(locale.toString(frames),
+               locale.toString(static_cast<double>(frames) / kFramesPerSecond, 'f', 1)));
 }
 
 }  // namespace felt::desktop

@@ -14,9 +14,5 @@ inline constexpr const char* kPalette = "panels/palette";
 inline constexpr const char* kTactileEmbossed = "panels/tactile_embossed";
 /// The film of key drawings: in-betweens, frames of each key drawing, and the name of its speed in
 /// CSS, such as "ease-in".
-inline constexpr const char* kMotionBetween = "panels/motion_between";
-inline constexpr int kMotionBetweenDefault = 12;
-inline constexpr const char* kMotionHold = "panels/motion_hold";
-inline constexpr const char* kMotionEase = "panels/motion_ease";
 
 }  // namespace felt::desktop::panel_keys

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>felt::desktop::MatchView</name>
+    <message>
+        <source>Matches of two key drawings</source>
+        <translation>Zuordnungen zweier Schlüsselzeichnungen</translation>
+    </message>
+    <message>
+        <source>Drag from a line to the line that it becomes in the next key drawing. Click a line without a partner. Esc ends.</source>
+        <translation>Ziehen Sie von einer Linie zu der Linie, die in der nächsten Schlüsselzeichnung aus ihr wird. Klicken Sie eine Linie ohne Gegenstück an. Esc beendet.</translation>
+    </message>
+</context>
+<context>
     <name>AddedStrokes</name>
     <message>
         <source>“%1” differs here: the added strokes look as it does in this drawing</source>
@@ -2249,6 +2260,26 @@
     <message>
         <source>Pinch</source>
         <translation>Zusammenziehen</translation>
+    </message>
+    <message>
+        <source>Motion timing</source>
+        <translation>Zeitplan der Bewegung</translation>
+    </message>
+    <message>
+        <source>Correct matches</source>
+        <translation>Zuordnungen berichtigen</translation>
+    </message>
+    <message>
+        <source>Edit the body</source>
+        <translation>Körper bearbeiten</translation>
+    </message>
+    <message>
+        <source>Remove edit of the body</source>
+        <translation>Bearbeitung des Körpers entfernen</translation>
+    </message>
+    <message>
+        <source>Remove edits of the body</source>
+        <translation>Bearbeitungen des Körpers entfernen</translation>
     </message>
 </context>
 <context>
@@ -7827,6 +7858,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Export animation</source>
         <translation>Animation exportieren</translation>
     </message>
+    <message>
+        <source>Choose a key drawing that has a next one to correct its matches.</source>
+        <translation>Wählen Sie eine Schlüsselzeichnung, auf die eine weitere folgt, um ihre Zuordnungen zu berichtigen.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AnimationDialog</name>
@@ -7933,14 +7968,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Beginnt und endet langsam</translation>
     </message>
     <message>
-        <source>The number of drawings from one key drawing to the next</source>
-        <translation>Die Zahl der Zeichnungen von einer Schlüsselzeichnung zur nächsten</translation>
-    </message>
-    <message>
-        <source>For how many frames each key drawing is shown</source>
-        <translation>Wie viele Bilder lang jede Schlüsselzeichnung gezeigt wird</translation>
-    </message>
-    <message>
         <source>In-&amp;betweens:</source>
         <translation>&amp;Zwischenzeichnungen:</translation>
     </message>
@@ -7979,6 +8006,46 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>%1 frames, %2 s</source>
         <translation>%1 Bilder, %2 s</translation>
+    </message>
+    <message>
+        <source>Same &amp;timing for all key drawings</source>
+        <translation>Gleicher &amp;Zeitplan für alle Schlüsselzeichnungen</translation>
+    </message>
+    <message>
+        <source>Gives the in-betweens, hold and speed of this key drawing to all</source>
+        <translation>Gibt allen die Zwischenzeichnungen, das Halten und das Tempo dieser Schlüsselzeichnung</translation>
+    </message>
+    <message>
+        <source>Correct &amp;matches</source>
+        <translation>Zuordnungen &amp;berichtigen</translation>
+    </message>
+    <message>
+        <source>Shows which line becomes which, and lets you draw from line to line</source>
+        <translation>Zeigt, welche Linie zu welcher wird, und lässt Sie von Linie zu Linie ziehen</translation>
+    </message>
+    <message>
+        <source>The number of drawings from this key drawing to the next</source>
+        <translation>Die Zahl der Zeichnungen von dieser Schlüsselzeichnung zur nächsten</translation>
+    </message>
+    <message>
+        <source>For how many frames this key drawing is shown</source>
+        <translation>Wie viele Bilder lang diese Schlüsselzeichnung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The speed from this key drawing to the next</source>
+        <translation>Das Tempo von dieser Schlüsselzeichnung zur nächsten</translation>
+    </message>
+    <message>
+        <source>Same for all</source>
+        <translation>Gleich für alle</translation>
+    </message>
+    <message>
+        <source>Matches</source>
+        <translation>Zuordnungen</translation>
+    </message>
+    <message>
+        <source>Another curve</source>
+        <translation>Andere Kurve</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nl_NL" sourcelanguage="en">
 <context>
+    <name>felt::desktop::MatchView</name>
+    <message>
+        <source>Matches of two key drawings</source>
+        <translation>Koppelingen van twee sleuteltekeningen</translation>
+    </message>
+    <message>
+        <source>Drag from a line to the line that it becomes in the next key drawing. Click a line without a partner. Esc ends.</source>
+        <translation>Sleep van een lijn naar de lijn die zij in de volgende sleuteltekening wordt. Klik op een lijn zonder tegenhanger. Esc stopt.</translation>
+    </message>
+</context>
+<context>
     <name>AddedStrokes</name>
     <message>
         <source>“%1” differs here: the added strokes look as it does in this drawing</source>
@@ -2249,6 +2260,26 @@
     <message>
         <source>Pinch</source>
         <translation>Samenknijpen</translation>
+    </message>
+    <message>
+        <source>Motion timing</source>
+        <translation>Timing van de beweging</translation>
+    </message>
+    <message>
+        <source>Correct matches</source>
+        <translation>Koppelingen corrigeren</translation>
+    </message>
+    <message>
+        <source>Edit the body</source>
+        <translation>Lichaam bewerken</translation>
+    </message>
+    <message>
+        <source>Remove edit of the body</source>
+        <translation>Bewerking van het lichaam verwijderen</translation>
+    </message>
+    <message>
+        <source>Remove edits of the body</source>
+        <translation>Bewerkingen van het lichaam verwijderen</translation>
     </message>
 </context>
 <context>
@@ -7827,6 +7858,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Export animation</source>
         <translation>Animatie exporteren</translation>
     </message>
+    <message>
+        <source>Choose a key drawing that has a next one to correct its matches.</source>
+        <translation>Kies een sleuteltekening waarop nog een volgt om de koppelingen te corrigeren.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AnimationDialog</name>
@@ -7933,14 +7968,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Begint en eindigt langzaam</translation>
     </message>
     <message>
-        <source>The number of drawings from one key drawing to the next</source>
-        <translation>Het aantal tekeningen van de ene sleuteltekening naar de volgende</translation>
-    </message>
-    <message>
-        <source>For how many frames each key drawing is shown</source>
-        <translation>Hoeveel beelden lang elke sleuteltekening wordt getoond</translation>
-    </message>
-    <message>
         <source>In-&amp;betweens:</source>
         <translation>&amp;Tussentekeningen:</translation>
     </message>
@@ -7979,6 +8006,46 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>%1 frames, %2 s</source>
         <translation>%1 beelden, %2 s</translation>
+    </message>
+    <message>
+        <source>Same &amp;timing for all key drawings</source>
+        <translation>Zelfde &amp;timing voor alle sleuteltekeningen</translation>
+    </message>
+    <message>
+        <source>Gives the in-betweens, hold and speed of this key drawing to all</source>
+        <translation>Geeft alle de tussentekeningen, het vasthouden en de snelheid van deze sleuteltekening</translation>
+    </message>
+    <message>
+        <source>Correct &amp;matches</source>
+        <translation>Koppelingen &amp;corrigeren</translation>
+    </message>
+    <message>
+        <source>Shows which line becomes which, and lets you draw from line to line</source>
+        <translation>Toont welke lijn welke wordt, en laat u van lijn naar lijn slepen</translation>
+    </message>
+    <message>
+        <source>The number of drawings from this key drawing to the next</source>
+        <translation>Het aantal tekeningen van deze sleuteltekening naar de volgende</translation>
+    </message>
+    <message>
+        <source>For how many frames this key drawing is shown</source>
+        <translation>Hoeveel beelden deze sleuteltekening te zien is</translation>
+    </message>
+    <message>
+        <source>The speed from this key drawing to the next</source>
+        <translation>De snelheid van deze sleuteltekening naar de volgende</translation>
+    </message>
+    <message>
+        <source>Same for all</source>
+        <translation>Zelfde voor alle</translation>
+    </message>
+    <message>
+        <source>Matches</source>
+        <translation>Koppelingen</translation>
+    </message>
+    <message>
+        <source>Another curve</source>
+        <translation>Andere curve</translation>
     </message>
 </context>
 <context>

@@ -81,7 +81,7 @@ void Eyedropper::start(What what) {
 
 bool Eyedropper::pick(Point at, What what) {
   const double reach_mm = kReachPx / canvas_.view().px_per_mm();
-  const std::optional<PickedInk> ink = ink_at(studio_.session().document(), at, reach_mm);
+  const std::optional<PickedInk> ink = ink_at(studio_.session().seen(), at, reach_mm);
   if (!ink) {
     Q_EMIT studio_.refused(tr("There is no line or filled area under the pen."));
     return false;

@@ -229,7 +229,7 @@ void MainWindow::make_panels() {
   connect(tactile, &TactilePanel::wants_position, canvas_, &Canvas::center_on);
   auto* motion = new MotionPanel(*studio_, *actions_);
   add_panel(QStringLiteral("motion"), tr("Motion"), motion);
-  connect_motion(*motion, *canvas_, *files_);
+  connect_motion(*motion, *canvas_, *files_, *actions_);
   // The panel scrolls on a small screen, because its text may need many lines.
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));

@@ -41,15 +41,17 @@ constexpr std::array kMenus{
         "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.pick_color "
         "edit.pick_all edit.broader edit.thinner edit.to_front edit.to_back - edit.palette_* - "
         "edit.* - edit.cancel - edit.preferences"},
-    MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
-            "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
-            "view.rotate* view.mirror view.scroll_* - view.outline view.grain view.force_arrow "
-            "view.onion_skin view.play - view.* - view.panel_solid view.materials "
-            "view.compare_materials - view.panel_* view.next_part "
-            "view.hide_panels view.full_screen"},
+    MenuRow{
+        "view", QT_TRANSLATE_NOOP("Menus", "&View"),
+        "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
+        "view.rotate* view.mirror view.scroll_* - view.outline view.grain view.force_arrow "
+        "view.onion_skin view.correct_matches view.play - view.* - view.panel_solid view.materials "
+        "view.compare_materials - view.panel_* view.next_part "
+        "view.hide_panels view.full_screen"},
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
-            "layer.add layer.add_key layer.duplicate layer.merge layer.rename layer.remove - "
+            "layer.add layer.add_key layer.same_timing layer.duplicate layer.merge layer.rename "
+            "layer.remove - "
             "layer.show "
             "layer.lock layer.export_picture - layer.raise layer.lower - layer.group "
             "layer.ungroup layer.leave_group - layer.*"},

@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "desktop/canvas/film_view.h"
+#include "desktop/canvas/match_view.h"
 #include "desktop/files/animation_dialog.h"
 #include "desktop/files/timelapse_actions.h"
-#include "desktop/panels/key_layers.h"
+#include "felt/motion/key_layers.h"
 
 namespace felt::desktop {
 namespace {
@@ -18,9 +19,9 @@ QString motion_text(const char* english) {
 }
 
 /// Returns the key drawings. If there are less than two, says so and returns none.
-std::vector<Drawing> keys_to_show(Studio& studio) {
+std::vector<FilmKey> keys_to_show(Studio& studio) {
   studio.finish_gesture();
-  std::vector<Drawing> keys = key_drawings(studio.session().document(), studio.page());
+  std::vector<FilmKey> keys = film_keys(studio.session().document(), studio.page());
   if (keys.size() >= 2) return keys;
   Q_EMIT studio.refused(motion_text(QT_TRANSLATE_NOOP(
       "Motion", "A motion needs two key drawings: two layers with lines that are not locked.")));
@@ -44,16 +45,15 @@ QString ask_animation_name(FileActions& files, QWidget* window, AnimationFormat 
   }
 }
 
-void export_animation(MotionPanel& panel, Canvas& canvas, FileActions& files) {
+void export_animation(Canvas& canvas, FileActions& files) {
   QWidget* window = canvas.window();
   auto* films = window->findChild<TimelapseActions*>();
-  std::vector<Drawing> keys = keys_to_show(canvas.studio());
+  std::vector<FilmKey> keys = keys_to_show(canvas.studio());
   if (keys.empty() || films->is_busy()) return;
   AnimationDialog dialog(window);
   if (dialog.exec() != QDialog::Accepted) return;
   AnimationRequest request = dialog.request();
   request.keys = std::move(keys);
-  request.film = panel.options();
   const QString path = ask_animation_name(files, window, request.format);
   if (path.isEmpty()) return;
   films->run(path, [path, request = std::move(request)](TimelapseProgress& progress) {
@@ -63,19 +63,32 @@ void export_animation(MotionPanel& panel, Canvas& canvas, FileActions& files) {
 
 }  // namespace
 
-void connect_motion(MotionPanel& panel, Canvas& canvas, FileActions& files) {
+void connect_motion(MotionPanel& panel, Canvas& canvas, FileActions& files, Actions& actions) {
   auto* film = new FilmView(canvas);
   QObject::connect(&panel, &MotionPanel::onion_changed, &canvas, &Canvas::set_onion);
-  QObject::connect(&panel, &MotionPanel::wants_play, film, [&panel, &canvas, film] {
+  QObject::connect(&panel, &MotionPanel::wants_play, film, [&canvas, film] {
     if (film->is_playing()) return film->stop();
-    std::vector<Drawing> keys = keys_to_show(canvas.studio());
-    if (!keys.empty()) film->play(std::move(keys), panel.options());
+    std::vector<FilmKey> keys = keys_to_show(canvas.studio());
+    if (!keys.empty()) film->play(std::move(keys));
+  });
+  auto* matches = new MatchView(canvas);
+  QObject::connect(
+      &panel, &MotionPanel::wants_matches, matches, [&actions, &canvas, matches](bool on) {
+        if (!on) return matches->stop();
+        if (matches->start())
+          return actions.find(QStringLiteral("view.onion_skin"))->setChecked(true);
+        actions.find(QStringLiteral("view.correct_matches"))->setChecked(false);
+        Q_EMIT canvas.studio().refused(motion_text(QT_TRANSLATE_NOOP(
+            "Motion", "Choose a key drawing that has a next one to correct its matches.")));
+      });
+  QObject::connect(matches, &MatchView::stopped, &canvas, [&actions] {
+    actions.find(QStringLiteral("view.correct_matches"))->setChecked(false);
   });
   QObject::connect(film, &FilmView::stopped, &canvas, [&canvas](const QString& why) {
     if (!why.isEmpty()) Q_EMIT canvas.studio().refused(why);
   });
   QObject::connect(&panel, &MotionPanel::wants_export, &canvas,
-                   [&panel, &canvas, &files] { export_animation(panel, canvas, files); });
+                   [&canvas, &files] { export_animation(canvas, files); });
 }
 
 }  // namespace felt::desktop

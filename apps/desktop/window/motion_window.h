@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// Connects the panel of key drawings with the canvas, which shows the onion skin and plays the
-/// film, and with the files, which export it.
-void connect_motion(MotionPanel& panel, Canvas& canvas, FileActions& files);
+/// Connects the panel of key drawings with the canvas, which shows the onion skin and the
+/// matches and plays the film, and with the files, which export it.
+void connect_motion(MotionPanel& panel, Canvas& canvas, FileActions& files, Actions& actions);
 
 }  // namespace felt::desktop

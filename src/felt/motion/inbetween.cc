@@ -202,6 +202,7 @@ Document Inbetween::Plan::document_at(double t) const {
     change.id = i == 0 ? first.id : empty.new_layer_id(i - 1);
     if (i == 0) change.before = first.state();
     change.after = from.document.layers()[i].state();
+    change.after->timing = nullptr;
     change.after_index = i;
     ids.push_back(change.id);
     edit.layers.push_back(std::move(change));

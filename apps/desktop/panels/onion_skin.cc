@@ -1,20 +1,18 @@
-#include "desktop/panels/key_layers.h"
+#include "desktop/panels/onion_skin.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "felt/document/visible_strokes.h"
 #include "felt/io/drawing_builder.h"
+#include "felt/motion/key_layers.h"
 
 namespace felt::desktop {
 namespace {
 
 constexpr double kOnionOpacity = 0.35;
-
-bool is_key_layer(const Layer& layer) {
-  return !layer.locked && !(layer.strokes.empty() && layer.fills.empty());
-}
 
 StrokePtr tinted(const Stroke& stroke, Rgba tint) {
   StrokeData data = stroke.data();
@@ -41,39 +39,6 @@ void add_onion_layer(const Document& document, const Layer& layer, Rgba tint,
 }
 
 }  // namespace
-
-std::vector<LayerId> key_layers(const Document& document) {
-  std::vector<LayerId> keys;
-  for (const Layer& layer : document.layers()) {
-    if (is_key_layer(layer)) keys.push_back(layer.id);
-  }
-  return keys;
-}
-
-Drawing key_drawing(const Document& document, LayerId id, const Page& page) {
-  const Layer& layer = *document.layer(id);
-  DrawingBuilder builder;
-  builder.drawing().page = page;
-  builder.drawing().has_page = true;
-  LayerState state = layer.state();
-  state.visible = true;
-  state.group = nullptr;
-  state.picture = nullptr;
-  const std::size_t added = builder.add_layer(std::move(state));
-  for (const FillId fill : layer.fills) {
-    builder.add_fill(added, document.find_fill(fill), fill_name(fill));
-  }
-  for (const StrokeId stroke : layer.strokes) builder.add(added, document.find(stroke), stroke);
-  return std::move(builder).build();
-}
-
-std::vector<Drawing> key_drawings(const Document& document, const Page& page) {
-  std::vector<Drawing> keys;
-  for (const LayerId layer : key_layers(document)) {
-    keys.push_back(key_drawing(document, layer, page));
-  }
-  return keys;
-}
 
 Document onion_skin(const Document& document, LayerId current) {
   const auto& layers = document.layers();
