@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "felt/geometry/triangle_tree.h"
+
 namespace felt {
 namespace solid_check {
 
@@ -19,10 +21,6 @@ Stored stored(const Vec3& p) {
 Vec3 restored(const Vec3& p) {
   const Stored s = stored(p);
   return {static_cast<double>(s[0]), static_cast<double>(s[1]), static_cast<double>(s[2])};
-}
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 tl::unexpected<Error> broken(const char* what, const Vec3& p, Point origin) {
@@ -73,7 +71,7 @@ std::size_t open_point(const SolidBody& body) {
 double volume_mm3(const SolidBody& body) noexcept {
   double six = 0.0;
   for (const auto& [a, b, c] : body.triangles) {
-    six += dot(body.points[a], solid_check::cross(body.points[b], body.points[c]));
+    six += dot(body.points[a], cross(body.points[b], body.points[c]));
   }
   return six / 6.0;
 }
@@ -89,7 +87,7 @@ std::vector<Vec3> point_normals(const SolidBody& body) {
   for (const auto& [a, b, c] : body.triangles) {
     // The length is twice the area, so large triangles count more.
     const Vec3 n =
-        solid_check::cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
+        cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
     for (const std::uint32_t i : {a, b, c}) normals[i] += n;
   }
   for (Vec3& n : normals) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "felt/geometry/rect.h"
+#include "felt/geometry/triangle_tree.h"
 
 namespace felt {
 namespace solid_paint {
@@ -18,10 +19,6 @@ constexpr int kSamples = 2;  // per pixel and direction
 constexpr double kHalfLinePx = 0.5, kLineShade = 0.45;
 /// Share of kCutColor in the colour of a cut.
 constexpr double kCutShare = 0.6;
-
-Vec3 cross_of(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Returns the bounds of a solid as a camera sees it, in mm.
 Rect seen_by(const SolidCamera& camera, const Solid& solid) {
@@ -240,7 +237,7 @@ SolidCamera solid_camera(double turn_deg, double rise_deg) noexcept {
   camera.towards = {std::sin(turn) * std::cos(rise), std::sin(rise),
                     std::cos(turn) * std::cos(rise)};
   camera.right = {std::cos(turn), 0.0, -std::sin(turn)};
-  camera.up = solid_paint::cross_of(camera.towards, camera.right);
+  camera.up = cross(camera.towards, camera.right);
   return camera;
 }
 
