@@ -94,7 +94,7 @@ TEST(ExtrudeBody, RefusesWithASentence) {
 // Rings at random points of random bodies, seen from random directions, with bent horns.
 TEST(ExtrudeBody, AddsVolumeAndKeepsOneBody) {
   int refused = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     const SolidBody body = testing::random_body(random, 1500);
     const Vec3 view = testing::random_direction(random);
@@ -122,7 +122,7 @@ TEST(ExtrudeBody, AddsVolumeAndKeepsOneBody) {
     EXPECT_TRUE(again && again->points == result->points && again->triangles == result->triangles)
         << "seed " << seed;
   }
-  EXPECT_LE(refused, 20);
+  EXPECT_LE(refused, 4);
 }
 
 }  // namespace
