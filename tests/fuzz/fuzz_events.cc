@@ -114,6 +114,16 @@ struct CheckWhat {
       check_number(p.y);
     }
   }
+  void operator()(const TimingEvent& e) const {
+    FELT_CHECK(!e.layers.empty());
+    const KeyTiming timing{e.between.value_or(0), e.hold.value_or(1), e.ease.value_or(EaseCurve{}),
+                           e.pairs.value_or(std::vector<KeyPair>())};
+    FELT_CHECK(check_key_timing(timing).has_value());
+  }
+  void operator()(const UseView&) const {}
+  void operator()(const BodyEvent& e) const {
+    FELT_CHECK(e.what != BodyEvent::Do::kAdd || check_body_edit(e.edit).has_value());
+  }
   void operator()(const ChooseOffer& e) const { FELT_CHECK(e.what <= OfferKind::kPolygon); }
   void operator()(const GuidesEvent& e) const {
     FELT_CHECK(e.what != GuidesEvent::Do::kAdd || check_drawing_guide(e.guide).has_value());

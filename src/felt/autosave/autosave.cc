@@ -48,6 +48,7 @@ std::vector<Event> context_of(const Session& session) {
   for (const std::string& id : session.option_ids()) add_option(id);
   add(SelectTool{std::string(session.tool().info().id)});
   add(LayerEvent{LayerEvent::Do::kUse, session.layer(), {}});
+  if (!session.out_of_view().empty()) add(UseView{session.out_of_view()});
   return events;
 }
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -39,8 +40,15 @@ Result<void> append_page(ByteWriter& out, const Drawing& drawing) {
   return {};
 }
 
+bool has_timings(const Document& document) {
+  const auto layers = document.layers();
+  return !document.body_edits().empty() ||
+         std::any_of(layers.begin(), layers.end(),
+                     [](const Layer& l) { return l.timing != nullptr; });
+}
+
 /// Appends the guides and symmetry groups of a base, as the bytes of an edit that adds them.
-/// Appends nothing if there are none.
+/// Appends nothing if there are none, unless others follow.
 Result<void> append_guides(ByteWriter& out, const Document& document) {
   Edit edit;
   for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, nullptr, guide});
@@ -48,6 +56,28 @@ Result<void> append_guides(ByteWriter& out, const Document& document) {
     edit.symmetries.push_back({id, nullptr, group});
   }
   edit.toggles_guides = !document.shows_guides();
+  if (edit.empty() && !has_timings(document)) return {};
+  std::string bytes;
+  if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
+  out.text(bytes);
+  return {};
+}
+
+/// Appends the timings of the layers and the edits of the body of a base, as the bytes of an edit
+/// that adds them. Appends nothing if there are none. They follow the bytes of the guides, after
+/// which programs from before timings stop to read.
+Result<void> append_timings(ByteWriter& out, const Document& document) {
+  Edit edit;
+  for (std::size_t i = 0; i < document.layers().size(); ++i) {
+    const Layer& layer = document.layers()[i];
+    if (!layer.timing) continue;
+    LayerState before = layer.state();
+    before.timing = nullptr;
+    edit.layers.push_back({layer.id, std::move(before), layer.state(), i, i});
+  }
+  for (const auto& [id, body_edit] : document.body_edits()) {
+    edit.body_edits.push_back({id, nullptr, body_edit});
+  }
   if (edit.empty()) return {};
   std::string bytes;
   if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
@@ -150,9 +180,11 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     if (has_look) append_layer_look(out, layer.state(), nullptr, pictures);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
-  // Groups and guides are last, because programs from before them ignore what follows the page.
+  // Groups, guides and timings are last, because programs from before them ignore what follows the
+  // page.
   for (const Layer& layer : document.layers()) append_layer_group(out, layer.group);
   if (auto ok = append_guides(out, document); !ok) return tl::unexpected(ok.error());
+  if (auto ok = append_timings(out, document); !ok) return tl::unexpected(ok.error());
   return bytes;
 }
 
@@ -168,10 +200,10 @@ Result<Drawing> read_base_head(std::string_view bytes) {
   read_groups(in, *layers);
   if (auto ok = document.apply(*layers); !ok) return tl::unexpected(ok.error());
   document.reserve_ids(last_stroke, last_layer);
-  if (in.left() > 0) {
-    const Result<Edit> guides = read_edit_blob(in.text(kMaxHeadBytes), document);
-    if (!guides) return tl::unexpected(guides.error());
-    if (auto ok = document.apply(*guides); !ok) return tl::unexpected(ok.error());
+  for (int part = 0; part < 2 && in.left() > 0; ++part) {  // guides, timings
+    const Result<Edit> edit = read_edit_blob(in.text(kMaxHeadBytes), document);
+    if (!edit) return tl::unexpected(edit.error());
+    if (auto ok = document.apply(*edit); !ok) return tl::unexpected(ok.error());
   }
   drawing->document = std::move(document);
   drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};

@@ -7,9 +7,11 @@
 
 #include "felt/autosave/layer_look.h"
 #include "felt/base/utf8.h"
+#include "felt/store/body_edit_table.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/guide_table.h"
+#include "felt/store/key_timing_table.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -19,7 +21,10 @@ constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kVersionWithFills = 2;
 constexpr std::uint8_t kVersionWithGroups = 3;  // has the groups of all changed layers at its end
 constexpr std::uint8_t kVersionWithGuides = 4;  // has groups as in 3, and then guides
-constexpr std::size_t kMaxGuideBlobBytes = std::size_t{1} << 20;
+// has guides as in 4, the timings of all changed layers, and then edits of the body
+constexpr std::uint8_t kVersionWithTimings = 5;
+constexpr std::size_t kMaxUnplacedBytes = std::size_t{1} << 20;
+static_assert(kMaxBodyEditBytes < kMaxUnplacedBytes);
 constexpr std::size_t kMaxLabelBytes = 4096;
 constexpr std::size_t kMaxNameBytes = 1 << 16;  // older programs wrote names without a limit
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4, kHasLook = 8;  // flags
@@ -71,11 +76,11 @@ Result<void> read_unplaced(ByteReader& in, std::vector<Change>& changes, Read re
   for (std::uint32_t i = 0; i < count; ++i) {
     Change c;
     c.id = {in.u64()};
-    const std::string_view bytes = in.text(kMaxGuideBlobBytes);
-    if (!in.ok()) return invalid_data("the edit ends in the middle of a guide");
+    const std::string_view bytes = in.text(kMaxUnplacedBytes);
+    if (!in.ok()) return invalid_data("the edit ends in the middle of an object");
     if (!bytes.empty()) {
       auto after = read(bytes);
-      if (!after) return tl::unexpected(with_context(after.error(), "guide"));
+      if (!after) return tl::unexpected(with_context(after.error(), "object"));
       c.after = *std::move(after);
     }
     changes.push_back(std::move(c));
@@ -99,6 +104,51 @@ Result<void> read_guides_part(ByteReader& in, Edit& edit) {
 
 bool has_guides_part(const Edit& edit) noexcept {
   return edit.toggles_guides || !edit.guides.empty() || !edit.symmetries.empty();
+}
+
+/// Appends an edit of the body with its kind. Fails, and appends nothing, if it is not valid.
+Result<void> append_body_edit(std::string& out, const BodyEdit& edit) {
+  std::string shape;
+  if (auto ok = append_body_edit_blob(shape, edit); !ok) return ok;
+  ByteWriter(out).text(body_edit_kind_name(edit.kind));
+  out += shape;
+  return {};
+}
+
+Result<BodyEditPtr> read_body_edit(std::string_view bytes) {
+  ByteReader in(bytes);
+  const std::string_view kind = in.text(kMaxLabelBytes);
+  return read_body_edit_blob(kind, in.bytes(in.left()));
+}
+
+/// Writes the timings of the changed layers and the edits of the body.
+Result<void> write_timings_part(ByteWriter& out, const Edit& edit) {
+  for (const LayerChange& c : edit.layers) {
+    std::string bytes;
+    if (c.after && c.after->timing) {
+      if (auto ok = append_key_timing_blob(bytes, *c.after->timing); !ok) return ok;
+    }
+    out.text(bytes);  // empty: none
+  }
+  return write_unplaced(out, edit.body_edits, append_body_edit);
+}
+
+Result<void> read_timings_part(ByteReader& in, Edit& edit) {
+  for (LayerChange& c : edit.layers) {
+    const std::string_view bytes = in.text(kMaxKeyTimingBytes);
+    if (!in.ok()) return invalid_data("the edit ends in the middle of a layer");
+    if (bytes.empty() || !c.after) continue;
+    Result<KeyTimingPtr> timing = read_key_timing_blob(bytes);
+    if (!timing) return tl::unexpected(with_context(timing.error(), "timing"));
+    c.after->timing = *std::move(timing);
+  }
+  return read_unplaced(in, edit.body_edits, read_body_edit);
+}
+
+bool has_timings_part(const Edit& edit) noexcept {
+  return !edit.body_edits.empty() ||
+         std::any_of(edit.layers.begin(), edit.layers.end(),
+                     [](const LayerChange& c) { return c.after && c.after->timing; });
 }
 
 void write_layer(ByteWriter& out, const LayerChange& c, PicturesInBytes& pictures) {
@@ -220,10 +270,12 @@ bool has_groups(const Edit& edit) {
 
 Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   ByteWriter writer(out);
-  const bool with_guides = has_guides_part(edit);
+  const bool with_timings = has_timings_part(edit);
+  const bool with_guides = with_timings || has_guides_part(edit);
   const bool with_groups = with_guides || has_groups(edit);
   const bool with_fills = with_groups || !edit.fills.empty();
-  writer.u8(with_guides   ? kVersionWithGuides
+  writer.u8(with_timings  ? kVersionWithTimings
+            : with_guides ? kVersionWithGuides
             : with_groups ? kVersionWithGroups
             : with_fills  ? kVersionWithFills
                           : kVersion);
@@ -244,7 +296,9 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   for (const LayerChange& c : edit.layers) {
     append_layer_group(writer, c.after ? c.after->group : nullptr);
   }
-  return with_guides ? write_guides_part(writer, edit) : Result<void>();
+  if (!with_guides) return {};
+  if (auto ok = write_guides_part(writer, edit); !ok) return ok;
+  return with_timings ? write_timings_part(writer, edit) : Result<void>();
 }
 
 namespace {
@@ -254,7 +308,7 @@ namespace {
 Result<Edit> parse(std::string_view bytes, const Document& document) {
   ByteReader in(bytes);
   const std::uint8_t version = in.u8();
-  if (version < kVersion || version > kVersionWithGuides)
+  if (version < kVersion || version > kVersionWithTimings)
     return invalid_data("the edit has an unknown version");
   Edit edit;
   edit.label = std::string(in.text(kMaxLabelBytes));
@@ -283,8 +337,11 @@ Result<Edit> parse(std::string_view bytes, const Document& document) {
     const LayerGroupPtr group = read_layer_group(in);
     if (edit.layers[i].after) edit.layers[i].after->group = group;
   }
-  if (version == kVersionWithGuides) {
+  if (version >= kVersionWithGuides) {
     if (auto ok = read_guides_part(in, edit); !ok) return tl::unexpected(ok.error());
+  }
+  if (version >= kVersionWithTimings) {
+    if (auto ok = read_timings_part(in, edit); !ok) return tl::unexpected(ok.error());
   }
   if (!in.ok() || in.left() > 0)
     return invalid_data("the edit does not have the length that it states");
@@ -324,8 +381,8 @@ void force(FillChange change, Document& document) {
   static_cast<void>(document.apply(edit));
 }
 
-/// Applies the changes of guides and symmetry groups as far as they fit.
-void force_guides(const Edit& blob, Document& document) {
+/// Applies the changes of guides, symmetry groups and edits of the body as far as they fit.
+void force_unplaced(const Edit& blob, Document& document) {
   Edit edit;
   edit.toggles_guides = blob.toggles_guides;
   for (GuideChange c : blob.guides) {
@@ -337,16 +394,26 @@ void force_guides(const Edit& blob, Document& document) {
     if (c.before || c.after) edit.symmetries.push_back(std::move(c));
   }
   static_cast<void>(document.apply(edit));
+  Edit body;
+  for (BodyEditChange c : blob.body_edits) {
+    c.before = document.find_body_edit(c.id);
+    if (c.before || c.after) body.body_edits.push_back(std::move(c));
+  }
+  static_cast<void>(document.apply(body));
 }
 
-/// Fills in the guides and symmetry groups before the edit.
-Result<void> find_guides(const Document& document, Edit& edit) {
+/// Fills in the guides, symmetry groups and edits of the body before the edit.
+Result<void> find_unplaced(const Document& document, Edit& edit) {
   for (GuideChange& c : edit.guides) c.before = document.find_guide(c.id);
   for (SymmetryChange& c : edit.symmetries) c.before = document.find_symmetry(c.id);
+  for (BodyEditChange& c : edit.body_edits) c.before = document.find_body_edit(c.id);
   const auto is_unknown = [](const auto& c) { return !c.before && !c.after; };
   if (std::any_of(edit.guides.begin(), edit.guides.end(), is_unknown) ||
       std::any_of(edit.symmetries.begin(), edit.symmetries.end(), is_unknown)) {
     return invalid_data("the edit removes a guide that does not exist");
+  }
+  if (std::any_of(edit.body_edits.begin(), edit.body_edits.end(), is_unknown)) {
+    return invalid_data("the edit removes an edit of the body that does not exist");
   }
   return {};
 }
@@ -359,7 +426,7 @@ Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
   if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_fills(document, edit->fills); !ok) return tl::unexpected(ok.error());
   if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
-  if (auto ok = find_guides(document, *edit); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_unplaced(document, *edit); !ok) return tl::unexpected(ok.error());
   return edit;
 }
 
@@ -375,7 +442,7 @@ Result<void> apply_what_fits(std::string_view bytes, Document& document) {
   }
   for (StrokeChange& change : edit->changes) force(std::move(change), document);
   for (FillChange& change : edit->fills) force(std::move(change), document);
-  force_guides(*edit, document);
+  force_unplaced(*edit, document);
   return {};
 }
 

@@ -10,9 +10,9 @@
 namespace felt {
 
 /// Appends the result of an edit as bytes, for the autosave: the strokes, fills, layers,
-/// guides and symmetry groups that the edit adds, changes and removes, and their positions. The
-/// state of these objects before the edit is not written, because the document to which the edit is
-/// applied has that state.
+/// guides, symmetry groups and edits of the body that the edit adds, changes and removes, and their
+/// positions. The state of these objects before the edit is not written, because the document to
+/// which the edit is applied has that state.
 Result<void> append_edit_blob(std::string& out, const Edit& edit);
 
 /// Returns the complete edit that these bytes describe, for this document. Fails if the bytes are

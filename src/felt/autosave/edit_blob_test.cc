@@ -82,6 +82,64 @@ TEST(EditBlob, OnlyEditsWithGuidesHaveTheVersionOfGuides) {
   EXPECT_EQ(without[0], 3);
 }
 
+/// Returns an edit that adds a layer with a timing and an edit of the body.
+Edit timing_and_body(const Document& document) {
+  LayerState state{"Key"};
+  state.timing = shared_timing({.between = 3, .pairs = {{{7}, {8}}, {{9}, {}}}});
+  Edit edit{"Import", {}};
+  edit.layers.push_back({document.new_layer_id(), std::nullopt, state, 0, 1});
+  edit.body_edits.push_back(
+      {document.new_body_edit_id(), nullptr,
+       std::make_shared<const BodyEdit>(BodyEdit{.path_mm = {{1, -2, 0}, {3, -4, 0}}})});
+  return edit;
+}
+
+// Programs from before timings must still read the edits that have none.
+TEST(EditBlob, OnlyEditsWithTimingsOrEditsOfTheBodyHaveTheirVersion) {
+  const Document document;
+  Edit edit = timing_and_body(document);
+  std::string both, timing, none;
+  ASSERT_TRUE(append_edit_blob(both, edit));
+  const Edit read = read_edit_blob(both, document).value();
+  EXPECT_EQ(read.layers, edit.layers);
+  ASSERT_EQ(read.body_edits.size(), 1u);
+  EXPECT_EQ(*read.body_edits[0].after, *edit.body_edits[0].after);
+  edit.body_edits.clear();
+  ASSERT_TRUE(append_edit_blob(timing, edit));
+  EXPECT_EQ(read_edit_blob(timing, document).value(), edit);
+  edit.layers[0].after->timing = nullptr;
+  ASSERT_TRUE(append_edit_blob(none, edit));
+  EXPECT_EQ(both[0], 5);
+  EXPECT_EQ(timing[0], 5);
+  EXPECT_EQ(none[0], 1);
+}
+
+TEST(EditBlob, ABaseHasTimingsAndEditsOfTheBodyAfterTheGuides) {
+  for (const bool with_guides : {false, true}) {
+    Drawing drawing;
+    if (with_guides) {
+      ASSERT_TRUE(drawing.document.apply(everything_at_once(drawing.document)));
+    }
+    ASSERT_TRUE(drawing.document.apply(timing_and_body(drawing.document)));
+    const Result<std::string> head = base_head_bytes(drawing);
+    ASSERT_TRUE(head);
+    const Result<Drawing> read = read_base_head(*head);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(read->document == drawing.document);
+    EXPECT_EQ(read->document.body_edits().size(), 1u);
+  }
+}
+
+TEST(EditBlob, OfADamagedDatabaseEditsOfTheBodyAreKept) {
+  const Edit edit = timing_and_body({});
+  std::string bytes;
+  ASSERT_TRUE(append_edit_blob(bytes, edit));
+  Document other;
+  ASSERT_TRUE(apply_what_fits(bytes, other));
+  EXPECT_EQ(other.body_edits().size(), 1u);
+  EXPECT_TRUE(other.layers().back().timing);
+}
+
 TEST(EditBlob, ABaseHasTheGuidesAfterTheGroups) {
   Drawing drawing;
   ASSERT_TRUE(drawing.document.apply(everything_at_once(drawing.document)));

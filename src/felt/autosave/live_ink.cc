@@ -97,6 +97,7 @@ void LiveInk::add_context(const Event& event) {
   if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
     if (layer->what == LayerEvent::Do::kUse) layer_ = layer->layer;
   }
+  if (const auto* view = std::get_if<UseView>(&event.what)) view_ = *view;
 }
 
 void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
@@ -168,6 +169,7 @@ void LiveInk::open() {
   }
   for (const auto& [id, value] : options_) add(SetOption{id, value});
   if (layer_) add(LayerEvent{LayerEvent::Do::kUse, layer_, {}});
+  if (!view_.hidden.empty()) add(view_);
   for (const Event& event : hover_) append_event_line(script, event);
   hover_.clear();
   context_.clear();

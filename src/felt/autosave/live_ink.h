@@ -95,6 +95,7 @@ class LiveInk {
   std::map<std::string, std::string> materials_;  // texts by "surface my-paper"
   std::string tool_;
   LayerId layer_;
+  UseView view_;
   Selection selection_;
   std::deque<Event> hover_;         // the last hover samples that the session received
   std::deque<PenSample> overhang_;  // may begin with hover samples

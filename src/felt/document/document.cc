@@ -22,6 +22,9 @@ std::string name_of(GuideId id) {
 std::string name_of(SymmetryId id) {
   return "symmetry " + std::to_string(id.value);
 }
+std::string name_of(BodyEditId id) {
+  return "body edit " + std::to_string(id.value);
+}
 std::string name_of(LayerId id) {
   return "layer " + std::to_string(id.value);
 }
@@ -73,8 +76,15 @@ class Document::Plan {
         .and_then([&] { return check_ids(edit_.fills); })
         .and_then([&] { return check_ids(edit_.guides); })
         .and_then([&] { return check_ids(edit_.symmetries); })
+        .and_then([&] { return check_ids(edit_.body_edits); })
         .and_then([&] { return check_unplaced(edit_.guides, document_.guides_); })
-        .and_then([&] { return check_guide_count(); })
+        .and_then([&] {
+          return check_count(edit_.guides, document_.guides_, kMaxDrawingGuides, "guides");
+        })
+        .and_then([&] { return check_unplaced(edit_.body_edits, document_.body_edits_); })
+        .and_then([&] {
+          return check_count(edit_.body_edits, document_.body_edits_, kMaxBodyEdits, "body edits");
+        })
         .and_then([&] { return check_unplaced(edit_.symmetries, document_.symmetries_); })
         .and_then([&] { return prepare_layers(); })
         .and_then([&] { return prepare_objects(edit_.changes, document_.strokes_, orders_); })
@@ -92,6 +102,7 @@ class Document::Plan {
     for (const StrokeChange& c : edit_.changes) change_object(c, document_.strokes_);
     for (const FillChange& c : edit_.fills) change_object(c, document_.fills_);
     for (const GuideChange& c : edit_.guides) change_unplaced(c, document_.guides_);
+    for (const BodyEditChange& c : edit_.body_edits) change_unplaced(c, document_.body_edits_);
     change_symmetries();
     document_.shows_guides_ = document_.shows_guides_ != edit_.toggles_guides;
   }
@@ -113,14 +124,16 @@ class Document::Plan {
     return {};
   }
 
-  [[nodiscard]] Result<void> check_guide_count() const {
-    std::size_t count = document_.guides_.size();
-    for (const GuideChange& c : edit_.guides) {
+  template <class Change, class Table>
+  static Result<void> check_count(const std::vector<Change>& changes, const Table& table,
+                                  std::size_t limit, const char* objects) {
+    std::size_t count = table.size();
+    for (const Change& c : changes) {
       count += c.after ? 1 : 0;
       count -= c.before ? 1 : 0;
     }
-    if (count <= kMaxDrawingGuides) return {};
-    return misfit("a drawing has at most " + std::to_string(kMaxDrawingGuides) + " guides");
+    if (count <= limit) return {};
+    return misfit("a drawing has at most " + std::to_string(limit) + " " + objects);
   }
 
   /// Checks that the document has a layer as it was before a change.
@@ -280,6 +293,7 @@ class Document::Plan {
       l->opacity = c.after->opacity;
       l->picture = c.after->picture;
       l->blend = c.after->blend;
+      l->timing = c.after->timing;
     }
     document_.last_layer_id_ = std::max(document_.last_layer_id_, c.id.value);
   }
@@ -457,6 +471,8 @@ bool operator==(const Document& a, const Document& b) {
          (a.shows_guides_ == b.shows_guides_ || a.guides_.empty()) &&
          std::equal(a.guides_.begin(), a.guides_.end(), b.guides_.begin(), b.guides_.end(),
                     equal) &&
+         std::equal(a.body_edits_.begin(), a.body_edits_.end(), b.body_edits_.begin(),
+                    b.body_edits_.end(), equal) &&
          std::equal(a.symmetries_.begin(), a.symmetries_.end(), b.symmetries_.begin(),
                     b.symmetries_.end(), equal);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/body_edit.h"
 #include "felt/document/drawing_guide.h"
 #include "felt/document/edit.h"
 #include "felt/document/fill.h"
@@ -29,22 +30,24 @@ struct Layer {
   std::vector<FillId> fills{};    ///< the lowest first
   bool own_visible = true;        ///< without its group
   bool own_locked = false;        ///< without its group
+  KeyTimingPtr timing = {};
 
   [[nodiscard]] LayerState state() const {
-    return {name, own_visible, own_locked, opacity, picture, blend, group};
+    return {name, own_visible, own_locked, opacity, picture, blend, group, timing};
   }
   friend bool operator==(const Layer& a, const Layer& b) {
     return a.id == b.id && a.state() == b.state() && a.strokes == b.strokes && a.fills == b.fills;
   }
 };
 
-/// A table of immutable strokes and fills by id, in layers, and of guides. Only edits change a
-/// document, so that undo, autosave and display see the same changes. A copy shares them and takes
-/// linear time in their number. Not thread-safe; give other threads a copy.
+/// A table of immutable strokes and fills by id, in layers, and of guides and edits of the body.
+/// Only edits change a document, so that undo, autosave and display see the same changes. A copy
+/// shares them and takes linear time in their number. Not thread-safe; give other threads a copy.
 ///
 /// Every stroke and every fill is in exactly one layer, once. A document always has at least one
 /// layer. The id of a removed object is not reused; all objects but layers share one counter.
-/// Guides and symmetry groups are in no layer. They may name strokes that do not exist.
+/// Guides, symmetry groups and edits of the body are in no layer. Guides, symmetry groups and
+/// timings of layers may name strokes that do not exist.
 /// The layers of a group are neighbours and have equal groups.
 /// Only tools respect locked layers: the document applies every edit that fits, because undo would
 /// fail otherwise.
@@ -55,7 +58,8 @@ class Document {
 
   /// Applies an edit completely or not at all. Fails if the edit does not fit this document: a
   /// `before` differs from what the document has, a layer is unknown, a position is beyond the end
-  /// or used twice, or there would be more than kMaxDrawingGuides guides. The message names the
+  /// or used twice, or there would be more than kMaxDrawingGuides guides or kMaxBodyEdits edits of
+  /// the body. The message names the
   /// edit, the stroke, fill or layer, and the reason. Takes linear time in the changes and in the
   /// strokes above the lowest stroke that moves.
   Result<void> apply(const Edit& edit);
@@ -65,6 +69,7 @@ class Document {
   [[nodiscard]] FillPtr find_fill(FillId id) const;
   [[nodiscard]] DrawingGuidePtr find_guide(GuideId id) const;
   [[nodiscard]] SymmetryPtr find_symmetry(SymmetryId id) const;
+  [[nodiscard]] BodyEditPtr find_body_edit(BodyEditId id) const;
   /// Returns the symmetry group of a stroke; an empty id if it has none.
   [[nodiscard]] SymmetryId symmetry_of(StrokeId id) const;
   [[nodiscard]] const std::map<GuideId, DrawingGuidePtr>& guides() const noexcept {
@@ -72,6 +77,10 @@ class Document {
   }
   [[nodiscard]] const std::map<SymmetryId, SymmetryPtr>& symmetries() const noexcept {
     return symmetries_;
+  }
+  /// Returns the edits of the body in the order in which they are applied.
+  [[nodiscard]] const std::map<BodyEditId, BodyEditPtr>& body_edits() const noexcept {
+    return body_edits_;
   }
   /// Returns the guides that are shown and that act on the pen: all of them, or none.
   [[nodiscard]] std::vector<DrawingGuidePtr> visible_guides() const;
@@ -102,6 +111,9 @@ class Document {
   [[nodiscard]] SymmetryId new_symmetry_id(std::uint64_t n = 0) const noexcept {
     return {last_id_ + 1 + n};
   }
+  [[nodiscard]] BodyEditId new_body_edit_id(std::uint64_t n = 0) const noexcept {
+    return {last_id_ + 1 + n};
+  }
   /// Returns an id that no layer of this document ever had.
   [[nodiscard]] LayerId new_layer_id(std::uint64_t n = 0) const noexcept {
     return {last_layer_id_ + 1 + n};
@@ -117,8 +129,8 @@ class Document {
   void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
 
   /// Returns true if the same strokes and fills, by value, are at the same positions in the same
-  /// layers, and if the guides and symmetry groups are equal. Whether guides are shown counts only
-  /// if there are guides.
+  /// layers, and if the guides, symmetry groups and edits of the body are equal. Whether guides are
+  /// shown counts only if there are guides.
   friend bool operator==(const Document& a, const Document& b);
 
  private:
@@ -133,6 +145,7 @@ class Document {
   std::map<FillId, Entry<Fill>> fills_;
   std::map<GuideId, DrawingGuidePtr> guides_;
   std::map<SymmetryId, SymmetryPtr> symmetries_;
+  std::map<BodyEditId, BodyEditPtr> body_edits_;
   std::map<StrokeId, SymmetryId> symmetry_of_;
   bool shows_guides_ = true;
   std::vector<Layer> layers_;

@@ -16,6 +16,7 @@ Edit Edit::inverse() const {
   }
   for (GuideChange& c : result.guides) std::swap(c.before, c.after);
   for (SymmetryChange& c : result.symmetries) std::swap(c.before, c.after);
+  for (BodyEditChange& c : result.body_edits) std::swap(c.before, c.after);
   for (LayerChange& c : result.layers) {
     std::swap(c.before, c.after);
     std::swap(c.before_index, c.after_index);

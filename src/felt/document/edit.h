@@ -8,6 +8,7 @@
 
 #include "felt/document/blend_mode.h"
 #include "felt/document/id.h"
+#include "felt/document/key_timing.h"
 #include "felt/document/layer_group.h"
 #include "felt/document/layer_picture.h"
 #include "felt/stroke/stroke.h"
@@ -21,6 +22,8 @@ struct DrawingGuide;  // drawing_guide.h
 using DrawingGuidePtr = std::shared_ptr<const DrawingGuide>;
 struct SymmetryGroup;  // symmetry_group.h
 using SymmetryPtr = std::shared_ptr<const SymmetryGroup>;
+struct BodyEdit;  // body_edit.h
+using BodyEditPtr = std::shared_ptr<const BodyEdit>;
 
 /// The position of a stroke or fill: its layer, and its index in that layer's list of strokes or of
 /// fills (0 is the lowest).
@@ -76,6 +79,16 @@ struct SymmetryChange {
   friend bool operator==(const SymmetryChange&, const SymmetryChange&) = default;
 };
 
+/// The change of one edit of the body: added, removed, or replaced. Edits of the body are in no
+/// layer, and their order is that of their ids.
+struct BodyEditChange {
+  BodyEditId id;
+  BodyEditPtr before;
+  BodyEditPtr after;
+
+  friend bool operator==(const BodyEditChange&, const BodyEditChange&) = default;
+};
+
 /// Longest name of a layer or of a group of layers, in bytes of UTF-8. Files have no longer ones.
 inline constexpr std::size_t kMaxLayerNameBytes = 4096;
 
@@ -88,11 +101,13 @@ struct LayerState {
   LayerPicturePtr picture = {};  ///< below the strokes; null for most layers
   BlendMode blend = BlendMode::kNormal;  ///< of the layer as a whole with what is below it
   LayerGroupPtr group = {};              ///< null if the layer is in no group
+  KeyTimingPtr timing = {};              ///< as a key drawing; null: that of a new key drawing
 
   /// Compares by value.
   friend bool operator==(const LayerState& a, const LayerState& b) {
     return a.name == b.name && a.visible == b.visible && a.locked == b.locked &&
            a.opacity == b.opacity && a.blend == b.blend && equal_groups(a.group, b.group) &&
+           equal_timings(a.timing, b.timing) &&
            (a.picture == b.picture || (a.picture && b.picture && *a.picture == *b.picture));
   }
 };
@@ -120,7 +135,7 @@ struct LayerChange {
 };
 
 /// The only way to change a document: a label for the undo menu, and the changes of strokes,
-/// layers, fills, guides and symmetry groups. One gesture is one edit.
+/// layers, fills, guides, symmetry groups and edits of the body. One gesture is one edit.
 struct Edit {
   std::string label;  ///< shown to the user: "Draw", "Pull"
   std::vector<StrokeChange> changes;
@@ -128,11 +143,12 @@ struct Edit {
   std::vector<FillChange> fills = {};
   std::vector<GuideChange> guides = {};
   std::vector<SymmetryChange> symmetries = {};
+  std::vector<BodyEditChange> body_edits = {};
   bool toggles_guides = false;  ///< hides the guides if they were shown, shows them if hidden
 
   [[nodiscard]] bool empty() const noexcept {
     return changes.empty() && layers.empty() && fills.empty() && guides.empty() &&
-           symmetries.empty() && !toggles_guides;
+           symmetries.empty() && body_edits.empty() && !toggles_guides;
   }
   /// Returns the edit that undoes this edit: `before` and `after` are swapped. The inverse of the
   /// result is this edit.

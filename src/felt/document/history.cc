@@ -35,6 +35,18 @@ std::size_t memory_of(const SymmetryPtr& group) noexcept {
   return group ? sizeof(SymmetryGroup) + group->images.capacity() * sizeof(SymmetryImage) : 0;
 }
 
+std::size_t memory_of(const BodyEditPtr& edit) noexcept {
+  if (!edit) return 0;
+  return sizeof(BodyEdit) + (edit->path_mm.capacity() + edit->profile_mm.capacity()) * sizeof(Vec3);
+}
+
+std::size_t memory_of(const std::optional<LayerState>& state) noexcept {
+  if (!state) return 0;
+  return state->name.capacity() +
+         (state->timing ? sizeof(KeyTiming) + state->timing->pairs.capacity() * sizeof(KeyPair)
+                        : 0);
+}
+
 const PictureData* data_of(const std::optional<LayerState>& state) noexcept {
   return state && state->picture ? state->picture->data.get() : nullptr;
 }
@@ -69,6 +81,19 @@ bool continue_groups(const std::vector<SymmetryChange>& groups,
   return std::equal(groups.begin(), groups.end(), further.begin(), further.end(), continues);
 }
 
+/// Returns true if each change of a layer continues the one of the edit before, and none adds,
+/// removes or moves a layer.
+bool continue_layers(const std::vector<LayerChange>& layers,
+                     const std::vector<LayerChange>& further) {
+  const auto stays = [](const LayerChange& c) {
+    return c.before && c.after && c.before_index == c.after_index;
+  };
+  const auto continues = [&stays](const LayerChange& first, const LayerChange& second) {
+    return first.id == second.id && stays(first) && stays(second) && first.after == second.before;
+  };
+  return std::equal(layers.begin(), layers.end(), further.begin(), further.end(), continues);
+}
+
 }  // namespace
 
 std::size_t memory_of(const Edit& edit) noexcept {
@@ -76,11 +101,15 @@ std::size_t memory_of(const Edit& edit) noexcept {
       sizeof(Edit) + edit.label.capacity() + edit.changes.capacity() * sizeof(StrokeChange) +
       edit.layers.capacity() * sizeof(LayerChange) + edit.fills.capacity() * sizeof(FillChange) +
       edit.guides.capacity() * sizeof(GuideChange) +
-      edit.symmetries.capacity() * sizeof(SymmetryChange);
+      edit.symmetries.capacity() * sizeof(SymmetryChange) +
+      edit.body_edits.capacity() * sizeof(BodyEditChange);
   for (const StrokeChange& c : edit.changes) bytes += memory_of(c.before) + memory_of(c.after);
   for (const FillChange& c : edit.fills) bytes += memory_of(c.before) + memory_of(c.after);
   for (const GuideChange& c : edit.guides) bytes += memory_of(c.before) + memory_of(c.after);
   for (const SymmetryChange& c : edit.symmetries) {
+    bytes += memory_of(c.before) + memory_of(c.after);
+  }
+  for (const BodyEditChange& c : edit.body_edits) {
     bytes += memory_of(c.before) + memory_of(c.after);
   }
   std::set<const PictureData*> counted;
@@ -88,8 +117,7 @@ std::size_t memory_of(const Edit& edit) noexcept {
     if (data && counted.insert(data).second) bytes += data->png.size();
   };
   for (const LayerChange& c : edit.layers) {
-    if (c.before) bytes += c.before->name.capacity();
-    if (c.after) bytes += c.after->name.capacity();
+    bytes += memory_of(c.before) + memory_of(c.after);
     // The document has the picture, too, unless the edit adds or removes it.
     const PictureData *before = data_of(c.before), *after = data_of(c.after);
     if (before == after) continue;
@@ -120,7 +148,7 @@ void History::record(Edit edit) {
 
 bool History::extend(const Edit& edit) {
   const auto has_more = [](const Edit& e) {
-    return !e.layers.empty() || !e.guides.empty() || e.toggles_guides;
+    return !e.guides.empty() || !e.body_edits.empty() || e.toggles_guides;
   };
   if (done_ == 0 || can_redo() || has_more(edit)) return false;
   Step& step = steps_.back();
@@ -131,13 +159,17 @@ bool History::extend(const Edit& edit) {
   if (step.edit.label != edit.label || has_more(step.edit) ||
       !std::equal(step.edit.changes.begin(), step.edit.changes.end(), edit.changes.begin(),
                   edit.changes.end(), continues) ||
-      !continue_groups(step.edit.symmetries, edit.symmetries)) {
+      !continue_groups(step.edit.symmetries, edit.symmetries) ||
+      !continue_layers(step.edit.layers, edit.layers)) {
     return false;
   }
   if (!extend_fills(step.edit.fills, edit.fills)) return false;
   for (std::size_t i = 0; i < edit.changes.size(); ++i) {
     step.edit.changes[i].after = edit.changes[i].after;
     step.edit.changes[i].after_place = edit.changes[i].after_place;
+  }
+  for (std::size_t i = 0; i < edit.layers.size(); ++i) {
+    step.edit.layers[i].after = edit.layers[i].after;
   }
   for (std::size_t i = 0; i < edit.symmetries.size(); ++i) {
     step.edit.symmetries[i].after = edit.symmetries[i].after;

@@ -32,7 +32,7 @@ class History {
   /// Adds an edit that has just been applied to the newest step, so that both are undone together.
   /// Returns false and does nothing if this is impossible: if there are undone steps or no step, if
   /// the label differs, or if the edit does not replace exactly the strokes and change exactly the
-  /// symmetry groups of the step.
+  /// symmetry groups and states of layers of the step.
   bool extend(const Edit& edit);
 
   /// Undoes the last step. Returns the edit that was applied for this. Fails without a change if no

@@ -5,9 +5,10 @@
 
 namespace felt {
 
-/// A typed number that names a stroke, layer, fill, guide, symmetry group or group of layers of a
-/// document. The id zero names nothing. Ids are never reused within a document, except those of
-/// groups of layers, so an id in an undo step always means the same object.
+/// A typed number that names a stroke, layer, fill, guide, symmetry group, group of layers or
+/// edit of the body of a document. The id zero names nothing. Ids are never reused within a
+/// document, except those of groups of layers, so an id in an undo step always means the same
+/// object.
 template <class Tag>
 struct Id {
   std::uint64_t value = 0;
@@ -23,5 +24,6 @@ using FillId = Id<struct FillTag>;
 using GuideId = Id<struct GuideTag>;
 using SymmetryId = Id<struct SymmetryTag>;
 using GroupId = Id<struct GroupTag>;
+using BodyEditId = Id<struct BodyEditTag>;
 
 }  // namespace felt

@@ -32,7 +32,12 @@ Result<Ease> Ease::cubic(double x1, double y1, double x2, double y2) {
       return fail(ErrorCode::kInvalidArgument, "the numbers of an ease must be from 0 to 1");
     }
   }
-  const Cubic curve{{Point{0.0, 0.0}, Point{x1, y1}, Point{x2, y2}, Point{1.0, 1.0}}};
+  return of({x1, y1, x2, y2});
+}
+
+Ease Ease::of(const EaseCurve& ease) {
+  const Cubic curve{
+      {Point{0.0, 0.0}, Point{ease.x1, ease.y1}, Point{ease.x2, ease.y2}, Point{1.0, 1.0}}};
   std::vector<Knot> knots{{0.0, 0.0}};
   for (int i = 1; i < kEaseSteps; ++i) {
     const Point p = evaluate(curve, static_cast<double>(i) / kEaseSteps);

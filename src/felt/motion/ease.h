@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/key_timing.h"
 #include "felt/geometry/point.h"
 
 namespace felt {
@@ -18,6 +19,8 @@ class Ease {
   /// (https://www.w3.org/TR/css-easing-1/). Fails unless all four numbers are from 0 to 1, because
   /// the motion would otherwise go back.
   static Result<Ease> cubic(double x1, double y1, double x2, double y2);
+  /// Makes the timing function of a key drawing. Requires numbers from 0 to 1 (check_key_timing).
+  static Ease of(const EaseCurve& curve);
   /// Makes the timing function "linear", "ease", "ease-in", "ease-out" or "ease-in-out" of CSS, or
   /// the one of four numbers separated by commas. Fails if the text is neither.
   static Result<Ease> parse(std::string_view text);

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "felt/document/body_edit.h"
 #include "felt/document/drawing_guide.h"
 #include "felt/document/edit.h"
 #include "felt/geometry/rect.h"
@@ -282,6 +283,44 @@ struct ExactEvent {
   friend bool operator==(const ExactEvent&, const ExactEvent&) = default;
 };
 
+/// Sets how a film shows the key drawings of layers (KeyTiming). What is absent stays as it is. One
+/// undo step for all layers. If the previous change of the document was a timing event of the same
+/// layers at most kTogetherNs earlier, and neither has pairs, both are one undo step.
+/// {"event":"timing","ids":[2,3],"between":8,"hold":2,
+/// "ease":[0.42,0,1,1],"pairs":[[3,5],[4,0]]}
+struct TimingEvent {
+  static constexpr std::int64_t kTogetherNs = 1'000'000'000;
+
+  std::vector<LayerId> layers = {};  ///< at least one
+  std::optional<int> between = {};
+  std::optional<int> hold = {};
+  std::optional<EaseCurve> ease = {};
+  std::optional<std::vector<KeyPair>> pairs = {};  ///< replaces all pairs
+  friend bool operator==(const TimingEvent&, const TimingEvent&) = default;
+};
+
+/// Adds or removes edits of the body of the drawing. Each is one undo step.
+/// {"event":"body","do":"add","kind":"cut","path":[[20,-10,0],[60,-80,0]],"view":[0,0,-1]}
+struct BodyEvent {
+  enum class Do : std::uint8_t {
+    kAdd,     ///< adds `edit` after all others
+    kRemove,  ///< removes the edit `id`
+    kClear,   ///< removes all edits
+  };
+  Do what = Do::kAdd;
+  BodyEditId id{};
+  BodyEdit edit{};
+  friend bool operator==(const BodyEvent&, const BodyEvent&) = default;
+};
+
+/// From now on, hides these layers from the view of the session, instead of the previous ones:
+/// tools treat them as hidden, and windows do not show them. The document does not change, so this
+/// is not an undo step. The current layer stays in view. {"event":"view","hidden":[1,3]}
+struct UseView {
+  std::vector<LayerId> hidden = {};  ///< layers that do not exist are ignored
+  friend bool operator==(const UseView&, const UseView&) = default;
+};
+
 /// An event of a drawing session. Events are the only input of a session
 /// (docs/design/loop.md#determinism). Times never run backwards.
 struct Event {
@@ -289,7 +328,8 @@ struct Event {
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
-               ChooseOffer, GuidesEvent, ExactEvent, UseEdges, UseRing>
+               ChooseOffer, GuidesEvent, ExactEvent, UseEdges, UseRing, TimingEvent, BodyEvent,
+               UseView>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -24,6 +24,7 @@ LayeredEdit::LayeredEdit(const Document& document, Edit& edit)
   next_id_ = id_after(edit.fills, next_id_);
   next_id_ = id_after(edit.guides, next_id_);
   next_id_ = id_after(edit.symmetries, next_id_);
+  next_id_ = id_after(edit.body_edits, next_id_);
   for (const StrokeChange& c : edit.changes) {
     sequence_.push_back(c.id);
     changes_.emplace(c.id, c);

@@ -124,9 +124,12 @@ struct Session::Apply {
   Result<void> operator()(const UseGuide& e) const { return session.use_guide(e); }
   Result<void> operator()(const ChooseOffer& e) const { return session.choose(e.what); }
   Result<void> operator()(const GuidesEvent& e) const { return session.change_guides(e); }
+  Result<void> operator()(const TimingEvent& e) const { return session.change_timing(time_ns, e); }
+  Result<void> operator()(const BodyEvent& e) const { return session.change_body(e); }
   Result<void> operator()(const ExactEvent&) const { return session.make_exact(); }
   Result<void> operator()(const UseEdges& e) const { return session.use_edges(e); }
   Result<void> operator()(const UseRing& e) const { return session.use_ring(e); }
+  Result<void> operator()(const UseView& e) const { return session.use_view(e); }
 };
 
 /// Parts of the session that change with the document, the pen and the options.
@@ -363,15 +366,13 @@ void Session::report_material(std::int64_t time_ns, OpenChoice kind, const Optio
 
 void Session::follow(const Edit& applied) {
   ++edits_;
-  parts_->index.update(applied, document_);
-  const bool is_selected =
-      !applied.layers.empty() || std::any_of(applied.changes.begin(), applied.changes.end(),
-                                             [this](const StrokeChange& change) {
-                                               return selection_.find(change.id) != nullptr;
-                                             });
-  selection_.follow(applied, document_);
-  ++selections_;
-  if (is_selected) parts_->selection_view.look_at_all(document_, selection_);
+  if (seen_) {
+    const Edit edit = seen_edit(applied);
+    FELT_CHECK(seen_->apply(edit).has_value());
+    follow_seen(edit);
+  } else {
+    follow_seen(applied);
+  }
   if (!applied.layers.empty()) keep_layer_open();
   if (!applied.guides.empty() || applied.toggles_guides) {
     parts_->visible_guides = document_.visible_guides();
@@ -379,11 +380,23 @@ void Session::follow(const Edit& applied) {
   if (options_.on_edit) options_.on_edit(applied);
 }
 
+void Session::follow_seen(const Edit& applied) {
+  parts_->index.update(applied, seen());
+  const bool is_selected =
+      !applied.layers.empty() || std::any_of(applied.changes.begin(), applied.changes.end(),
+                                             [this](const StrokeChange& change) {
+                                               return selection_.find(change.id) != nullptr;
+                                             });
+  selection_.follow(applied, seen());
+  ++selections_;
+  if (is_selected) parts_->selection_view.look_at_all(seen(), selection_);
+}
+
 void Session::set_selection(Selection selection) {
   selection_ = std::move(selection);
-  selection_.hold_to(document_);
+  selection_.hold_to(seen());
   ++selections_;
-  parts_->selection_view.look_at_all(document_, selection_);
+  parts_->selection_view.look_at_all(seen(), selection_);
 }
 
 void Session::record(const Event& event) const {
@@ -412,7 +425,7 @@ void Session::follow_stroke_guide(const PenSample& sample) {
   stroke_guide_->update(sample, parts_->contact.is_down(),
                         draws ? std::span<const DrawingGuidePtr>(parts_->visible_guides)
                               : std::span<const DrawingGuidePtr>(),
-                        document_, guide_spring_for(options_.device));
+                        seen(), guide_spring_for(options_.device));
 }
 
 std::vector<std::string> Session::option_ids() const {
@@ -454,7 +467,7 @@ Result<OptionValue> Session::option(std::string_view any_id) const {
 Scene Session::scene() const {
   const Tool* draws = first_tool(ToolKind::kDraws);
   const std::optional<ToolSize> size = draws ? draws->size() : std::nullopt;
-  return {document_,
+  return {seen(),
           parts_->index,
           selection_,
           layer_,
@@ -472,16 +485,6 @@ const Tool* Session::first_tool(ToolKind kind) const noexcept {
   const auto found = std::find_if(tools_.begin(), tools_.end(),
                                   [kind](const auto& tool) { return tool->info().kind == kind; });
   return found == tools_.end() ? nullptr : found->get();
-}
-
-Result<std::size_t> Session::find_tool(std::string_view id) const {
-  for (std::size_t i = 0; i < tools_.size(); ++i) {
-    if (tools_[i]->info().id == id) return i;
-  }
-  std::string known;
-  for (const auto& tool : tools_)
-    known += (known.empty() ? "" : ", ") + std::string(tool->info().id);
-  return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; the tools are " + known);
 }
 
 Document document_of(std::span<const StrokePtr> strokes) {

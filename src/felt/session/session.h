@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,8 +11,8 @@
 
 #include "felt/document/history.h"
 #include "felt/haptics/pen_sample.h"
-#include "felt/material/materials.h"
 #include "felt/session/event.h"
+#include "felt/session/session_options.h"
 #include "felt/stroke/stroke.h"
 #include "felt/tools/tool.h"
 
@@ -24,26 +23,6 @@ class DocumentMap;
 class EdgeRidges;
 class StrokeGuide;
 struct ExactOffer;
-
-struct SessionOptions {
-  /// The device that will output forces. A mouse or tablet has zero forces. UseDevice changes the
-  /// device.
-  Capabilities device;
-  /// The known surfaces and media, built-in and user-defined. UseMaterial adds materials.
-  Materials materials = Materials::built_in();
-  /// The document before the first event; the undo history starts after it.
-  Document document = {};
-  /// The selection before the first event. Strokes whose marks do not fit the document are left
-  /// out.
-  Selection selection = {};
-  /// Called with every event that the session accepted, in order, including pen samples as
-  /// PenEvent. It may be a Recorder.
-  std::function<void(const Event&)> on_event = {};
-  /// Called with every edit applied to the document, in order, including those of undo and redo.
-  /// The autosave uses it.
-  std::function<void(const Edit&)> on_edit = {};
-  std::size_t history_limit_bytes = History::kDefaultLimitBytes;
-};
 
 /// A drawing session: document, history, tools and settings, as a deterministic function of its
 /// events (docs/design/loop.md#determinism). The program, replay and tests all use this class:
@@ -61,7 +40,7 @@ struct SessionOptions {
 ///   cancel                         discards it
 ///   undo                           discards it, and undoes nothing else
 ///   redo, as-drawn, exact, select, delete, duplicate, move, order, restyle, layer,
-///   picture, guides, ring                              have no effect
+///   picture, guides, ring, timing, body, view          have no effect
 /// After a tool is chosen or a gesture is cancelled, the pen must be lifted before it can begin
 /// another gesture.
 ///
@@ -93,8 +72,8 @@ class Session {
   /// Handles an event. Fails if the tool, option, layer or medium does not exist; if the option
   /// does not accept the value, or the layer cannot be used; for a HandEvent, which is for the
   /// Player; for an ImportEvent, because the caller must read its file for import(); or if
-  /// read_material refuses the text of a material, or check_guide or guide_edit a guide. After a
-  /// failure nothing has changed, and the event is not recorded.
+  /// read_material refuses the text of a material, or check_guide, guide_edit, timing_edit or
+  /// body_edit_edit an event. After a failure nothing has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
   Result<void> sample(const PenSample& reported);
@@ -126,6 +105,12 @@ class Session {
   [[nodiscard]] std::optional<OfferView> offered() const;
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
+  /// Returns the document as tools see it: the layers that are out of view (UseView) are hidden.
+  [[nodiscard]] const Document& seen() const noexcept { return seen_ ? *seen_ : document_; }
+  /// Returns the layers that are out of view, ascending.
+  [[nodiscard]] const std::vector<LayerId>& out_of_view() const noexcept { return out_of_view_; }
+  /// Returns an edit of the document as the edit of seen() that it means.
+  [[nodiscard]] Edit seen_edit(Edit edit) const;
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
   /// Returns the current device.
   [[nodiscard]] const Capabilities& device() const noexcept { return options_.device; }
@@ -192,6 +177,9 @@ class Session {
   Result<void> use_guide(const UseGuide& event);
   Result<void> use_edges(const UseEdges& event);
   Result<void> use_ring(const UseRing& event);
+  Result<void> use_view(const UseView& event);
+  void set_view(std::vector<LayerId> out_of_view);
+  void bring_into_view(LayerId layer);
   /// If an option names a material that is not built in, records the material before the option,
   /// but each material only once.
   void report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
@@ -213,6 +201,8 @@ class Session {
   Result<void> change_layer(const LayerEvent& event);
   Result<void> add_picture(const AddPicture& event);
   Result<void> change_guides(const GuidesEvent& event);
+  Result<void> change_timing(std::int64_t time_ns, const TimingEvent& event);
+  Result<void> change_body(const BodyEvent& event);
   Result<void> choose(OfferKind what);
   [[nodiscard]] bool has_offer() const noexcept { return offer_ && offer_edits_ == edits_; }
   /// Marks what the first other choice of the offer would change.
@@ -241,6 +231,8 @@ class Session {
   /// Commits an edit as a part of the previous undo step, if History::extend() allows it.
   Result<void> commit_with_previous(Edit edit);
   void follow(const Edit& applied);
+  /// Updates the index and the selection after an edit of seen().
+  void follow_seen(const Edit& edit);
   void set_selection(Selection selection);
   void record(const Event& event) const;
 
@@ -248,6 +240,8 @@ class Session {
   std::vector<std::unique_ptr<Tool>> tools_;
   std::size_t active_ = 0;
   Document document_;
+  std::unique_ptr<Document> seen_;    // null while all layers are in view
+  std::vector<LayerId> out_of_view_;  // ascending
   std::unique_ptr<Parts> parts_;
   Selection selection_;
   History history_;
@@ -262,7 +256,7 @@ class Session {
   bool pen_is_down_ = false;
   // The pen has touched the surface, and the gesture has no result yet.
   bool gesture_is_open_ = false;
-  // The last move event, and the position in the history after it.
+  // The last move or timing event, and the position in the history after it.
   struct Moved {
     std::int64_t time_ns;
     std::uint64_t position;

@@ -1,11 +1,14 @@
 // The commands of a session: undo, redo, selection, layers. session.cc handles the samples.
+#include <algorithm>
 #include <utility>
 
+#include "felt/base/check.h"
 #include "felt/session/guide_edit.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
 #include "felt/session/symmetry_edit.h"
+#include "felt/session/timing_edit.h"
 #include "felt/tools/stroke_guide.h"
 
 namespace felt {
@@ -63,7 +66,7 @@ Result<void> Session::settle() {
 Result<void> Session::select_strokes(SelectStrokes::What what) {
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  set_selection(selected(document_, selection_, what));
+  set_selection(selected(seen(), selection_, what));
   return {};
 }
 
@@ -132,7 +135,10 @@ Result<void> Session::change_layer(const LayerEvent& event) {
   if (!edit) return tl::unexpected(edit.error());
   const LayerId used = used_after(document_, event, *edit);
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
-  if (used) layer_ = used;
+  if (used) {
+    layer_ = used;
+    bring_into_view(used);
+  }
   keep_layer_open();
   return {};
 }
@@ -163,11 +169,96 @@ Result<void> Session::change_guides(const GuidesEvent& event) {
   return commit(*std::move(edit));
 }
 
+Result<void> Session::change_timing(std::int64_t time_ns, const TimingEvent& event) {
+  if (gesture_in_progress()) return {};
+  // Reports an error before anything changes.
+  if (Result<Edit> edit = timing_edit(document_, event); !edit) return tl::unexpected(edit.error());
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = timing_edit(document_, event);
+  if (!edit) return tl::unexpected(edit.error());
+  if (edit->empty()) return {};
+  const bool continues = !event.pairs && moved_ && moved_->position == history_.position() &&
+                         time_ns - moved_->time_ns <= TimingEvent::kTogetherNs;
+  Result<void> done = continues ? commit_with_previous(*std::move(edit)) : commit(*std::move(edit));
+  if (!event.pairs) moved_ = Moved{time_ns, history_.position()};
+  return done;
+}
+
+Result<void> Session::change_body(const BodyEvent& event) {
+  if (gesture_in_progress()) return {};
+  // Reports an error before anything changes.
+  if (Result<Edit> edit = body_edit_edit(document_, event); !edit) {
+    return tl::unexpected(edit.error());
+  }
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = body_edit_edit(document_, event);
+  if (!edit) return tl::unexpected(edit.error());
+  return commit(*std::move(edit));
+}
+
 void Session::keep_layer_open() {
-  const Layer* layer = document_.layer(layer_);
+  const Layer* layer = seen().layer(layer_);
   if (layer && is_open(*layer)) return;
+  if (!highest_open_layer(seen())) set_view({});
   // After every step of a session at least one layer is open.
-  if (const LayerId open = highest_open_layer(document_)) layer_ = open;
+  if (const LayerId open = highest_open_layer(seen())) layer_ = open;
+}
+
+Result<void> Session::use_view(const UseView& event) {
+  if (gesture_in_progress()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  set_view(event.hidden);
+  return {};
+}
+
+void Session::bring_into_view(LayerId layer) {
+  if (!std::binary_search(out_of_view_.begin(), out_of_view_.end(), layer)) return;
+  std::vector<LayerId> others = out_of_view_;
+  std::erase(others, layer);
+  set_view(std::move(others));
+}
+
+void Session::set_view(std::vector<LayerId> out_of_view) {
+  std::erase_if(out_of_view, [this](LayerId id) { return id == layer_ || !document_.layer(id); });
+  std::sort(out_of_view.begin(), out_of_view.end());
+  out_of_view.erase(std::unique(out_of_view.begin(), out_of_view.end()), out_of_view.end());
+  if (out_of_view == out_of_view_) return;
+  if (!seen_) seen_ = std::make_unique<Document>(document_);
+  out_of_view_ = std::move(out_of_view);
+  Edit edit;
+  for (std::size_t i = 0; i < document_.layers().size(); ++i) {
+    const Layer& layer = document_.layers()[i];
+    LayerChange change{layer.id, seen_->layer(layer.id)->state(), layer.state(), i, i};
+    if (std::binary_search(out_of_view_.begin(), out_of_view_.end(), layer.id)) {
+      change.after->visible = false;
+    }
+    if (change.before != change.after) edit.layers.push_back(std::move(change));
+  }
+  FELT_CHECK(seen_->apply(edit).has_value());
+  if (out_of_view_.empty()) seen_.reset();
+  if (!edit.empty()) follow_seen(edit);
+}
+
+Edit Session::seen_edit(Edit edit) const {
+  const auto hide = [](std::optional<LayerState>& state) {
+    if (state) state->visible = false;
+  };
+  for (LayerChange& c : edit.layers) {
+    if (!std::binary_search(out_of_view_.begin(), out_of_view_.end(), c.id)) continue;
+    hide(c.before);
+    hide(c.after);
+  }
+  return edit;
+}
+
+Result<std::size_t> Session::find_tool(std::string_view id) const {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    if (tools_[i]->info().id == id) return i;
+  }
+  std::string known;
+  for (const auto& tool : tools_)
+    known += (known.empty() ? "" : ", ") + std::string(tool->info().id);
+  return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; the tools are " + known);
 }
 
 }  // namespace felt

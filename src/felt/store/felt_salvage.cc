@@ -11,11 +11,13 @@
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
 #include "felt/io/xml/material_texts.h"
+#include "felt/store/body_edit_table.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/fill_table.h"
 #include "felt/store/guide_table.h"
+#include "felt/store/key_timing_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -64,7 +66,7 @@ class Findings {
       return;
     if (take_guide(row) || take_symmetry(row)) return;
     if (take_material(row) || take_opacity(row) || take_picture(row)) return;
-    if (take_blend(row) || take_group(row)) return;
+    if (take_blend(row) || take_group(row) || take_timing(row) || take_body_edit(row)) return;
     if (!take_color(row)) ++others;
   }
 
@@ -86,7 +88,9 @@ class Findings {
   std::vector<std::pair<std::int64_t, PictureRow>> repeats;  // layers and rows without a file
   std::map<std::int64_t, BlendMode> blends;                  // by layer
   std::map<std::int64_t, LayerGroupPtr> groups;              // by layer
+  std::map<std::int64_t, KeyTimingPtr> timings;              // by layer
   std::map<std::int64_t, DrawingGuidePtr> guides;
+  std::map<std::int64_t, BodyEditPtr> body_edits;
   std::map<std::int64_t, SymmetryPtr> symmetries;
   bool hides_guides = false;
   std::map<std::int64_t, NamedColor> colors;
@@ -244,6 +248,26 @@ class Findings {
     if (group && groups.size() < kMaxLayers) groups.try_emplace(*whole(v[1]), group);
     return group != nullptr;
   }
+  bool take_timing(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 4 || !blob(v[1]) || !whole(v[2]) || !is_id(*whole(v[2])) || !whole(v[3])) {
+      return false;
+    }
+    if (*whole(v[3]) != key_timing_checksum(*whole(v[2]), *blob(v[1]))) return false;
+    Result<KeyTimingPtr> timing = read_key_timing_blob(*blob(v[1]));
+    if (!timing) return false;
+    if (timings.size() < kMaxLayers) timings.try_emplace(*whole(v[2]), *std::move(timing));
+    return true;
+  }
+  bool take_body_edit(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 4 || !text(v[1]) || !blob(v[2]) || !whole(v[3])) return false;
+    if (*whole(v[3]) != body_edit_checksum(row.id, *text(v[1]), *blob(v[2]))) return false;
+    Result<BodyEditPtr> edit = read_body_edit_blob(*text(v[1]), *blob(v[2]));
+    if (!edit) return false;
+    if (body_edits.size() < kMaxBodyEdits) body_edits.try_emplace(row.id, *std::move(edit));
+    return true;
+  }
   bool take_guide(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.size() != 4 || !whole(v[1]) || !blob(v[2]) || !whole(v[3])) return false;
@@ -345,7 +369,7 @@ class Assembly {
                         " layers lost their names and positions; they were put on top.");
   }
 
-  /// Gives the layers their opacities, pictures, blend modes and groups.
+  /// Gives the layers their opacities, pictures, blend modes, groups and timings.
   void set_layer_looks() {
     const auto set = [](const auto& found, std::int64_t id, auto& value) {
       if (const auto at = found.find(id); at != found.end()) value = at->second;
@@ -355,6 +379,7 @@ class Assembly {
       set(found_.pictures, id, layer.state.picture);
       set(found_.blends, id, layer.state.blend);
       set(found_.groups, id, layer.state.group);
+      set(found_.timings, id, layer.state.timing);
     }
   }
 
@@ -391,6 +416,9 @@ class Assembly {
     }
     for (const auto& [id, group] : found_.symmetries) {
       edit.symmetries.push_back({{static_cast<std::uint64_t>(id)}, nullptr, group});
+    }
+    for (const auto& [id, body_edit] : found_.body_edits) {
+      edit.body_edits.push_back({{static_cast<std::uint64_t>(id)}, nullptr, body_edit});
     }
     edit.toggles_guides = found_.hides_guides;
     return document.apply(edit);

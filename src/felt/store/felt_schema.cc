@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "felt/base/check.h"
+#include "felt/store/body_edit_table.h"
 #include "felt/store/fill_table.h"
 #include "felt/store/guide_table.h"
+#include "felt/store/key_timing_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -187,7 +189,9 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
         PlainTable{"layer_look", kLayerLookTable, schema.has_layer_looks},
         PlainTable{"picture", kPictureTable, schema.has_pictures},
         PlainTable{"layer_blend", kLayerBlendTable, schema.has_layer_blends},
-        PlainTable{"layer_group", kLayerGroupTable, schema.has_layer_groups}}) {
+        PlainTable{"layer_group", kLayerGroupTable, schema.has_layer_groups},
+        PlainTable{"key_timing", kKeyTimingTable, schema.has_key_timings},
+        PlainTable{"body_edit", kBodyEditTable, schema.has_body_edits}}) {
     if (table.name != plain.name) continue;
     if (table.sql != plain.sql)
       return invalid_data("the table '" + table.name + "' has an unexpected definition");

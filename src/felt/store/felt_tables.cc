@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
+#include "felt/store/body_edit_table.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_page.h"
 #include "felt/store/fill_table.h"
 #include "felt/store/guide_table.h"
+#include "felt/store/key_timing_table.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
@@ -247,9 +249,11 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_layer_looks(database, drawing.document); })
       .and_then([&] { return write_layer_blends(database, drawing.document); })
       .and_then([&] { return write_layer_groups(database, drawing.document); })
+      .and_then([&] { return write_key_timings(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
       .and_then([&] { return write_fills(database, drawing.document); })
       .and_then([&] { return write_guides(database, drawing.document); })
+      .and_then([&] { return write_body_edits(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
       .and_then([&] { return write_materials(database, drawing); });
 }
@@ -269,10 +273,12 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
   if (done && schema.has_pictures) done = read_pictures(database, edit, notices);
   then(schema.has_layer_blends, read_layer_blends);
   then(schema.has_layer_groups, read_layer_groups);
+  then(schema.has_key_timings, read_key_timings);
   then(true, read_strokes);
   then(schema.has_fills, read_fills);
   if (done && schema.has_guides) done = read_guides(database, edit, notices);
   then(schema.has_symmetries, read_symmetries);
+  then(schema.has_body_edits, read_body_edits);
   if (done) {
     done = drawing.document.apply(edit).and_then([&] { return read_page(database, drawing); });
   }

@@ -67,7 +67,7 @@ void add_numbers(std::string& bytes, std::initializer_list<double> numbers) {
 
 bool changes_something(const Edit& edit) {
   return !edit.layers.empty() || !edit.fills.empty() || !edit.guides.empty() ||
-         !edit.symmetries.empty() || edit.toggles_guides ||
+         !edit.symmetries.empty() || !edit.body_edits.empty() || edit.toggles_guides ||
          std::any_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
            return !c.before || !c.after || !(*c.before == *c.after) ||
                   !(c.before_place == c.after_place);

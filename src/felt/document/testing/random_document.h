@@ -16,12 +16,13 @@ namespace felt::testing {
 
 /// Makes random edits that fit a document, for property tests: strokes are added, removed, replaced
 /// and moved between layers, and so are fills; layers are added, removed, renamed, moved and
-/// grouped; guides and symmetry groups are added, replaced and removed. The same seed gives the
+/// grouped, and get timings; guides, symmetry groups and edits of the body are added, replaced and
+/// removed. The same seed gives the
 /// same edits.
 class RandomEdits {
  public:
   explicit RandomEdits(std::uint64_t seed)
-      : seed_(seed), random_(seed), fills_(~seed), guides_(seed + 77) {}
+      : seed_(seed), random_(seed), timings_(seed + 5), fills_(~seed), guides_(seed + 77) {}
 
   Edit next(const Document& document) {
     read(document);
@@ -113,6 +114,9 @@ class RandomEdits {
     state.name += "'";
     state.opacity = random_.chance(0.5) ? 1.0 : random_.uniform(0.0, 1.0);
     state.blend = random_.chance(0.7) ? BlendMode::kNormal : BlendMode::kMultiply;
+    if (timings_.chance(0.5)) {
+      state.timing = timings_.chance(0.3) ? nullptr : shared_timing(random_timing(timings_));
+    }
     if (random_.chance(0.3)) state.picture = nullptr;
     if (random_.chance(0.3)) state.picture = red_blue_picture(random_.uniform(-9.0, 99.0), 0.5);
     if (random_.chance(0.3)) change_group(any(layers_.size()));
@@ -198,6 +202,7 @@ class RandomEdits {
 
   std::uint64_t seed_;
   RandomStroke random_;
+  RandomStroke timings_;  // apart, so that the other edits of a seed stay the same
   RandomFills fills_;
   RandomGuides guides_;
   std::uint64_t count_ = 0, strokes_ = 0, made_ = 0, made_groups_ = 0;

@@ -8,7 +8,8 @@ namespace felt::testing {
 
 /// Makes a random drawing of several layers, for property tests: strokes of all kinds, ids with
 /// gaps, some layers hidden or locked, and a page. Layers have ids from 1, as formats without layer
-/// ids give them. The layers have no pictures. The same seed gives the same drawing.
+/// ids give them. The layers have no pictures
+/// and no timings. The same seed gives the same drawing.
 inline Drawing random_drawing(std::uint64_t seed) {
   Document document;
   RandomEdits edits(seed);
@@ -19,7 +20,8 @@ inline Drawing random_drawing(std::uint64_t seed) {
   DrawingBuilder builder;
   for (const Layer& layer : document.layers()) {
     LayerState state = layer.state();
-    state.picture = nullptr;  // only .felt keeps pictures
+    state.picture = nullptr;  // only .felt keeps pictures and timings
+    state.timing = nullptr;
     const std::size_t index = builder.add_layer(std::move(state));
     for (const StrokeId id : layer.strokes) builder.add(index, document.find(id), id);
   }

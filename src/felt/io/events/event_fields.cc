@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/base/base64.h"
 #include "felt/geometry/tilt.h"
+#include "felt/io/events/body_fields.h"
 #include "felt/io/events/event_values.h"
 #include "felt/io/events/event_words.h"
 #include "felt/io/events/guide_fields.h"
+#include "felt/io/events/layer_fields.h"
+#include "felt/io/events/timing_fields.h"
 #include "felt/material/material_file.h"
-#include "felt/render/picture_pixels.h"
 
 namespace felt::json {
 namespace {
@@ -96,40 +97,6 @@ Result<void> parse_width_factor(Value& value, EventFields& out) {
   return {};
 }
 
-Result<void> parse_layer(Value& value, EventFields& out) {
-  const std::string_view token = token_of(value);
-  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(out.layer.value) ||
-      !out.layer) {
-    return bad("id: " + excerpt(token) + " is not a layer, which is a whole number, at least 1");
-  }
-  return {};
-}
-
-constexpr std::size_t kMaxIds = 10'000;  // a file has no more layers
-
-Result<void> parse_layers(Value& value, EventFields& out) {
-  return for_each_element(value, "ids", [&out](Value& item) -> Result<void> {
-    const std::string_view token = token_of(item);
-    LayerId id;
-    if (token.size() > limits::kMaxNumberChars || item.get_uint64().get(id.value) || !id) {
-      return bad(excerpt(token) + " is not a layer, which is a whole number, at least 1");
-    }
-    if (out.layers.size() == kMaxIds) return bad("has more than 10000 layers");
-    out.layers.push_back(id);
-    return {};
-  });
-}
-
-Result<void> parse_group(Value& value, EventFields& out) {
-  const std::string_view token = token_of(value);
-  GroupId group;
-  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(group.value)) {
-    return bad("group: " + excerpt(token) + " is not a group, which is a whole number");
-  }
-  out.group = group;
-  return {};
-}
-
 /// Reads a non-negative quantity of a device.
 template <double Capabilities::*Quantity>
 Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
@@ -184,55 +151,6 @@ Result<void> parse_select(Value& value, EventFields& out) {
   const Result<bool> select = read_bool(value);
   if (!select) return tl::unexpected(with_context(select.error(), "select"));
   out.select = *select;
-  return {};
-}
-
-Result<void> parse_index(Value& value, EventFields& out) {
-  const std::string_view token = token_of(value);
-  std::uint64_t index = 0;
-  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(index)) {
-    return bad("index: " + excerpt(token) +
-               " is not an index, which is a whole number, at least 0");
-  }
-  out.index = index;
-  return {};
-}
-
-Result<void> parse_matrix(Value& value, EventFields& out) {
-  std::array<double, 6> m{};
-  std::size_t count = 0;
-  const auto add = [&](Value& item) -> Result<void> {
-    const std::string_view token = token_of(item);
-    if (count == m.size()) return bad("a matrix has only six numbers");
-    if (read_number(item, kCoordinateLimit, m[count++])) return {};
-    return tl::unexpected(number_error(token, kCoordinateLimit));
-  };
-  if (Result<void> read = for_each_element(value, "matrix", add); !read) return read;
-  if (count < m.size()) return bad("matrix: has fewer than six numbers");
-  out.matrix = Affine{m[0], m[1], m[2], m[3], m[4], m[5]};
-  if (is_picture_place(*out.matrix)) return {};
-  return bad("matrix: a picture cannot be placed like this");
-}
-
-Result<void> parse_mode(Value& value, EventFields& out) {
-  BlendMode mode{};
-  if (auto read = parse_word(value, "mode", kBlendModeNames, mode); !read) return read;
-  out.mode = mode;
-  return {};
-}
-
-Result<void> parse_png(Value& value, EventFields& out) {
-  std::string text;
-  constexpr std::size_t kMaxText = PictureData::kMaxBytes / 3 * 4 + 4;
-  if (Result<void> read = parse_text(value, "png", text, kMaxText); !read) return read;
-  std::optional<std::string> bytes = base64_bytes(text);
-  if (!bytes) return bad("png: is not base64");
-  auto data = make_picture_data(*std::move(bytes));
-  if (!data) return tl::unexpected(with_context(data.error(), "png"));
-  if (auto pixels = PicturePixels::decode(**data); !pixels) {
-    return tl::unexpected(with_context(pixels.error(), "png"));
-  }
-  out.picture = *std::move(data);
   return {};
 }
 
@@ -438,6 +356,38 @@ constexpr std::array kEdgesFields = {kEvent, kTime, EventField{"page", false, pa
 
 constexpr std::array kRingFields = {kEvent, kTime, EventField{"points", false, parse_guide_points}};
 
+constexpr std::array kTimingFields = {kEvent,
+                                      kTime,
+                                      EventField{"ids", true, parse_layers},
+                                      EventField{"between", false, parse_timing_between},
+                                      EventField{"hold", false, parse_timing_hold},
+                                      EventField{"ease", false, parse_timing_ease},
+                                      EventField{"pairs", false, parse_timing_pairs}};
+
+constexpr std::array kBodyFields = {
+    kEvent,
+    kTime,
+    EventField{
+        "do", true,
+        [](Value& v, EventFields& e) { return parse_word(v, "do", kBodyWords, e.body.what); }},
+    EventField{"id", false, parse_layer},
+    EventField{"kind", false, parse_body_kind},
+    EventField{"path", false, parse_body_path},
+    EventField{"profile", false, parse_body_profile},
+    EventField{"view", false, parse_body_view},
+    EventField{"width_mm", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "width_mm", kCoordinateLimit, e.body.edit.width_mm);
+               }},
+    EventField{"color", false, parse_body_color},
+    EventField{"amount", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "amount", kCoordinateLimit, e.body.edit.amount);
+               }},
+};
+
+constexpr std::array kViewFields = {kEvent, kTime, EventField{"hidden", true, parse_hidden_layers}};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -469,6 +419,9 @@ constexpr NamedEvent kEvents[] = {
     {"guides", EventName::kGuides, kGuidesFields},
     {"edges", EventName::kEdges, kEdgesFields},
     {"ring", EventName::kRing, kRingFields},
+    {"timing", EventName::kTiming, kTimingFields},
+    {"body", EventName::kBody, kBodyFields},
+    {"view", EventName::kView, kViewFields},
 };
 
 }  // namespace

@@ -50,6 +50,8 @@ struct EventFields {
   GuidesEvent guides;
   bool has_kind = false;  ///< of guides
   UseEdges edges;
+  TimingEvent timing;
+  BodyEvent body;
 };
 
 /// The kinds of events, by their name in the file.
@@ -78,7 +80,10 @@ enum class EventName {
   kChoose,
   kGuides,
   kEdges,
-  kRing
+  kRing,
+  kTiming,
+  kBody,
+  kView
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

@@ -3,8 +3,10 @@
 #include <optional>
 #include <utility>
 
+#include "felt/io/events/body_fields.h"
 #include "felt/io/events/event_fields.h"
 #include "felt/io/events/guide_fields.h"
+#include "felt/io/events/timing_fields.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 
 namespace felt {
@@ -86,6 +88,12 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return UseMaterial{std::move(fields.text)};
     case EventName::kGuides:
       return std::move(fields.guides);
+    case EventName::kTiming:
+      return std::move(fields.timing);
+    case EventName::kBody:
+      return std::move(fields.body);
+    case EventName::kView:
+      return UseView{std::move(fields.layers)};
     case EventName::kGuide:
       return UseGuide{std::move(fields.guide)};
     case EventName::kEdges:
@@ -159,6 +167,27 @@ Result<void> check_ring(EventName name, const EventFields& fields) {
   return json::bad("points: a ring has three, its middle, its top and its right");
 }
 
+/// Checks an event whose fields depend on each other, and keeps the fields that it uses.
+template <class T>
+Result<void> keep_event(Result<T> event, T& out) {
+  if (!event) return tl::unexpected(event.error());
+  out = *std::move(event);
+  return {};
+}
+
+Result<void> check_whole_event(EventName name, EventFields& fields) {
+  switch (name) {
+    case EventName::kGuides:
+      return keep_event(json::guides_event(std::move(fields)), fields.guides);
+    case EventName::kTiming:
+      return keep_event(json::timing_event(std::move(fields)), fields.timing);
+    case EventName::kBody:
+      return keep_event(json::body_event(std::move(fields)), fields.body);
+    default:
+      return {};
+  }
+}
+
 std::string milliseconds_text(std::int64_t time_ns) {
   std::string text = std::to_string(static_cast<double>(time_ns) / 1e6);
   text.erase(text.find_last_not_of('0') + 1);
@@ -201,11 +230,7 @@ struct EventReader::State {
     if (read) read = check_layer(name, values);
     if (read) read = check_ring(name, values);
     if (read && name == EventName::kGuide) read = check_guide(values.guide);
-    if (read && name == EventName::kGuides) {
-      Result<GuidesEvent> guides = guides_event(std::move(values));
-      if (guides) values.guides = *std::move(guides);
-      if (!guides) return tl::unexpected(guides.error());
-    }
+    if (read) read = check_whole_event(name, values);
     if (!read) return tl::unexpected(read.error());
     if (values.time_ns < last_ns) {
       return json::bad("t_ms: " + milliseconds_text(values.time_ns) + " is before " +

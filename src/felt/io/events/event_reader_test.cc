@@ -273,12 +273,54 @@ TEST(EventReader, PressureIsClampedToItsRange) {
   EXPECT_EQ(std::get<PenEvent>(below.what).pressure, 0.0);
 }
 
+TEST(EventReader, ReadsTimingsAndEditsOfTheBody) {
+  EXPECT_EQ(
+      event_of(R"({"event":"timing","ids":[2],"between":0,"pairs":[[3,5],[0,7]],"t_ms":0})"),
+      (Event{0, TimingEvent{.layers = {{2}}, .between = 0, .pairs = {{{{3}, {5}}, {{}, {7}}}}}}));
+  EXPECT_EQ(event_of(R"({"event":"body","do":"add","kind":"cut","path":[[1,-2,0],[3,-4,0.5]],)"
+                     R"("color":"#b02020","amount":1,"t_ms":0})"),
+            (Event{0, BodyEvent{BodyEvent::Do::kAdd,
+                                {},
+                                {.kind = BodyEditKind::kCut,
+                                 .path_mm = {{1, -2, 0}, {3, -4, 0.5}},
+                                 .color = {0xb0, 0x20, 0x20, 255},
+                                 .amount = 1}}}));
+  EXPECT_EQ(event_of(R"({"event":"view","hidden":[3,1],"t_ms":0})"),
+            (Event{0, UseView{{{3}, {1}}}}));
+  EXPECT_EQ(event_of(R"({"event":"view","hidden":[],"t_ms":0})"), (Event{0, UseView{}}));
+  EXPECT_THAT(error_of(R"({"event":"view","hidden":[0],"t_ms":0})"), HasSubstr("hidden[0]: 0 is not a layer"));
+  const auto timing_error = [](const std::string& keys) {
+    return error_of(R"({"event":"timing","t_ms":0,)" + keys + "}");
+  };
+  EXPECT_EQ(timing_error(R"("between":3)"), "key \"ids\" is missing");
+  EXPECT_EQ(timing_error(R"("ids":[])"), "ids: there is no layer");
+  EXPECT_EQ(timing_error(R"("ids":[1],"between":1001)"),
+            "between: 1001 is not a whole number from 0 to 1000");
+  EXPECT_EQ(timing_error(R"("ids":[1],"hold":0)"), "hold: 0 is not a whole number from 1 to 1000");
+  EXPECT_EQ(timing_error(R"("ids":[1],"ease":[0,0,1])"), "ease: has fewer than four numbers");
+  EXPECT_EQ(timing_error(R"("ids":[1],"ease":[0,0,1,1.5])"),
+            "ease: the numbers must be from 0 to 1");
+  EXPECT_EQ(timing_error(R"("ids":[1],"pairs":[[0,0]])"), "pairs: a pair has no stroke");
+  EXPECT_EQ(timing_error(R"("ids":[1],"pairs":[[1,2],[1,3]])"), "pairs: a stroke is in two pairs");
+  EXPECT_THAT(timing_error(R"("ids":[1],"pairs":[[1]])"), HasSubstr("a pair has two strokes"));
+  const auto body_error = [](const std::string& keys) {
+    return error_of(R"({"event":"body","t_ms":0,)" + keys + "}");
+  };
+  EXPECT_EQ(body_error(R"("do":"remove")"), "key \"id\" is missing");
+  EXPECT_EQ(body_error(R"("do":"add")"), "key \"kind\" is missing");
+  EXPECT_EQ(body_error(R"("do":"add","kind":"cut")"), "path: has too few points");
+  EXPECT_EQ(body_error(R"("do":"add","kind":"paint","path":[[1,2,3]],"view":[0,0,2])"),
+            "view: is not a unit vector");
+  EXPECT_EQ(body_error(R"("do":"add","kind":"paint","path":[[1,2,3]],"profile":[[1,2,3]])"),
+            "profile: only an extrusion has one");
+}
+
 TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
       "exact, import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-      "material, guide, choose, guides, edges, ring");
+      "material, guide, choose, guides, edges, ring, timing, body, view");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

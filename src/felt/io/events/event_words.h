@@ -25,6 +25,8 @@ inline constexpr std::array<std::string_view, 5> kGuideWords = {"none", "groove"
 inline constexpr std::array<std::string_view, 7> kGuidesWords = {
     "add", "change", "remove", "clear", "show", "hide", "unlink"};
 
+inline constexpr std::array<std::string_view, 3> kBodyWords = {"add", "remove", "clear"};
+
 constexpr std::string_view word_of(SelectStrokes::What what) {
   return kSelectionWords[static_cast<std::size_t>(what)];
 }
@@ -45,6 +47,11 @@ constexpr std::string_view word_of(GuidesEvent::Do what) {
   return kGuidesWords[static_cast<std::size_t>(what)];
 }
 
+constexpr std::string_view word_of(BodyEvent::Do what) {
+  return kBodyWords[static_cast<std::size_t>(what)];
+}
+
+static_assert(word_of(BodyEvent::Do::kClear) == "clear");
 static_assert(word_of(GuidesEvent::Do::kUnlink) == "unlink");
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
 static_assert(word_of(OrderEvent::To::kBack) == "back");

@@ -7,6 +7,7 @@
 #include "felt/base/base64.h"
 #include "felt/io/events/event_words.h"
 #include "felt/io/ndjson/json_text.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt {
 namespace {
@@ -62,6 +63,29 @@ void add_guide(JsonObject& out, const DrawingGuide& guide) {
   add_points(out, guide.points);
   add_times(out, guide.times_ms);
   add("strength", guide.strength, plain.strength);
+}
+
+std::string vec3_text(const Vec3& p) {
+  return json_array({json_number(p.x), json_number(p.y), json_number(p.z)});
+}
+
+void add_path(JsonObject& out, std::string_view key, const std::vector<Vec3>& path) {
+  if (path.empty()) return;
+  std::vector<std::string> texts;
+  for (const Vec3& p : path) texts.push_back(vec3_text(p));
+  out.add_raw(key, json_array(texts));
+}
+
+/// Adds an edit of the body. Leaves out values that an edit has without them.
+void add_body_edit(JsonObject& out, const BodyEdit& edit) {
+  const BodyEdit plain;
+  out.add_text("kind", body_edit_kind_name(edit.kind));
+  add_path(out, "path", edit.path_mm);
+  add_path(out, "profile", edit.profile_mm);
+  if (edit.view != plain.view) out.add_raw("view", vec3_text(edit.view));
+  if (edit.width_mm != plain.width_mm) out.add_number("width_mm", edit.width_mm);
+  if (edit.color != plain.color) out.add_text("color", color_to_text(edit.color));
+  if (edit.amount != plain.amount) out.add_number("amount", edit.amount);
 }
 
 /// Adds the kind of an event and its own keys.
@@ -130,10 +154,7 @@ struct AddWhat {
     if (e.what == LayerEvent::Do::kPlace) add_matrix(out, e.place);
     if (e.what == LayerEvent::Do::kBlend) out.add_text("mode", blend_mode_name(e.mode));
     if (e.group) out.add_raw("group", std::to_string(e.group->value));
-    if (e.what != LayerEvent::Do::kGroup) return;
-    std::vector<std::string> ids;
-    for (const LayerId id : e.layers) ids.push_back(std::to_string(id.value));
-    out.add_raw("ids", json_array(ids));
+    if (e.what == LayerEvent::Do::kGroup) add_layers("ids", e.layers);
   }
   void operator()(const AddPicture& e) const {
     kind("picture");
@@ -179,6 +200,32 @@ struct AddWhat {
       add_guide(out, e.guide);
     }
   }
+  void operator()(const TimingEvent& e) const {
+    kind("timing");
+    add_layers("ids", e.layers);
+    if (e.between) out.add_number("between", *e.between);
+    if (e.hold) out.add_number("hold", *e.hold);
+    if (e.ease) {
+      out.add_raw("ease", json_array({json_number(e.ease->x1), json_number(e.ease->y1),
+                                      json_number(e.ease->x2), json_number(e.ease->y2)}));
+    }
+    if (!e.pairs) return;
+    std::vector<std::string> pairs;
+    for (const KeyPair& pair : *e.pairs) {
+      pairs.push_back(json_array({std::to_string(pair.from.value), std::to_string(pair.to.value)}));
+    }
+    out.add_raw("pairs", json_array(pairs));
+  }
+  void operator()(const UseView& e) const {
+    kind("view");
+    add_layers("hidden", e.hidden);
+  }
+  void operator()(const BodyEvent& e) const {
+    kind("body");
+    out.add_text("do", json::word_of(e.what));
+    if (e.id) out.add_raw("id", std::to_string(e.id.value));
+    if (e.what == BodyEvent::Do::kAdd) add_body_edit(out, e.edit);
+  }
   void operator()(const UseEdges& e) const {
     kind("edges");
     if (!e.page.empty()) {
@@ -200,6 +247,11 @@ struct AddWhat {
   }
 
  private:
+  void add_layers(std::string_view key, const std::vector<LayerId>& layers) const {
+    std::vector<std::string> ids;
+    for (const LayerId id : layers) ids.push_back(std::to_string(id.value));
+    out.add_raw(key, json_array(ids));
+  }
   void option_value(double number) const { out.add_number("value", number); }
   void option_value(bool is_on) const { out.add_bool("value", is_on); }
   void option_value(const std::string& text) const { out.add_text("value", text); }

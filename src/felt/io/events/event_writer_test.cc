@@ -46,6 +46,18 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, UseRing{}}), "{\"t_ms\":0,\"event\":\"ring\"}\n");
   EXPECT_EQ(line_of({0, UseRing{true, {60, 70}, {60, 54.5}, {76, 70}}}),
             "{\"t_ms\":0,\"event\":\"ring\",\"points\":[[60,70],[60,54.5],[76,70]]}\n");
+  EXPECT_EQ(line_of({0, TimingEvent{{{2}, {3}}, 8, 2, EaseCurve{0.42, 0, 1, 1}}}),
+            "{\"t_ms\":0,\"event\":\"timing\",\"ids\":[2,3],\"between\":8,\"hold\":2,"
+            "\"ease\":[0.42,0,1,1]}\n");
+  EXPECT_EQ(line_of({0, TimingEvent{.layers = {{2}}, .pairs = {{{{3}, {5}}, {{4}, {}}}}}}),
+            "{\"t_ms\":0,\"event\":\"timing\",\"ids\":[2],\"pairs\":[[3,5],[4,0]]}\n");
+  EXPECT_EQ(line_of({0, BodyEvent{BodyEvent::Do::kRemove, {7}}}),
+            "{\"t_ms\":0,\"event\":\"body\",\"do\":\"remove\",\"id\":7}\n");
+  EXPECT_EQ(line_of({0, BodyEvent{BodyEvent::Do::kAdd,
+                                  {},
+                                  {BodyEditKind::kPaint, {{1, -2, 3}}, {}, {0, 1, 0}, 4}}}),
+            "{\"t_ms\":0,\"event\":\"body\",\"do\":\"add\",\"kind\":\"paint\",\"path\":[[1,-2,3]],"
+            "\"view\":[0,1,0],\"width_mm\":4}\n");
   EXPECT_EQ(line_of({0, ExactEvent{}}), "{\"t_ms\":0,\"event\":\"exact\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
@@ -201,9 +213,29 @@ GuidesEvent any_guides_event() {
   return event;
 }
 
+TimingEvent any_timing_event() {
+  testing::RandomStroke random(*rc::gen::arbitrary<std::uint64_t>());
+  const KeyTiming timing = testing::random_timing(random);
+  TimingEvent event{{{1}, {*rc::gen::inRange<std::uint64_t>(2, 1ULL << 53)}}};
+  if (*rc::gen::arbitrary<bool>()) event.between = timing.between;
+  if (*rc::gen::arbitrary<bool>()) event.hold = timing.hold;
+  if (*rc::gen::arbitrary<bool>()) event.ease = timing.ease;
+  if (*rc::gen::arbitrary<bool>()) event.pairs = timing.pairs;
+  return event;
+}
+
+BodyEvent any_body_event() {
+  using Do = BodyEvent::Do;
+  testing::RandomStroke random(*rc::gen::arbitrary<std::uint64_t>());
+  BodyEvent event{static_cast<Do>(*rc::gen::inRange(0, 3))};
+  if (event.what == Do::kRemove) event.id = {*rc::gen::inRange<std::uint64_t>(1, 1ULL << 53)};
+  if (event.what == Do::kAdd) event.edit = testing::random_body_edit(random);
+  return event;
+}
+
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 21)) {
+  switch (*rc::gen::inRange(0, 24)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -265,6 +297,15 @@ Event any_event(std::int64_t time_ns) {
       event.what = *rc::gen::arbitrary<bool>()
                        ? UseRing{}
                        : UseRing{true, {*numbers(), 1.0}, {0.1, *numbers()}, {*numbers(), 0.0}};
+      break;
+    case 20:
+      event.what = any_timing_event();
+      break;
+    case 21:
+      event.what = any_body_event();
+      break;
+    case 22:
+      event.what = *rc::gen::arbitrary<bool>() ? UseView{} : UseView{{{1}, {7}}};
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};
