@@ -41,6 +41,24 @@ std::vector<Vec3> in_frame(std::span<const Vec3> path, Point origin) {
   return points;
 }
 
+/// Returns the body that the eye sees first at the first point of the path where it sees one, or
+/// nullopt.
+std::optional<std::size_t> body_below(const Solid& solid, const std::vector<Vec3>& path,
+                                      const Vec3& view) {
+  for (const Vec3& p : path) {
+    std::optional<std::size_t> seen;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < solid.bodies.size(); ++i) {
+      const auto hit = hit_from_eye(solid.bodies[i], p, view);
+      if (!hit || dot(view, hit->point) >= nearest) continue;
+      nearest = dot(view, hit->point);
+      seen = i;
+    }
+    if (seen) return seen;
+  }
+  return std::nullopt;
+}
+
 /// Applies edits to a solid.
 class Editor {
  public:
@@ -54,7 +72,6 @@ class Editor {
   Result<void> extrude(const BodyEdit& edit, const std::vector<Vec3>& path);
   Result<void> smooth(const BodyEdit& edit, const std::vector<Vec3>& path);
   Result<void> paint(const BodyEdit& edit, const std::vector<Vec3>& path);
-  [[nodiscard]] SolidBody* body_below(const std::vector<Vec3>& path, const Vec3& view);
 
   Solid solid_;
   std::vector<PaintedLine> lines_;
@@ -93,39 +110,25 @@ Result<void> Editor::cut(const BodyEdit& edit, const std::vector<Vec3>& path) {
   return {};
 }
 
-/// Returns the body that the eye sees first at the first point of the path where it sees one.
-SolidBody* Editor::body_below(const std::vector<Vec3>& path, const Vec3& view) {
-  for (const Vec3& p : path) {
-    SolidBody* seen = nullptr;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (SolidBody& body : solid_.bodies) {
-      const auto hit = hit_from_eye(body, p, view);
-      if (!hit || dot(view, hit->point) >= nearest) continue;
-      nearest = dot(view, hit->point);
-      seen = &body;
-    }
-    if (seen != nullptr) return seen;
-  }
-  return nullptr;
-}
-
 Result<void> Editor::extrude(const BodyEdit& edit, const std::vector<Vec3>& path) {
-  SolidBody* body = body_below(path, edit.view);
-  if (body == nullptr) return invalid_data(kMissesBodies);
+  const std::optional<std::size_t> at = body_below(solid_, path, edit.view);
+  if (!at) return invalid_data(kMissesBodies);
+  SolidBody& body = solid_.bodies[*at];
   const std::vector<Vec3> profile = in_frame(edit.profile_mm, solid_.origin);
-  Result<SolidBody> extruded = extrude_body(*body, path, profile, edit.view);
+  Result<SolidBody> extruded = extrude_body(body, path, profile, edit.view);
   if (!extruded) return tl::unexpected(extruded.error());
-  *body = *std::move(extruded);
+  body = *std::move(extruded);
   return {};
 }
 
 Result<void> Editor::smooth(const BodyEdit& edit, const std::vector<Vec3>& path) {
-  SolidBody* body = body_below(path, edit.view);
-  if (body == nullptr) return invalid_data(kMissesBodies);
-  Result<SolidBody> smoothed = smooth_body(*body, path, edit.view, edit.width_mm, edit.amount);
+  const std::optional<std::size_t> at = body_below(solid_, path, edit.view);
+  if (!at) return invalid_data(kMissesBodies);
+  SolidBody& body = solid_.bodies[*at];
+  Result<SolidBody> smoothed = smooth_body(body, path, edit.view, edit.width_mm, edit.amount);
   if (!smoothed) return tl::unexpected(smoothed.error());
-  *body = *std::move(smoothed);
-  body->border_count = 0;
+  body = *std::move(smoothed);
+  body.border_count = 0;
   return {};
 }
 
@@ -162,6 +165,19 @@ std::string refusal(std::size_t number, const BodyEdit& edit, const std::string&
 }
 
 }  // namespace body_editing
+
+std::vector<BodyEdit> body_edits_of(const Document& document) {
+  std::vector<BodyEdit> edits;
+  for (const auto& [id, edit] : document.body_edits()) edits.push_back(*edit);
+  return edits;
+}
+
+Result<ExtrusionRing> extrusion_ring(const Solid& solid, const BodyEdit& edit) {
+  const std::vector<Vec3> path = body_editing::in_frame(edit.path_mm, solid.origin);
+  const std::optional<std::size_t> at = body_editing::body_below(solid, path, edit.view);
+  if (!at) return invalid_data(body_editing::kMissesBodies);
+  return ring_on_body(solid.bodies[*at], path, edit.view);
+}
 
 EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits) {
   using namespace body_editing;

@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/document/body_edit.h"
+#include "felt/document/document.h"
+#include "felt/solid/extrude_body.h"
 #include "felt/solid/solid.h"
 
 namespace felt {
@@ -29,5 +32,11 @@ struct EditedSolid {
 ///
 /// Every body passes check_body(). The same solid and edits give the same bytes.
 EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits);
+
+/// Returns the edits of the body of a document, in the order in which they are applied.
+std::vector<BodyEdit> body_edits_of(const Document& document);
+
+/// Projects the closed stroke of an extrusion on the body below it. Fails like extrude_body().
+Result<ExtrusionRing> extrusion_ring(const Solid& solid, const BodyEdit& edit);
 
 }  // namespace felt

@@ -81,7 +81,7 @@ TEST(BodyEdits, ActOnTheBodyBelowTheStroke) {
   for (const Vec3& p : after.solid.bodies[1].points) EXPECT_LE(p.x, 32.0 + 1e-9);
 }
 
-TEST(BodyEdits, AnEditThatDoesNotFitIsLeftOutWithASentence) {
+TEST(BodyEdits, R60_AnEditThatDoesNotFitIsLeftOutWithASentence) {
   const Solid before = two_balls();
   const EditedSolid after = apply_body_edits(
       before, std::vector{cut({50, 20}, {50, 50}), red_line({0, 0}, {10, 0}), horn({50, 50}, 5, 19, 9)});
@@ -96,7 +96,7 @@ TEST(BodyEdits, AnEditThatDoesNotFitIsLeftOutWithASentence) {
   EXPECT_GT(volume_mm3(after.solid.bodies[0]), volume_mm3(before.bodies[0]));
 }
 
-TEST(BodyEdits, PaintStaysWhereItIsAndGoesWithThePartThatIsCutOff) {
+TEST(BodyEdits, R60_PaintStaysWhereItIsAndGoesWithThePartThatIsCutOff) {
   const std::vector edits{red_line({30, 50}, {70, 50}), cut({50, 20}, {50, 80})};
   const EditedSolid after = apply_body_edits(two_balls(), edits);
   EXPECT_EQ(after.refusals, (std::vector<std::string>{"", ""}));
@@ -138,7 +138,7 @@ TEST(BodyEdits, CutEdgesAreSharpInShading) {
 }
 
 // Random edits of random bodies, in any order: never an open body, and always the same result.
-TEST(BodyEdits, RandomEditsNeverBreakABody) {
+TEST(BodyEdits, R60_RandomEditsNeverBreakABody) {
   int applied = 0;
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
     Random random(seed);

@@ -9,6 +9,6 @@ namespace felt {
 /// those of the body, and the copies follow. The result is not closed. A body that has not been
 /// edited (border_count) is returned as it is, because its surface is smooth.
 SolidBody split_at_creases(const SolidBody& body);
-inline constexpr double kCreaseDeg = 40.0;
+inline constexpr double kCreaseDeg = 65.0;
 
 }  // namespace felt

@@ -133,7 +133,7 @@ TEST(CutBody, AStrokeIntoAHoleCutsNothingOff) {
 
 // Wavy strokes in random directions over random bodies: what remains on both sides of the stroke is
 // the whole body.
-TEST(CutBody, BothSidesOfAStrokeAreTheWholeBody) {
+TEST(CutBody, R60_BothSidesOfAStrokeAreTheWholeBody) {
   int refused = 0, cuts = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Random random(seed);

@@ -30,8 +30,8 @@ constexpr double kDepthOfThickness = 0.5, kDepthOfWidth = 0.25;
 /// The base ring on the body, and the frame in which the profile lies: its origin is the middle of
 /// the ring, n its normal, u the direction from the start of the profile to its end, v = n x u.
 struct Base {
-  std::vector<Vec3> ring;  // counter-clockwise, seen from outside
-  Vec3 middle, u, v, n;
+  std::vector<Vec3> ring;
+  Vec3 middle, n, u{}, v{};
   double low = 0.0, high = 0.0;  // range of the ring along u
 
   [[nodiscard]] double width() const { return high - low; }
@@ -39,35 +39,6 @@ struct Base {
     return middle + along_u * u + along_n * n;
   }
 };
-
-Result<Base> ring_on(const SolidBody& body, std::span<const Vec3> path, const Vec3& view) {
-  const ViewFrame frame = view_frame(view);
-  std::vector<Point> drawn;
-  for (const Vec3& p : path) drawn.push_back(frame.to_picture(p));
-  if (drawn.size() > 1 && distance(drawn.front(), drawn.back()) < 1e-9) drawn.pop_back();
-  if (drawn.size() < 3) return invalid_data("the closed line has too few points");
-  const double length = path_length(drawn) + distance(drawn.back(), drawn.front());
-  if (!(length > 0.0)) return invalid_data("the closed line has no length");
-  const int count = std::clamp(static_cast<int>(length / mean_edge_mm(body)), kMinRing, kMaxRing);
-  std::vector<Point> ring = resampled_ring(drawn, count);
-  if (self_crossing(ring, PathEnds::kClosed)) return invalid_data("the closed line crosses itself");
-  if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
-  Base base;
-  for (const Point p : ring) {
-    const auto hit = hit_from_eye(body, frame.to_solid(p, 0.0), -1.0 * frame.towards);
-    if (!hit) return invalid_data("the closed line is not wholly on the body");
-    base.ring.push_back(hit->point);
-    base.middle += (1.0 / count) * hit->point;
-  }
-  Vec3 area{};
-  for (std::size_t i = 0; i < base.ring.size(); ++i) {
-    area += cross(base.ring[i] - base.middle,
-                  base.ring[(i + 1) % base.ring.size()] - base.middle);
-  }
-  if (!(norm(area) > 0.0)) return invalid_data("the closed line encloses nothing");
-  base.n = (1.0 / norm(area)) * area;
-  return base;
-}
 
 /// Sets the axes u and v of a base for a profile.
 Result<void> set_axes(Base& base, std::span<const Vec3> profile) {
@@ -216,17 +187,49 @@ Result<SolidBody> Tube::run(const Sides& sides, double depth_mm) {
 
 }  // namespace body_extrusion
 
+Result<ExtrusionRing> ring_on_body(const SolidBody& body, std::span<const Vec3> path,
+                                   const Vec3& view) {
+  using namespace body_extrusion;
+  const ViewFrame frame = view_frame(view);
+  std::vector<Point> drawn;
+  for (const Vec3& p : path) drawn.push_back(frame.to_picture(p));
+  if (drawn.size() > 1 && distance(drawn.front(), drawn.back()) < 1e-9) drawn.pop_back();
+  if (drawn.size() < 3) return invalid_data("the closed line has too few points");
+  const double length = path_length(drawn) + distance(drawn.back(), drawn.front());
+  if (!(length > 0.0)) return invalid_data("the closed line has no length");
+  const int count = std::clamp(static_cast<int>(length / mean_edge_mm(body)), kMinRing, kMaxRing);
+  std::vector<Point> ring = resampled_ring(drawn, count);
+  if (self_crossing(ring, PathEnds::kClosed)) return invalid_data("the closed line crosses itself");
+  if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+  ExtrusionRing base;
+  for (const Point p : ring) {
+    const auto hit = hit_from_eye(body, frame.to_solid(p, 0.0), -1.0 * frame.towards);
+    if (!hit) return invalid_data("the closed line is not wholly on the body");
+    base.points.push_back(hit->point);
+    base.middle += (1.0 / count) * hit->point;
+  }
+  Vec3 area{};
+  for (std::size_t i = 0; i < base.points.size(); ++i) {
+    area += cross(base.points[i] - base.middle,
+                  base.points[(i + 1) % base.points.size()] - base.middle);
+  }
+  if (!(norm(area) > 0.0)) return invalid_data("the closed line encloses nothing");
+  base.normal = (1.0 / norm(area)) * area;
+  return base;
+}
+
 Result<SolidBody> extrude_body(const SolidBody& body, std::span<const Vec3> path,
                                std::span<const Vec3> profile, const Vec3& view) {
   using namespace body_extrusion;
-  Result<Base> base = ring_on(body, path, view);
-  if (!base) return tl::unexpected(base.error());
-  if (const Result<void> done = set_axes(*base, profile); !done) return tl::unexpected(done.error());
-  const Result<std::vector<Point>> flat = fitted_profile(*base, profile);
+  Result<ExtrusionRing> ring = ring_on_body(body, path, view);
+  if (!ring) return tl::unexpected(ring.error());
+  Base base{std::move(ring->points), ring->middle, ring->normal};
+  if (const Result<void> done = set_axes(base, profile); !done) return tl::unexpected(done.error());
+  const Result<std::vector<Point>> flat = fitted_profile(base, profile);
   if (!flat) return tl::unexpected(flat.error());
-  const Result<double> depth = depth_below(body, *base);
+  const Result<double> depth = depth_below(body, base);
   if (!depth) return tl::unexpected(depth.error());
-  const Result<SolidBody> tube = Tube(*base).run(sides_of(*flat, mean_edge_mm(body)), *depth);
+  const Result<SolidBody> tube = Tube(base).run(sides_of(*flat, mean_edge_mm(body)), *depth);
   if (!tube) return tl::unexpected(tube.error());
   Result<SolidBody> joined = combine(body, *tube, BodyBoolean::kUnion);
   if (!joined) return tl::unexpected(joined.error());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "felt/base/result.h"
 #include "felt/solid/solid.h"
@@ -24,5 +25,16 @@ namespace felt {
 /// itself, or if it touches the body elsewhere.
 Result<SolidBody> extrude_body(const SolidBody& body, std::span<const Vec3> path,
                                std::span<const Vec3> profile, const Vec3& view);
+
+/// The base of an extrusion: points and unit normal in the frame of the body, in mm.
+struct ExtrusionRing {
+  std::vector<Vec3> points;  ///< on the surface, counter-clockwise from outside
+  Vec3 middle;
+  Vec3 normal;  ///< outwards
+};
+
+/// Projects a closed stroke on a body. Fails like extrude_body().
+Result<ExtrusionRing> ring_on_body(const SolidBody& body, std::span<const Vec3> path,
+                                   const Vec3& view);
 
 }  // namespace felt

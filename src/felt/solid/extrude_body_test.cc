@@ -92,7 +92,7 @@ TEST(ExtrudeBody, RefusesWithASentence) {
 }
 
 // Rings at random points of random bodies, seen from random directions, with bent horns.
-TEST(ExtrudeBody, AddsVolumeAndKeepsOneBody) {
+TEST(ExtrudeBody, R60_AddsVolumeAndKeepsOneBody) {
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);

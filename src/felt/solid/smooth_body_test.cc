@@ -63,7 +63,7 @@ TEST(SmoothBody, RefusesAStrokeBesideTheBody) {
 }
 
 // A cut body has sharp edges. Smoothing the whole of it makes them less sharp.
-TEST(SmoothBody, MakesCutEdgesLessSharpAndKeepsTheVolume) {
+TEST(SmoothBody, R60_MakesCutEdgesLessSharpAndKeepsTheVolume) {
   int smoothed = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Random random(seed);
