@@ -9,6 +9,7 @@
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/picture/png.h"
+#include "felt/solid/body_edits.h"
 #include "felt/solid/front_paint.h"
 #include "felt/solid/gap_search.h"
 #include "felt/solid/inflate.h"
@@ -37,6 +38,7 @@ struct InflateArguments {
   std::optional<double> gap_mm;
   bool fills_holes = false;
   bool paints = true;
+  bool edits = true;
 };
 
 void add_options(CLI::App& command, InflateArguments& args) {
@@ -76,6 +78,9 @@ void add_options(CLI::App& command, InflateArguments& args) {
       "!--no-paint", args.paints,
       "Leave the lines and fills inside the outlines out of a .glb and of the picture;\n"
       "default: they are painted on the front");
+  command.add_flag("!--no-edits", args.edits,
+                   "Leave out the cuts, extrusions, paint and smoothing that the drawing has for its\n"
+                   "body");
 }
 
 /// Returns the format of the output; nullopt if only a picture is wanted.
@@ -123,6 +128,32 @@ Result<std::optional<FrontPaint>> paint_of(const Drawing& drawing, const Solid& 
       [&](const Grain& grain) { return front_paint(drawing.document, solid, grain); });
 }
 
+/// Applies the edits of the body. Those that do not fit are reported.
+void edit_solid(const Document& document, const std::string& name, Solid& solid,
+                Console& console) {
+  EditedSolid edited = apply_body_edits(std::move(solid), body_edits_of(document));
+  for (const std::string& refusal : edited.refusals) {
+    if (!refusal.empty()) console.notice(name + ": " + refusal);
+  }
+  solid = std::move(edited.solid);
+}
+
+/// Writes the files that the arguments name.
+void write_outputs(const InflateArguments& args, std::optional<SolidFormat> format,
+                   const Solid& solid, const FrontPaint* front, Console& console) {
+  if (format) {
+    const Result<void> done = write_solid(solid, front, *format, args.output);
+    if (!done) return console.error(done.error().message);
+  }
+  if (!args.png.empty()) {
+    const Result<void> done = write_picture(solid, front, args.png);
+    if (!done) return console.error(done.error().message);
+  }
+  if (args.film.empty()) return;
+  const Result<void> done = write_turning_film(solid, front, args.film);
+  if (!done) console.error(done.error().message);
+}
+
 void run_inflate(InflateArguments& args, Console& console) {
   const std::optional<SolidFormat> format = wanted_solid_format(args);
   if (args.output == "-" && args.png == "-") {
@@ -143,7 +174,8 @@ void run_inflate(InflateArguments& args, Console& console) {
     return console.error(input->name() + ": contains no strokes");
   }
   args.options.max_gap_mm = args.gap_mm ? *args.gap_mm : automatic_gap_mm(opened->drawing.document);
-  const Result<InflatedDrawing> inflated = inflate(opened->drawing.document, args.options);
+  const Document& document = opened->drawing.document;
+  Result<InflatedDrawing> inflated = inflate(document, args.options);
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
   if (console.failed()) return;
@@ -151,18 +183,9 @@ void run_inflate(InflateArguments& args, Console& console) {
   const Result<std::optional<FrontPaint>> paint =
       args.paints && is_shown ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
   if (!paint) return console.error(input->name() + ": " + paint.error().message);
-  const FrontPaint* const front = *paint ? &**paint : nullptr;
-  if (format) {
-    const Result<void> done = write_solid(inflated->solid, front, *format, args.output);
-    if (!done) return console.error(done.error().message);
-  }
-  if (!args.png.empty()) {
-    const Result<void> done = write_picture(inflated->solid, front, args.png);
-    if (!done) return console.error(done.error().message);
-  }
-  if (args.film.empty()) return;
-  const Result<void> done = write_turning_film(inflated->solid, front, args.film);
-  if (!done) console.error(done.error().message);
+  if (args.edits) edit_solid(document, input->name(), inflated->solid, console);
+  if (console.failed()) return;
+  write_outputs(args, format, inflated->solid, *paint ? &**paint : nullptr, console);
 }
 
 }  // namespace

@@ -55,6 +55,23 @@ run 0 "$feltline" inflate ring.svg -o plain.glb --no-paint --png plain.png
 ! grep -q image/png plain.glb || fail "a texture"
 ! cmp -s plain.png ring.png || fail "no whisker on the body"
 
+# The edits of the body: a cut through the middle, which removes the left half; and one that does not fit.
+cat >edits.ndjson <<'END'
+{"event":"body","do":"add","kind":"cut","path":[[100,-140,0],[100,-10,0]]}
+{"event":"body","do":"add","kind":"paint","path":[[110,-60,0],[140,-75,0]],"width_mm":3,"color":"#ff0000"}
+{"event":"body","do":"add","kind":"cut","path":[[0,0,0],[5,0,0]]}
+END
+run 0 "$feltline" replay edits.ndjson --on ring.svg -o edited.felt
+run 0 "$feltline" inflate edited.felt -o edited.obj --fill-holes
+has err "edit 3 of the body, the cut that begins at (0.00, 0.00) mm: the stroke does not touch a body"
+watertight edited.obj 2
+awk '$1 == "v" && $2 < -0.001 { exit 1 }' edited.obj || fail "the left half is still there"
+run 0 "$feltline" inflate edited.felt -o edited.glb --fill-holes
+grep -q COLOR_0 edited.glb || fail "nothing is painted"
+run 0 "$feltline" inflate edited.felt -o whole.obj --fill-holes --no-edits
+is_empty err
+same whole.obj disc.obj
+
 # A film in which it turns: the first and the last picture differ by one step only.
 if command -v ffmpeg >/dev/null; then
   run 0 "$feltline" inflate ring.svg --film ring.gif

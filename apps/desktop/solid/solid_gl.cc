@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "felt/solid/creases.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -80,7 +82,7 @@ void main() {
   shade = 0.45;
 #endif
   vec3 coat = point_color;
-  if (has_ink && at_mm.z > 0.0) {
+  if (has_ink && at_mm.z > 0.0 && n.z > 0.001) {
     vec4 on_it = texture2D(ink, ink_place.xy + at_mm.xy * ink_place.zw);
     coat = on_it.rgb + (1.0 - on_it.a) * coat;
   }
@@ -112,21 +114,27 @@ std::int16_t normal_part(double v) {
 
 void add_points(const SolidBody& body, std::vector<GlPoint>& points) {
   const std::vector<Vec3> normals = point_normals(body);
-  const Rgba color = shown_color(body.color);
+  const std::vector<Rgba> colors = point_colors(body);
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     const Vec3 &p = body.points[i], &n = normals[i];
     points.push_back({{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
                       {normal_part(n.x), normal_part(n.y), normal_part(n.z), 0},
-                      {color.r, color.g, color.b, 255}});
+                      {colors[i].r, colors[i].g, colors[i].b, 255}});
   }
 }
 
-/// Adds the triangles and the lines of a body whose first point has the index `first`.
-void add_indices(const SolidBody& body, std::uint32_t first, std::vector<std::uint32_t>& triangles,
-                 std::vector<std::uint32_t>& lines) {
+/// Adds the triangles of a body whose first point has the index `first`.
+void add_triangles(const SolidBody& body, std::uint32_t first,
+                   std::vector<std::uint32_t>& triangles) {
+  for (const SolidBody::Triangle& t : body.triangles) {
+    for (const std::uint32_t corner : t) triangles.push_back(first + corner);
+  }
+}
+
+/// Adds the edges of a body whose first point has the index `first`.
+void add_lines(const SolidBody& body, std::uint32_t first, std::vector<std::uint32_t>& lines) {
   for (const SolidBody::Triangle& t : body.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      triangles.push_back(first + t[k]);
       // Each edge belongs to two triangles, in opposite directions.
       const std::uint32_t next = t[(k + 1) % 3];
       if (t[k] < next) lines.insert(lines.end(), {first + t[k], first + next});
@@ -274,8 +282,10 @@ void SolidGl::set_solid(const Solid& solid, const FrontPaint* paint) {
   double radius_mm = 0.0;
   for (const SolidBody& body : solid.bodies) {
     const auto first = static_cast<std::uint32_t>(points.size());
-    add_points(body, points);
-    add_indices(body, first, triangles, lines);
+    const SolidBody shaded = split_at_creases(body);
+    add_points(shaded, points);
+    add_triangles(shaded, first, triangles);
+    add_lines(body, first, lines);
     for (const Vec3& p : body.points) radius_mm = std::max(radius_mm, norm(p));
   }
   const auto fill = [this](GLenum target, Parts::Buffer buffer, const auto& data) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "felt/solid/body_edits.h"
 #include "felt/solid/gap_search.h"
 #include "felt/solid/inflate.h"
 
@@ -16,6 +17,24 @@ void add_paint(const Document& document, const Grain& grain, SolidAnswer& answer
   } else if (*paint) {
     answer.paint = std::make_shared<const FrontPaint>(**std::move(paint));
   }
+}
+
+/// Applies the edits of the body, and the new one after them.
+Solid edited(Solid solid, const Document& document, const std::optional<BodyEdit>& new_edit,
+             SolidAnswer& answer) {
+  std::vector<BodyEdit> edits = body_edits_of(document);
+  if (edits.empty() && !new_edit) return solid;
+  if (new_edit) edits.push_back(*new_edit);
+  EditedSolid result = apply_body_edits(std::move(solid), edits);
+  if (new_edit) {
+    std::string refusal = std::move(result.refusals.back());
+    result.refusals.pop_back();
+    if (!refusal.empty()) answer.new_edit_refusal = std::move(refusal);
+  }
+  for (std::string& refusal : result.refusals) {
+    if (!refusal.empty()) answer.notes.push_back(std::move(refusal));
+  }
+  return std::move(result.solid);
 }
 
 }  // namespace
@@ -33,7 +52,9 @@ SolidAnswer make_solid(const Document& document, const SolidRequest& request,
   if (inflated) {
     answer.notes = std::move(inflated->notes);
     answer.solid = std::make_shared<const Solid>(std::move(inflated->solid));
-    add_paint(document, request.grain, answer);
+    add_paint(document, request.grain, answer);  // the ink lies on the bodies as they were drawn
+    answer.solid = std::make_shared<const Solid>(
+        edited(*answer.solid, document, request.new_edit, answer));
   } else {
     answer.notes.push_back(inflated.error().message);
     answer.is_open = inflated.error().code == ErrorCode::kNotFound;

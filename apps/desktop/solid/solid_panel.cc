@@ -35,6 +35,7 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       scene_(new SolidScene(this)),
+      tools_(new BodyTools(*scene_, [&studio] { return studio.session().ink_color(); }, this)),
       summary_(new QLabel(this)),
       offer_(new QPushButton(this)),
       gap_(new QSlider(Qt::Horizontal, this)),
@@ -51,6 +52,7 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
   announce_.setSingleShot(true);
   announce_.setInterval(kAnnounceMs);
   connect(&delay_, &QTimer::timeout, this, &SolidPanel::start);
+  connect(tools_, &BodyTools::edit_wanted, this, &SolidPanel::try_edit);
   connect(&announce_, &QTimer::timeout, this, [this] { summary_->setText(tr("Inflating…")); });
   connect(&studio_, &Studio::edited, this, &SolidPanel::wait);
   connect(&studio_, &Studio::opened, this, [this] {
@@ -82,6 +84,7 @@ void SolidPanel::make_controls() {
   below->addWidget(look_rows());
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(tools_);
   column->addWidget(scene_, 1);
   column->addLayout(below);
 }
@@ -170,6 +173,8 @@ void SolidPanel::set_on(bool on) {
 
 /// The bodies of another time or another drawing must not be exported.
 void SolidPanel::forget() {
+  new_edit_.reset();
+  tools_->forget_strokes();
   if (!solid()) return;
   paint_.reset();
   scene_->set_solid(nullptr);
@@ -194,6 +199,7 @@ void SolidPanel::set_gap(double gap_mm) {
 SolidRequest SolidPanel::request() const {
   SolidRequest request;
   if (!automatic_->isChecked()) request.gap_mm = kGapStepMm * gap_->value();
+  request.new_edit = new_edit_;
   request.holes = fill_holes_->isChecked() ? HoleChoice::kFill : HoleChoice::kKeep;
   if (Settings::the().flag(kShowsGrain, kShowsGrainDefault)) {
     const Session& session = studio_.session();
@@ -222,10 +228,28 @@ void SolidPanel::start() {
   if (!worker_) worker_ = std::make_unique<FileWorker>();
   worker_->start([this, request = request(), document = studio_.session().document(),
                   asked = session_]() -> FileWorker::Answer {
-    return [this, answer = make_solid(document, request, is_cancelled_), asked] {
+    const bool tries = request.new_edit.has_value();
+    return [this, answer = make_solid(document, request, is_cancelled_), asked, tries] {
       take(answer, asked);
+      if (tries && new_edit_) end_edit(answer, asked == session_);
     };
   });
+}
+
+/// Finds out whether an edit that the user has drawn fits the bodies.
+void SolidPanel::try_edit(const BodyEdit& edit) {
+  if (new_edit_) return tools_->show_refusal(tr("Wait until the last stroke has been applied."));
+  new_edit_ = edit;
+  start();
+}
+
+/// Makes the edit that was tried a part of the drawing, or says why it does not fit.
+void SolidPanel::end_edit(const SolidAnswer& answer, bool is_current) {
+  tools_->forget_strokes();
+  const std::optional<BodyEdit> edit = std::exchange(new_edit_, std::nullopt);
+  if (!is_current || !answer.solid) return;
+  if (answer.new_edit_refusal) return tools_->show_refusal(text_of(*answer.new_edit_refusal));
+  studio_.apply(BodyEvent{BodyEvent::Do::kAdd, {}, *edit});
 }
 
 void SolidPanel::take(const SolidAnswer& answer, int asked) {

@@ -14,6 +14,7 @@
 
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_worker.h"
+#include "desktop/solid/body_tools.h"
 #include "desktop/solid/solid_job.h"
 #include "desktop/solid/solid_scene.h"
 
@@ -23,6 +24,9 @@ namespace felt::desktop {
 /// making and showing them. While it is on, it follows every edit: the bodies are made on another
 /// thread when the drawing has not changed for kWaitMs and the pen is up. Until then, the previous
 /// bodies stay.
+///
+/// An edit that the user draws on a body (BodyTools) is first applied on that thread. If it fits, it
+/// becomes part of the drawing, as one step of undo; otherwise, a sentence says why not.
 class SolidPanel : public QWidget {
   Q_OBJECT
 
@@ -48,6 +52,7 @@ class SolidPanel : public QWidget {
   [[nodiscard]] const std::shared_ptr<const FrontPaint>& paint() const noexcept { return paint_; }
   /// Shows a pen that touches a body, or removes it (SolidScene::show_proxy).
   void show_proxy(const std::optional<SolidTouchMarks>& marks) { scene_->show_proxy(marks); }
+  [[nodiscard]] BodyTools& tools() noexcept { return *tools_; }
   /// Sets the actions of the button "Export".
   void set_export_actions(const QList<QAction*>& actions);
 
@@ -65,12 +70,15 @@ class SolidPanel : public QWidget {
   void take(const SolidAnswer& answer, int asked);
   void forget();
   void show_answer(const SolidAnswer& answer);
+  void try_edit(const BodyEdit& edit);
+  void end_edit(const SolidAnswer& answer, bool is_current);
   void show_gap(double gap_mm);
   void set_gap(double gap_mm);
 
   Studio& studio_;
   std::shared_ptr<const FrontPaint> paint_;
   SolidScene* scene_;
+  BodyTools* tools_;
   QLabel* summary_;
   QPushButton* offer_;
   QSlider* gap_;
@@ -87,6 +95,7 @@ class SolidPanel : public QWidget {
   bool waits_ = false;  // the drawing changed since the bodies were begun
   bool runs_ = false;
   double offered_mm_ = 0.0;
+  std::optional<BodyEdit> new_edit_;  // drawn, and not yet part of the drawing
   std::atomic<bool> is_cancelled_{false};  // must outlive worker_
   std::unique_ptr<FileWorker> worker_;     // null before the first bodies
 };

@@ -19,6 +19,7 @@ constexpr double kKeyZoom = 1.25;
 constexpr double kMinZoom = 0.2, kMaxZoom = 50.0;
 constexpr double kWheelStep = 120.0;  // of QWheelEvent::angleDelta() for one step of a wheel
 constexpr double kFill = 0.94;        // share of the widget that the bodies fill
+constexpr double kLinePx = 2.5;       // of a stroke over the bodies
 constexpr double kBallPx = 6.0, kForcePxPerN = 24.0;
 
 bool is_scene_key(int key) {
@@ -75,6 +76,29 @@ void SolidScene::set_solid(std::shared_ptr<const Solid> solid,
 void SolidScene::show_proxy(const std::optional<SolidTouchMarks>& marks) {
   marks_ = marks;
   update();
+}
+
+void SolidScene::set_tool(BodyTool tool) {
+  tool_ = tool;
+  draws_ = false;
+  stroke_.clear();
+  tool == BodyTool::kTurn ? unsetCursor() : setCursor(Qt::CrossCursor);
+  update();
+}
+
+void SolidScene::set_lines(std::vector<std::vector<Vec3>> lines) {
+  lines_ = std::move(lines);
+  update();
+}
+
+std::vector<Vec3> SolidScene::on_plane(const std::vector<QPointF>& px) const {
+  const SolidCamera camera = this->camera();
+  std::vector<Vec3> points;
+  for (const QPointF p : px) {
+    points.push_back((p.x() - camera.origin_px.x) / camera.px_per_mm * camera.right +
+                     (camera.origin_px.y - p.y()) / camera.px_per_mm * camera.up);
+  }
+  return points;
 }
 
 void SolidScene::set_wireframe(WireframeChoice wireframe) {
@@ -186,11 +210,31 @@ void SolidScene::paint_marks(QPainter& painter) const {
   painter.drawEllipse(proxy, kBallPx, kBallPx);
 }
 
+/// Paints the stroke in progress and the lines that are shown.
+void SolidScene::paint_lines(QPainter& painter) const {
+  if (stroke_.empty() && lines_.empty()) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), kLinePx, Qt::SolidLine, Qt::RoundCap,
+                      Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPolyline(stroke_.data(), static_cast<int>(stroke_.size()));
+  const SolidCamera camera = this->camera();
+  for (const std::vector<Vec3>& line : lines_) {
+    std::vector<QPointF> px;
+    for (const Vec3& p : line) {
+      const Vec3 at = camera.to_px(p);
+      px.emplace_back(at.x, at.y);
+    }
+    painter.drawPolyline(px.data(), static_cast<int>(px.size()));
+  }
+}
+
 void SolidScene::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (solid_) {
     render();
     painter.drawImage(QPoint(), image_);
+    paint_lines(painter);
     paint_marks(painter);
   } else {
     painter.fillRect(rect(), palette().color(QPalette::Base));
@@ -220,7 +264,8 @@ bool SolidScene::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool is_plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-    if (is_plain && is_scene_key(key->key())) event->accept();
+    const bool is_escape = key->key() == Qt::Key_Escape && tool_ != BodyTool::kTurn;
+    if (is_plain && (is_scene_key(key->key()) || is_escape)) event->accept();
   }
   if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
   return QWidget::event(event);
@@ -228,20 +273,32 @@ bool SolidScene::event(QEvent* event) {
 
 void SolidScene::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
-  setCursor(Qt::ClosedHandCursor);
+  draws_ = tool_ != BodyTool::kTurn && event->button() == Qt::LeftButton && solid_;
+  if (!draws_) return setCursor(Qt::ClosedHandCursor);
+  stroke_ = {last_};
+  update();
 }
 
 void SolidScene::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() == Qt::NoButton) return;
+  if (draws_) {
+    stroke_.push_back(event->position());
+    return update();
+  }
   const QPointF moved = event->position() - std::exchange(last_, event->position());
   turn(kDragDegPerPx * moved.x(), -kDragDegPerPx * moved.y());
 }
 
 void SolidScene::mouseReleaseEvent(QMouseEvent*) {
-  unsetCursor();
+  tool_ == BodyTool::kTurn ? unsetCursor() : setCursor(Qt::CrossCursor);
+  if (!std::exchange(draws_, false)) return;
+  const std::vector<QPointF> stroke = std::exchange(stroke_, {});
+  update();
+  Q_EMIT stroke_drawn(stroke);
 }
 
-void SolidScene::mouseDoubleClickEvent(QMouseEvent*) {
+void SolidScene::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (tool_ != BodyTool::kTurn) return mousePressEvent(event);
   reset_view();
 }
 
@@ -269,6 +326,9 @@ void SolidScene::keyPressEvent(QKeyEvent* event) {
       return zoom(1.0 / kKeyZoom, middle);
     case Qt::Key_Home:
       return reset_view();
+    case Qt::Key_Escape:
+      if (tool_ == BodyTool::kTurn) return QWidget::keyPressEvent(event);
+      return Q_EMIT escaped();
     default:
       QWidget::keyPressEvent(event);
   }

@@ -6,7 +6,9 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "desktop/solid/body_tool.h"
 #include "desktop/solid/solid_gl.h"
 #include "desktop/solid/solid_touch_marks.h"
 #include "felt/solid/solid.h"
@@ -16,7 +18,8 @@ namespace felt::desktop {
 
 /// Shows bodies, lit, and lets the user turn them: a drag with any button of mouse or pen turns,
 /// the wheel zooms at the pointer, a double click resets. With the focus: arrow keys turn (with
-/// Shift in small steps), + and - zoom, Home resets.
+/// Shift in small steps), + and - zoom, Home resets. If another tool is set, a drag with the left
+/// button or the pen draws a stroke instead; it is shown while it is drawn.
 ///
 /// Painted with OpenGL (SolidGl), or with paint_solid() if there is no OpenGL. While the user turns
 /// the bodies, their edges are not smooth; they are kRestMs later.
@@ -39,6 +42,14 @@ class SolidScene : public QWidget {
   /// Shows a pen that touches a body, or removes it. Cheap: only the marks are painted again.
   void show_proxy(const std::optional<SolidTouchMarks>& marks);
 
+  /// Sets what a drag with the left button or the pen does. Discards the stroke in progress.
+  void set_tool(BodyTool tool);
+  /// Shows lines over the bodies, in the frame of the solid, in mm, instead of the previous ones.
+  void set_lines(std::vector<std::vector<Vec3>> lines);
+  /// Returns the points under pixels of the widget, on the plane through the origin of the solid
+  /// that faces the camera.
+  [[nodiscard]] std::vector<Vec3> on_plane(const std::vector<QPointF>& px) const;
+
   void set_wireframe(WireframeChoice wireframe);
   /// Cuts away what is farther to the right than this share of the width, 0..1. Nullopt: nothing.
   void set_section(std::optional<double> share);
@@ -60,6 +71,12 @@ class SolidScene : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {420, 420}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 160}; }
 
+ Q_SIGNALS:
+  /// The user has drawn a stroke with the tool, in pixels of the widget.
+  void stroke_drawn(const std::vector<QPointF>& px);
+  /// The user has pressed Escape, which turns the tool off.
+  void escaped();
+
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
@@ -78,6 +95,7 @@ class SolidScene : public QWidget {
   [[nodiscard]] QImage painted(const SolidCamera& camera, QSize size_px);
   [[nodiscard]] SolidLook look() const;
   void paint_marks(QPainter& painter) const;
+  void paint_lines(QPainter& painter) const;
 
   Painter painter_;
   std::shared_ptr<const Solid> solid_;
@@ -97,6 +115,10 @@ class SolidScene : public QWidget {
   double zoom_ = 1.0;
   QPointF shift_;  // of the origin from the middle, in pixels
   QPointF last_;   // position of the drag
+  BodyTool tool_ = BodyTool::kTurn;
+  bool draws_ = false;           // the drag is a stroke of the tool
+  std::vector<QPointF> stroke_;  // in progress, in pixels
+  std::vector<std::vector<Vec3>> lines_;
 };
 
 }  // namespace felt::desktop

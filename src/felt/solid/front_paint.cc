@@ -9,6 +9,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/geometry/bvh.h"
 #include "felt/geometry/rect.h"
+#include "felt/geometry/triangle_tree.h"
 #include "felt/render/page_painter.h"
 
 namespace felt {
@@ -90,7 +91,23 @@ bool is_blank(const Image& image, const PixelRect& part) {
 bool is_front(const SolidBody& body, const SolidBody::Triangle& triangle) noexcept {
   double z = 0.0;
   for (const std::uint32_t corner : triangle) z += body.points[corner].z;
-  return z > 0.0;
+  if (z <= 0.0) return false;
+  const Vec3& a = body.points[triangle[0]];
+  const Vec3 n = cross(body.points[triangle[1]] - a, body.points[triangle[2]] - a);
+  return n.z > kMinFrontNormal * norm(n);
+}
+
+std::vector<Rgba> point_colors(const SolidBody& body) {
+  const Rgba under = shown_color(body.color);
+  std::vector<Rgba> colors(body.points.size(), under);
+  for (std::size_t i = 0; i < body.paint.size(); ++i) {
+    const Rgba over = body.paint[i];
+    const auto part = [&over](std::uint8_t u, std::uint8_t o) {
+      return static_cast<std::uint8_t>((o * over.a + u * (255 - over.a) + 127) / 255);
+    };
+    colors[i] = {part(under.r, over.r), part(under.g, over.g), part(under.b, over.b), 255};
+  }
+  return colors;
 }
 
 Rgba shown_color(Rgba color) noexcept {

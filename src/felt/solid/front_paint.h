@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/document.h"
@@ -29,17 +30,25 @@ struct FrontPaint {
 
 /// Draws the visible strokes and fills of a document for the fronts of its bodies. A stroke that
 /// follows an outline for more than half of its length is left out: it has become the body. `solid`
-/// must be that of this document. Returns nullopt if no ink is left on the bodies. The same drawing
+/// must be that of this document, before its edits (body_edits.h). Returns nullopt if no ink is left on the bodies. The same drawing
 /// gives the same picture. Fails if the memory limit of Image does not allow a layer.
 Result<std::optional<FrontPaint>> front_paint(const Document& document, const Solid& solid,
                                               const Grain& grain);
 
-/// Returns true if a triangle of a body belongs to its front.
+/// Returns true if a triangle of a body belongs to its front: it lies before the page and faces the
+/// viewer. The faces of a cut along z do not.
 bool is_front(const SolidBody& body, const SolidBody::Triangle& triangle) noexcept;
 
 /// Returns the colour that a body is shown with: that of its stroke, but dark colours are made
 /// lighter, because a black body shows no shape and no ink.
 Rgba shown_color(Rgba color) noexcept;
+
+/// Returns the colour that each point of a body is shown with: its shown_color() under the paint of
+/// the point (SolidBody::paint). Opaque.
+std::vector<Rgba> point_colors(const SolidBody& body);
+
+/// A triangle belongs to the front if the z of its normal is larger than this.
+inline constexpr double kMinFrontNormal = 1e-3;
 
 /// Returns the picture of the front of one body: its shown colour with the ink on it, opaque. Its
 /// corner is that of the body's bounds. Returns nullopt if there is no ink within these bounds.

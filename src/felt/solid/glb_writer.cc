@@ -7,6 +7,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/view.h"
+#include "felt/solid/creases.h"
 #include "felt/solid/solid_bytes.h"
 #include "felt/solid/solid_writer.h"
 
@@ -31,8 +32,16 @@ void append_item(std::string& list, const std::string& item) {
   list += item;
 }
 
-/// Which triangles of a body.
-enum class Side { kAll, kFront, kBack };
+/// Which triangles of a body: those without paint (on any side, the front, or the back), or those
+/// with paint at a corner.
+enum class Side { kAll, kFront, kBack, kPainted };
+
+bool is_on(const SolidBody& body, const SolidBody::Triangle& t, Side side) {
+  const auto has_paint = [&body](std::uint32_t i) { return body.paint[i].a > 0; };
+  const bool is_painted = !body.paint.empty() && std::any_of(t.begin(), t.end(), has_paint);
+  if (is_painted || side == Side::kPainted) return is_painted && side == Side::kPainted;
+  return side == Side::kAll || is_front(body, t) == (side == Side::kFront);
+}
 
 /// The lists of a glTF document, and its binary buffer.
 class GlbDocument {
@@ -45,6 +54,7 @@ class GlbDocument {
  private:
   std::string add_points(const std::vector<Vec3>& points, bool with_bounds);
   std::string add_indices(const SolidBody& body, Side side);
+  std::string add_colors(const SolidBody& body);
   std::string add_picture_positions(const SolidBody& body, const FrontPaint& front);
   std::string add_material(const std::string& color);
   std::string add_textured_material(const std::string& png);
@@ -132,7 +142,7 @@ std::string GlbDocument::add_indices(const SolidBody& body, Side side) {
   const std::size_t offset = buffer_.size();
   std::size_t count = 0;
   for (const SolidBody::Triangle& t : body.triangles) {
-    if (side != Side::kAll && is_front(body, t) != (side == Side::kFront)) continue;
+    if (!is_on(body, t, side)) continue;
     for (const std::uint32_t corner : t) append_raw(buffer_, corner);
     count += 3;
   }
@@ -141,8 +151,19 @@ std::string GlbDocument::add_indices(const SolidBody& body, Side side) {
                           std::to_string(count) + R"(,"type":"SCALAR")");
 }
 
-Result<void> GlbDocument::add_body(const SolidBody& body, const FrontPaint* paint) {
-  const Rgba shown = paint == nullptr ? body.color : shown_color(body.color);
+/// The colour of each point, as linear light.
+std::string GlbDocument::add_colors(const SolidBody& body) {
+  std::vector<Vec3> colors;
+  for (const Rgba c : point_colors(body)) {
+    colors.push_back({linear(c.r), linear(c.g), linear(c.b)});
+  }
+  return add_points(colors, false);
+}
+
+Result<void> GlbDocument::add_body(const SolidBody& whole, const FrontPaint* paint) {
+  const SolidBody body = split_at_creases(whole);
+  const bool is_plain = paint == nullptr && body.paint.empty();
+  const Rgba shown = is_plain ? body.color : shown_color(body.color);
   std::string color;
   for (const std::uint8_t part : {shown.r, shown.g, shown.b}) {
     std::string text;
@@ -161,6 +182,10 @@ Result<void> GlbDocument::add_body(const SolidBody& body, const FrontPaint* pain
   const Result<std::optional<FrontPaint>> front =
       paint == nullptr ? std::nullopt : painted_front(body, *paint);
   if (!front) return tl::unexpected(front.error());
+  if (!body.paint.empty()) {
+    add_primitive(attributes + R"(,"COLOR_0":)" + add_colors(body), Side::kPainted,
+                  add_material(R"("baseColorFactor":[1,1,1,1],)"));
+  }
   if (!*front) {
     add_primitive(attributes, Side::kAll, plain);
   } else {

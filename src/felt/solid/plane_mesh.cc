@@ -84,6 +84,21 @@ PlaneMesh result_of(const Triangulation& triangulation) {
   return mesh;
 }
 
+/// Returns the triangles inside a ring whose corners, in order, are these vertices.
+Result<std::vector<std::array<std::uint32_t, 3>>> ring_triangles(
+    const Triangulation& triangulation, const std::vector<Triangulation::Vertex_handle>& corners) {
+  std::map<Triangulation::Vertex_handle, std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < corners.size(); ++i) numbers.emplace(corners[i], i);
+  if (numbers.size() != corners.size()) return invalid_data("the outline has equal points");
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (auto face : triangulation.finite_face_handles()) {
+    if (!face->is_in_domain()) continue;
+    triangles.push_back({numbers.at(face->vertex(0)), numbers.at(face->vertex(1)),
+                         numbers.at(face->vertex(2))});
+  }
+  return triangles;
+}
+
 }  // namespace cgal_mesh
 
 Result<PlaneMesh> fill_plane(const std::vector<Point>& points,
@@ -103,6 +118,29 @@ Result<PlaneMesh> fill_plane(const std::vector<Point>& points,
       }
     }
     return result_of(triangulation);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return invalid_data(std::string("the outline cannot be filled: ") + error.what());
+  }
+}
+
+Result<std::vector<std::array<std::uint32_t, 3>>> triangulate_ring(const std::vector<Point>& ring) {
+  using namespace cgal_mesh;
+  try {
+    Triangulation triangulation;
+    std::vector<Triangulation::Vertex_handle> corners;
+    Triangulation::Face_handle near;
+    for (const Point p : ring) {
+      corners.push_back(triangulation.insert({p.x, p.y}, near));
+      near = corners.back()->face();
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      triangulation.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+    }
+    if (triangulation.dimension() < 2) return invalid_data("the outline has no area");
+    mark_inside(triangulation);
+    return ring_triangles(triangulation, corners);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

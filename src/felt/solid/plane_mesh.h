@@ -30,4 +30,8 @@ Result<PlaneMesh> fill_plane(const std::vector<Point>& points,
                              const std::vector<std::array<std::size_t, 2>>& edges, double edge_mm,
                              std::size_t max_points);
 
+/// Divides the inside of a simple polygon into triangles whose corners are those of the polygon.
+/// They turn from +x to +y. Fails if the polygon crosses itself or has no area.
+Result<std::vector<std::array<std::uint32_t, 3>>> triangulate_ring(const std::vector<Point>& ring);
+
 }  // namespace felt

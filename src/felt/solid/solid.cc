@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "felt/geometry/triangle_tree.h"
+
 namespace felt {
 namespace solid_check {
 

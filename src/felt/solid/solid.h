@@ -22,10 +22,14 @@ struct SolidBody {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;  ///< counter-clockwise, seen from outside
   /// The first points lie on the outline, with z = 0. The front and the back share them.
+  /// 0 if the body has been edited (body_edits.h).
   std::size_t border_count = 0;
   int holes = 0;    ///< the number of holes through the body
   StrokeId stroke;  ///< the stroke with the largest share of the outline
   Rgba color{};     ///< of that stroke
+  /// The colour that is painted on each point (paint_body()), not premultiplied; alpha 0 where
+  /// nothing is. Empty if nothing is painted on the body.
+  std::vector<Rgba> paint;
 };
 
 /// Bodies without common points.

@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "felt/solid/body_edits.h"
 #include "felt/solid/inflate.h"
 #include "felt/solid/testing/solid_drawings.h"
 
@@ -53,6 +55,35 @@ BENCHMARK(inflate_an_outline)
     ->Args({5000, 1})
     ->Args({50'000, 0})
     ->Unit(benchmark::kMillisecond);
+
+/// A stroke across the middle of the outline, or a closed line on it with a profile.
+BodyEdit edit_of(BodyEditKind kind) {
+  BodyEdit edit{.kind = kind, .width_mm = kind == BodyEditKind::kPaint ? 2.0 : 30.0};
+  for (int i = 0; i <= 100; ++i) {
+    const double t = i / 50.0 - 1.0, a = std::numbers::pi * t;
+    if (kind == BodyEditKind::kExtrude) {
+      edit.path_mm.push_back({100.0 + 8.0 * std::cos(a), -100.0 + 8.0 * std::sin(a), 0.0});
+      edit.profile_mm.push_back({100.0 + 8.0 * t, -100.0, 40.0 + 30.0 * (1.0 - t * t)});
+    } else {
+      edit.path_mm.push_back({100.0 + 90.0 * t, -100.0 + 5.0 * std::sin(3.0 * a), 0.0});
+    }
+  }
+  return edit;
+}
+
+/// Measures one edit of a body (BodyEditKind) of about 5,000 triangles, from the inflated body to
+/// the checked one.
+void edit_a_body(benchmark::State& state) {
+  const Result<InflatedDrawing> inflated = inflate(outline_of_500(false), {.triangles = 5000});
+  if (!inflated) return state.SkipWithError(inflated.error().message.c_str());
+  const std::vector<BodyEdit> edits{edit_of(static_cast<BodyEditKind>(state.range(0)))};
+  for (auto _ : state) {
+    const EditedSolid edited = apply_body_edits(inflated->solid, edits);
+    if (!edited.refusals[0].empty()) return state.SkipWithError(edited.refusals[0].c_str());
+  }
+  state.SetLabel(std::string(body_edit_kind_name(edits[0].kind)));
+}
+BENCHMARK(edit_a_body)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace felt

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "felt/geometry/rect.h"
+#include "felt/geometry/triangle_tree.h"
+#include "felt/solid/creases.h"
 
 namespace felt {
 namespace solid_paint {
@@ -18,10 +20,6 @@ constexpr int kSamples = 2;  // per pixel and direction
 constexpr double kHalfLinePx = 0.5, kLineShade = 0.45;
 /// Share of kCutColor in the colour of a cut.
 constexpr double kCutShare = 0.6;
-
-Vec3 cross_of(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Returns the bounds of a solid as a camera sees it, in mm.
 Rect seen_by(const SolidCamera& camera, const Solid& solid) {
@@ -105,10 +103,11 @@ struct Samples {
         color(depth.size(), paper) {}
 };
 
-/// One corner of a triangle: its position in samples and depth, that on the body in mm, and its
-/// normal.
+/// One corner of a triangle: its position in samples and depth, that on the body in mm, its normal
+/// and its colour.
 struct Corner {
   Vec3 at, on_body, normal;
+  SolidShade color;
 };
 
 /// Paints triangles with a depth buffer.
@@ -120,15 +119,15 @@ class TrianglePainter {
         look_(look),
         section_mm_(look.section_x_mm.value_or(std::numeric_limits<double>::infinity())) {}
 
-  void paint(const std::array<Corner, 3>& t, const SolidShade& color);
+  void paint(const std::array<Corner, 3>& t);
 
  private:
   /// The position of a sample in a triangle: the shares of the corners.
   struct Shares {
     double u, v, w;
   };
-  [[nodiscard]] SolidShade color_at(const std::array<Corner, 3>& t, const Shares& at, double area,
-                                    const SolidShade& color) const;
+  [[nodiscard]] SolidShade color_at(const std::array<Corner, 3>& t, const Shares& at,
+                                    double area) const;
   [[nodiscard]] static Vec3 on_body(const std::array<Corner, 3>& t, const Shares& at) {
     return at.u * t[0].on_body + at.v * t[1].on_body + at.w * t[2].on_body;
   }
@@ -153,8 +152,12 @@ bool TrianglePainter::is_on_edge(const std::array<Corner, 3>& t, const Shares& a
 
 /// Where something was cut away, the nearest surface that is seen from inside covers exactly the
 /// cut, because bodies are closed. So it is painted as the cut.
-SolidShade TrianglePainter::color_at(const std::array<Corner, 3>& t, const Shares& at, double area,
-                                     const SolidShade& color) const {
+SolidShade TrianglePainter::color_at(const std::array<Corner, 3>& t, const Shares& at,
+                                     double area) const {
+  SolidShade color{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    color[k] = at.u * t[0].color[k] + at.v * t[1].color[k] + at.w * t[2].color[k];
+  }
   if (area > 0.0) {
     SolidShade cut{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -164,7 +167,7 @@ SolidShade TrianglePainter::color_at(const std::array<Corner, 3>& t, const Share
   const Vec3 n = at.u * t[0].normal + at.v * t[1].normal + at.w * t[2].normal;
   const double length = norm(n);
   const Vec3 p = on_body(t, at);
-  const bool has_ink = look_.paint != nullptr && p.z > 0.0;
+  const bool has_ink = look_.paint != nullptr && p.z > 0.0 && n.z > kMinFrontNormal * length;
   const SolidShade coat = has_ink ? inked(color, *look_.paint, p) : color;
   SolidShade shade = lit(coat, length > 0.0 ? (1.0 / length) * n : camera_.towards, camera_);
   if (look_.wireframe == WireframeChoice::kShow && is_on_edge(t, at, area)) {
@@ -174,7 +177,7 @@ SolidShade TrianglePainter::color_at(const std::array<Corner, 3>& t, const Share
 }
 
 /// Paints the samples inside a triangle that are in front of what is there.
-void TrianglePainter::paint(const std::array<Corner, 3>& t, const SolidShade& color) {
+void TrianglePainter::paint(const std::array<Corner, 3>& t) {
   const Vec3 &a = t[0].at, &b = t[1].at, &c = t[2].at;
   const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   const bool is_inside = area > 0.0;  // y points down
@@ -199,7 +202,7 @@ void TrianglePainter::paint(const std::array<Corner, 3>& t, const SolidShade& co
                      static_cast<std::size_t>(x);
       if (z <= samples_.depth[i]) continue;
       samples_.depth[i] = z;
-      samples_.color[i] = color_at(t, {u, v, w}, area, color);
+      samples_.color[i] = color_at(t, {u, v, w}, area);
     }
   }
 }
@@ -240,7 +243,7 @@ SolidCamera solid_camera(double turn_deg, double rise_deg) noexcept {
   camera.towards = {std::sin(turn) * std::cos(rise), std::sin(rise),
                     std::cos(turn) * std::cos(rise)};
   camera.right = {std::cos(turn), 0.0, -std::sin(turn)};
-  camera.up = solid_paint::cross_of(camera.towards, camera.right);
+  camera.up = cross(camera.towards, camera.right);
   return camera;
 }
 
@@ -268,17 +271,18 @@ Result<Image> paint_solid(const Solid& solid, const SolidCamera& camera, const S
   const SolidShade paper = shade_of(look.paper);
   Samples samples(kSamples * width_px, kSamples * height_px, paper);
   TrianglePainter painter(samples, camera, look);
-  for (const SolidBody& body : solid.bodies) {
-    const SolidShade color = shade_of(shown_color(body.color));
+  for (const SolidBody& whole : solid.bodies) {
+    const SolidBody body = split_at_creases(whole);
+    const std::vector<Rgba> colors = point_colors(body);
     const std::vector<Vec3> normals = point_normals(body);
     for (const SolidBody::Triangle& t : body.triangles) {
       std::array<Corner, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& p = body.points[t[k]];
         const Vec3 px = camera.to_px(p);
-        corners[k] = {{kSamples * px.x, kSamples * px.y, px.z}, p, normals[t[k]]};
+        corners[k] = {{kSamples * px.x, kSamples * px.y, px.z}, p, normals[t[k]], shade_of(colors[t[k]])};
       }
-      painter.paint(corners, color);
+      painter.paint(corners);
     }
   }
   write_pixels(samples, image->pixels());

@@ -1,0 +1,70 @@
+#include "felt/solid/line_on_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "felt/solid/stroke_path.h"
+#include "felt/solid/surface_hit.h"
+#include "felt/solid/view_frame.h"
+
+namespace felt {
+
+std::vector<LineOnBody> projected_line(const SolidBody& body, std::span<const Vec3> path,
+                                       const Vec3& view, double step_mm) {
+  constexpr double kMaxJump = 6.0;  // in steps
+  std::vector<LineOnBody> lines;
+  if (path.empty()) return lines;
+  const ViewFrame frame = view_frame(view);
+  std::vector<Point> drawn;
+  for (const Vec3& p : path) drawn.push_back(frame.to_picture(p));
+  step_mm = std::max(step_mm, path_length(drawn) / kMaxProjectedPoints);
+  const std::vector<Point> points = drawn.size() > 1 ? resampled(drawn, step_mm) : drawn;
+  bool is_new = true;
+  for (const Point p : points) {
+    const auto hit = hit_from_eye(body, frame.to_solid(p, 0.0), -1.0 * frame.towards);
+    if (!hit) {
+      is_new = true;
+      continue;
+    }
+    if (!is_new && norm(hit->point - lines.back().points.back()) > kMaxJump * step_mm) {
+      is_new = true;
+    }
+    if (is_new) lines.emplace_back();
+    is_new = false;
+    lines.back().points.push_back(hit->point);
+    lines.back().normals.push_back(hit->normal);
+  }
+  return lines;
+}
+
+LineSearch::LineSearch(std::span<const LineOnBody> lines) {
+  for (const LineOnBody& line : lines) {
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      // A part of one point is a dot.
+      if (i + 1 == line.points.size() && i > 0) break;
+      const std::size_t next = std::min(i + 1, line.points.size() - 1);
+      const Vec3 a = line.points[i], b = line.points[next];
+      segments_.push_back({a, b, line.normals[i], 0.5 * (a.x + b.x)});
+      longest_ = std::max(longest_, norm(b - a));
+    }
+  }
+  std::sort(segments_.begin(), segments_.end(),
+            [](const Segment& a, const Segment& b) { return a.middle_x < b.middle_x; });
+}
+
+LineSearch::Near LineSearch::nearest(const Vec3& p, double radius_mm) const {
+  Near best{2.0 * radius_mm + 1.0, {}};
+  const double reach = radius_mm + 0.5 * longest_;
+  auto at = std::lower_bound(segments_.begin(), segments_.end(), p.x - reach,
+                             [](const Segment& s, double x) { return s.middle_x < x; });
+  for (; at != segments_.end() && at->middle_x <= p.x + reach; ++at) {
+    const Vec3 along = at->b - at->a;
+    const double length = norm_squared(along);
+    const double t = length > 0.0 ? std::clamp(dot(p - at->a, along) / length, 0.0, 1.0) : 0.0;
+    const double distance = norm(p - (at->a + t * along));
+    if (distance < best.distance_mm) best = {distance, at->normal};
+  }
+  return best;
+}
+
+}  // namespace felt
