@@ -464,9 +464,9 @@ TEST(StyledOutline, R57_TheLayoutDoesNotDependOnTheTolerance) {
     const Stroke stroke = testing::random_stroke(seed);
     for (const StyleKind kind : {StyleKind::kDashes, StyleKind::kRepeat}) {
       const StrokeStyle style = style_of({.kind = kind, .length = 0.7, .gap = 0.3});
-      const std::size_t fine = styler.ink(stroke, style, 0.001).outline.contour_count();
-      for (const double tolerance_mm : {0.01, 0.05, 0.2}) {
-        EXPECT_EQ(styler.ink(stroke, style, tolerance_mm).outline.contour_count(), fine)
+      const std::size_t count = styler.ink(stroke, style, kToleranceMm).outline.contour_count();
+      for (const double tolerance_mm : {0.001, 0.05, 0.2}) {
+        EXPECT_EQ(styler.ink(stroke, style, tolerance_mm).outline.contour_count(), count)
             << seed << ' ' << tolerance_mm;
       }
     }
