@@ -86,8 +86,7 @@ std::vector<Vec3> point_normals(const SolidBody& body) {
   std::vector<Vec3> normals(body.points.size());
   for (const auto& [a, b, c] : body.triangles) {
     // The length is twice the area, so large triangles count more.
-    const Vec3 n =
-        cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
+    const Vec3 n = cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
     for (const std::uint32_t i : {a, b, c}) normals[i] += n;
   }
   for (Vec3& n : normals) {
