@@ -78,9 +78,10 @@ void add_options(CLI::App& command, InflateArguments& args) {
       "!--no-paint", args.paints,
       "Leave the lines and fills inside the outlines out of a .glb and of the picture;\n"
       "default: they are painted on the front");
-  command.add_flag("!--no-edits", args.edits,
-                   "Leave out the cuts, extrusions, paint and smoothing that the drawing has for its\n"
-                   "body");
+  command.add_flag(
+      "!--no-edits", args.edits,
+      "Leave out the cuts, extrusions, paint and smoothing that the drawing has for its\n"
+      "body");
 }
 
 /// Returns the format of the output; nullopt if only a picture is wanted.
@@ -129,8 +130,7 @@ Result<std::optional<FrontPaint>> paint_of(const Drawing& drawing, const Solid& 
 }
 
 /// Applies the edits of the body. Those that do not fit are reported.
-void edit_solid(const Document& document, const std::string& name, Solid& solid,
-                Console& console) {
+void edit_solid(const Document& document, const std::string& name, Solid& solid, Console& console) {
   EditedSolid edited = apply_body_edits(std::move(solid), body_edits_of(document));
   for (const std::string& refusal : edited.refusals) {
     if (!refusal.empty()) console.notice(name + ": " + refusal);

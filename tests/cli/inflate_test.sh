@@ -57,9 +57,9 @@ run 0 "$feltline" inflate ring.svg -o plain.glb --no-paint --png plain.png
 
 # The edits of the body: a cut through the middle, which removes the left half; and one that does not fit.
 cat >edits.ndjson <<'END'
-{"event":"body","do":"add","kind":"cut","path":[[100,-140,0],[100,-10,0]]}
-{"event":"body","do":"add","kind":"paint","path":[[110,-60,0],[140,-75,0]],"width_mm":3,"color":"#ff0000"}
-{"event":"body","do":"add","kind":"cut","path":[[0,0,0],[5,0,0]]}
+{"t_ms":0,"event":"body","do":"add","kind":"cut","path":[[100,-140,0],[100,-10,0]]}
+{"t_ms":0,"event":"body","do":"add","kind":"paint","path":[[110,-60,0],[140,-75,0]],"width_mm":3,"color":"#ff0000"}
+{"t_ms":0,"event":"body","do":"add","kind":"cut","path":[[0,0,0],[5,0,0]]}
 END
 run 0 "$feltline" replay edits.ndjson --on ring.svg -o edited.felt
 run 0 "$feltline" inflate edited.felt -o edited.obj --fill-holes

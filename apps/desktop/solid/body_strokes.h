@@ -11,9 +11,9 @@
 namespace felt::desktop {
 
 /// Returns the stroke that the user has drawn over the picture of a solid, in the frame of edits of
-/// the body (BodyEdit): on the plane through the origin of the solid that faces the camera. `origin`
-/// is that of the solid. Points that are nearer to the one before than a third of a pixel are left
-/// out.
+/// the body (BodyEdit): on the plane through the origin of the solid that faces the camera.
+/// `origin` is that of the solid. Points that are nearer to the one before than a third of a pixel
+/// are left out.
 std::vector<Vec3> stroke_over_solid(const SolidCamera& camera, const std::vector<QPointF>& px,
                                     Point origin);
 

@@ -116,10 +116,11 @@ void BodyTools::set_tool(BodyTool tool) {
 void BodyTools::show_hint() {
   const char* const hint = kTools[static_cast<std::size_t>(tool_)].hint;
   hint_->setVisible(*hint != '\0');
-  hint_->setText(extrusion_ ? tr("Turn the body with the other mouse button or the arrow keys until "
-                                 "you see the line from the side. Then draw the profile: from one "
-                                 "side of the line over the tip to the other side.")
-                            : tr(hint));
+  hint_->setText(extrusion_
+                     ? tr("Turn the body with the other mouse button or the arrow keys until "
+                          "you see the line from the side. Then draw the profile: from one "
+                          "side of the line over the tip to the other side.")
+                     : tr(hint));
 }
 
 void BodyTools::forget_strokes() {

@@ -53,8 +53,8 @@ SolidAnswer make_solid(const Document& document, const SolidRequest& request,
     answer.notes = std::move(inflated->notes);
     answer.solid = std::make_shared<const Solid>(std::move(inflated->solid));
     add_paint(document, request.grain, answer);  // the ink lies on the bodies as they were drawn
-    answer.solid = std::make_shared<const Solid>(
-        edited(*answer.solid, document, request.new_edit, answer));
+    answer.solid =
+        std::make_shared<const Solid>(edited(*answer.solid, document, request.new_edit, answer));
   } else {
     answer.notes.push_back(inflated.error().message);
     answer.is_open = inflated.error().code == ErrorCode::kNotFound;

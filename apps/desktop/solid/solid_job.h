@@ -39,10 +39,10 @@ struct SolidAnswer {
   std::optional<std::string> new_edit_refusal;
 };
 
-/// Makes the bodies of a drawing, with its edits of the body. Outlines that cannot become bodies are left out, with a note; so
-/// are edits that do not fit. Takes milliseconds for a sketch, but up to 20 s for 10,000 strokes that all cross. If
-/// `is_cancelled` becomes true, the next step is not begun, and the answer has no body. Safe to
-/// call from any thread.
+/// Makes the bodies of a drawing, with its edits of the body. Outlines that cannot become bodies
+/// are left out, with a note; so are edits that do not fit. Takes milliseconds for a sketch, but up
+/// to 20 s for 10,000 strokes that all cross. If `is_cancelled` becomes true, the next step is not
+/// begun, and the answer has no body. Safe to call from any thread.
 SolidAnswer make_solid(const Document& document, const SolidRequest& request,
                        const std::atomic<bool>& is_cancelled);
 

@@ -35,7 +35,8 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       scene_(new SolidScene(this)),
-      tools_(new BodyTools(*scene_, [&studio] { return studio.session().ink_color(); }, this)),
+      tools_(new BodyTools(
+          *scene_, [&studio] { return studio.session().ink_color(); }, this)),
       summary_(new QLabel(this)),
       offer_(new QPushButton(this)),
       gap_(new QSlider(Qt::Horizontal, this)),

@@ -25,8 +25,8 @@ namespace felt::desktop {
 /// thread when the drawing has not changed for kWaitMs and the pen is up. Until then, the previous
 /// bodies stay.
 ///
-/// An edit that the user draws on a body (BodyTools) is first applied on that thread. If it fits, it
-/// becomes part of the drawing, as one step of undo; otherwise, a sentence says why not.
+/// An edit that the user draws on a body (BodyTools) is first applied on that thread. If it fits,
+/// it becomes part of the drawing, as one step of undo; otherwise, a sentence says why not.
 class SolidPanel : public QWidget {
   Q_OBJECT
 
@@ -95,7 +95,7 @@ class SolidPanel : public QWidget {
   bool waits_ = false;  // the drawing changed since the bodies were begun
   bool runs_ = false;
   double offered_mm_ = 0.0;
-  std::optional<BodyEdit> new_edit_;  // drawn, and not yet part of the drawing
+  std::optional<BodyEdit> new_edit_;       // drawn, and not yet part of the drawing
   std::atomic<bool> is_cancelled_{false};  // must outlive worker_
   std::unique_ptr<FileWorker> worker_;     // null before the first bodies
 };

@@ -2317,6 +2317,81 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::BodyTools</name>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Drag to turn the body</source>
+        <translation>Ziehen dreht den Körper</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts the body along a stroke, and removes the part at its left</source>
+        <translation>Schneidet den Körper entlang eines Strichs und entfernt den Teil links davon</translation>
+    </message>
+    <message>
+        <source>Draw a line across the body, from beside it to beside it. What is at the left of the line goes away.</source>
+        <translation>Ziehen Sie eine Linie quer über den Körper, die neben ihm beginnt und endet. Was links der Linie liegt, fällt weg.</translation>
+    </message>
+    <message>
+        <source>Extrude</source>
+        <translation>Extrudieren</translation>
+    </message>
+    <message>
+        <source>Pulls a part out of the body: a closed line, then its profile</source>
+        <translation>Zieht einen Teil aus dem Körper heraus: eine geschlossene Linie, dann ihr Profil</translation>
+    </message>
+    <message>
+        <source>Draw a closed line on the body.</source>
+        <translation>Zeichnen Sie eine geschlossene Linie auf den Körper.</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Paints on the body, in the colour of the pen</source>
+        <translation>Malt auf den Körper, in der Farbe des Stifts</translation>
+    </message>
+    <message>
+        <source>Draw on the body.</source>
+        <translation>Zeichnen Sie auf den Körper.</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation type="unfinished">Glätten</translation>
+    </message>
+    <message>
+        <source>Smooths the body below a stroke, for example where it was cut</source>
+        <translation>Glättet den Körper unter einem Strich, zum Beispiel an einer Schnittkante</translation>
+    </message>
+    <message>
+        <source>Draw over what should become smooth.</source>
+        <translation>Zeichnen Sie über das, was glatt werden soll.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>Width of the brush</source>
+        <translation>Breite des Pinsels</translation>
+    </message>
+    <message>
+        <source>Turn the body with the other mouse button or the arrow keys until you see the line from the side. Then draw the profile: from one side of the line over the tip to the other side.</source>
+        <translation>Drehen Sie den Körper mit der anderen Maustaste oder den Pfeiltasten, bis Sie die Linie von der Seite sehen. Zeichnen Sie dann das Profil: von einer Seite der Linie über die Spitze zur anderen Seite.</translation>
+    </message>
+    <message>
+        <source>The line is not closed.</source>
+        <translation>Die Linie ist nicht geschlossen.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::CalibrationDialog</name>
     <message>
         <source>Drawing plane of %1</source>
@@ -5585,6 +5660,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Wait until the last stroke has been applied.</source>
+        <translation>Warten Sie, bis der letzte Strich angewendet ist.</translation>
     </message>
 </context>
 <context>

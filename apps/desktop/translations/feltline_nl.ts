@@ -2317,6 +2317,81 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::BodyTools</name>
+    <message>
+        <source>Turn</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>Drag to turn the body</source>
+        <translation>Slepen draait het lichaam</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Snijden</translation>
+    </message>
+    <message>
+        <source>Cuts the body along a stroke, and removes the part at its left</source>
+        <translation>Snijdt het lichaam langs een streek en verwijdert het deel links ervan</translation>
+    </message>
+    <message>
+        <source>Draw a line across the body, from beside it to beside it. What is at the left of the line goes away.</source>
+        <translation>Trek een lijn dwars over het lichaam die ernaast begint en eindigt. Wat links van de lijn ligt, valt weg.</translation>
+    </message>
+    <message>
+        <source>Extrude</source>
+        <translation>Extruderen</translation>
+    </message>
+    <message>
+        <source>Pulls a part out of the body: a closed line, then its profile</source>
+        <translation>Trekt een deel uit het lichaam: een gesloten lijn, dan het profiel ervan</translation>
+    </message>
+    <message>
+        <source>Draw a closed line on the body.</source>
+        <translation>Teken een gesloten lijn op het lichaam.</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Verven</translation>
+    </message>
+    <message>
+        <source>Paints on the body, in the colour of the pen</source>
+        <translation>Verft op het lichaam, in de kleur van de pen</translation>
+    </message>
+    <message>
+        <source>Draw on the body.</source>
+        <translation>Teken op het lichaam.</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation type="unfinished">Gladstrijken</translation>
+    </message>
+    <message>
+        <source>Smooths the body below a stroke, for example where it was cut</source>
+        <translation>Maakt het lichaam onder een streek glad, bijvoorbeeld bij een snijrand</translation>
+    </message>
+    <message>
+        <source>Draw over what should become smooth.</source>
+        <translation>Teken over wat glad moet worden.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>Width of the brush</source>
+        <translation>Breedte van het penseel</translation>
+    </message>
+    <message>
+        <source>Turn the body with the other mouse button or the arrow keys until you see the line from the side. Then draw the profile: from one side of the line over the tip to the other side.</source>
+        <translation>Draai het lichaam met de andere muisknop of de pijltoetsen tot u de lijn van opzij ziet. Teken dan het profiel: van de ene kant van de lijn over de punt naar de andere kant.</translation>
+    </message>
+    <message>
+        <source>The line is not closed.</source>
+        <translation>De lijn is niet gesloten.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::CalibrationDialog</name>
     <message>
         <source>Drawing plane of %1</source>
@@ -5585,6 +5660,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>and %1 more</source>
         <translation>en nog %1</translation>
+    </message>
+    <message>
+        <source>Wait until the last stroke has been applied.</source>
+        <translation>Wacht tot de laatste streek is toegepast.</translation>
     </message>
 </context>
 <context>

@@ -158,9 +158,10 @@ Result<SolidBody> combine(const SolidBody& a, const SolidBody& b, BodyBoolean op
   try {
     Mesh first = mesh_of(a), second = mesh_of(b), out;
     const auto careful = CGAL::parameters::throw_on_self_intersection(true);
-    const bool is_manifold = operation == BodyBoolean::kUnion
-                                 ? PMP::corefine_and_compute_union(first, second, out, careful)
-                                 : PMP::corefine_and_compute_difference(first, second, out, careful);
+    const bool is_manifold =
+        operation == BodyBoolean::kUnion
+            ? PMP::corefine_and_compute_union(first, second, out, careful)
+            : PMP::corefine_and_compute_difference(first, second, out, careful);
     if (!is_manifold) return invalid_data("parts of the body would meet in only a point or a line");
     SliverRemoval(out).run();
     return body_of(out);

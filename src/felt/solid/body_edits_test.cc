@@ -38,7 +38,9 @@ BodyEdit cut(Point from, Point to) {
 }
 
 BodyEdit red_line(Point from, Point to) {
-  return {.kind = BodyEditKind::kPaint, .path_mm = stroke(from, to), .width_mm = 2.0,
+  return {.kind = BodyEditKind::kPaint,
+          .path_mm = stroke(from, to),
+          .width_mm = 2.0,
           .color = {255, 0, 0, 255}};
 }
 
@@ -84,11 +86,13 @@ TEST(BodyEdits, ActOnTheBodyBelowTheStroke) {
 TEST(BodyEdits, R60_AnEditThatDoesNotFitIsLeftOutWithASentence) {
   const Solid before = two_balls();
   const EditedSolid after = apply_body_edits(
-      before, std::vector{cut({50, 20}, {50, 50}), red_line({0, 0}, {10, 0}), horn({50, 50}, 5, 19, 9)});
+      before,
+      std::vector{cut({50, 20}, {50, 50}), red_line({0, 0}, {10, 0}), horn({50, 50}, 5, 19, 9)});
   ASSERT_EQ(after.refusals.size(), 3U);
-  EXPECT_EQ(after.refusals[0],
-            "left out: edit 1 of the body, the cut that begins at (50.00, 20.00) mm: the stroke ends "
-            "on the body");
+  EXPECT_EQ(
+      after.refusals[0],
+      "left out: edit 1 of the body, the cut that begins at (50.00, 20.00) mm: the stroke ends "
+      "on the body");
   EXPECT_EQ(after.refusals[1],
             "left out: edit 2 of the body, the painted line that begins at (0.00, 0.00) mm: the "
             "stroke does not touch a body");
@@ -148,13 +152,15 @@ TEST(BodyEdits, R60_RandomEditsNeverBreakABody) {
     for (int i = 0; i < 5; ++i) {
       const Vec3 view = testing::random_direction(random);
       const ViewFrame frame = view_frame(view);
-      BodyEdit edit{.kind = static_cast<BodyEditKind>(static_cast<int>(random.between(0.0, 3.999)))};
+      BodyEdit edit{.kind =
+                        static_cast<BodyEditKind>(static_cast<int>(random.between(0.0, 3.999)))};
       edit.view = view;
       edit.width_mm = random.between(0.0, 15.0);
       edit.color = {200, 0, 0, 255};
       edit.amount = random.between(0.0, 1.0);
       const Point at{random.between(-20, 20), random.between(-20, 20)};
-      const double turn = random.between(0.0, 6.28), reach = edit.kind == BodyEditKind::kCut ? 90 : 10;
+      const double turn = random.between(0.0, 6.28),
+                   reach = edit.kind == BodyEditKind::kCut ? 90 : 10;
       for (int k = -20; k <= 20; ++k) {
         const double t = k / 20.0;
         const Vec along{std::cos(turn), std::sin(turn)};
@@ -168,7 +174,8 @@ TEST(BodyEdits, R60_RandomEditsNeverBreakABody) {
       }
       edits.push_back(std::move(edit));
     }
-    const EditedSolid after = apply_body_edits(solid, edits), again = apply_body_edits(solid, edits);
+    const EditedSolid after = apply_body_edits(solid, edits),
+                      again = apply_body_edits(solid, edits);
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_EQ(after.refusals.size(), edits.size());
     expect_sound(after.solid);

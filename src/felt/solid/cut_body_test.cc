@@ -69,7 +69,8 @@ TEST(CutBody, TheNewFaceLiesOnTheSweptStroke) {
 
 TEST(CutBody, AStrokeBesideTheBodyChangesNothing) {
   const SolidBody ball = testing::ball(20.0);
-  const Result<Parts> same = cut_body(ball, std::vector<Vec3>{{25, -30, 0}, {25, 30, 0}}, kFromFront);
+  const Result<Parts> same =
+      cut_body(ball, std::vector<Vec3>{{25, -30, 0}, {25, 30, 0}}, kFromFront);
   ASSERT_TRUE(same);
   EXPECT_FALSE(*same);
 }
@@ -145,8 +146,8 @@ TEST(CutBody, R60_BothSidesOfAStrokeAreTheWholeBody) {
     const double wave = random.between(0.0, 4.0), length = random.between(5.0, 30.0);
     std::vector<Vec3> path;
     for (int i = -90; i <= 90; ++i) {
-      const Point p = middle + static_cast<double>(i) * along +
-                      wave * std::sin(i / length) * perp(along);
+      const Point p =
+          middle + static_cast<double>(i) * along + wave * std::sin(i / length) * perp(along);
       path.push_back(frame.to_solid(p, random.between(-1.0, 1.0)));
     }
     const Result<Parts> right = cut_body(body, path, -1.0 * frame.towards);
@@ -154,7 +155,8 @@ TEST(CutBody, R60_BothSidesOfAStrokeAreTheWholeBody) {
     const Result<Parts> again = cut_body(body, path, -1.0 * frame.towards);
     if (!right || !left) {
       ++refused;
-      std::printf("seed %d: %s\n", static_cast<int>(seed), (right ? left : right).error().message.c_str());
+      std::printf("seed %d: %s\n", static_cast<int>(seed),
+                  (right ? left : right).error().message.c_str());
       continue;
     }
     ASSERT_EQ(right->has_value(), left->has_value()) << "seed " << seed;

@@ -115,7 +115,8 @@ LeftPoint left_of(const std::vector<Point>& stroke, const Grid& grid) {
 std::vector<Point> path_around(const Grid& grid, const std::vector<Point>& stroke) {
   const LeftPoint left = left_of(stroke, grid);
   const Cell from = grid.cell_at(stroke.back()), to = grid.cell_at(stroke.front());
-  const auto cells = static_cast<std::size_t>(grid.width()) * static_cast<std::size_t>(grid.height());
+  const auto cells =
+      static_cast<std::size_t>(grid.width()) * static_cast<std::size_t>(grid.height());
   constexpr std::uint32_t kUnseen = 0xFFFFFFFF;
   std::vector<std::uint32_t> previous(2 * cells, kUnseen);
   const auto state_of = [&](Cell c, bool odd) {
@@ -175,7 +176,8 @@ std::vector<Point> straightened(const Grid& grid, const std::vector<Point>& path
 void cover_stroke(Grid& grid, const std::vector<Point>& stroke) {
   const Cell first = grid.cell_at(stroke.front()), last = grid.cell_at(stroke.back());
   for (std::size_t i = 1; i < stroke.size(); ++i) {
-    const int steps = static_cast<int>(20.0 * distance(stroke[i - 1], stroke[i]) / grid.cell_mm()) + 1;
+    const int steps =
+        static_cast<int>(20.0 * distance(stroke[i - 1], stroke[i]) / grid.cell_mm()) + 1;
     for (int k = 0; k <= steps; ++k) {
       grid.cover(grid.cell_at(lerp(stroke[i - 1], stroke[i], static_cast<double>(k) / steps)));
     }
@@ -185,7 +187,8 @@ void cover_stroke(Grid& grid, const std::vector<Point>& stroke) {
 }
 
 /// The part of the stroke from the last point before the body to the first one after it, with
-/// points at equal distances between. Requires that some point is on the body, and the ends are not.
+/// points at equal distances between. Requires that some point is on the body, and the ends are
+/// not.
 std::vector<Point> part_on_body(const Grid& grid, const std::vector<Point>& fine, double step_mm) {
   std::size_t first = 0, last = fine.size() - 1;
   while (!grid.is_covered(grid.cell_at(fine[first + 1]))) ++first;

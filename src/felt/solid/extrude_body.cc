@@ -90,8 +90,10 @@ Sides sides_of(const std::vector<Point>& profile, double edge_mm) {
   const auto farther = [foot](Point a, Point b) { return distance(a, foot) < distance(b, foot); };
   const auto top = static_cast<std::size_t>(
       std::max_element(profile.begin() + 1, profile.end() - 1, farther) - profile.begin());
-  const std::vector<Point> there(profile.begin(), profile.begin() + static_cast<std::ptrdiff_t>(top) + 1);
-  const std::vector<Point> back(profile.rbegin(), profile.rend() - static_cast<std::ptrdiff_t>(top));
+  const std::vector<Point> there(profile.begin(),
+                                 profile.begin() + static_cast<std::ptrdiff_t>(top) + 1);
+  const std::vector<Point> back(profile.rbegin(),
+                                profile.rend() - static_cast<std::ptrdiff_t>(top));
   const double length = std::max(path_length(there), path_length(back));
   const int levels = std::clamp(static_cast<int>(length / edge_mm), kMinLevels, kMaxLevels);
   Sides sides;
@@ -115,7 +117,8 @@ Result<double> depth_below(const SolidBody& body, const Base& base) {
     }
     depth = std::min(depth, kDepthOfThickness * exit->distance);
   }
-  if (depth < 0.01 * base.width()) return invalid_data("the body is too thin below the closed line");
+  if (depth < 0.01 * base.width())
+    return invalid_data("the body is too thin below the closed line");
   return depth;
 }
 

@@ -62,7 +62,8 @@ TEST(ExtrudeBody, AHornHasTheHeightOfItsProfile) {
 TEST(ExtrudeBody, TheProfileIsFittedToTheRing) {
   const SolidBody ball = testing::ball(20.0);
   const auto path = circle(view_frame(kFromFront), {0, 0}, 5.0);
-  std::vector<Vec3> beside = horn(10.0, 0.0, 30.0);  // twice the size, elsewhere, the other way round
+  std::vector<Vec3> beside =
+      horn(10.0, 0.0, 30.0);  // twice the size, elsewhere, the other way round
   for (Vec3& p : beside) p = p + Vec3{40, 0, 7};
   std::reverse(beside.begin(), beside.end());
   const Result<SolidBody> body = extrude_body(ball, path, beside, kFromFront);
@@ -99,7 +100,9 @@ TEST(ExtrudeBody, R60_AddsVolumeAndKeepsOneBody) {
     const SolidBody body = testing::random_body(random, 1500);
     const Vec3 view = testing::random_direction(random);
     const ViewFrame frame = view_frame(view);
-    const Point at = frame.to_picture(random.between(0.0, 0.5) * body.points[static_cast<std::size_t>(random.between(0, 0.999 * static_cast<double>(body.points.size())))]);
+    const Point at = frame.to_picture(random.between(0.0, 0.5) *
+                                      body.points[static_cast<std::size_t>(random.between(
+                                          0, 0.999 * static_cast<double>(body.points.size())))]);
     const auto path = circle(frame, at, random.between(1.5, 4.0));
     const auto hit = hit_from_eye(body, frame.to_solid(at, 0.0), view);
     const double lean = random.between(-1.0, 1.0), height = random.between(2.0, 20.0);

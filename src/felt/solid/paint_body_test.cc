@@ -54,7 +54,8 @@ TEST(PaintBody, LaterLinesCoverEarlierOnes) {
 
 TEST(PaintBody, AStrokeBesideTheBodyHasNoParts) {
   const SolidBody ball = testing::ball(20.0);
-  EXPECT_TRUE(projected_line(ball, std::vector<Vec3>{{30, 0, 0}, {40, 0, 0}}, kFromFront, 0.5).empty());
+  EXPECT_TRUE(
+      projected_line(ball, std::vector<Vec3>{{30, 0, 0}, {40, 0, 0}}, kFromFront, 0.5).empty());
   EXPECT_TRUE(projected_line(ball, {}, kFromFront, 0.5).empty());
 }
 

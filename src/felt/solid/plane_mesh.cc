@@ -93,8 +93,8 @@ Result<std::vector<std::array<std::uint32_t, 3>>> ring_triangles(
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (auto face : triangulation.finite_face_handles()) {
     if (!face->is_in_domain()) continue;
-    triangles.push_back({numbers.at(face->vertex(0)), numbers.at(face->vertex(1)),
-                         numbers.at(face->vertex(2))});
+    triangles.push_back(
+        {numbers.at(face->vertex(0)), numbers.at(face->vertex(1)), numbers.at(face->vertex(2))});
   }
   return triangles;
 }

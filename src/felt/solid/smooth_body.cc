@@ -30,8 +30,8 @@ std::vector<double> weights_of(const SolidBody& body, const std::vector<LineOnBo
   const LineSearch search(lines);
   const double radius = 0.5 * width_mm;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const double share =
-        std::clamp(2.0 * (1.0 - search.nearest(body.points[i], radius).distance_mm / radius), 0.0, 1.0);
+    const double share = std::clamp(
+        2.0 * (1.0 - search.nearest(body.points[i], radius).distance_mm / radius), 0.0, 1.0);
     weights[i] = share * share * (3.0 - 2.0 * share);
   }
   return weights;
@@ -71,8 +71,8 @@ Diffusion::Diffusion(const SolidBody& body, const std::vector<double>& weights)
       const double sine = norm(cross(u, v));
       const double cotangent =
           sine > 0.0 ? std::clamp(dot(u, v) / sine, kMinCotangent, kMaxCotangent) : kMaxCotangent;
-      edges_.push_back({static_cast<int>(t[(k + 1) % 3]), static_cast<int>(t[(k + 2) % 3]),
-                        0.5 * cotangent});
+      edges_.push_back(
+          {static_cast<int>(t[(k + 1) % 3]), static_cast<int>(t[(k + 2) % 3]), 0.5 * cotangent});
     }
   }
 }
@@ -163,9 +163,9 @@ Result<SolidBody> smooth_body(const SolidBody& body, std::span<const Vec3> path,
   const std::vector<double> weights = weights_of(body, lines, width_mm);
   SolidBody smooth = body;
   const double volume = volume_mm3(body);
-  const double reach =
-      std::clamp(amount, 0.0, 1.0) *
-      (width_mm > 0.0 ? kReachInWidths * width_mm : kReachInBody * std::cbrt(std::max(volume, 0.0)));
+  const double reach = std::clamp(amount, 0.0, 1.0) *
+                       (width_mm > 0.0 ? kReachInWidths * width_mm
+                                       : kReachInBody * std::cbrt(std::max(volume, 0.0)));
   const Diffusion diffusion(body, weights);
   for (int step = 0; step < kSteps; ++step) {
     if (!diffusion.step(smooth, 0.5 * reach * reach / kSteps)) {

@@ -12,10 +12,11 @@ namespace felt {
 /// `amount`, 0..1, is how much.
 ///
 /// The surface flows towards its mean curvature: implicit steps with cotangent weights (Desbrun,
-/// Meyer, Schröder, Barr, "Implicit fairing of irregular meshes using diffusion and curvature flow",
-/// 1999, <https://doi.org/10.1145/311535.311576>), where the weights stay those of the first surface
-/// (Kazhdan, Solomon, Ben-Chen 2012, <https://doi.org/10.1111/j.1467-8659.2012.03179.x>). Then the
-/// body is scaled, or the smoothed points move along their normals, so that the volume is as before.
+/// Meyer, Schröder, Barr, "Implicit fairing of irregular meshes using diffusion and curvature
+/// flow", 1999, <https://doi.org/10.1145/311535.311576>), where the weights stay those of the first
+/// surface (Kazhdan, Solomon, Ben-Chen 2012, <https://doi.org/10.1111/j.1467-8659.2012.03179.x>).
+/// Then the body is scaled, or the smoothed points move along their normals, so that the volume is
+/// as before.
 ///
 /// Positions are in the frame of the body, in mm. The result has the same triangles and is closed
 /// (check_body()). Fails if the stroke does not touch the body, or if the surface would fold.

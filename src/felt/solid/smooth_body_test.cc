@@ -20,8 +20,8 @@ namespace {
 constexpr Vec3 kFromFront{0.0, 0.0, -1.0};
 
 /// Returns the largest angle between the normals of two triangles with a common edge, in radians.
-/// Triangles that are thinner than a tenth of a mean edge do not count: a cut leaves some, and their
-/// normals say nothing about the shape.
+/// Triangles that are thinner than a tenth of a mean edge do not count: a cut leaves some, and
+/// their normals say nothing about the shape.
 double sharpest_edge(const SolidBody& body) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> normals;
   const double min_height = 0.1 * mean_edge_mm(body);
@@ -70,8 +70,10 @@ TEST(SmoothBody, R60_MakesCutEdgesLessSharpAndKeepsTheVolume) {
     SolidBody body = testing::random_body(random, 1500);
     const ViewFrame frame = view_frame(testing::random_direction(random));
     const double at = random.between(-8.0, 8.0);
-    const auto cut = cut_body(body, std::vector<Vec3>{frame.to_solid({at, -100}, 0.0), frame.to_solid({at + 1.0, 100}, 0.0)},
-                              -1.0 * frame.towards);
+    const auto cut = cut_body(
+        body,
+        std::vector<Vec3>{frame.to_solid({at, -100}, 0.0), frame.to_solid({at + 1.0, 100}, 0.0)},
+        -1.0 * frame.towards);
     ASSERT_TRUE(cut) << "seed " << seed;
     if (!*cut) continue;
     body = (*cut)->front();

@@ -280,7 +280,8 @@ Result<Image> paint_solid(const Solid& solid, const SolidCamera& camera, const S
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& p = body.points[t[k]];
         const Vec3 px = camera.to_px(p);
-        corners[k] = {{kSamples * px.x, kSamples * px.y, px.z}, p, normals[t[k]], shade_of(colors[t[k]])};
+        corners[k] = {
+            {kSamples * px.x, kSamples * px.y, px.z}, p, normals[t[k]], shade_of(colors[t[k]])};
       }
       painter.paint(corners);
     }

@@ -65,8 +65,8 @@ std::vector<Point> resampled_ring(std::span<const Point> ring, int count) {
   std::vector<Point> closed(ring.begin(), ring.end());
   closed.push_back(ring.front());
   std::vector<Point> out{ring.front()};
-  stroke_paths::append_points(closed, path_length(closed) / count,
-                              static_cast<std::size_t>(count), out);
+  stroke_paths::append_points(closed, path_length(closed) / count, static_cast<std::size_t>(count),
+                              out);
   return out;
 }
 
