@@ -67,6 +67,7 @@ RingMenu::RingMenu(const Actions& actions, Canvas& canvas, const MediaPictures& 
 }
 
 void RingMenu::open(RingContent content, QPointF px, By by) {
+  studio_.process();  // a change of tool that is reported later would close the ring
   if (ring_ || studio_.session().gesture_in_progress()) return;
   content_ = content;
   by_ = by;
