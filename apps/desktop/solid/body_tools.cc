@@ -136,6 +136,7 @@ void BodyTools::show_refusal(const QString& why) {
 
 void BodyTools::stroke_drawn(const std::vector<QPointF>& px) {
   if (!scene_.solid() || px.empty()) return;
+  if (!refusal_.isEmpty()) return show_refusal(refusal_);
   if (extrusion_) return end_extrusion(px);
   show_hint();
   BodyEdit edit;

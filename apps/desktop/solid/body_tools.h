@@ -33,6 +33,8 @@ class BodyTools : public QWidget {
   void set_tool(BodyTool tool);
   /// Removes the strokes that are shown, and ends an extrusion that has no profile yet.
   void forget_strokes();
+  /// Refuses new strokes with this sentence, while an edit is tried; an empty one accepts them.
+  void refuse_strokes(const QString& why) { refusal_ = why; }
   /// Shows why an edit was refused, until the next stroke or tool.
   void show_refusal(const QString& why);
 
@@ -61,6 +63,7 @@ class BodyTools : public QWidget {
   BodyTool tool_ = BodyTool::kTurn;
   double paint_mm_ = 2.0, smooth_mm_ = 15.0;
   std::optional<Extrusion> extrusion_;
+  QString refusal_;  // of new strokes
 };
 
 }  // namespace felt::desktop

@@ -100,6 +100,47 @@ TEST_F(BodyToolsTest, ARefusedEditSaysWhyAndIsNotAdded) {
   EXPECT_EQ(edits().size(), 1U);
 }
 
+TEST_F(BodyToolsTest, AnUndoWhileAnEditIsTriedTakesItBack) {
+  draw_square(studio_, {80, 10}, 20.0);
+  ASSERT_TRUE(waits());
+  panel_.tools().set_tool(BodyTool::kCut);
+  drag({{100, 5}, {100, 395}});
+  studio_.apply(UndoEvent{});
+  ASSERT_TRUE(waits());
+  EXPECT_TRUE(edits().empty());
+  EXPECT_TRUE(studio_.session().history().can_redo()) << "the second square";
+}
+
+/// The session takes no edit of the body while a line is drawn.
+TEST_F(BodyToolsTest, AnEditThatEndsWhileALineIsDrawnIsAddedAfterIt) {
+  const auto point = [this](double x, bool touching) {
+    studio_.point({studio_.now_ns(), {x, 100.0}, touching, 0.5});
+    studio_.advance(20'000'000);
+  };
+  panel_.tools().set_tool(BodyTool::kCut);
+  drag({{200, 5}, {200, 395}});
+  for (int i = 0; i < 20; ++i) point(20.0 + i, true);
+  ASSERT_TRUE(studio_.session().gesture_in_progress());
+  QTest::qWait(500);
+  EXPECT_TRUE(edits().empty());
+  point(40.0, false);
+  for (int i = 0; i < 50; ++i) point(40.0, false);
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(edits().size(), 1U);
+}
+
+TEST_F(BodyToolsTest, StrokesAreRefusedWhileAnEditIsTried) {
+  panel_.tools().set_tool(BodyTool::kPaint);
+  drag({{180, 200}, {220, 200}});
+  drag({{180, 220}, {220, 220}});
+  EXPECT_TRUE(hint().startsWith(QLatin1String("Wait until"))) << hint().toStdString();
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(edits().size(), 1U);
+  drag({{180, 220}, {220, 220}});
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(edits().size(), 2U);
+}
+
 TEST_F(BodyToolsTest, AnExtrusionTakesAClosedLineAndAProfile) {
   const double whole = volume();
   panel_.tools().set_tool(BodyTool::kExtrude);

@@ -21,11 +21,11 @@ void add_paint(const Document& document, const Grain& grain, SolidAnswer& answer
 
 /// Applies the edits of the body, and the new one after them.
 Solid edited(Solid solid, const Document& document, const std::optional<BodyEdit>& new_edit,
-             SolidAnswer& answer) {
+             const std::atomic<bool>& is_cancelled, SolidAnswer& answer) {
   std::vector<BodyEdit> edits = body_edits_of(document);
   if (edits.empty() && !new_edit) return solid;
   if (new_edit) edits.push_back(*new_edit);
-  EditedSolid result = apply_body_edits(std::move(solid), edits);
+  EditedSolid result = apply_body_edits(std::move(solid), edits, &is_cancelled);
   if (new_edit) {
     std::string refusal = std::move(result.refusals.back());
     result.refusals.pop_back();
@@ -53,13 +53,16 @@ SolidAnswer make_solid(const Document& document, const SolidRequest& request,
     answer.notes = std::move(inflated->notes);
     answer.solid = std::make_shared<const Solid>(std::move(inflated->solid));
     add_paint(document, request.grain, answer);  // the ink lies on the bodies as they were drawn
-    answer.solid =
-        std::make_shared<const Solid>(edited(*answer.solid, document, request.new_edit, answer));
+    answer.solid = std::make_shared<const Solid>(
+        edited(*answer.solid, document, request.new_edit, is_cancelled, answer));
   } else {
     answer.notes.push_back(inflated.error().message);
     answer.is_open = inflated.error().code == ErrorCode::kNotFound;
   }
-  if (is_cancelled) return answer;
+  if (is_cancelled) {
+    answer.solid = nullptr;
+    return answer;
+  }
   const bool wants_offer = request.gap_mm || !answer.solid;
   const bool can_search = document.stroke_count() <= kMaxSearchedStrokes;
   if (wants_offer && can_search && document.stroke_count() > 0) {

@@ -55,7 +55,7 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
   connect(&delay_, &QTimer::timeout, this, &SolidPanel::start);
   connect(tools_, &BodyTools::edit_wanted, this, &SolidPanel::try_edit);
   connect(&announce_, &QTimer::timeout, this, [this] { summary_->setText(tr("Inflating…")); });
-  connect(&studio_, &Studio::edited, this, &SolidPanel::wait);
+  connect(&studio_, &Studio::edited, this, &SolidPanel::follow);
   connect(&studio_, &Studio::opened, this, [this] {
     ++session_;
     forget();
@@ -174,8 +174,7 @@ void SolidPanel::set_on(bool on) {
 
 /// The bodies of another time or another drawing must not be exported.
 void SolidPanel::forget() {
-  new_edit_.reset();
-  tools_->forget_strokes();
+  forget_edit();
   if (!solid()) return;
   paint_.reset();
   scene_->set_solid(nullptr);
@@ -209,6 +208,21 @@ SolidRequest SolidPanel::request() const {
   return request;
 }
 
+/// The strokes of an edit that is tried are no longer shown, and the next ones are accepted.
+void SolidPanel::forget_edit() {
+  new_edit_.reset();
+  tools_->refuse_strokes({});
+  tools_->forget_strokes();
+}
+
+/// Follows an edit of the drawing. The bodies that are shown have the edit that was just tried. An
+/// undo is meant for the edit that is tried, too: it must not be added after it.
+void SolidPanel::follow() {
+  if (adds_edit_) return;
+  if (new_edit_ && studio_.session().history().can_redo()) forget_edit();
+  wait();
+}
+
 /// Begins when the drawing has come to rest.
 void SolidPanel::wait() {
   if (!is_on_) return;
@@ -239,18 +253,23 @@ void SolidPanel::start() {
 
 /// Finds out whether an edit that the user has drawn fits the bodies.
 void SolidPanel::try_edit(const BodyEdit& edit) {
-  if (new_edit_) return tools_->show_refusal(tr("Wait until the last stroke has been applied."));
   new_edit_ = edit;
+  tools_->refuse_strokes(tr("Wait until the last stroke has been applied."));
   start();
 }
 
 /// Makes the edit that was tried a part of the drawing, or says why it does not fit.
 void SolidPanel::end_edit(const SolidAnswer& answer, bool is_current) {
-  tools_->forget_strokes();
-  const std::optional<BodyEdit> edit = std::exchange(new_edit_, std::nullopt);
-  if (!is_current || !answer.solid) return;
+  // The session adds no edit while a line is drawn; then the edit is tried again.
+  if (is_current && studio_.session().gesture_in_progress()) return wait();
+  const std::optional<BodyEdit> edit = new_edit_;
+  forget_edit();
+  if (!is_current) return;
   if (answer.new_edit_refusal) return tools_->show_refusal(text_of(*answer.new_edit_refusal));
+  if (!answer.solid) return tools_->show_refusal(tr("There is no body."));
+  adds_edit_ = true;
   studio_.apply(BodyEvent{BodyEvent::Do::kAdd, {}, *edit});
+  adds_edit_ = false;
 }
 
 void SolidPanel::take(const SolidAnswer& answer, int asked) {

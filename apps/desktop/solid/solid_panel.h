@@ -69,6 +69,8 @@ class SolidPanel : public QWidget {
   void start();
   void take(const SolidAnswer& answer, int asked);
   void forget();
+  void forget_edit();
+  void follow();
   void show_answer(const SolidAnswer& answer);
   void try_edit(const BodyEdit& edit);
   void end_edit(const SolidAnswer& answer, bool is_current);
@@ -96,6 +98,7 @@ class SolidPanel : public QWidget {
   bool runs_ = false;
   double offered_mm_ = 0.0;
   std::optional<BodyEdit> new_edit_;       // drawn, and not yet part of the drawing
+  bool adds_edit_ = false;                 // the edit that was tried becomes part of the drawing
   std::atomic<bool> is_cancelled_{false};  // must outlive worker_
   std::unique_ptr<FileWorker> worker_;     // null before the first bodies
 };

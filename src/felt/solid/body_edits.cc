@@ -1,6 +1,7 @@
 #include "felt/solid/body_edits.h"
 
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -45,7 +46,11 @@ std::vector<Vec3> in_frame(std::span<const Vec3> path, Point origin) {
 /// nullopt.
 std::optional<std::size_t> body_below(const Solid& solid, const std::vector<Vec3>& path,
                                       const Vec3& view) {
-  for (const Vec3& p : path) {
+  // Each point is compared with every triangle, so a long path is not searched at each point.
+  constexpr std::size_t kMostPoints = 500;
+  const std::size_t stride = path.size() / kMostPoints + 1;
+  for (std::size_t at = 0; at < path.size(); at += stride) {
+    const Vec3& p = path[at];
     std::optional<std::size_t> seen;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < solid.bodies.size(); ++i) {
@@ -65,7 +70,10 @@ class Editor {
   explicit Editor(Solid solid) : solid_(std::move(solid)) {}
 
   Result<void> apply(const BodyEdit& edit);
-  Solid finish();
+  /// Paints the bodies. Calls `leave_out` with the number of each painted line, counted from 0,
+  /// that would break a body, and the reason.
+  Solid finish(const std::function<void(std::size_t, const std::string&)>& leave_out,
+               const std::atomic<bool>* is_cancelled);
 
  private:
   Result<void> cut(const BodyEdit& edit, const std::vector<Vec3>& path);
@@ -146,12 +154,20 @@ Result<void> Editor::paint(const BodyEdit& edit, const std::vector<Vec3>& path) 
   return {};
 }
 
-Solid Editor::finish() {
-  if (lines_.empty()) return std::move(solid_);
+Solid Editor::finish(const std::function<void(std::size_t, const std::string&)>& leave_out,
+                     const std::atomic<bool>* is_cancelled) {
   for (SolidBody& body : solid_.bodies) {
-    SolidBody painted = body;
-    paint_body(painted, lines_);
-    if (check_body(painted, solid_.origin)) body = std::move(painted);
+    for (std::size_t count = lines_.size(); count > 0; --count) {
+      if (is_cancelled && *is_cancelled) return std::move(solid_);
+      SolidBody painted = body;
+      paint_body(painted, std::span(lines_).first(count));
+      const Result<void> checked = check_body(painted, solid_.origin);
+      if (checked) {
+        body = std::move(painted);
+        break;
+      }
+      leave_out(count - 1, checked.error().message);
+    }
   }
   return std::move(solid_);
 }
@@ -180,16 +196,24 @@ Result<ExtrusionRing> extrusion_ring(const Solid& solid, const BodyEdit& edit) {
   return ring_on_body(solid.bodies[*at], path, edit.view);
 }
 
-EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits) {
+EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits,
+                             const std::atomic<bool>* is_cancelled) {
   using namespace body_editing;
   EditedSolid result;
+  result.refusals.resize(edits.size());
   Editor editor(std::move(solid));
-  for (const BodyEdit& edit : edits) {
-    const Result<void> done = editor.apply(edit);
-    result.refusals.push_back(
-        done ? std::string() : refusal(result.refusals.size() + 1, edit, done.error().message));
+  std::vector<std::size_t> painted;  // the index of the edit of each painted line
+  const auto leave_out = [&](std::size_t i, const std::string& why) {
+    result.refusals[i] = refusal(i + 1, edits[i], why);
+  };
+  for (std::size_t i = 0; i < edits.size() && !(is_cancelled && *is_cancelled); ++i) {
+    const Result<void> done = editor.apply(edits[i]);
+    if (!done) leave_out(i, done.error().message);
+    if (done && edits[i].kind == BodyEditKind::kPaint) painted.push_back(i);
   }
-  result.solid = editor.finish();
+  result.solid = editor.finish(
+      [&](std::size_t line, const std::string& why) { leave_out(painted[line], why); },
+      is_cancelled);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,8 +31,10 @@ struct EditedSolid {
 /// on the first body that the stroke meets. An edit that does not fit is left out: the others still
 /// apply. So if the drawing changes, the same edits are applied to its new bodies.
 ///
-/// Every body passes check_body(). The same solid and edits give the same bytes.
-EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits);
+/// Every body passes check_body(). The same solid and edits give the same bytes. If `is_cancelled`
+/// becomes true, the next edit is not begun, and the result is not complete.
+EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits,
+                             const std::atomic<bool>* is_cancelled = nullptr);
 
 /// Returns the edits of the body of a document, in the order in which they are applied.
 std::vector<BodyEdit> body_edits_of(const Document& document);

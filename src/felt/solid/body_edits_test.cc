@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -98,6 +99,15 @@ TEST(BodyEdits, R60_AnEditThatDoesNotFitIsLeftOutWithASentence) {
             "stroke does not touch a body");
   EXPECT_EQ(after.refusals[2], "");
   EXPECT_GT(volume_mm3(after.solid.bodies[0]), volume_mm3(before.bodies[0]));
+}
+
+TEST(BodyEdits, ACancelledListBeginsNoFurtherEdit) {
+  const Solid balls = two_balls();
+  const std::atomic<bool> is_cancelled{true};
+  const EditedSolid result = apply_body_edits(
+      balls, std::vector{cut({50, 80}, {50, 20}), red_line({100, 50}, {120, 50})}, &is_cancelled);
+  EXPECT_EQ(result.refusals, std::vector<std::string>(2));
+  EXPECT_EQ(result.solid.bodies[0].points, balls.bodies[0].points);
 }
 
 TEST(BodyEdits, R60_PaintStaysWhereItIsAndGoesWithThePartThatIsCutOff) {

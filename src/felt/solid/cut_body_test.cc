@@ -89,6 +89,16 @@ TEST(CutBody, RefusesAStrokeThatEndsOnTheBodyOrCrossesItself) {
 }
 
 // A drawing with two arms: the stroke crosses one, and the other lies in the same direction.
+/// The strokes of a file can be far longer than those of a hand.
+TEST(CutBody, RefusesAStrokeThatNeedsTooManyPoints) {
+  const SolidBody ball = testing::ball(20.0);
+  std::vector<Vec3> zigzag;
+  for (int i = 0; i < 20'000; ++i) zigzag.push_back({i % 2 ? 1e6 : -1e6, i - 1e4, 0.0});
+  const Result<Parts> parts = cut_body(ball, zigzag, kFromFront);
+  ASSERT_FALSE(parts);
+  EXPECT_EQ(parts.error().message, "the stroke is too long");
+}
+
 TEST(CutBody, CutsOnlyWhatTheStrokeCrosses) {
   testing::SolidDrawing drawing;
   drawing.polygon({{0, 0}, {10, 0}, {10, 30}, {30, 30}, {30, 0}, {40, 0}, {40, 45}, {0, 45}});

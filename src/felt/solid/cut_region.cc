@@ -214,6 +214,10 @@ Result<std::optional<CutRegion>> find_cut_region(const SolidBody& body, const Vi
                                                  const std::vector<Point>& stroke, double step_mm) {
   using namespace cut_regions;
   Grid grid = grid_of(body, frame, stroke);
+  const double length_mm = path_length(stroke);
+  if (length_mm > kMaxCutPoints * std::min(step_mm, grid.cell_mm())) {
+    return invalid_data("the stroke is too long");
+  }
   const std::vector<Point> fine = resampled(stroke, 0.5 * grid.cell_mm());
   const auto is_on_body = [&grid](Point p) { return grid.is_covered(grid.cell_at(p)); };
   if (std::none_of(fine.begin(), fine.end(), is_on_body)) return std::optional<CutRegion>();

@@ -30,6 +30,8 @@ struct CutRegion {
 Result<std::optional<CutRegion>> find_cut_region(const SolidBody& body, const ViewFrame& frame,
                                                  const std::vector<Point>& stroke, double step_mm);
 
+/// A stroke may have this many points at `step_mm`, or cells along it. A longer one is refused.
+inline constexpr double kMaxCutPoints = 5000.0;
 /// The number of cells of the grid along the longer side of the picture.
 inline constexpr int kCutCells = 400;
 

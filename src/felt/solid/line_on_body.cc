@@ -2,12 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "felt/solid/stroke_path.h"
 #include "felt/solid/surface_hit.h"
 #include "felt/solid/view_frame.h"
 
 namespace felt {
+namespace {
+
+/// Returns the axis along which the points of lines are farthest apart.
+double Vec3::*longest_axis(std::span<const LineOnBody> lines) {
+  double Vec3::*longest = &Vec3::x;
+  double best = -1.0;
+  for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const LineOnBody& line : lines) {
+      for (const Vec3& p : line.points) {
+        low = std::min(low, p.*axis);
+        high = std::max(high, p.*axis);
+      }
+    }
+    if (high - low <= best) continue;
+    best = high - low;
+    longest = axis;
+  }
+  return longest;
+}
+
+}  // namespace
 
 std::vector<LineOnBody> projected_line(const SolidBody& body, std::span<const Vec3> path,
                                        const Vec3& view, double step_mm) {
@@ -37,27 +60,28 @@ std::vector<LineOnBody> projected_line(const SolidBody& body, std::span<const Ve
   return lines;
 }
 
-LineSearch::LineSearch(std::span<const LineOnBody> lines) {
+LineSearch::LineSearch(std::span<const LineOnBody> lines) : axis_(longest_axis(lines)) {
   for (const LineOnBody& line : lines) {
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       // A part of one point is a dot.
       if (i + 1 == line.points.size() && i > 0) break;
       const std::size_t next = std::min(i + 1, line.points.size() - 1);
       const Vec3 a = line.points[i], b = line.points[next];
-      segments_.push_back({a, b, line.normals[i], 0.5 * (a.x + b.x)});
+      segments_.push_back({a, b, line.normals[i], 0.5 * (a.*axis_ + b.*axis_)});
       longest_ = std::max(longest_, norm(b - a));
     }
   }
-  std::sort(segments_.begin(), segments_.end(),
-            [](const Segment& a, const Segment& b) { return a.middle_x < b.middle_x; });
+  // Stable, so that the result does not depend on the standard library.
+  std::stable_sort(segments_.begin(), segments_.end(),
+                   [](const Segment& a, const Segment& b) { return a.middle < b.middle; });
 }
 
 LineSearch::Near LineSearch::nearest(const Vec3& p, double radius_mm) const {
   Near best{2.0 * radius_mm + 1.0, {}};
   const double reach = radius_mm + 0.5 * longest_;
-  auto at = std::lower_bound(segments_.begin(), segments_.end(), p.x - reach,
-                             [](const Segment& s, double x) { return s.middle_x < x; });
-  for (; at != segments_.end() && at->middle_x <= p.x + reach; ++at) {
+  auto at = std::lower_bound(segments_.begin(), segments_.end(), p.*axis_ - reach,
+                             [](const Segment& s, double middle) { return s.middle < middle; });
+  for (; at != segments_.end() && at->middle <= p.*axis_ + reach; ++at) {
     const Vec3 along = at->b - at->a;
     const double length = norm_squared(along);
     const double t = length > 0.0 ? std::clamp(dot(p - at->a, along) / length, 0.0, 1.0) : 0.0;

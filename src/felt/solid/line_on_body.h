@@ -39,9 +39,10 @@ class LineSearch {
  private:
   struct Segment {
     Vec3 a, b, normal;
-    double middle_x;
+    double middle;  // along axis_
   };
-  std::vector<Segment> segments_;  // sorted by middle_x
+  double Vec3::*axis_ = &Vec3::x;  // along which the lines are longest
+  std::vector<Segment> segments_;  // sorted by `middle`
   double longest_ = 0.0;
 };
 
