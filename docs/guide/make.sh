@@ -44,3 +44,5 @@ done
 # The picture of solids.md.
 "$feltline" fit --quiet "$here/../../share/samples/cat.ndjson" -o "$scratch/lines.felt"
 "$feltline" inflate "$scratch/lines.felt" --fill-holes --png "$here/solids.png"
+"$feltline" replay "$here/solids-edits.ndjson" --on "$scratch/lines.felt" -o "$scratch/edited.felt"
+"$feltline" inflate "$scratch/edited.felt" --fill-holes --png "$here/solids-edited.png"

@@ -2364,7 +2364,7 @@
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished">Glätten</translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>Smooths the body below a stroke, for example where it was cut</source>
@@ -2376,7 +2376,7 @@
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Width of the brush</source>

@@ -177,7 +177,7 @@ std::string refusal(std::size_t number, const BodyEdit& edit, const std::string&
   const Vec3 at = edit.path_mm.empty() ? Vec3{} : edit.path_mm.front();
   std::snprintf(text, sizeof text,
                 "left out: edit %zu of the body, the %s that begins at (%.2f, %.2f) mm: ", number,
-                name_of(edit.kind), at.x, -at.y);
+                name_of(edit.kind), at.x, 0.0 - at.y);
   return text + why;
 }
 

@@ -105,11 +105,11 @@ TEST(ExtrudeBody, R60_AddsVolumeAndKeepsOneBody) {
                                           0, 0.999 * static_cast<double>(body.points.size())))]);
     const auto path = circle(frame, at, random.between(1.5, 4.0));
     const auto hit = hit_from_eye(body, frame.to_solid(at, 0.0), view);
-    const double lean = random.between(-1.0, 1.0), height = random.between(2.0, 20.0);
+    const double slant = random.between(-1.0, 1.0), height = random.between(2.0, 20.0);
     std::vector<Vec3> profile;
     for (int i = 0; i <= 40 && hit; ++i) {
       const double t = i / 20.0 - 1.0, rise = 1.0 - t * t;
-      profile.push_back(hit->point + (3.0 * t + lean * height * rise * rise) * frame.right +
+      profile.push_back(hit->point + (3.0 * t + slant * height * rise * rise) * frame.right +
                         height * rise * hit->normal);
     }
     const Result<SolidBody> result = extrude_body(body, path, profile, view);
