@@ -239,7 +239,9 @@ bool Studio::use_device(const QString& id) {
   return true;
 }
 
-void Studio::point(const PointerEvent& event) {
+void Studio::point(const PointerEvent& pointed) {
+  PointerEvent event = pointed;
+  event.height_mm = height_of_bodies_mm(event.position);
   pen_.hand = event.position;
   // A touch that begins after a ring was closed is for the tool, even if the simulated pen has not
   // been lifted in between.
@@ -303,6 +305,7 @@ void Studio::handle_sample(PenSample& sample) {
   sample.time_ns = last_event_ns_ = std::max(last_event_ns_, sample.time_ns);
   const PenSample as_read = sample;
   lift_for_ring(sample);
+  lift_for_bodies(sample);
   deselect_for_drawing(sample);
   if (const Result<void> done = session_->sample(sample); !done) {
     Q_EMIT refused(text_of(done.error()));
@@ -328,6 +331,7 @@ HapticLoop::PenActivity Studio::pen_activity() const {
 
 /// Emits the signals for what changed. Their slots may call any function of the studio.
 void Studio::report_changes() {
+  report_touching();
   for (const Edit& edit : std::exchange(edits_, {})) {
     update_modified();
     Q_EMIT edited(edit);

@@ -72,6 +72,35 @@ TEST(StudioAutosave, WhateverWasDrawnIsRecoveredAtAnyStep) {
   }
 }
 
+// The loop's own samples are those of a pen below the page.
+TEST(StudioAutosave, NothingThatAPenDidOnBodiesIsRecovered) {
+  StudioOptions options{.live = false};
+  options.device = QStringLiteral("simulated:touch");
+  StudioFixture fixture(options);
+  fixture.files->start_autosave({fixture.at("state")});
+  Studio& studio = fixture.studio;
+  const auto move = [&studio](double from_x, double to_x, bool down) {
+    for (double x = from_x; x <= to_x; x += 1.0) {
+      studio.point({studio.now_ns(), {x, 80.0}, down, 0.5});
+      studio.advance(kStepNs);
+    }
+  };
+  const std::vector<Triangle3> far{{{200, 200, 5}, {210, 200, 5}, {200, 210, 5}}};
+  move(20, 30, false);
+  studio.touch(std::make_shared<const TriangleTree>(far));
+  move(30, 60, true);
+  ASSERT_LT(studio.pen().sample.position.z, 0.0);
+  EXPECT_EQ(crashed(fixture).drawing.document.stroke_count(), 0U);
+  studio.touch(nullptr);
+  move(60, 80, true);
+  EXPECT_EQ(crashed(fixture).drawing.document.stroke_count(), 0U) << "until it is up";
+  move(80, 90, false);
+  move(90, 120, true);
+  EXPECT_EQ(crashed(fixture).drawing.document.stroke_count(), 1U) << "the line in progress";
+  EXPECT_EQ(fixture.document().stroke_count(), 0U);
+  fixture.studio.set_modified(false);
+}
+
 TEST(StudioAutosave, TheDrawingThatWasOpenedIsItsBase) {
   StudioFixture fixture;
   fixture.files->start_autosave({fixture.at("state")});

@@ -1,7 +1,6 @@
 #include "desktop/solid/solid_panel.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -44,6 +43,7 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
       wireframe_(new QCheckBox(tr("Wireframe"), this)),
       section_(new QCheckBox(tr("Section"), this)),
       section_at_(new QSlider(Qt::Horizontal, this)),
+      buttons_(new QHBoxLayout),
       export_(new QToolButton(this)) {
   make_controls();
   delay_.setSingleShot(true);
@@ -126,7 +126,9 @@ QWidget* SolidPanel::look_rows() {
   export_->setEnabled(false);
   grid->addWidget(fill_holes_, 0, 0);
   grid->addWidget(wireframe_, 0, 1);
-  grid->addWidget(export_, 0, 2, Qt::AlignRight);
+  buttons_->addStretch();
+  buttons_->addWidget(export_);
+  grid->addLayout(buttons_, 0, 2);
   grid->addWidget(section_, 1, 0);
   grid->addWidget(section_at_, 1, 1, 1, 2);
   grid->setColumnStretch(2, 1);
@@ -166,6 +168,12 @@ void SolidPanel::set_on(bool on) {
   if (on) return start();
   ++session_;
   forget();
+}
+
+void SolidPanel::set_touch_action(QAction* action) {
+  auto* touch = new QToolButton(this);
+  touch->setDefaultAction(action);
+  buttons_->insertWidget(1, touch);  // left of "Export"
 }
 
 /// The bodies of another time or another drawing must not be exported.

@@ -5560,6 +5560,21 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::SolidTouchMode</name>
+    <message>
+        <source>&amp;Touch the solid</source>
+        <translation>Körper &amp;betasten</translation>
+    </message>
+    <message>
+        <source>The pen feels the bodies of the solid view, and draws nothing meanwhile</source>
+        <translation>Der Stift spürt die Körper der Körperansicht und zeichnet solange nichts</translation>
+    </message>
+    <message>
+        <source>There is no body to touch: open the solid view and draw a closed line</source>
+        <translation>Es gibt keinen Körper zum Betasten: öffnen Sie die Körperansicht und zeichnen Sie eine geschlossene Linie</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::SoundState</name>
     <message>
         <source>There is no sound device. Sound starts when one is connected.</source>
