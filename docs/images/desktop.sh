@@ -18,7 +18,10 @@ shot desktop-dark "${pull[@]}" --theme dark --panel feel --panel forces
 shot desktop-keys --dialog shortcuts
 shot desktop-tactile --script "$root/docs/images/desktop-tactile.ndjson" --panel tactile --size 1280x800
 # Programs that were built without solids (FELT_SOLIDS=0) have no solid view.
-[ "${FELT_SOLIDS:-1}" = 0 ] || shot desktop-solid --example cat --panel solid --size 1280x800
+if [ "${FELT_SOLIDS:-1}" != 0 ]; then
+  shot desktop-solid --example cat --panel solid --size 1280x800
+  shot desktop-touch --example cat --panel solid --dialog touch --size 1280x800
+fi
 shot desktop-ring --example cat --dialog ring --size 1280x800
 shot desktop-tour --dialog tour/1
 shot desktop-device --dialog preferences/device

@@ -85,7 +85,8 @@ void HapticLoop::disconnect_device(std::unique_ptr<RealtimeThread> thread) {
   unresponsive_label_ = device_->info().label;
   unresponsive_ids().push_back(device_->info().id);
   hand_.reset();
-  abandon(std::move(thread), std::move(servo_), std::move(device_));
+  abandon(std::move(thread), std::move(servo_), std::move(device_),
+          std::make_unique<std::vector<Kept>>(std::exchange(kept_, {})));
   device_ = open_or_tablet(QString::fromLatin1(kPenDeviceDefault));
 }
 
@@ -167,6 +168,7 @@ void HapticLoop::start() {
   options.queues_forces = options_.reads_forces;
   start_ns_ = now_ns();
   servo_ = std::make_unique<Servo>(device, options);
+  kept_.clear();  // of the servo before
   servo_->set_strength(strength_);
   servo_->set_session_offset(start_ns_);
   last_event_ns_ = start_ns_;
@@ -229,9 +231,17 @@ bool HapticLoop::may_pause(std::int64_t now, PenActivity activity) const {
          now - last_event_ns_ > options_.rest_ns && activity == PenActivity::kNone;
 }
 
-void HapticLoop::publish(const ForceModel& force) {
-  servo_->publish(force);
+void HapticLoop::publish(const ForceModel& force, const std::shared_ptr<const void>& kept) {
+  const std::uint64_t number = servo_->publish(force);
+  if (kept && (kept_.empty() || kept_.back().object != kept)) kept_.push_back({kept});
+  if (kept) kept_.back().number = number;
+  release_unused();
   servo_->heartbeat(now_ns() - start_ns_);
+}
+
+void HapticLoop::release_unused() {
+  const std::uint64_t oldest = servo_->oldest_in_use();
+  std::erase_if(kept_, [oldest](const Kept& kept) { return kept.number < oldest; });
 }
 
 void HapticLoop::read_forces() {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "desktop/engine/pen_device.h"
 #include "desktop/engine/tick_timer.h"
@@ -102,8 +103,9 @@ class HapticLoop : public QObject {
   /// Ends the pause. Call it when the user or a program does something.
   void wake();
   /// Sets the forces of the next ticks. Must be called regularly, because the servo switches the
-  /// force off if the calls stop.
-  void publish(const ForceModel& force);
+  /// force off if the calls stop. `kept` is what the force points to, if it is not kept otherwise;
+  /// it is released when no tick can use the force any more.
+  void publish(const ForceModel& force, const std::shared_ptr<const void>& kept = {});
   /// Calls `handle` with each sample since the last call, in order and with times on the clock of
   /// now_ns(), and emits ticked. Returns false if no samples were waiting.
   bool read_samples(const std::function<void(PenSample&)>& handle);
@@ -170,6 +172,7 @@ class HapticLoop : public QObject {
 
  private:
   void restart_with_device();
+  void release_unused();
   void read_forces();
   void disconnect_device(std::unique_ptr<RealtimeThread> thread);
   [[nodiscard]] bool may_pause(std::int64_t now, PenActivity activity) const;
@@ -178,6 +181,12 @@ class HapticLoop : public QObject {
 
   const Options options_;
   std::unique_ptr<PenDevice> device_;
+  // What forces of the servo point to, and the number of the last of these forces.
+  struct Kept {
+    std::shared_ptr<const void> object;
+    std::uint64_t number = 0;
+  };
+  std::vector<Kept> kept_;  // must outlive the servo and the thread
   std::unique_ptr<Servo> servo_;
   std::unique_ptr<RealtimeThread> thread_;
   std::unique_ptr<PointerHand> hand_;

@@ -239,19 +239,24 @@ bool Studio::use_device(const QString& id) {
   return true;
 }
 
-void Studio::point(const PointerEvent& event) {
+void Studio::point(const PointerEvent& pointed) {
+  PointerEvent event = pointed;
+  event.height_mm = height_of_bodies_mm(event.position);
   pen_.hand = event.position;
   // A touch that begins after a ring was closed is for the tool, even if the simulated pen has not
   // been lifted in between.
   if (std::exchange(hand_touches_, event.touching) != event.touching && !session_->ring()) {
-    touches_elsewhere_ = touches_elsewhere_ && !event.touching;
+    touches_for_ring_ = touches_for_ring_ && !event.touching;
   }
   loop_.point(event, session_->surface(), session_->device(), absent_pressure(*session_));
 }
 
 void Studio::lend_pen(bool lent) {
   if (lent) finish_gesture();
+  drain();
+  is_held_from_ink_ = is_pen_elsewhere() && in_contact(pen_.sample);
   is_pen_lent_ = lent;
+  report_elsewhere();
 }
 
 void Studio::process() {
@@ -297,12 +302,14 @@ void Studio::deselect_for_drawing(const PenSample& sample) {
   static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
 }
 
-/// Lifts the pen of a sample while a ring is open or the pen is lent, and until a touch that began
-/// meanwhile ends. pen() has the sample as it is.
+/// Lifts the pen of a sample while a ring is open or the pen is elsewhere, and until a touch that
+/// began meanwhile ends. pen() has the sample as it is.
 void Studio::lift_if_elsewhere(PenSample& sample) {
-  touches_elsewhere_ =
-      (session_->ring() || is_pen_lent_ || touches_elsewhere_) && in_contact(sample);
-  if (touches_elsewhere_) lift(sample);
+  const bool touches = in_contact(sample);
+  touches_for_ring_ = (session_->ring() || touches_for_ring_) && touches;
+  is_held_from_ink_ = is_pen_elsewhere() && touches;
+  is_below_page_ = is_below_page_ && touches;
+  if (touches_for_ring_ || is_held_from_ink_) lift(sample);
 }
 
 void Studio::handle_sample(PenSample& sample) {
@@ -334,6 +341,7 @@ HapticLoop::PenActivity Studio::pen_activity() const {
 
 /// Emits the signals for what changed. Their slots may call any function of the studio.
 void Studio::report_changes() {
+  report_elsewhere();
   for (const Edit& edit : std::exchange(edits_, {})) {
     update_modified();
     Q_EMIT edited(edit);

@@ -12,6 +12,7 @@
 #include "desktop/engine/haptic_loop.h"
 #include "desktop/engine/studio_options.h"
 #include "felt/document/page.h"
+#include "felt/geometry/triangle_tree.h"
 #include "felt/material/material_file.h"
 #include "felt/session/session.h"
 
@@ -120,6 +121,11 @@ class Studio : public QObject {
   /// sees a pen above the paper, and pen() has the pen as it is. A touch that began meanwhile stays
   /// above the paper until it ends. A gesture in progress ends as if the pen had been lifted.
   void lend_pen(bool lent);
+  /// Returns true while the pen is lent or feels bodies, and afterwards until it is up: its samples
+  /// draw nothing.
+  [[nodiscard]] bool is_pen_elsewhere() const noexcept {
+    return bodies_ || is_pen_lent_ || is_held_from_ink_;
+  }
   /// Returns the time on the clock of the session and of the haptic loop.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return loop_.now_ns(); }
   /// Handles all waiting samples, publishes the resulting force, and emits the signals for what
@@ -128,6 +134,18 @@ class Studio : public QObject {
   /// Advances the time tick by tick. Requires that the studio is not live.
   void advance(std::int64_t ns);
   [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
+  /// Lets the pen feel these bodies (SolidSurface) instead of the page, with the material of the
+  /// page. Their triangles are in mm in the frame of the page. Null ends it, or nothing if it has
+  /// not begun. It is not an event of the session: meanwhile the session gets the samples of a pen
+  /// above the page, and afterwards until the pen is up, so that nothing is drawn, and the same
+  /// tool continues. A gesture ends as if the pen had been lifted. Afterwards there is no force
+  /// until the pen is up, because it may be far below the page.
+  void touch(std::shared_ptr<const TriangleTree> bodies);
+  /// Returns true while the pen feels bodies.
+  [[nodiscard]] bool is_touching() const noexcept { return bodies_ != nullptr; }
+  /// Returns the point on the bodies that stands for the pen, mm on the page; nullopt without
+  /// bodies, or if the pen has not yet been in front of them.
+  [[nodiscard]] std::optional<Vec3> proxy();
 
  Q_SIGNALS:
   // --- Signals about the session, emitted immediately and in order, for code that stores or
@@ -163,6 +181,8 @@ class Studio : public QObject {
   void layer_changed();
   void page_changed();
   void modified_changed(bool modified);
+  /// is_pen_elsewhere() is another value. Samples of the haptic loop draw nothing while it is true.
+  void elsewhere_changed(bool elsewhere);
   /// A menu at the pen asks for a tick, which cue devices play.
   void tick_wanted();
   /// Reports a sentence for the status line.
@@ -182,8 +202,10 @@ class Studio : public QObject {
   bool drain();
   void handle_sample(PenSample& sample);
   void deselect_for_drawing(const PenSample& sample);
-  void publish() { loop_.publish(session_->force()); }
+  void publish();
   void lift_if_elsewhere(PenSample& sample);
+  void report_elsewhere();
+  [[nodiscard]] double height_of_bodies_mm(Point at) const;
   void report_changes();
   [[nodiscard]] HapticLoop::PenActivity pen_activity() const;
 
@@ -204,8 +226,13 @@ class Studio : public QObject {
   std::vector<AnyMaterial> of_drawing_;  // materials that came with the drawing and differ from
                                          // options_.materials
   PenState pen_;
-  bool is_pen_lent_ = false;        // lend_pen()
-  bool touches_elsewhere_ = false;  // the pen has touched while a ring was open or the pen was lent
+  bool touches_for_ring_ = false;               // the pen has touched while a ring was open
+  bool is_pen_lent_ = false;                    // lend_pen()
+  std::shared_ptr<const TriangleTree> bodies_;  // null: the pen feels the page
+  std::uint32_t bodies_number_ = 0;
+  bool is_held_from_ink_ = false;  // a touch that began on bodies or while the pen was lent
+  bool is_below_page_ = false;     // the pen has felt bodies there, and has not been up since
+  bool reported_elsewhere_ = false;
   bool hand_touches_ = false;       // the hand of a mouse or tablet puts the pen down
   std::int64_t last_event_ns_ = 0;  // time of the last event of the session
   std::vector<Edit> edits_;         // edits that `edited` has not reported yet

@@ -64,9 +64,19 @@ void StudioAutosave::connect_studio(Studio& studio) {
   const auto attach = [this, &loop] {
     autosave_->attach(loop.servo().for_autosave(), loop.start_ns());
   };
-  connect(&loop, &HapticLoop::started, this, attach);
+  connect(&loop, &HapticLoop::started, this, [this, attach] {
+    if (!studio_->is_pen_elsewhere()) attach();
+  });
   connect(&loop, &HapticLoop::stopped, this, [this] { autosave_->detach(); });
-  if (loop.is_running()) attach();
+  // The loop's own samples of a pen that is elsewhere must not become ink.
+  connect(&studio, &Studio::elsewhere_changed, this, [this, &loop, attach](bool elsewhere) {
+    autosave_->detach();
+    if (elsewhere || !loop.is_running()) return;
+    for (PenSample sample; loop.servo().for_autosave().pop(sample);) {
+    }
+    attach();
+  });
+  if (loop.is_running() && !studio.is_pen_elsewhere()) attach();
 }
 
 StudioAutosave::~StudioAutosave() {

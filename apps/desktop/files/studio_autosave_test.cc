@@ -72,6 +72,47 @@ TEST(StudioAutosave, WhateverWasDrawnIsRecoveredAtAnyStep) {
   }
 }
 
+/// Moves the hand to the right; the pen is down if `down`.
+void move_right(Studio& studio, double from_x, double to_x, bool down) {
+  for (double x = from_x; x <= to_x; x += 1.0) {
+    studio.point({studio.now_ns(), {x, 80.0}, down, 0.5});
+    studio.advance(kStepNs);
+  }
+}
+
+// The loop's own samples are those of a pen below the page.
+void expect_nothing_recovered(const std::function<void(Studio&, bool)>& set_elsewhere) {
+  StudioOptions options{.live = false};
+  options.device = QStringLiteral("simulated:touch");
+  StudioFixture fixture(options);
+  fixture.files->start_autosave({fixture.at("state")});
+  Studio& studio = fixture.studio;
+  move_right(studio, 20, 30, false);
+  set_elsewhere(studio, true);
+  move_right(studio, 30, 60, true);
+  ASSERT_LT(studio.pen().sample.position.z, 0.0);
+  EXPECT_EQ(crashed(fixture).drawing.document.stroke_count(), 0U);
+  set_elsewhere(studio, false);
+  move_right(studio, 60, 80, true);
+  EXPECT_EQ(crashed(fixture).drawing.document.stroke_count(), 0U) << "until it is up";
+  move_right(studio, 80, 90, false);
+  move_right(studio, 90, 120, true);
+  EXPECT_EQ(crashed(fixture).drawing.document.stroke_count(), 1U) << "the line in progress";
+  EXPECT_EQ(fixture.document().stroke_count(), 0U);
+  fixture.studio.set_modified(false);
+}
+
+TEST(StudioAutosave, NothingThatAPenDidOnBodiesIsRecovered) {
+  const std::vector<Triangle3> far{{{200, 200, 5}, {210, 200, 5}, {200, 210, 5}}};
+  expect_nothing_recovered([&far](Studio& studio, bool on) {
+    studio.touch(on ? std::make_shared<const TriangleTree>(far) : nullptr);
+  });
+}
+
+TEST(StudioAutosave, NothingThatALentPenDidIsRecovered) {
+  expect_nothing_recovered([](Studio& studio, bool on) { studio.lend_pen(on); });
+}
+
 TEST(StudioAutosave, TheDrawingThatWasOpenedIsItsBase) {
   StudioFixture fixture;
   fixture.files->start_autosave({fixture.at("state")});

@@ -36,8 +36,9 @@ bool LongPress::is_possible() const {
   const bool by_device = !hand_.is_down() && !studio_.loop().is_pointed() &&
                          studio_.session().device().actuated_axes > 2;
   return settings_.long_press && (by_pen || by_device) && !studio_.is_borrowing() &&
-         studio_.pen().sample.buttons == 0 && session.tool().info().kind != ToolKind::kReads &&
-         !session.ring() && !session.guide() && !session.offered();
+         !studio_.is_pen_elsewhere() && studio_.pen().sample.buttons == 0 &&
+         session.tool().info().kind != ToolKind::kReads && !session.ring() && !session.guide() &&
+         !session.offered();
 }
 
 bool LongPress::has_moved(Point pen) const {

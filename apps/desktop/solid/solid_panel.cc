@@ -1,7 +1,6 @@
 #include "desktop/solid/solid_panel.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -46,6 +45,7 @@ SolidPanel::SolidPanel(Studio& studio, QWidget* parent)
       wireframe_(new QCheckBox(tr("Wireframe"), this)),
       section_(new QCheckBox(tr("Section"), this)),
       section_at_(new QSlider(Qt::Horizontal, this)),
+      buttons_(new QHBoxLayout),
       export_(new QToolButton(this)) {
   make_controls();
   delay_.setSingleShot(true);
@@ -130,7 +130,9 @@ QWidget* SolidPanel::look_rows() {
   export_->setEnabled(false);
   grid->addWidget(fill_holes_, 0, 0);
   grid->addWidget(wireframe_, 0, 1);
-  grid->addWidget(export_, 0, 2, Qt::AlignRight);
+  buttons_->addStretch();
+  buttons_->addWidget(export_);
+  grid->addLayout(buttons_, 0, 2);
   grid->addWidget(section_, 1, 0);
   grid->addWidget(section_at_, 1, 1, 1, 2);
   grid->setColumnStretch(2, 1);
@@ -170,6 +172,12 @@ void SolidPanel::set_on(bool on) {
   if (on) return start();
   ++session_;
   forget();
+}
+
+void SolidPanel::set_touch_action(QAction* action) {
+  auto* touch = new QToolButton(this);
+  touch->setDefaultAction(action);
+  buttons_->insertWidget(1, touch);  // left of "Export"
 }
 
 /// The bodies of another time or another drawing must not be exported.
@@ -236,7 +244,8 @@ void SolidPanel::start() {
     waits_ = true;  // take() starts again
     return;
   }
-  if (studio_.pen().is_known && in_contact(studio_.pen().sample)) return wait();
+  const bool draws = studio_.pen().is_known && in_contact(studio_.pen().sample);
+  if (draws && !studio_.is_touching()) return wait();
   waits_ = false;
   runs_ = true;
   announce_.start();

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -53,6 +54,8 @@ class SolidPanel : public QWidget {
   /// Shows a pen that touches a body, or removes it (SolidScene::show_proxy).
   void show_proxy(const std::optional<SolidTouchMarks>& marks) { scene_->show_proxy(marks); }
   [[nodiscard]] BodyTools& tools() noexcept { return *tools_; }
+  /// Adds a button for the action that lets the pen touch the bodies. Call it once.
+  void set_touch_action(QAction* action);
   /// Sets the actions of the button "Export".
   void set_export_actions(const QList<QAction*>& actions);
 
@@ -90,6 +93,7 @@ class SolidPanel : public QWidget {
   QCheckBox* wireframe_;
   QCheckBox* section_;
   QSlider* section_at_;
+  QHBoxLayout* buttons_;  // "Touch the solid", "Export"
   QToolButton* export_;
   QTimer delay_, announce_;
   bool is_on_ = false;

@@ -20,7 +20,7 @@ constexpr double kMinZoom = 0.2, kMaxZoom = 50.0;
 constexpr double kWheelStep = 120.0;  // of QWheelEvent::angleDelta() for one step of a wheel
 constexpr double kFill = 0.94;        // share of the widget that the bodies fill
 constexpr double kLinePx = 2.5;       // of a stroke over the bodies
-constexpr double kBallPx = 6.0, kForcePxPerN = 24.0;
+constexpr double kBallPx = 6.0, kForcePxPerN = 60.0;
 
 bool is_scene_key(int key) {
   switch (key) {

@@ -5678,6 +5678,25 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::SolidTouchMode</name>
+    <message>
+        <source>&amp;Touch the solid</source>
+        <translation>Körper &amp;betasten</translation>
+    </message>
+    <message>
+        <source>The pen feels the bodies of the solid view, and draws nothing meanwhile</source>
+        <translation>Der Stift spürt die Körper der Körperansicht und zeichnet solange nichts</translation>
+    </message>
+    <message>
+        <source>There is no body to touch: open the solid view and draw a closed line</source>
+        <translation>Es gibt keinen Körper zum Betasten: öffnen Sie die Körperansicht und zeichnen Sie eine geschlossene Linie</translation>
+    </message>
+    <message>
+        <source>This device cannot push in three directions, so it cannot let you touch a body.</source>
+        <translation>Dieses Gerät kann nicht in drei Richtungen drücken; deshalb lässt sich damit kein Körper betasten.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::SoundState</name>
     <message>
         <source>There is no sound device. Sound starts when one is connected.</source>

@@ -5678,6 +5678,25 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::SolidTouchMode</name>
+    <message>
+        <source>&amp;Touch the solid</source>
+        <translation>Lichaam &amp;aanraken</translation>
+    </message>
+    <message>
+        <source>The pen feels the bodies of the solid view, and draws nothing meanwhile</source>
+        <translation>De pen voelt de lichamen van de lichaamsweergave en tekent intussen niets</translation>
+    </message>
+    <message>
+        <source>There is no body to touch: open the solid view and draw a closed line</source>
+        <translation>Er is geen lichaam om aan te raken: open de lichaamsweergave en teken een gesloten lijn</translation>
+    </message>
+    <message>
+        <source>This device cannot push in three directions, so it cannot let you touch a body.</source>
+        <translation>Dit apparaat kan niet in drie richtingen duwen; daarom kunt u er geen lichaam mee betasten.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::SoundState</name>
     <message>
         <source>There is no sound device. Sound starts when one is connected.</source>

@@ -33,6 +33,7 @@
 #ifdef FELT_SOLIDS
 #include "desktop/solid/solid_actions.h"
 #include "desktop/solid/solid_panel.h"
+#include "desktop/solid/solid_touch_mode.h"
 #endif
 #include "desktop/window/canvas_popup.h"
 #include "desktop/window/color_notice.h"
@@ -243,6 +244,7 @@ void MainWindow::make_solid_panel() {
   QDockWidget* dock =
       add_panel(QStringLiteral("solid"), tr("Solid view"), solid, {QKeySequence(Qt::Key_F9)});
   add_solid_actions(*actions_, *files_, *solid, this);
+  new SolidTouchMode(*studio_, *solid, *actions_, this);
   connect(actions_->find(QStringLiteral("view.panel_solid")), &QAction::toggled, solid,
           [this, solid, dock](bool on) {
             // A dock that was never shown gets its minimum width.

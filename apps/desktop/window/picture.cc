@@ -128,6 +128,27 @@ void open_ring(MainWindow& window) {
   for (int i = 0; i < 2; ++i) QApplication::sendEvent(ring, &key);
 }
 
+/// Lets the pen touch the right side of the solid, and presses.
+void touch_solid(MainWindow& window) {
+#ifdef FELT_SOLIDS
+  constexpr int kSteps = 140, kHoverSteps = 70;  // the forces are on by then
+  auto* panel = window.findChild<SolidPanel*>();
+  QAction* action = window.actions().find(QStringLiteral("feel.touch_solid"));
+  if (!panel->solid() || !action) return;
+  action->setChecked(true);
+  panel->scene().turn(40.0, 0.0);
+  Studio& studio = window.studio();
+  for (int i = 0; i < kSteps; ++i) {
+    const Point at = panel->solid()->origin + Vec{0.1 * i - 10.0, 15.0};
+    studio.point({studio.now_ns(), at, i > kHoverSteps, 1.0});
+    studio.advance(kFrameNs);
+  }
+  settle();
+#else
+  static_cast<void>(window);
+#endif
+}
+
 QWidget* open_dialog(MainWindow& window, const QString& name) {
   const QString what = name.section(QLatin1Char('/'), 0, 0),
                 part = name.section(QLatin1Char('/'), 1);
@@ -185,7 +206,8 @@ int make_picture(const PictureRequest& request) {
   }
   QWidget* seen = &window;
   const bool shows_ring = request.dialog == QStringLiteral("ring");
-  if (!request.dialog.isEmpty() && !shows_ring) {
+  const bool shows_touch = request.dialog == QStringLiteral("touch");
+  if (!request.dialog.isEmpty() && !shows_ring && !shows_touch) {
     seen = open_dialog(window, request.dialog);
     if (!seen) return complain(QStringLiteral("there is no dialog \"%1\"").arg(request.dialog));
     seen->show();
@@ -197,6 +219,7 @@ int make_picture(const PictureRequest& request) {
   settle();
   lay_out_lists(*seen);
   if (shows_ring) open_ring(window);
+  if (shows_touch) touch_solid(window);
   return seen->grab().save(request.path) ? 0
                                          : complain(request.path + QStringLiteral(": not written"));
 }
