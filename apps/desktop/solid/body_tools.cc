@@ -94,11 +94,13 @@ void BodyTools::make_buttons() {
     row->addWidget(button);
   }
   row->addStretch(1);
-  row->addWidget(width_);
+  auto* below = new QHBoxLayout;
+  below->addWidget(hint_, 1);
+  below->addWidget(width_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 0);
   column->addLayout(row);
-  column->addWidget(hint_);
+  column->addLayout(below);
   connect(group_, &QButtonGroup::idClicked, this,
           [this](int id) { set_tool(static_cast<BodyTool>(id)); });
 }

@@ -57,6 +57,7 @@ complete -c feltline -n '__fish_seen_subcommand_from inflate' -l thickness -x -d
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l gap -x -d 'Close gaps of the outline up to this size, in mm'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l fill-holes -d 'Ignore closed lines inside an outline'
 complete -c feltline -n '__fish_seen_subcommand_from inflate' -l no-paint -d 'Leave out the lines on the bodies'
+complete -c feltline -n '__fish_seen_subcommand_from inflate' -l no-edits -d 'Leave out the edits of the body'
 complete -c feltline -n '__fish_seen_subcommand_from gather' -l width -x -a 'median strip' -d 'Width of a gathered line'
 complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l frames -x -d 'In-betweens from one key drawing to the next'
 complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l ease -x -a 'linear ease ease-in ease-out ease-in-out' -d 'Speed of the motion'
