@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <memory>
+#include <utility>
 
 #include "desktop/files/testing/studio_fixture.h"
+#include "felt/document/edit_builder.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::desktop::recent_pictures_test {
 namespace {
@@ -28,6 +32,25 @@ TEST(RecentPictures, ShowTheInkAndGoWithTheirFiles) {
   EXPECT_FALSE(recent_picture(two).isNull());
   keep_recent_pictures({});
   EXPECT_TRUE(recent_picture(two).isNull());
+}
+
+TEST(RecentPictures, R57_ShowTheStyleOfAMediumInTheDrawing) {
+  StudioFixture fixture;
+  const QString path = fixture.at("styled.felt");
+  Drawing drawing = fixture.files->drawing();
+  StrokeData line = testing::straight_stroke({20, 50}, {180, 50}, 8.0, 8.0).data();
+  line.medium = "dots";
+  EditBuilder edit(drawing.document);
+  edit.add(drawing.document.layers()[0].id,
+           std::make_shared<const Stroke>(Stroke::create(std::move(line)).value()));
+  ASSERT_TRUE(drawing.document.apply(std::move(edit).build("Line")));
+  const auto image = [&] {
+    write_recent_picture(path, drawing);
+    return recent_picture(path).pixmap(kRecentPicture, 1.0).toImage();
+  };
+  const QImage plain = image();
+  drawing.materials = {"kind = \"medium\"\nid = \"dots\"\n[style]\nkind = \"dashes\"\n"};
+  EXPECT_NE(image(), plain);
 }
 
 TEST(RecentPictures, ASavedDrawingHasOneInTheMenu) {

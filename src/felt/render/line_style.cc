@@ -29,8 +29,8 @@ std::shared_ptr<const NamedStyles> styles_of(const Materials& materials) {
 }  // namespace
 
 StrokeStyles::StrokeStyles() noexcept {
-  static const std::shared_ptr<const NamedStyles> built_in = styles_of(Materials::built_in());
-  all_ = built_in;
+  static const std::shared_ptr<const NamedStyles> kBuiltIn = styles_of(Materials::built_in());
+  all_ = kBuiltIn;
 }
 
 StrokeStyles::StrokeStyles(const Materials& materials) : all_(styles_of(materials)) {}

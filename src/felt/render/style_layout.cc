@@ -61,6 +61,17 @@ StyleRhythm bounded(const Spine& spine, StyleRhythm rhythm) {
   return rhythm;
 }
 
+/// Returns the centre line of a dash that fills the visible part `seen` of a line: without its
+/// round ends, unless it goes on around a corner there.
+StyleSpan without_caps(StyleSpan seen, double half_cap, bool begins_at_corner,
+                       bool ends_at_corner) {
+  StyleSpan dash = seen;
+  if (!begins_at_corner) dash.from += half_cap;
+  if (!ends_at_corner) dash.to -= half_cap;
+  if (dash.to < dash.from) dash.from = dash.to = 0.5 * (dash.from + dash.to);
+  return dash;
+}
+
 void add_dashes(const LineSection& section, const StyleRhythm& r, std::vector<StyleSpan>& out) {
   const double half_cap = 0.5 * r.cap;
   const double first = section.begins_at_corner ? 0.5 * r.length : r.length;
@@ -72,15 +83,13 @@ void add_dashes(const LineSection& section, const StyleRhythm& r, std::vector<St
       std::floor((end - begin - first - last + r.length) / (r.length + r.gap) + 0.5);
   if (!(gaps >= 1.0)) return out.push_back(section.span);
   const double scale = (end - begin) / (first + last + gaps * r.gap + (gaps - 1.0) * r.length);
-  for (double k = 0.0; k <= gaps; ++k) {
-    const double from =
-        k == 0.0 ? begin : begin + scale * (first + k * r.gap + (k - 1.0) * r.length);
-    const double to = k == gaps ? end : begin + scale * (first + k * (r.gap + r.length));
-    StyleSpan dash{from + half_cap, to - half_cap};
-    if (k == 0.0 && section.begins_at_corner) dash.from = begin;
-    if (k == gaps && section.ends_at_corner) dash.to = end;
-    if (dash.to < dash.from) dash.from = dash.to = 0.5 * (dash.from + dash.to);
-    out.push_back(dash);
+  const int count = static_cast<int>(gaps);
+  for (int k = 0; k <= count; ++k) {
+    const double from = begin + scale * (first + k * r.gap + (k - 1) * r.length);
+    const double to = begin + scale * (first + k * (r.gap + r.length));
+    out.push_back(without_caps({k == 0 ? begin : from, k == count ? end : to}, half_cap,
+                               k == 0 && section.begins_at_corner,
+                               k == count && section.ends_at_corner));
   }
 }
 
@@ -94,7 +103,7 @@ std::vector<StyleSpan> dash_spans(const Spine& spine, StyleSpan range, const Sty
     const double count = std::max(1.0, std::round(spine.end() / (r.length + r.gap)));
     const double scale = spine.end() / (count * (r.length + r.gap));
     const double half = std::max(0.0, 0.5 * (scale * r.length - r.cap));
-    for (double k = 1.0; k <= count; ++k) {
+    for (int k = 1; k <= static_cast<int>(count); ++k) {
       const double middle = spine.end() * k / count;
       dashes.push_back({middle - half, middle + half});
     }
@@ -130,9 +139,10 @@ std::vector<StyleSpan> repeat_spans(const Spine& spine, StyleSpan range,
     const double extra = is_ring ? 0.0 : r.gap;
     const double count = std::max(1.0, std::round((size + extra) / (r.length + r.gap)));
     const double scale = size / (count * (r.length + r.gap) - extra);
-    for (double k = 0.0; k < count; ++k) {
+    for (int k = 0; k < static_cast<int>(count); ++k) {
       const double at = from + k * scale * (r.length + r.gap);
-      const bool is_last = !is_ring && k + 1.0 == count;  // ends exactly at the corner or end
+      const bool is_last =
+          !is_ring && k + 1 == static_cast<int>(count);  // ends exactly at the corner or end
       spans.push_back({at, is_last ? section.span.to : at + scale * r.length});
     }
   }

@@ -37,6 +37,16 @@ void append(Outline& to, const Outline& from) {
   for (const std::size_t end : from.ends) to.ends.push_back(size + end);
 }
 
+/// Turns all contours around. The order of the contours does not matter.
+void reverse(Outline& outline) {
+  const std::size_t size = outline.points.size();
+  std::reverse(outline.points.begin(), outline.points.end());
+  outline.ends.pop_back();
+  std::reverse(outline.ends.begin(), outline.ends.end());
+  for (std::size_t& end : outline.ends) end = size - end;
+  outline.ends.push_back(size);
+}
+
 Dab dab_of(const SpinePoint& p, double thin) noexcept {
   return {p.center, thin * p.radius, p.tone};
 }
@@ -96,34 +106,23 @@ void StylePen::rails(StyleSpan span, double thin) {
 /// around it is tighter than the offset. Only the part of the line near the point `near` counts, so
 /// that a line may cross itself.
 bool StylePen::is_inside_bend(const Dab& dab, double offset, std::size_t near) const noexcept {
+  return meets_line(dab, offset, near, 1) || meets_line(dab, offset, near, -1);
+}
+
+/// Looks at the points after (`way` 1) or before (-1) the point `near`.
+bool StylePen::meets_line(const Dab& dab, double offset, std::size_t near, int way) const noexcept {
   const auto points = spine_->points();
   const std::size_t count = points.size();
   const double reach = 4.0 * offset, limit = kOffsetShare * offset;
-  const double size = spine_->closed() ? points.back().length : 0.0;
-  const auto covers = [&](std::size_t i) {
-    return distance_squared(points[i].center, dab.center) < limit * limit;
-  };
-  const std::size_t most = std::min(kMaxCompared, count - 1);
+  const std::size_t first = way > 0 ? 0 : count - 1, last = count - 1 - first;
   double seam = 0.0;
-  for (std::size_t k = 1, i = near; k <= most; ++k) {
-    if (++i == count) {
-      if (!spine_->closed()) break;
-      i = 0;
-      seam = size;
-    }
-    if (seam + points[i].length - points[near].length > reach) break;
-    if (covers(i)) return true;
-  }
-  seam = 0.0;
-  for (std::size_t k = 1, i = near; k <= most; ++k) {
-    if (i == 0) {
-      if (!spine_->closed()) break;
-      i = count;
-      seam = size;
-    }
-    --i;
-    if (seam + points[near].length - points[i].length > reach) break;
-    if (covers(i)) return true;
+  std::size_t i = near;
+  for (std::size_t k = std::min(kMaxCompared, count - 1); k > 0; --k) {
+    if (i == last && !spine_->closed()) return false;
+    if (i == last) seam = points.back().length;
+    i = i == last ? first : i + static_cast<std::size_t>(way);  // wraps around for -1
+    if (seam + way * (points[i].length - points[near].length) > reach) return false;
+    if (distance_squared(points[i].center, dab.center) < limit * limit) return true;
   }
   return false;
 }
@@ -184,64 +183,67 @@ Point StylePen::place(Point p) const noexcept {
 
 /// Appends the points of a straight edge of a shape, bent with the line, without the first.
 void StylePen::bend(Point from, Point to, std::vector<Point>& out) const {
-  const auto points = spine_->points();
   const double size = spine_->end();
   if (spine_->closed() && std::max(from.x, to.x) > size) {
-    if (std::min(from.x, to.x) >= size)
+    if (std::min(from.x, to.x) >= size) {
       return bend({from.x - size, from.y}, {to.x - size, to.y}, out);
+    }
+    // At the seam, the edge has the position `size` on one side and 0 on the other.
     const double y = std::lerp(from.y, to.y, (size - from.x) / (to.x - from.x));
-    bend(from.x < to.x ? from : Point{from.x - size, from.y}, {from.x < to.x ? size : 0.0, y}, out);
-    return bend({from.x < to.x ? 0.0 : size, y}, to.x > size ? Point{to.x - size, to.y} : to, out);
+    const bool leaves = from.x < to.x;
+    bend(leaves ? from : Point{from.x - size, from.y}, {leaves ? size : 0.0, y}, out);
+    return bend({leaves ? 0.0 : size, y}, leaves ? Point{to.x - size, to.y} : to, out);
   }
-  if (from.x != to.x) {
-    const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
-    const std::optional<std::size_t> joint = spine_->joint(low);
-    const std::size_t begin = joint ? *joint + 1 : spine_->first(low);
-    const std::size_t end = spine_->joint(high).value_or(spine_->first(high));
-    for (std::size_t k = begin; k < end; ++k) {
-      const SpinePoint& p = points[from.x < to.x ? k : begin + end - 1 - k];
-      out.push_back(beside(p, std::lerp(from.y, to.y, (p.along - from.x) / (to.x - from.x))));
+  append_inner(from, to, out);
+  out.push_back(place(to));
+}
+
+/// Appends the points of an edge that are between its ends: one for each point of the spine.
+void StylePen::append_inner(Point from, Point to, std::vector<Point>& out) const {
+  if (from.x == to.x) return;
+  const auto points = spine_->points();
+  const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
+  const std::optional<std::size_t> joint = spine_->joint(low);
+  const std::size_t begin = joint ? *joint + 1 : spine_->first(low);
+  const std::size_t end = spine_->joint(high).value_or(spine_->first(high));
+  for (std::size_t k = begin; k < end; ++k) {
+    const SpinePoint& p = points[from.x < to.x ? k : begin + end - 1 - k];
+    out.push_back(beside(p, std::lerp(from.y, to.y, (p.along - from.x) / (to.x - from.x))));
+  }
+}
+
+/// Replaces contour_ by a contour of a shape over `span`. `width` is that of the line.
+void StylePen::bend_contour(std::span<const Point> curves, StyleSpan span, double width) {
+  const double size = span.to - span.from;
+  Point from{span.from + size * curves[0].x, curves[0].y};
+  contour_.assign(1, place(from));
+  for (std::size_t i = 0; i + 3 < curves.size(); i += 3) {
+    const Cubic u{{curves[i], curves[i + 1], curves[i + 2], curves[i + 3]}};
+    Cubic c = u;
+    for (Point& p : c.p) p = {width * size * p.x, width * p.y};
+    const int steps = std::min(kMaxShapeSteps, flatten_steps(c, 1.0, tolerance_));
+    for (int k = 1; k <= steps; ++k) {
+      const Point p = k < steps ? evaluate(u, static_cast<double>(k) / steps) : u.p[3];
+      const Point to{span.from + size * p.x, std::clamp(p.y, -0.5, 0.5)};
+      bend(from, to, contour_);
+      from = to;
     }
   }
-  out.push_back(place(to));
 }
 
 void StylePen::shape(StyleSpan span, const StyleShape& shape) {
   if (is_full()) return;
-  const double size = span.to - span.from;
-  const SpinePoint middle = spine_->at(std::min(span.from, span.to) + 0.5 * std::fabs(size));
-  const double width = 2.0 * middle.radius;
+  const double middle = std::min(span.from, span.to) + 0.5 * std::fabs(span.to - span.from);
+  const double width = 2.0 * spine_->at(middle).radius;
   double area = 0.0;
   bent_.clear();
   for (const std::vector<Point>& curves : shape.contours) {
-    Point from{span.from + size * curves[0].x, curves[0].y};
-    contour_.assign(1, place(from));
-    for (std::size_t i = 0; i + 3 < curves.size(); i += 3) {
-      Cubic c;
-      for (std::size_t k = 0; k < 4; ++k) {
-        c.p[k] = {width * size * curves[i + k].x, width * curves[i + k].y};
-      }
-      const int steps = std::min(kMaxShapeSteps, flatten_steps(c, 1.0, tolerance_));
-      const Cubic u{{curves[i], curves[i + 1], curves[i + 2], curves[i + 3]}};
-      for (int k = 1; k <= steps; ++k) {
-        const Point p = k < steps ? evaluate(u, static_cast<double>(k) / steps) : u.p[3];
-        const Point to{span.from + size * p.x, std::clamp(p.y, -0.5, 0.5)};
-        bend(from, to, contour_);
-        from = to;
-      }
-    }
+    bend_contour(curves, span, width);
     area += area_of(contour_);
     bent_.points.insert(bent_.points.end(), contour_.begin(), contour_.end());
     bent_.ends.push_back(bent_.points.size());
   }
-  if (area * orientation_ < 0.0) {  // the order of the contours does not matter
-    std::reverse(bent_.points.begin(), bent_.points.end());
-    std::vector<std::size_t> sizes;
-    for (std::size_t k = bent_.contour_count(); k-- > 0;) sizes.push_back(bent_.contour(k).size());
-    bent_.ends.clear();
-    std::size_t sum = 0;
-    for (const std::size_t part : sizes) bent_.ends.push_back(sum += part);
-  }
+  if (area * orientation_ < 0.0) reverse(bent_);
   append(ink_->outline, bent_);
 }
 
@@ -269,12 +271,12 @@ void StylePen::hatching(double angle_deg, double spacing, double thin) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SpinePoint &a = points[i], &b = points[(i + 1) % points.size()];
     const double from = height(i), to = height(i + 1);
-    const double low = std::ceil(std::min(from, to) / step - 0.5);
     const double high = std::max(from, to) / step - 0.5;
-    for (double k = low; k < high; ++k) {
-      const double t = std::clamp(((k + 0.5) * step - from) / (to - from), 0.0, 1.0);
-      crossings_.push_back({static_cast<std::int64_t>(k),
-                            dot(lerp(a.center, b.center, t) - origin, along),
+    auto k = static_cast<std::int64_t>(std::ceil(std::min(from, to) / step - 0.5));
+    for (; static_cast<double>(k) < high; ++k) {
+      const double at = (static_cast<double>(k) + 0.5) * step;
+      const double t = std::clamp((at - from) / (to - from), 0.0, 1.0);
+      crossings_.push_back({k, dot(lerp(a.center, b.center, t) - origin, along),
                             std::min(thin * radius, std::lerp(a.radius, b.radius, t))});
     }
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "felt/render/style_layout.h"
@@ -47,8 +48,12 @@ class StylePen {
   void append_points(StyleSpan span, double thin);
   void rail(StyleSpan span, double share, double side);
   [[nodiscard]] bool is_inside_bend(const Dab& dab, double offset, std::size_t near) const noexcept;
+  [[nodiscard]] bool meets_line(const Dab& dab, double offset, std::size_t near,
+                                int way) const noexcept;
   void join_rail(bool is_ring);
   void bend(Point from, Point to, std::vector<Point>& out) const;
+  void append_inner(Point from, Point to, std::vector<Point>& out) const;
+  void bend_contour(std::span<const Point> curves, StyleSpan span, double width);
   [[nodiscard]] Point place(Point p) const noexcept;
 
   const Spine* spine_ = nullptr;

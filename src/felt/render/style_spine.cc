@@ -12,7 +12,6 @@ namespace {
 /// Between two points, the radius changes by at most this factor, so that positions are nearly
 /// linear in between.
 constexpr double kMaxRatio = 1.15;
-constexpr double kNoMark = -1.0;
 
 /// Normals of adjacent chords with a smaller scalar product (60 degrees) are not averaged.
 constexpr double kSharp = 0.5;
@@ -42,104 +41,117 @@ double length_in_widths(const Dab& a, const Dab& b) noexcept {
 
 void Spine::build(const StyledRow& row, double max_step) {
   closed_ = row.closed;
-  dabs_.clear();
-  is_corner_.clear();
-  marks_.clear();
+  knots_.clear();
   points_.clear();
   corners_.clear();
-  add_dabs(row, max_step);
-  if (dabs_.size() < 2) return;
+  add_knots(row, max_step);
+  if (knots_.size() < 2) return;
   measure();
   add_points(row.is_mirrored ? -1.0 : 1.0, !row.marks.empty());
 }
 
-/// Copies the dabs without those that are in one place, and divides long or tapered chords.
-void Spine::add_dabs(const StyledRow& row, double max_step) {
+/// Copies the dabs, and divides long or tapered chords.
+void Spine::add_knots(const StyledRow& row, double max_step) {
   double wanted = 0.0;
   for (std::size_t i = 0; i + 1 < row.dabs.size(); ++i) {
     wanted += steps_between(row.dabs[i], row.dabs[i + 1], max_step);
   }
   const double share = std::min(1.0, static_cast<double>(kMaxPoints) / std::max(1.0, wanted));
-  std::size_t corner = 0, mark = 0;
+  auto corner = row.corners.begin();
+  auto mark = row.marks.begin();
   for (std::size_t i = 0; i < row.dabs.size(); ++i) {
-    const Dab& dab = row.dabs[i];
-    const bool is_corner = corner < row.corners.size() && row.corners[corner] == i;
-    if (is_corner) ++corner;
-    const bool is_mark = mark < row.marks.size() && row.marks[mark].dab == i;
-    const double along = is_mark ? row.marks[mark++].along : kNoMark;
-    if (!dabs_.empty()) {
-      const Dab from = dabs_.back();
-      if (!(distance(from.center, dab.center) > 1e-9 * dab.radius_mm)) {
-        is_corner_.back() = is_corner_.back() || is_corner;
-        if (is_mark) marks_.back() = along;
-        continue;
-      }
-      const double steps = std::max(1.0, std::floor(share * steps_between(from, dab, max_step)));
-      for (double k = 1.0; k < steps; ++k) {
-        const double t = k / steps;
-        dabs_.push_back({lerp(from.center, dab.center, t),
-                         std::lerp(from.radius_mm, dab.radius_mm, t),
-                         std::lerp(from.tone, dab.tone, t)});
-        is_corner_.push_back(false);
-        marks_.push_back(kNoMark);
-      }
-    }
-    dabs_.push_back(dab);
-    is_corner_.push_back(is_corner);
-    marks_.push_back(along);
+    Knot knot{row.dabs[i]};
+    knot.is_corner = corner != row.corners.end() && *corner == i;
+    if (knot.is_corner) ++corner;
+    if (mark != row.marks.end() && mark->dab == i) knot.mark = (mark++)->along;
+    const double steps =
+        knots_.empty() ? 1.0 : share * steps_between(knots_.back().dab, knot.dab, max_step);
+    add_knot(knot, static_cast<int>(std::min(steps, static_cast<double>(kMaxPoints))));
   }
 }
 
-/// Computes the positions of the dabs: those between two marks are scaled to fit.
+/// Adds a knot and those between it and the one before, at equal distances. Joins it with the one
+/// before if both are in one place.
+void Spine::add_knot(const Knot& knot, int steps) {
+  if (knots_.empty()) return knots_.push_back(knot);
+  const Dab from = knots_.back().dab;
+  if (!(distance(from.center, knot.dab.center) > 1e-9 * knot.dab.radius_mm)) {
+    Knot& last = knots_.back();
+    last.is_corner = last.is_corner || knot.is_corner;
+    if (knot.mark >= 0.0) last.mark = knot.mark;
+    return;
+  }
+  for (int k = 1; k < steps; ++k) {
+    const double t = static_cast<double>(k) / steps;
+    knots_.push_back(
+        {{lerp(from.center, knot.dab.center, t), std::lerp(from.radius_mm, knot.dab.radius_mm, t),
+          std::lerp(from.tone, knot.dab.tone, t)}});
+  }
+  knots_.push_back(knot);
+}
+
+/// Computes the positions of the knots: those between two marks are scaled to fit.
 void Spine::measure() {
-  alongs_.assign(dabs_.size(), 0.0);
   std::size_t from = 0;  // the last mark
   double begin = 0.0, sum = 0.0;
-  for (std::size_t i = 1; i < dabs_.size(); ++i) {
-    sum += length_in_widths(dabs_[i - 1], dabs_[i]);
-    alongs_[i] = begin + sum;
-    if (marks_[i] == kNoMark) continue;
-    const double scale = sum > 0.0 ? std::max(0.0, marks_[i] - begin) / sum : 0.0;
-    for (std::size_t k = from + 1; k <= i; ++k) alongs_[k] = begin + scale * (alongs_[k] - begin);
+  for (std::size_t i = 1; i < knots_.size(); ++i) {
+    sum += length_in_widths(knots_[i - 1].dab, knots_[i].dab);
+    knots_[i].along = begin + sum;
+    if (knots_[i].mark < 0.0) continue;
+    const double scale = sum > 0.0 ? std::max(0.0, knots_[i].mark - begin) / sum : 0.0;
+    for (std::size_t k = from + 1; k <= i; ++k) {
+      knots_[k].along = begin + scale * (knots_[k].along - begin);
+    }
     from = i;
-    begin = alongs_[i];
+    begin = knots_[i].along;
     sum = 0.0;
   }
 }
 
-void Spine::add_points(double side, bool has_marks) {
-  const std::size_t last = dabs_.size() - 1;
+/// Returns the normals before and after a knot, which are equal at an end.
+std::pair<Vec, Vec> Spine::normals(std::size_t knot, double side) const noexcept {
+  const std::size_t last = knots_.size() - 1;
   const auto normal_after = [&](std::size_t i) {
-    return side * normalized(perp(dabs_[i + 1].center - dabs_[i].center));
+    return side * normalized(perp(knots_[i + 1].dab.center - knots_[i].dab.center));
   };
+  if (knot > 0 && knot < last) return {normal_after(knot - 1), normal_after(knot)};
+  const Vec before = normal_after(last - 1), after = normal_after(0);
+  if (closed_) return {before, after};
+  return knot == 0 ? std::pair{after, after} : std::pair{before, before};
+}
+
+void Spine::add_points(double side, bool has_marks) {
+  const std::size_t last = knots_.size() - 1;
   double length = 0.0;
   for (std::size_t i = 0; i <= last; ++i) {
-    const Dab& dab = dabs_[i];
-    if (i > 0) length += distance(dabs_[i - 1].center, dab.center);
-    const double along = alongs_[i];
-    const bool has_before = i > 0 || closed_, has_after = i < last || closed_;
-    const Vec before = has_before ? normal_after(i > 0 ? i - 1 : last - 1) : normal_after(i);
-    const Vec after = has_after ? normal_after(i < last ? i : 0) : before;
-    SpinePoint p{dab.center, dab.radius_mm, dab.tone, before, along, length};
-    if (dot(before, after) > kSharp) {
-      p.normal = normalized(before + after);
-      points_.push_back(p);
-    } else {
-      const double turn = std::atan2(cross(before, after), dot(before, after));
-      const bool is_seam = i == 0 || i == last;  // of a closed line
-      const Vec half = std::cos(0.5 * turn) * before + std::sin(0.5 * turn) * perp(before);
-      add_turn(p, i == 0 ? half : before, is_seam ? 0.5 * turn : turn);
-    }
+    const Dab& dab = knots_[i].dab;
+    if (i > 0) length += distance(knots_[i - 1].dab.center, dab.center);
+    const auto [before, after] = normals(i, side);
+    add_bend(i, {dab.center, dab.radius_mm, dab.tone, before, knots_[i].along, length}, after);
     const bool is_end = i == last || (i == 0 && !closed_);
-    if (!is_corner_[i] || is_end) continue;
-    if (has_marks || dot(before, after) < kBlunt) corners_.push_back(along);
+    if (is_end || !knots_[i].is_corner) continue;
+    if (has_marks || dot(before, after) < kBlunt) corners_.push_back(knots_[i].along);
   }
+}
+
+/// Adds a point of the knot `knot`, or several if the bend there is sharp. p.normal is the normal
+/// before it.
+void Spine::add_bend(std::size_t knot, SpinePoint p, Vec after) {
+  const Vec before = p.normal;
+  if (dot(before, after) > kSharp) {
+    p.normal = normalized(before + after);
+    return points_.push_back(p);
+  }
+  const double turn = std::atan2(cross(before, after), dot(before, after));
+  const bool is_seam = knot == 0 || knot + 1 == knots_.size();  // of a closed line
+  const Vec half = std::cos(0.5 * turn) * before + std::sin(0.5 * turn) * perp(before);
+  add_turn(p, knot == 0 ? half : before, is_seam ? 0.5 * turn : turn);
 }
 
 /// Adds an odd number of points at the position of p, whose normals turn from `normal`.
 void Spine::add_turn(SpinePoint p, Vec normal, double turn) {
-  const double steps = 2.0 * std::ceil(0.5 * std::fabs(turn) / kMaxTurn);
-  for (double k = 0.0; k <= steps; ++k) {
+  const int steps = 2 * static_cast<int>(std::ceil(0.5 * std::fabs(turn) / kMaxTurn));
+  for (int k = 0; k <= steps; ++k) {
     const double angle = turn * k / steps;
     p.normal = std::cos(angle) * normal + std::sin(angle) * perp(normal);
     points_.push_back(p);

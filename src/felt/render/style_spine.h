@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "felt/stroke/outline/outline.h"
@@ -59,15 +60,23 @@ class Spine {
   [[nodiscard]] std::optional<std::size_t> joint(double along) const noexcept;
 
  private:
-  void add_dabs(const StyledRow& row, double max_step);
+  /// A dab of the row, or one between two of them.
+  struct Knot {
+    Dab dab;
+    bool is_corner = false;
+    double mark = -1.0;  ///< RowMark::along, or below 0
+    double along = 0.0;
+  };
+
+  void add_knots(const StyledRow& row, double max_step);
+  void add_knot(const Knot& knot, int steps);
   void measure();
   void add_points(double side, bool has_marks);
+  [[nodiscard]] std::pair<Vec, Vec> normals(std::size_t knot, double side) const noexcept;
+  void add_bend(std::size_t knot, SpinePoint p, Vec after);
   void add_turn(SpinePoint p, Vec normal, double turn);
 
-  std::vector<Dab> dabs_;
-  std::vector<bool> is_corner_;  // of dabs_
-  std::vector<double> marks_;    // RowMark::along of dabs_, or -1
-  std::vector<double> alongs_;   // of dabs_
+  std::vector<Knot> knots_;
   std::vector<SpinePoint> points_;
   std::vector<double> corners_;
   bool closed_ = false;

@@ -176,7 +176,7 @@ StyleSpan StrokeStyler::State::draw_arrows(const MediumStyle& how) {
 void StrokeStyler::State::draw_line(const StyledRow& row, const StrokeStyle& style,
                                     StyleSpan range) {
   const MediumStyle& how = style.how;
-  const double most = static_cast<double>(kMaxPoints);
+  const auto most = static_cast<double>(kMaxPoints);
   switch (how.kind) {
     case StyleKind::kPlain:
       return pen.line(range, how.thin);

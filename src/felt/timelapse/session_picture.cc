@@ -125,6 +125,7 @@ Result<const Image*> SessionPicture::update(const Session& session) {
   if (Result<void> shown = scene_.show(shown_edit(session), damage_); !shown) {
     return tl::unexpected(shown.error());
   }
+  set_materials(session.materials());
   repaint();
   return &image_;
 }

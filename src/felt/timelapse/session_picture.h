@@ -29,13 +29,11 @@ class SessionPicture {
   static Result<std::unique_ptr<SessionPicture>> create(const PageOptions& page,
                                                         const Document& start);
 
-  /// Sets the materials whose lines may have styles, unless the picture has a grain, which has them
-  /// already.
-  void set_materials(const Materials& materials);
   /// Applies an edit of the document (SessionOptions::on_edit). Fails if the edit does not fit the
   /// edits before (a bug).
   Result<void> apply(const Edit& edit);
-  /// Paints what changed since the last call. Returns the picture, which is valid until the next
+  /// Paints what changed since the last call. Lines have the styles of the session's media, unless
+  /// the picture has a grain, which has styles. Returns the picture, which is valid until the next
   /// call. Fails if a preview does not fit the document (a bug).
   Result<const Image*> update(const Session& session);
   /// Returns the number of pixels painted so far. Pixels that are painted twice count twice.
@@ -43,6 +41,7 @@ class SessionPicture {
 
  private:
   SessionPicture(Image image, const View& view, const PageOptions& page, const Document& start);
+  void set_materials(const Materials& materials);
   void repaint();
   void paint(PixelRect part);
   [[nodiscard]] std::vector<PixelRect> damaged_parts() const;

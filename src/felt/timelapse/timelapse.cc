@@ -94,11 +94,9 @@ Result<void> play_timelapse(const TimelapseSource& source, const FilmTiming& tim
   });
   DrawingTime time;
   std::int64_t next = 0;
-  bool has_new_materials = true;
   const auto report = [&]() -> Result<void> {
     ++next;
     if (!applied) return applied;
-    if (std::exchange(has_new_materials, false)) (*picture)->set_materials(session.materials());
     const Result<const Image*> frame = (*picture)->update(session);
     return frame ? sink(**frame) : tl::unexpected(frame.error());
   };
@@ -107,7 +105,6 @@ Result<void> play_timelapse(const TimelapseSource& source, const FilmTiming& tim
     while (next < timing.frames() && timing.at(next) < now_ns) {
       if (Result<void> ok = report(); !ok) return ok;
     }
-    if (std::holds_alternative<UseMaterial>(event.what)) has_new_materials = true;
     return {};
   });
   while (done && next < timing.frames()) done = report();
