@@ -113,9 +113,9 @@ void MotionPanel::build(const Actions& actions) {
   grid->setContentsMargins(6, 2, 6, 6);
   const std::array<std::pair<const char*, QString>, 6> buttons{
       {{"layer.add_key", tr("New key")},
-       {"layer.same_timing", tr("Same for all")},
        {"view.onion_skin", tr("Onion skin")},
        {"view.correct_matches", tr("Matches")},
+       {"layer.same_timing", tr("Same for all")},
        {"view.play", tr("Play")},
        {"file.animation", tr("Export…")}}};
   int at = 0;
@@ -125,7 +125,7 @@ void MotionPanel::build(const Actions& actions) {
     button->setText(label);  // shorter than in the menu
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    grid->addWidget(button, at / 2, at % 2);
+    grid->addWidget(button, at / 3, at % 3);
     ++at;
   }
   auto* lines = new QVBoxLayout(this);

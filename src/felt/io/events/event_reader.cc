@@ -42,6 +42,25 @@ LayerEvent layer_event(EventFields&& fields) {
   return event;
 }
 
+decltype(Event::what) content_of_other(EventName name, EventFields&& fields) {
+  switch (name) {
+    case EventName::kTiming:
+      return std::move(fields.timing);
+    case EventName::kBody:
+      return std::move(fields.body);
+    case EventName::kView:
+      return UseView{std::move(fields.layers)};
+    case EventName::kEdges:
+      return fields.edges;
+    case EventName::kRing: {
+      const std::vector<Point>& points = fields.guide.points;
+      return points.empty() ? UseRing{} : UseRing{true, points[0], points[1], points[2]};
+    }
+    default:
+      return ChooseOffer{fields.offer};
+  }
+}
+
 decltype(Event::what) content_of(EventName name, EventFields&& fields) {
   switch (name) {
     case EventName::kTool:
@@ -88,24 +107,11 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return UseMaterial{std::move(fields.text)};
     case EventName::kGuides:
       return std::move(fields.guides);
-    case EventName::kTiming:
-      return std::move(fields.timing);
-    case EventName::kBody:
-      return std::move(fields.body);
-    case EventName::kView:
-      return UseView{std::move(fields.layers)};
     case EventName::kGuide:
       return UseGuide{std::move(fields.guide)};
-    case EventName::kEdges:
-      return fields.edges;
-    case EventName::kRing: {
-      const std::vector<Point>& points = fields.guide.points;
-      return points.empty() ? UseRing{} : UseRing{true, points[0], points[1], points[2]};
-    }
-    case EventName::kChoose:
-      break;
+    default:
+      return content_of_other(name, std::move(fields));
   }
-  return ChooseOffer{fields.offer};
 }
 
 /// A pose without z is valid only if it has a pressure, which says whether the pen touches.

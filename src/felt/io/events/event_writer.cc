@@ -19,7 +19,8 @@ void add_pose(JsonObject& out, const Vec3& at, const Pose& pose) {
   out.add_number("y", at.y);
   out.add_number("z", at.z);
   if (pose.pressure) out.add_number("pressure", *pose.pressure);
-  if (pose.buttons != 0) out.add_number("buttons", pose.buttons);
+  // As a whole number: the shortest text of 300000 as a double is 3e+05, which is not one.
+  if (pose.buttons != 0) out.add_raw("buttons", std::to_string(pose.buttons));
   if (pose.tilt_deg) out.add_number("tilt", *pose.tilt_deg);
 }
 
@@ -203,8 +204,8 @@ struct AddWhat {
   void operator()(const TimingEvent& e) const {
     kind("timing");
     add_layers("ids", e.layers);
-    if (e.between) out.add_number("between", *e.between);
-    if (e.hold) out.add_number("hold", *e.hold);
+    if (e.between) out.add_raw("between", std::to_string(*e.between));
+    if (e.hold) out.add_raw("hold", std::to_string(*e.hold));
     if (e.ease) {
       out.add_raw("ease", json_array({json_number(e.ease->x1), json_number(e.ease->y1),
                                       json_number(e.ease->x2), json_number(e.ease->y2)}));

@@ -34,6 +34,8 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
             "{\"t_ms\":0,\"event\":\"hand\",\"x\":1,\"y\":2,\"z\":3}\n");
   EXPECT_EQ(line_of({0, PenEvent{{1, 2, 3}, {}, 0, 32.5}}),
             "{\"t_ms\":0,\"event\":\"pen\",\"x\":1,\"y\":2,\"z\":3,\"tilt\":32.5}\n");
+  EXPECT_EQ(line_of({0, PenEvent{{1, 2, 3}, {}, 300000}}),
+            "{\"t_ms\":0,\"event\":\"pen\",\"x\":1,\"y\":2,\"z\":3,\"buttons\":300000}\n");
   EXPECT_EQ(line_of({0, HandEvent{{1, 2, 3}, 0.5, 1, 0.0}}),
             "{\"t_ms\":0,\"event\":\"hand\",\"x\":1,\"y\":2,\"z\":3,\"pressure\":0.5,\"buttons\":1,"
             "\"tilt\":0}\n");
