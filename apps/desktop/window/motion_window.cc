@@ -9,6 +9,7 @@
 #include "desktop/canvas/match_view.h"
 #include "desktop/files/animation_dialog.h"
 #include "desktop/files/timelapse_actions.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/motion/key_layers.h"
 
 namespace felt::desktop {
@@ -22,6 +23,10 @@ QString motion_text(const char* english) {
 std::vector<FilmKey> keys_to_show(Studio& studio) {
   studio.finish_gesture();
   std::vector<FilmKey> keys = film_keys(studio.session().document(), studio.page());
+  for (auto& [drawing, timing] : keys) {
+    drawing.materials =
+        texts_of_used(drawing.document, drawing.page.surface, studio.session().materials());
+  }
   if (keys.size() >= 2) return keys;
   Q_EMIT studio.refused(motion_text(QT_TRANSLATE_NOOP(
       "Motion", "A motion needs two key drawings: two layers with lines that are not locked.")));
