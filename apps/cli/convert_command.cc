@@ -106,7 +106,8 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
                       : "were left out; --layers all includes them"));
 }
 
-/// Prints notices about fills, pictures, blend modes and groups if the format has none.
+/// Prints notices about fills, pictures, blend modes, groups, timings and edits of the body if the
+/// format has none.
 void note_lost_objects(const Document& document, Format format, const ConvertArguments& args,
                        Console& console) {
   const LostObjects lost = lost_objects(document, format, args.compact);
@@ -125,6 +126,14 @@ void note_lost_objects(const Document& document, Format format, const ConvertArg
   if (lost.groups > 0) {
     console.notice(args.output + ": " + std::to_string(lost.groups) +
                    " groups of layers were dissolved, because the format has none");
+  }
+  if (lost.timings > 0) {
+    console.notice(args.output + ": the timings of " + std::to_string(lost.timings) +
+                   " key drawings were left out, because the format has none");
+  }
+  if (lost.body_edits > 0) {
+    console.notice(args.output + ": " + std::to_string(lost.body_edits) +
+                   " edits of the body were left out, because the format has none");
   }
 }
 

@@ -70,6 +70,25 @@ LayerState shown_state(const Layer& layer) {
   return state;
 }
 
+/// Returns an edit that adds to `chosen` what is in no layer of `document`: guides, edits of the
+/// body, and the symmetry groups of strokes that are still there.
+Edit unlayered_objects(const Document& document, const Document& chosen) {
+  Edit edit{"Choose layers", {}};
+  for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, nullptr, guide});
+  for (const auto& [id, body] : document.body_edits()) {
+    edit.body_edits.push_back({id, nullptr, body});
+  }
+  for (const auto& [id, group] : document.symmetries()) {
+    SymmetryGroup kept = *group;
+    std::erase_if(kept.images, [&](const SymmetryImage& i) { return !chosen.find(i.stroke); });
+    if (kept.images.size() < 2) continue;
+    edit.symmetries.push_back(
+        {id, nullptr, std::make_shared<const SymmetryGroup>(std::move(kept))});
+  }
+  edit.toggles_guides = document.shows_guides() != chosen.shows_guides();
+  return edit;
+}
+
 }  // namespace
 
 Result<void> choose_layers(const std::string& text, Drawing& drawing) {
@@ -87,7 +106,9 @@ Result<void> choose_layers(const std::string& text, Drawing& drawing) {
       builder.add_fill(kept, document.find_fill(id), fill_name(id));
     }
   }
-  drawing.document = std::move(builder).build().document;
+  Document kept = std::move(builder).build().document;
+  if (Result<void> added = kept.apply(unlayered_objects(document, kept)); !added) return added;
+  drawing.document = std::move(kept);
   drawing.layer = {};
   return {};
 }

@@ -84,7 +84,8 @@ std::string look_text(const State& state) {
 
 /// Returns a line for each layer, starting with the lowest. A line contains the number for
 /// --layers, the numbers of strokes and fills, the name, and its state: hidden, locked, opacity,
-/// blend mode, picture and group. A line with a group comes before its lowest layer.
+/// blend mode, picture, group, and timing as a key drawing. A line with a group comes before its
+/// lowest layer.
 std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
@@ -101,12 +102,18 @@ std::string layers_text(const Imported& opened) {
                     look_text(layer.state()));
     if (layer.picture) text += ", " + picture_text(*layer.picture);
     if (group) text += fmt::format(", in group {}", group->id.value);
+    if (layer.timing) {
+      text += fmt::format(", {} in-betweens, hold {}", layer.timing->between, layer.timing->hold);
+    }
     text += '\n';
   }
   const Document& document = opened.drawing.document;
   if (!document.guides().empty()) {
     text += fmt::format("{:16}{}{}\n", "guides", document.guides().size(),
                         document.shows_guides() ? "" : ", hidden");
+  }
+  if (!document.body_edits().empty()) {
+    text += fmt::format("{:16}{}\n", "body edits", document.body_edits().size());
   }
   return text;
 }

@@ -153,6 +153,8 @@ class FilmMaker {
   bool read_keys(Console& console);
   /// Throws a UsageError if a file that is written is also read, or is written twice.
   void check_files(Console& console) const;
+  /// Returns the number of numbered files that make() writes.
+  [[nodiscard]] std::size_t file_count() const;
   Result<void> make();
 
  private:
@@ -309,6 +311,11 @@ Result<void> FilmMaker::check_pairs() const {
 /// Checks everything that could fail later, writes the drawings, and then the table of matches.
 Result<void> FilmMaker::make() {
   if (auto ok = check_pairs(); !ok) return ok;
+  if (output_.names && file_count() == 0) {
+    return fail(ErrorCode::kInvalidArgument,
+                "no file to write: the key drawings have no in-betweens; --keys writes the key "
+                "drawings, and --frames sets the number of in-betweens");
+  }
   std::optional<Output> matches;
   if (!args_.matches.empty()) {
     Result<Output> created = Output::create(args_.matches);
@@ -342,6 +349,14 @@ Result<void> FilmMaker::write_film() const {
   });
 }
 
+std::size_t FilmMaker::file_count() const {
+  std::size_t count = args_.keys ? keys_.size() : 0;
+  for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
+    count += static_cast<std::size_t>(settings(keys_[i]).between);
+  }
+  return count;
+}
+
 void FilmMaker::check_files(Console& console) const {
   std::vector<std::string> inputs = args_.inputs;
   std::error_code ignored;
@@ -351,11 +366,7 @@ void FilmMaker::check_files(Console& console) const {
   check_no_overwrite(
       inputs, {{"-o", output_.names ? "" : args_.output}, {"--matches", args_.matches}}, console);
   if (!output_.names) return;
-  std::size_t count = args_.keys ? keys_.size() : 0;
-  for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
-    count += static_cast<std::size_t>(settings(keys_[i]).between);
-  }
-  for (std::size_t number = 1; number <= count; ++number) {
+  for (std::size_t number = 1; number <= file_count(); ++number) {
     const std::string name = output_.names->name(number);
     check_no_overwrite(inputs, {{"-o", name}}, console);
     if (args_.matches.empty() || !is_same_file(name, args_.matches)) continue;

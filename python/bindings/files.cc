@@ -147,6 +147,8 @@ std::vector<std::string> losses(const ReadDrawing& drawing, const std::string& p
   add(lost.blends, "the blend modes of ",
       " layers or groups became normal, because the format has none");
   add(lost.groups, "", " groups of layers were dissolved, because the format has none");
+  add(lost.timings, "the timings of ", " key drawings were left out, because the format has none");
+  add(lost.body_edits, "", " edits of the body were left out, because the format has none");
   return texts;
 }
 

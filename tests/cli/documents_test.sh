@@ -132,5 +132,21 @@ for ending in ndjson xopp inkml; do
   run 0 "$feltline" convert fills.felt -o "lines.$ending"
   has err "lines.$ending: 2 fills were left out, because the format has only lines"
 done
+# What is in no layer is kept when layers are chosen; other formats than .felt say what they leave out.
+printf '%s\n' '{"t_ms":0,"event":"guides","do":"add","kind":"line","x":50,"y":50}' \
+  '{"t_ms":0,"event":"timing","ids":[1],"between":3,"hold":2}' \
+  '{"t_ms":0,"event":"body","do":"add","kind":"cut","path":[[1,-2,0],[3,-4,0]]}' >body.ndjson
+run 0 "$feltline" replay body.ndjson --on a.felt -o body.felt
+run 0 "$feltline" convert body.felt -o chosen.felt --layers 1
+[ ! -s err ] || fail "a notice about nothing: $(cat err)"
+run 0 "$feltline" info chosen.felt
+has out "guides          1"
+has out "body edits      1"
+has out "'Ink', 3 in-betweens, hold 2"
+for ending in ndjson xopp inkml svg; do
+  run 0 "$feltline" convert body.felt -o "body.$ending"
+  has err "body.$ending: the timings of 1 key drawings were left out, because the format has none"
+  has err "body.$ending: 1 edits of the body were left out, because the format has none"
+done
 run 0 "$feltline" convert fills.felt -o fills.pdf
 [ ! -s err ] || fail "a notice about fills that a PDF has: $(cat err)"

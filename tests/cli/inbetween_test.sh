@@ -91,6 +91,12 @@ run 0 "$feltline" inbetween timed.felt -o layers.svg --frames 1 --hold 2 --pair 
 [ "$(grep -c '<animate ' layers.svg)" = 5 ] || fail "options come first: $(grep -c '<animate ' layers.svg) pictures"
 has layers.csv "1,s1,s5,"
 has layers.csv "1,s3,none,"
+{ timed; printf '%s\n' '{"t_ms":0,"event":"timing","ids":[1,2],"between":0}'; } >still.ndjson
+run 0 "$feltline" replay still.ndjson -o still.felt
+run 1 "$feltline" inbetween still.felt -o still-%d.svg
+has err "--keys writes the key drawings"
+run 0 "$feltline" inbetween still.felt -o still-%d.svg --keys
+[ "$(find . -name 'still-*.svg' | wc -l)" = 3 ] || fail "3 keys: $(echo still-*)"
 run 2 "$feltline" inbetween timed.felt -o timed.felt --to svg
 run 1 "$feltline" inbetween a.svg -o x-%d.svg
 has err "a.svg: has fewer than two key drawings"

@@ -104,7 +104,7 @@ Drawing ClipboardActions::chosen() const {
 /// present texts of their media. The texts are needed because the user may change the media before
 /// the paste, or paste in another program.
 Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
-  const Document& document = studio_.session().document();
+  const Document& document = studio_.session().seen();
   DrawingBuilder builder;
   const std::size_t kept = builder.add_layer({"Ink"});
   std::set<std::string> media;

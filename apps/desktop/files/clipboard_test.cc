@@ -56,6 +56,27 @@ TEST(Clipboard, DrawingsOfOtherProgramsArePastedByTypeAndAsText) {
   ASSERT_EQ(taken.count(), 1);
 }
 
+TEST(Clipboard, ACopyHasOnlyTheLayersThatAreInView) {
+  StudioFixture fixture;
+  fixture.draw(1, 5);
+  const LayerId first = fixture.studio.session().layer();
+  fixture.studio.apply(LayerEvent{});
+  fixture.draw(2, 5);
+  const std::size_t all = fixture.document().stroke_count();
+  const std::size_t below = fixture.document().layer(first)->strokes.size();
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
+  const auto copied = [&fixture] {
+    fixture.actions.find(QStringLiteral("edit.copy"))->trigger();
+    return drawing_of(*QGuiApplication::clipboard()->mimeData())
+        .value()
+        .drawing.document.stroke_count();
+  };
+  ASSERT_GT(below, 0U);
+  EXPECT_EQ(copied(), all);
+  fixture.studio.apply(UseView{{first}});
+  EXPECT_EQ(copied(), all - below);
+}
+
 TEST(Clipboard, TheLargestDrawingStillGivesAPicture) {
   StrokeData data;
   data.points = {{0, 0}, {100, 0}, {9e4, 9e4}, {1e5, 1e5}};

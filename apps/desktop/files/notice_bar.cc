@@ -42,6 +42,14 @@ QString lost_text(const LostObjects& lost) {
   if (lost.groups > 0) {
     texts += NoticeBar::tr("Groups of layers that were dissolved: %1.").arg(number(lost.groups));
   }
+  if (lost.timings > 0) {
+    texts += NoticeBar::tr("Left out, because the format has no timings of key drawings: %1.")
+                 .arg(number(lost.timings));
+  }
+  if (lost.body_edits > 0) {
+    texts += NoticeBar::tr("Left out, because the format has no edits of the body: %1.")
+                 .arg(number(lost.body_edits));
+  }
   return texts.join(QLatin1Char(' '));
 }
 

@@ -174,11 +174,9 @@ void MotionPanel::choose(LayerId key) {
 }
 
 void MotionPanel::add_key() {
-  const KeyTiming timing = this->timing();
-  if (!studio_.apply(LayerEvent{Do::kAdd, {}})) return;
-  if (is_onion_on_) show_onion();
-  const LayerId added = studio_.session().layer();
-  studio_.apply(TimingEvent{{added}, timing.between, timing.hold, timing.ease, std::nullopt});
+  LayerEvent event{Do::kAdd, {}};
+  event.timing_of = studio_.session().layer();
+  if (studio_.apply(std::move(event)) && is_onion_on_) show_onion();
 }
 
 void MotionPanel::set_onion(bool on) {
@@ -193,7 +191,10 @@ void MotionPanel::show_onion() {
   if (is_onion_on_) others = key_layers(session.document());
   std::erase(others, session.layer());
   std::sort(others.begin(), others.end());
-  if (others != session.out_of_view()) studio_.apply(UseView{std::move(others)});
+  const auto is_late = [&] { return others != session.out_of_view(); };
+  if (is_late() && !session.gesture_in_progress()) studio_.apply(UseView{others});
+  // A view has no effect during a gesture, which the apply may have begun: it waits for the end.
+  if (is_late() && session.gesture_in_progress()) return onion_delay_.start();
   if (!is_onion_on_) {
     Q_EMIT onion_changed(std::nullopt);
     return;

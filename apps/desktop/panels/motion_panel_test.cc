@@ -132,6 +132,31 @@ TEST_F(MotionPanelTest, TheOnionSkinFollowsTheOtherLayers) {
   EXPECT_FALSE(onion_);
 }
 
+TEST_F(MotionPanelTest, AnOnionSkinThatIsSwitchedWithThePenDownChangesWhenItIsLifted) {
+  const auto move_pen = [this](double z_mm) { studio_.apply(PenEvent{{20, 90, z_mm}, {}, 0}); };
+  for (const bool on : {true, false}) {
+    move_pen(5.0);
+    move_pen(-0.5);
+    ASSERT_TRUE(studio_.session().gesture_in_progress());
+    action("view.onion_skin").setChecked(on);
+    QTest::qWait(200);
+    EXPECT_EQ(studio_.session().out_of_view().empty(), on) << "not yet";
+    move_pen(5.0);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return studio_.session().out_of_view().size() == (on ? 2U : 0U); }, 20000));
+    EXPECT_EQ(onion_.has_value(), on);
+  }
+}
+
+TEST_F(MotionPanelTest, ANewKeyDrawingIsOneStepOfUndo) {
+  panel_.findChildren<QSpinBox*>()[0]->setValue(5);
+  const std::size_t steps = studio_.session().history().undo_count();
+  action("layer.add_key").trigger();
+  EXPECT_EQ(studio_.session().history().undo_count(), steps + 1);
+  const Layer* added = document().layer(studio_.session().layer());
+  EXPECT_EQ(timing_or_default(added->timing).between, 5);
+}
+
 TEST_F(MotionPanelTest, TheTimingIsThatOfTheCurrentKeyDrawing) {
   const auto boxes = panel_.findChildren<QSpinBox*>();
   auto* ease = panel_.findChild<QComboBox*>();

@@ -12,7 +12,5 @@ inline constexpr const char* kPaletteFiles = "panels/palette_files";
 inline constexpr const char* kPalette = "panels/palette";
 /// True if the tactile check is for an embosser instead of swell paper.
 inline constexpr const char* kTactileEmbossed = "panels/tactile_embossed";
-/// The film of key drawings: in-betweens, frames of each key drawing, and the name of its speed in
-/// CSS, such as "ease-in".
 
 }  // namespace felt::desktop::panel_keys

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "desktop/engine/settings.h"
 #include "desktop/panels/panel_setting_keys.h"
@@ -102,6 +103,10 @@ TactilePanel::TactilePanel(Studio& studio, QWidget* parent)
   connect(list_, &QListWidget::itemActivated, this, go);
   connect(&studio_, &Studio::edited, this, &TactilePanel::wait);
   connect(&studio_, &Studio::opened, this, &TactilePanel::wait);
+  connect(&studio_, &Studio::layer_changed, this, &TactilePanel::wait);
+  connect(&studio_, &Studio::event_applied, this, [this](const Event& event) {
+    if (std::holds_alternative<UseView>(event.what)) wait();
+  });
 }
 
 void TactilePanel::set_on(bool on) {
@@ -130,7 +135,7 @@ void TactilePanel::start() {
   summary_->setText(tr("Checking…"));
   const TactileLimits limits{.gap_mm = print_->currentData().toDouble()};
   QThreadPool::globalInstance()->start(
-      [asked = QPointer(this), limits, document = studio_.session().document()] {
+      [asked = QPointer(this), limits, document = studio_.session().seen()] {
         auto faults = check_tactile(document, limits);
         // The pointer is used in the main thread only.
         QMetaObject::invokeMethod(

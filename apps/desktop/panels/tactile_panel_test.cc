@@ -57,6 +57,19 @@ TEST_F(TactilePanelTest, ListsAndMarksTheFaultsAfterEachEdit) {
   EXPECT_TRUE(marks_.rings.empty());
 }
 
+TEST_F(TactilePanelTest, LayersOutOfViewAreNotChecked) {
+  add_line(20);
+  const LayerId first = studio_.session().layer();
+  studio_.apply(LayerEvent{});
+  add_line(26);
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(list().count(), 1);
+  studio_.apply(UseView{{first}});
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(list().count(), 0);
+}
+
 TEST_F(TactilePanelTest, AClickGoesToTheFault) {
   add_line(20);
   add_line(26);

@@ -4669,6 +4669,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Groups of layers that were dissolved: %1.</source>
         <translation>Aufgelöste Gruppen von Ebenen: %1.</translation>
     </message>
+    <message>
+        <source>Left out, because the format has no timings of key drawings: %1.</source>
+        <translation>Weggelassen, weil das Format keinen Zeitplan von Schlüsselzeichnungen hat: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no edits of the body: %1.</source>
+        <translation>Weggelassen, weil das Format keine Bearbeitungen des Körpers hat: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OfferPopup</name>

@@ -4669,6 +4669,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Groups of layers that were dissolved: %1.</source>
         <translation>Opgeheven groepen van lagen: %1.</translation>
     </message>
+    <message>
+        <source>Left out, because the format has no timings of key drawings: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen timing van sleuteltekeningen heeft: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no edits of the body: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen bewerkingen van het lichaam heeft: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OfferPopup</name>

@@ -85,7 +85,7 @@ void ReadingSpeech::follow() {
   const Reading* reading = studio_.session().tool().reading();
   if (!reading || reading->news == news_) return;
   news_ = reading->news;
-  say(reading_words(*reading, studio_.session().document()));
+  say(reading_words(*reading, studio_.session().seen()));
 }
 
 void ReadingSpeech::say_layer() {

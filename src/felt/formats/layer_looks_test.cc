@@ -5,6 +5,7 @@
 #include "felt/document/testing/small_picture.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
+#include "felt/formats/format_traits.h"
 #include "felt/formats/lost_objects.h"
 #include "felt/io/drawing_builder.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -119,6 +120,32 @@ TEST(LayerLooks, XoppAndNdjsonLoseBlendModesAndGroups) {
   };
   EXPECT_NEAR(alpha(back.document, 2), 0.25 * alpha(drawing.document, 2), 0.6)
       << "the opacity of the group goes to the strokes";
+}
+
+TEST(LayerLooks, OnlyFeltKeepsTimingsAndBodyEdits) {
+  DrawingBuilder builder;
+  LayerState state{"Key"};
+  state.timing = shared_timing({.between = 3});
+  builder.add(builder.add_layer(std::move(state)), testing::random_stroke(1), "");
+  Drawing drawing = std::move(builder).build();
+  Edit edit{"Cut", {}};
+  edit.body_edits.push_back(
+      {drawing.document.new_body_edit_id(), nullptr,
+       std::make_shared<const BodyEdit>(BodyEdit{.path_mm = {{1, -2, 0}, {3, -4, 0}}})});
+  ASSERT_TRUE(drawing.document.apply(edit));
+  for (const FormatTraits& traits : format_table()) {
+    if (!traits.writes) continue;
+    LostObjects lost;
+    const Result<Imported> back =
+        parse_drawing(drawing_bytes(drawing, traits.format).value(), "file");
+    if (back && traits.reads) {
+      const Document& read = back->drawing.document;
+      lost.timings = read.layers()[0].timing ? 0 : 1;
+      lost.body_edits = 1 - read.body_edits().size();
+    }
+    EXPECT_EQ(lost_objects(drawing.document, traits.format), lost) << traits.name;
+  }
+  EXPECT_EQ(lost_objects(drawing.document, FileFormat::kSvg, true), LostObjects()) << "a picture";
 }
 
 TEST(LayerLooks, PicturesAreLeftOutUnlessAskedFor) {

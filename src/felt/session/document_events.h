@@ -53,6 +53,8 @@ struct LayerEvent {
   /// this is its group after the move, zero for none; if it is not set, the position decides.
   std::optional<GroupId> group = {};
   std::vector<LayerId> layers = {};  ///< for kGroup
+  /// For kAdd: the new layer gets the timing of this layer, without its pairs. Zero: a new timing.
+  LayerId timing_of = {};
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 

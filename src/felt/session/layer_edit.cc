@@ -73,6 +73,38 @@ Edit removal_of(const Document& document, const Layer& layer) {
   return edit;
 }
 
+/// Returns the timing of a copy of a layer: its pairs name the copies of the strokes. The pairs of
+/// a stroke that is not copied go away; a partner that is not copied stays.
+KeyTimingPtr copied_timing(const KeyTimingPtr& timing, const CopiedStrokes& copies) {
+  if (!timing || timing->pairs.empty()) return timing;
+  KeyTiming copy = *timing;
+  std::erase_if(copy.pairs,
+                [&](const KeyPair& pair) { return pair.from && !copies.contains(pair.from); });
+  for (KeyPair& pair : copy.pairs) {
+    if (pair.from) pair.from = copies.at(pair.from);
+    if (const auto to = copies.find(pair.to); to != copies.end()) pair.to = to->second;
+  }
+  return shared_timing(std::move(copy));
+}
+
+/// Returns the timing of `below` with the pairs of both layers, as long as no stroke is in two
+/// pairs; those of `below` come first.
+KeyTimingPtr merged_timing(const Layer& below, const Layer& layer) {
+  if (!layer.timing || layer.timing->pairs.empty()) return below.timing;
+  KeyTiming merged = timing_or_default(below.timing);
+  std::set<StrokeId> from, to;
+  for (const KeyPair& pair : merged.pairs) {
+    from.insert(pair.from);
+    to.insert(pair.to);
+  }
+  for (const KeyPair& pair : layer.timing->pairs) {
+    const bool is_taken =
+        (pair.from && from.contains(pair.from)) || (pair.to && to.contains(pair.to));
+    if (!is_taken && merged.pairs.size() < KeyTiming::kMaxPairs) merged.pairs.push_back(pair);
+  }
+  return shared_timing(std::move(merged));
+}
+
 /// Returns an edit that adds a copy of the layer with all its strokes and fills above it.
 Edit copy_of(const Document& document, const Layer& layer) {
   LayerState state = layer.state();
@@ -88,6 +120,11 @@ Edit merge_of(const Document& document, const Layer& layer) {
   const Layer& below = document.layers()[index - 1];
   Edit edit{label_of(Do::kMerge), {}, {}};
   edit.layers.push_back({layer.id, layer.state(), std::nullopt, index, 0});
+  LayerState merged = below.state();
+  merged.timing = merged_timing(below, layer);
+  if (merged != below.state()) {
+    edit.layers.push_back({below.id, below.state(), std::move(merged), index - 1, index - 1});
+  }
   edit.changes.reserve(layer.strokes.size());
   for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
     const StrokePtr stroke = document.find(layer.strokes[i]);
@@ -100,6 +137,10 @@ Edit merge_of(const Document& document, const Layer& layer) {
         {layer.fills[i], fill, fill, {layer.id, i}, {below.id, below.fills.size() + i}});
   }
   return edit;
+}
+
+tl::unexpected<Error> no_layer(LayerId id) {
+  return fail(ErrorCode::kNotFound, "no layer " + std::to_string(id.value));
 }
 
 tl::unexpected<Error> refusal(const Layer& layer, const std::string& why) {
@@ -246,6 +287,7 @@ void add_copy(const Document& document, const Layer& layer, LayerState state, st
               const CopiedStrokes& copies, Edit& edit) {
   const LayerId id = document.new_layer_id(edit.layers.size());
   const std::size_t made = edit.changes.size() + edit.fills.size();
+  state.timing = copied_timing(state.timing, copies);
   edit.layers.push_back({id, std::nullopt, std::move(state), 0, index});
   for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
     const StrokeId stroke = layer.strokes[i];
@@ -281,15 +323,20 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
   if (event.what == Do::kAdd) {
     const std::size_t above = std::min(index_of(document, in_use) + 1, document.layers().size());
     Edit edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
-    edit.layers.front().after->group = group_in_use(document, in_use);
+    LayerState& added = *edit.layers.front().after;
+    added.group = group_in_use(document, in_use);
+    if (!event.timing_of) return edit;
+    const Layer* key = document.layer(event.timing_of);
+    if (!key) return no_layer(event.timing_of);
+    KeyTiming timing = timing_or_default(key->timing);
+    timing.pairs.clear();
+    added.timing = shared_timing(std::move(timing));
     return edit;
   }
   const bool is_of_group = event.what == Do::kGroup || event.what == Do::kUngroup;
   if (is_of_group || (!event.layer && event.group)) return group_edit(document, event);
   const Layer* layer = document.layer(event.layer);
-  if (!layer) {
-    return fail(ErrorCode::kNotFound, "no layer " + std::to_string(event.layer.value));
-  }
+  if (!layer) return no_layer(event.layer);
   if (auto ok = check_event(document, *layer, event); !ok) return tl::unexpected(ok.error());
   if (event.what == Do::kUse) return Edit{};
   if (event.what == Do::kDuplicate) return copy_of(document, *layer);

@@ -57,9 +57,9 @@ using CopiedStrokes = std::map<StrokeId, StrokeId>;
 CopiedStrokes copied_strokes(const Document& document, std::span<const Layer> layers);
 
 /// Adds a copy of a layer with all its strokes and fills to `edit`, at the position `index` and
-/// with this state. The pieces of the copied fills name the copies of the strokes, also of strokes
-/// in other layers that are copied. Requires that the edit contains only such copies, and that
-/// `copies` are the copied_strokes() of all of them.
+/// with this state. The pieces of the copied fills and the pairs of the timing name the copies of
+/// the strokes, also of strokes in other layers that are copied. Requires that the edit contains
+/// only such copies, and that `copies` are the copied_strokes() of all of them.
 void add_copy(const Document& document, const Layer& layer, LayerState state, std::size_t index,
               const CopiedStrokes& copies, Edit& edit);
 

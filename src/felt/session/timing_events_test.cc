@@ -118,6 +118,82 @@ TEST(TimingEvents, ACopyOfALayerHasItsTiming) {
   EXPECT_EQ(f.timing(4), (KeyTiming{.between = 4}));
 }
 
+/// Adds `count` strokes to a layer, and returns their ids.
+std::vector<StrokeId> add_strokes(TimingFixture& f, LayerId layer, std::size_t count) {
+  EXPECT_EQ(f.apply(LayerEvent{LayerEvent::Do::kUse, layer}), "");
+  for (std::size_t i = 0; i < count; ++i) {
+    const double y = 10.0 * static_cast<double>(i + 1);
+    const std::vector<StrokePtr> line = {
+        std::make_shared<const Stroke>(testing::straight_stroke({20, y}, {80, y}, 1, 1))};
+    EXPECT_TRUE(f.session->import(0, ImportEvent{.path = {}, .select = false}, line));
+  }
+  return f.document().layer(layer)->strokes;
+}
+
+// Whatever is copied, a stroke that had a partner has one in the copy.
+TEST(TimingEvents, ThePairsOfACopyNameTheCopiedStrokes) {
+  for (const bool is_group : {false, true}) {
+    TimingFixture f;
+    const std::vector<StrokeId> a = add_strokes(f, {1}, 2), b = add_strokes(f, {2}, 2);
+    const std::vector<KeyPair> pairs{{a[0], b[1]}, {a[1], {}}, {{}, b[0]}};
+    EXPECT_EQ(f.apply(TimingEvent{.layers = {{1}}, .pairs = pairs}), "");
+    if (!is_group) {
+      EXPECT_EQ(f.apply(LayerEvent{LayerEvent::Do::kDuplicate, {1}}), "");
+      const std::vector<StrokeId> copy = f.document().layer({4})->strokes;
+      EXPECT_EQ(f.timing(4).pairs,
+                (std::vector<KeyPair>{{copy[0], b[1]}, {copy[1], {}}, {{}, b[0]}}));
+    } else {
+      LayerEvent group{LayerEvent::Do::kGroup, {}};
+      group.layers = {{1}, {2}};
+      EXPECT_EQ(f.apply(group), "");
+      LayerEvent duplicate{LayerEvent::Do::kDuplicate, {}};
+      duplicate.group = f.document().layer({1})->group->id;
+      EXPECT_EQ(f.apply(duplicate), "");
+      const std::vector<StrokeId> from = f.document().layer({4})->strokes;
+      const std::vector<StrokeId> to = f.document().layer({5})->strokes;
+      EXPECT_EQ(f.timing(4).pairs,
+                (std::vector<KeyPair>{{from[0], to[1]}, {from[1], {}}, {{}, to[0]}}));
+    }
+    EXPECT_EQ(f.timing(1).pairs, pairs);
+  }
+}
+
+TEST(TimingEvents, MergedLayersKeepThePairsOfBoth) {
+  TimingFixture f;
+  const std::vector<StrokeId> a = add_strokes(f, {1}, 2), b = add_strokes(f, {2}, 2);
+  const std::vector<StrokeId> c = add_strokes(f, {3}, 2);
+  EXPECT_EQ(f.apply(TimingEvent{
+                .layers = {{1}}, .between = 4, .pairs = std::vector<KeyPair>{{a[0], c[0]}}}),
+            "");
+  EXPECT_EQ(f.apply(TimingEvent{.layers = {{2}},
+                                .between = 7,
+                                .pairs = std::vector<KeyPair>{{b[0], c[1]}, {b[1], c[0]}}}),
+            "");
+  const Document before = f.document();
+  EXPECT_EQ(f.apply(LayerEvent{LayerEvent::Do::kMerge, {2}}), "");
+  EXPECT_EQ(f.timing(1).between, 4);
+  EXPECT_EQ(f.timing(1).pairs, (std::vector<KeyPair>{{a[0], c[0]}, {b[0], c[1]}}))
+      << "a stroke is in one pair only";
+  EXPECT_TRUE(check_key_timing(f.timing(1)));
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_TRUE(f.document() == before);
+}
+
+TEST(TimingEvents, ANewLayerCanHaveTheTimingOfAnotherInOneStepOfUndo) {
+  TimingFixture f;
+  EXPECT_EQ(
+      f.apply(TimingEvent{{{2}}, 4, 3, EaseCurve{0.5, 0, 1, 1}, std::vector<KeyPair>{{{7}, {8}}}}),
+      "");
+  const std::size_t steps = f.session->history().undo_count();
+  LayerEvent add;
+  add.timing_of = {2};
+  EXPECT_EQ(f.apply(add), "");
+  EXPECT_EQ(f.timing(4), (KeyTiming{4, 3, {0.5, 0, 1, 1}}));
+  EXPECT_EQ(f.session->history().undo_count(), steps + 1);
+  add.timing_of = {9};
+  EXPECT_THAT(f.apply(add), HasSubstr("no layer 9"));
+}
+
 /// Returns the ids of the layers that are visible in seen().
 std::vector<std::uint64_t> seen_layers(const Session& session) {
   std::vector<std::uint64_t> ids;

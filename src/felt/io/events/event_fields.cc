@@ -196,7 +196,8 @@ constexpr std::array kLayerFields = {
     EventField{"matrix", false, parse_matrix},
     EventField{"mode", false, parse_mode},
     EventField{"group", false, parse_group},
-    EventField{"ids", false, parse_layers}};
+    EventField{"ids", false, parse_layers},
+    EventField{"timing_of", false, parse_timing_of}};
 constexpr std::array kMoveFields = {
     kEvent, kTime,
     EventField{"dx", false,
@@ -319,7 +320,7 @@ constexpr std::array kGuidesFields = {
     EventField{
         "do", true,
         [](Value& v, EventFields& e) { return parse_word(v, "do", kGuidesWords, e.guides.what); }},
-    EventField{"id", false, parse_layer},
+    EventField{"id", false, parse_guide_id},
     EventField{"kind", false, parse_guide_kind},
     EventField{"x", false,
                [](Value& v, EventFields& e) { return parse_axis<&Vec3::x>(v, "x", e); }},
@@ -370,7 +371,7 @@ constexpr std::array kBodyFields = {
     EventField{
         "do", true,
         [](Value& v, EventFields& e) { return parse_word(v, "do", kBodyWords, e.body.what); }},
-    EventField{"id", false, parse_layer},
+    EventField{"id", false, parse_body_id},
     EventField{"kind", false, parse_body_kind},
     EventField{"path", false, parse_body_path},
     EventField{"profile", false, parse_body_profile},

@@ -31,6 +31,7 @@ struct EventFields {
   SelectStrokes::What selection{};
   OrderEvent::To order{};
   LayerEvent::Do action{};
+  LayerId timing_of;
   LayerId layer;
   std::string name;
   Capabilities device;

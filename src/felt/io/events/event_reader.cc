@@ -32,6 +32,7 @@ LayerEvent layer_event(EventFields&& fields) {
   const bool is_new = event.what == Do::kAdd || event.what == Do::kGroup;
   if (is_new || event.what == Do::kUngroup) event.layer = {};
   if (is_new || event.what == Do::kRename) event.name = std::move(fields.name);
+  if (event.what == Do::kAdd) event.timing_of = fields.timing_of;
   if (event.what == Do::kGroup) event.layers = std::move(fields.layers);
   const bool is_of_group = !event.layer && !is_new;
   if (is_of_group || event.what == Do::kMove) event.group = fields.group;

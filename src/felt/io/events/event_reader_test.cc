@@ -87,6 +87,9 @@ TEST(EventReader, ReadsWhatIsDoneToLayers) {
   EXPECT_EQ(event_of(R"({"event":"layer","do":"add","id":7,"name":"Ideas","t_ms":0})"),
             (Event{0, LayerEvent{Do::kAdd, {}, "Ideas"}}))
       << "a new layer gets its own id";
+  LayerEvent key;
+  key.timing_of = {7};
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"add","timing_of":7,"t_ms":0})"), (Event{0, key}));
   EXPECT_EQ(event_of(R"({"event":"layer","do":"rename","id":2,"name":"b","t_ms":0})"),
             (Event{0, LayerEvent{Do::kRename, {2}, "b"}}));
   EXPECT_EQ(event_of(R"({"event":"layer","do":"hide","id":18446744073709551615,"name":"b",)"
@@ -288,7 +291,8 @@ TEST(EventReader, ReadsTimingsAndEditsOfTheBody) {
   EXPECT_EQ(event_of(R"({"event":"view","hidden":[3,1],"t_ms":0})"),
             (Event{0, UseView{{{3}, {1}}}}));
   EXPECT_EQ(event_of(R"({"event":"view","hidden":[],"t_ms":0})"), (Event{0, UseView{}}));
-  EXPECT_THAT(error_of(R"({"event":"view","hidden":[0],"t_ms":0})"), HasSubstr("hidden[0]: 0 is not a layer"));
+  EXPECT_THAT(error_of(R"({"event":"view","hidden":[0],"t_ms":0})"),
+              HasSubstr("hidden[0]: 0 is not a layer"));
   const auto timing_error = [](const std::string& keys) {
     return error_of(R"({"event":"timing","t_ms":0,)" + keys + "}");
   };
@@ -307,6 +311,8 @@ TEST(EventReader, ReadsTimingsAndEditsOfTheBody) {
     return error_of(R"({"event":"body","t_ms":0,)" + keys + "}");
   };
   EXPECT_EQ(body_error(R"("do":"remove")"), "key \"id\" is missing");
+  EXPECT_EQ(body_error(R"("do":"remove","id":0)"),
+            "id: 0 is not an edit of the body, which is a whole number, at least 1");
   EXPECT_EQ(body_error(R"("do":"add")"), "key \"kind\" is missing");
   EXPECT_EQ(body_error(R"("do":"add","kind":"cut")"), "path: has too few points");
   EXPECT_EQ(body_error(R"("do":"add","kind":"paint","path":[[1,2,3]],"view":[0,0,2])"),

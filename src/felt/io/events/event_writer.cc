@@ -156,6 +156,7 @@ struct AddWhat {
     if (e.what == LayerEvent::Do::kBlend) out.add_text("mode", blend_mode_name(e.mode));
     if (e.group) out.add_raw("group", std::to_string(e.group->value));
     if (e.what == LayerEvent::Do::kGroup) add_layers("ids", e.layers);
+    if (e.timing_of) out.add_raw("timing_of", std::to_string(e.timing_of.value));
   }
   void operator()(const AddPicture& e) const {
     kind("picture");

@@ -157,6 +157,7 @@ LayerEvent any_layer_event() {
   }
   if (event.what == Do::kMove && *rc::gen::arbitrary<bool>()) event.group = GroupId{};
   if (event.what != Do::kAdd) event.layer.value = *rc::gen::positive<std::uint64_t>();
+  if (event.what == Do::kAdd) event.timing_of.value = *rc::gen::inRange<std::uint64_t>(0, 3);
   const bool is_named = event.what == Do::kAdd ? *rc::gen::arbitrary<bool>() : false;
   if (is_named || event.what == Do::kRename) event.name = *event_texts();
   if (event.what == Do::kMove) event.index = *rc::gen::arbitrary<std::uint32_t>();

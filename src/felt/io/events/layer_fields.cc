@@ -12,15 +12,33 @@ namespace {
 
 constexpr std::size_t kMaxIds = 10'000;  // a file has no more layers
 
+/// Reads the number of a layer, a guide or another thing, which is at least 1.
+Result<void> parse_id(Value& value, const std::string& key, const std::string& thing,
+                      std::uint64_t& out) {
+  const std::string_view token = token_of(value);
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(out) || out == 0) {
+    return bad(key + ": " + excerpt(token) + " is not " + thing +
+               ", which is a whole number, at least 1");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> parse_layer(Value& value, EventFields& out) {
-  const std::string_view token = token_of(value);
-  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(out.layer.value) ||
-      !out.layer) {
-    return bad("id: " + excerpt(token) + " is not a layer, which is a whole number, at least 1");
-  }
-  return {};
+  return parse_id(value, "id", "a layer", out.layer.value);
+}
+
+Result<void> parse_guide_id(Value& value, EventFields& out) {
+  return parse_id(value, "id", "a guide", out.layer.value);
+}
+
+Result<void> parse_body_id(Value& value, EventFields& out) {
+  return parse_id(value, "id", "an edit of the body", out.layer.value);
+}
+
+Result<void> parse_timing_of(Value& value, EventFields& out) {
+  return parse_id(value, "timing_of", "a layer", out.timing_of.value);
 }
 
 Result<void> parse_layer_number(Value& value, std::vector<LayerId>& out) {

@@ -8,6 +8,10 @@ namespace felt::json {
 
 /// Parses `id`, the number of a layer or of another object.
 Result<void> parse_layer(Value& value, EventFields& out);
+/// Read the "id" of an event for a guide or for an edit of the body, also into `layer`.
+Result<void> parse_guide_id(Value& value, EventFields& out);
+Result<void> parse_body_id(Value& value, EventFields& out);
+Result<void> parse_timing_of(Value& value, EventFields& out);
 /// Adds the number of a layer to a list.
 Result<void> parse_layer_number(Value& value, std::vector<LayerId>& out);
 /// Parses `ids`: numbers of layers.

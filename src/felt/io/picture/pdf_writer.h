@@ -22,9 +22,8 @@ struct PdfOptions {
   /// to 0.0007 mm.
   double tolerance_mm = 0.009;
   Rgba paper{255, 255, 255, 0};  ///< colour behind the ink; not drawn if alpha is 0
-  /// If set, each stroke has a mask with the grain of the surface. The strokes are still written as
-  /// outlines.
-  /// Lines then have the styles of its media, otherwise those of the drawing.
+  /// If set, each stroke has a mask with the grain of the surface, and lines have the styles of its
+  /// media. Otherwise lines have the styles of the drawing. Strokes are always written as outlines.
   std::optional<GrainPrint> grain{};
   PictureChoice pictures = PictureChoice::kMarked;  ///< the pictures of layers in the file
 };
