@@ -47,8 +47,8 @@ std::vector<Vec3> in_frame(std::span<const Vec3> path, Point origin) {
 std::optional<std::size_t> body_below(const Solid& solid, const std::vector<Vec3>& path,
                                       const Vec3& view) {
   // Each point is compared with every triangle, so a long path is not searched at each point.
-  constexpr std::size_t kMostPoints = 500;
-  const std::size_t stride = path.size() / kMostPoints + 1;
+  constexpr std::size_t kMaxSearched = 500;
+  const std::size_t stride = path.size() / kMaxSearched + 1;
   for (std::size_t at = 0; at < path.size(); at += stride) {
     const Vec3& p = path[at];
     std::optional<std::size_t> seen;

@@ -280,7 +280,7 @@ void Studio::end_frame(std::int64_t time_ns) {
   // The hand plays the aims of a pointer with a delay (AimTrack); the first ink does not wait for
   // it.
   const bool comes_down = std::exchange(touches_down_, false);
-  for (int i = 0; i < kMostTicksAhead; ++i) {
+  for (int i = 0; i < kMaxTicksAhead; ++i) {
     if (!has_point_ && !(comes_down && !in_contact(pen_.sample))) return;
     step();
     process();

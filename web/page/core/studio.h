@@ -88,9 +88,9 @@ class Studio {
   /// is skipped.
   void advance_to(std::int64_t time_ns);
   /// Does the same, and handles all samples, so that the frame shows them: time may pass for one
-  /// more tick, and for up to kMostTicksAhead until a pen that was set down touches the paper.
+  /// more tick, and for up to kMaxTicksAhead until a pen that was set down touches the paper.
   void end_frame(std::int64_t time_ns);
-  static constexpr int kMostTicksAhead = 3;
+  static constexpr int kMaxTicksAhead = 3;
   static constexpr std::int64_t kLongestNs = 100'000'000;
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   void finish();
