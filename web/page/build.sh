@@ -37,7 +37,7 @@ left_out=$(tr '\n' '|' <<<"$left_out" | sed 's/|*$//')
 # Sources that only the full module links. In the first module, a call of one of their functions ends the core.
 only_full='/tools/all_tools\.cc|/fill/|/store/|/render/picture_pixels\.cc|/io/svg/svg_pictures\.cc|/material/(toml_entries|custom_relief|relief|material_writer)\.cc
 /session/(selection_edit|group_edit|guide_edit|symmetry_edit|timing_edit)\.cc|/document/body_edit\.cc
-/io/events/(body_fields|timing_fields)\.cc|/render/(style_layout|style_pen|style_spine)\.cc'
+/io/events/(body_fields|timing_fields)\.cc|/render/(style_layout|style_pen|style_spine|styled_outline)\.cc'
 only_full=$(tr '\n' '|' <<<"$only_full" | sed 's/|*$//')
 
 # units LAYER NAME: writes units with the sources of the input, and the lines that compile them.

@@ -161,8 +161,8 @@ struct Rasterizer::State {
   Cells cells{kRasterCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
-  StrokeStyler styler;
-  const StyledInk* styled = nullptr;  // of the stroke that is drawn, if it has a style
+  std::optional<StrokeStyler> styler;  // made for the first stroke with a style
+  const StyledInk* styled = nullptr;   // of the stroke that is drawn, if it has a style
   SegmentsInArea runs;
   std::vector<Dab> dabs, more_dabs;
   Outline joined;
@@ -324,7 +324,8 @@ const Outline& Rasterizer::trace_ink(const Stroke& stroke, const StrokeStyle* st
   if (!style) return trace_near(stroke, view, shown);
   s.measures.use(stroke);
   s.runs.find(s.measures.areas(), shown);
-  s.styled = &s.styler.ink(stroke, *style, kRasterTolerancePx / view.px_per_mm);
+  if (!s.styler) s.styler.emplace();
+  s.styled = &s.styler->ink(stroke, *style, kRasterTolerancePx / view.px_per_mm);
   return s.styled->outline;
 }
 
