@@ -43,15 +43,14 @@ Result<Edit> timing_edit(const Document& document, const TimingEvent& event) {
 }
 
 Result<Edit> body_edit_edit(const Document& document, const BodyEvent& event) {
-  using Do = BodyEvent::Do;
-  if (event.what == Do::kClear) {
+  if (event.what == BodyEvent::Do::kClear) {
     Edit edit{"Remove edits of the body", {}};
     for (const auto& [id, present] : document.body_edits()) {
       edit.body_edits.push_back({id, present, nullptr});
     }
     return edit;
   }
-  if (event.what == Do::kRemove) {
+  if (event.what == BodyEvent::Do::kRemove) {
     const BodyEditPtr present = document.find_body_edit(event.id);
     if (!present) {
       return fail(ErrorCode::kNotFound, "id: no body edit " + std::to_string(event.id.value));
