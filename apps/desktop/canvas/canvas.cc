@@ -104,6 +104,7 @@ void Canvas::listen() {
   });
   connect(&studio_, &Studio::layer_changed, this, &Canvas::take_layers);
   connect(&studio_, &Studio::tool_changed, this, &Canvas::hint_changed);
+  connect(&studio_, &Studio::elsewhere_changed, this, &Canvas::hint_changed);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id == QLatin1String(kSurfaceOptionId) || id.endsWith(QLatin1String(".medium")))
       take_grain();

@@ -119,6 +119,9 @@ void Canvas::add_size_ring() {
 // --- Texts
 
 QString Canvas::hint() const {
+  if (studio_.is_touching()) {
+    return tr("Hold the pen against the body, and move along it. The pen draws nothing.");
+  }
   const ToolUse use = studio_.session().tool().use();
   QString hint = translated(use.hint);
   const auto add = [&hint](Qt::KeyboardModifier modifier, std::string_view what) {

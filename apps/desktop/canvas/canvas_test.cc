@@ -13,6 +13,7 @@
 #include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/canvas/testing/canvas_fixture.h"
 #include "desktop/engine/settings.h"
+#include "felt/geometry/triangle_tree.h"
 #include "felt/material/materials.h"
 
 namespace felt::desktop::canvas_test {
@@ -370,6 +371,11 @@ TEST(Canvas, HasAHintForEveryTool) {
   fixture.tool("eraser");
   EXPECT_TRUE(fixture.canvas.hint().contains(QStringLiteral("Shift: up to the crossings")));
   EXPECT_TRUE(fixture.canvas.hint().contains(QStringLiteral("Ctrl: whole lines")));
+  const std::vector<Triangle3> body{{{50, 50, 5}, {60, 50, 5}, {50, 60, 5}}};
+  fixture.studio.touch(std::make_shared<const TriangleTree>(body));
+  EXPECT_TRUE(fixture.canvas.hint().startsWith(QStringLiteral("Hold the pen against the body")));
+  fixture.studio.touch(nullptr);
+  EXPECT_FALSE(fixture.canvas.hint().contains(QStringLiteral("body")));
 }
 
 TEST(Canvas, KeepsThePageFittedUntilTheViewIsChanged) {

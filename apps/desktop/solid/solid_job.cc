@@ -27,9 +27,8 @@ Solid edited(Solid solid, const Document& document, const std::optional<BodyEdit
   if (new_edit) edits.push_back(*new_edit);
   EditedSolid result = apply_body_edits(std::move(solid), edits, &is_cancelled);
   if (new_edit) {
-    std::string refusal = std::move(result.refusals.back());
+    if (!result.reasons.back().empty()) answer.new_edit_refusal = result.reasons.back();
     result.refusals.pop_back();
-    if (!refusal.empty()) answer.new_edit_refusal = std::move(refusal);
   }
   for (std::string& refusal : result.refusals) {
     if (!refusal.empty()) answer.notes.push_back(std::move(refusal));

@@ -2457,6 +2457,10 @@
 <context>
     <name>felt::desktop::Canvas</name>
     <message>
+        <source>Hold the pen against the body, and move along it. The pen draws nothing.</source>
+        <translation>Halten Sie den Stift gegen den Körper, und fahren Sie an ihm entlang. Der Stift zeichnet nichts.</translation>
+    </message>
+    <message>
         <source>Drawing area</source>
         <translation>Zeichenfläche</translation>
     </message>

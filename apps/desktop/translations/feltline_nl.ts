@@ -2457,6 +2457,10 @@
 <context>
     <name>felt::desktop::Canvas</name>
     <message>
+        <source>Hold the pen against the body, and move along it. The pen draws nothing.</source>
+        <translation>Houd de pen tegen het lichaam en beweeg erlangs. De pen tekent niets.</translation>
+    </message>
+    <message>
         <source>Drawing area</source>
         <translation>Tekengebied</translation>
     </message>

@@ -201,10 +201,12 @@ EditedSolid apply_body_edits(Solid solid, std::span<const BodyEdit> edits,
   using namespace body_editing;
   EditedSolid result;
   result.refusals.resize(edits.size());
+  result.reasons.resize(edits.size());
   Editor editor(std::move(solid));
   std::vector<std::size_t> painted;  // the index of the edit of each painted line
   const auto leave_out = [&](std::size_t i, const std::string& why) {
     result.refusals[i] = refusal(i + 1, edits[i], why);
+    result.reasons[i] = why;
   };
   for (std::size_t i = 0; i < edits.size() && !(is_cancelled && *is_cancelled); ++i) {
     const Result<void> done = editor.apply(edits[i]);

@@ -19,6 +19,8 @@ struct EditedSolid {
   /// One sentence for each edit, in their order: why it was left out and where, or empty if it was
   /// applied.
   std::vector<std::string> refusals;
+  /// The same without the name and the place of the edit, for one that was just drawn.
+  std::vector<std::string> reasons;
 };
 
 /// Applies the edits of a drawing to the bodies that it inflates to, one after the other:

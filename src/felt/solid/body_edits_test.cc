@@ -98,6 +98,8 @@ TEST(BodyEdits, R60_AnEditThatDoesNotFitIsLeftOutWithASentence) {
             "left out: edit 2 of the body, the painted line that begins at (0.00, 0.00) mm: the "
             "stroke does not touch a body");
   EXPECT_EQ(after.refusals[2], "");
+  EXPECT_EQ(after.reasons, (std::vector<std::string>{"the stroke ends on the body",
+                                                     "the stroke does not touch a body", ""}));
   EXPECT_GT(volume_mm3(after.solid.bodies[0]), volume_mm3(before.bodies[0]));
 }
 
