@@ -111,29 +111,22 @@ void note_hidden_layers(const Document& document, Format format, const std::stri
 void note_lost_objects(const Document& document, Format format, const ConvertArguments& args,
                        Console& console) {
   const LostObjects lost = lost_objects(document, format, args.compact);
-  if (lost.fills > 0) {
-    console.notice(args.output + ": " + std::to_string(lost.fills) +
-                   " fills were left out, because the format has only lines");
-  }
-  if (lost.pictures > 0) {
-    console.notice(args.output + ": " + std::to_string(lost.pictures) +
-                   " pictures were left out, because the format has none");
-  }
-  if (lost.blends > 0) {
-    console.notice(args.output + ": the blend modes of " + std::to_string(lost.blends) +
-                   " layers or groups became normal, because the format has none");
-  }
-  if (lost.groups > 0) {
-    console.notice(args.output + ": " + std::to_string(lost.groups) +
-                   " groups of layers were dissolved, because the format has none");
-  }
-  if (lost.timings > 0) {
-    console.notice(args.output + ": the timings of " + std::to_string(lost.timings) +
-                   " key drawings were left out, because the format has none");
-  }
-  if (lost.body_edits > 0) {
-    console.notice(args.output + ": " + std::to_string(lost.body_edits) +
-                   " edits of the body were left out, because the format has none");
+  struct Loss {
+    std::size_t count;
+    const char *before, *after;
+  };
+  const Loss losses[] = {
+      {lost.fills, "", " fills were left out, because the format has only lines"},
+      {lost.pictures, "", " pictures were left out, because the format has none"},
+      {lost.blends, "the blend modes of ",
+       " layers or groups became normal, because the format has none"},
+      {lost.groups, "", " groups of layers were dissolved, because the format has none"},
+      {lost.timings, "the timings of ", " key drawings were left out, because the format has none"},
+      {lost.body_edits, "", " edits of the body were left out, because the format has none"},
+  };
+  for (const Loss& loss : losses) {
+    if (loss.count == 0) continue;
+    console.notice(args.output + ": " + loss.before + std::to_string(loss.count) + loss.after);
   }
 }
 

@@ -47,7 +47,7 @@ class MatchView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Reads the key drawings and finds the matches. Returns false if there is no next key drawing.
+  /// Reads the key drawings and finds the matches. Returns false if the current one is the last.
   bool find_matches();
   void press(QPointF at);
   void move(QPointF at);

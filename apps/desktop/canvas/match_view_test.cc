@@ -65,7 +65,7 @@ TEST(MatchView, ADragFromLineToLineMakesAPairThatCanBeUndone) {
   f.drag({170, 62}, {60, 60});
   EXPECT_EQ(f.pairs(), (Pairs{{{1}, {3}}})) << "backwards, and instead of the first pair";
   f.drag({60, 60}, {100, 190});
-  EXPECT_EQ(f.pairs(), (Pairs{{{1}, {3}}})) << "there is no line";
+  EXPECT_EQ(f.pairs(), (Pairs{{{1}, {3}}})) << "the drag did not end at a line";
   f.studio.apply(UndoEvent{});
   EXPECT_EQ(f.pairs(), (Pairs{{{1}, {4}}}));
   f.studio.apply(UndoEvent{});

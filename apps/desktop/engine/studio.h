@@ -138,8 +138,8 @@ class Studio : public QObject {
   /// page. Their triangles are in mm in the frame of the page. Null ends it, or nothing if it has
   /// not begun. It is not an event of the session: meanwhile the session gets the samples of a pen
   /// above the page, and afterwards until the pen is up, so that nothing is drawn, and the same
-  /// tool continues. A gesture ends as if the pen had been lifted. Afterwards there is no force
-  /// until the pen is up, because it may be far below the page.
+  /// tool continues. A gesture ends as if the pen had been lifted. Afterwards the force is
+  /// zero until the pen is up, because it may be far below the page.
   void touch(std::shared_ptr<const TriangleTree> bodies);
   /// Returns true while the pen feels bodies.
   [[nodiscard]] bool is_touching() const noexcept { return bodies_ != nullptr; }

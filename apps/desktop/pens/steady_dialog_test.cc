@@ -113,7 +113,7 @@ TEST(SteadyDialog, ADeviceThatIsHeldTracesTheSpiralAndDoesNotDraw) {
   remove_pen_driver(driver);
 }
 
-/// A touch that began in the dialog is no line when the dialog is closed, until the pen was lifted.
+/// A touch that began in the dialog draws nothing after the dialog was closed, until it ends.
 TEST(SteadyDialog, ATouchThatBeganInTheDialogDrawsNothingAfterIt) {
   StudioOptions options;
   options.live = false;

@@ -275,7 +275,7 @@ void SolidPanel::end_edit(const SolidAnswer& answer, bool is_current) {
   forget_edit();
   if (!is_current) return;
   if (answer.new_edit_refusal) return tools_->show_refusal(text_of(*answer.new_edit_refusal));
-  if (!answer.solid) return tools_->show_refusal(tr("There is no body."));
+  if (!answer.solid) return tools_->show_refusal(tr("The drawing has no body."));
   adds_edit_ = true;
   studio_.apply(BodyEvent{BodyEvent::Do::kAdd, {}, *edit});
   adds_edit_ = false;
@@ -298,8 +298,8 @@ void SolidPanel::show_answer(const SolidAnswer& answer) {
                         .arg(answer.solid->bodies.size())
                         .arg(QLocale().toString(qulonglong(triangle_count(*answer.solid)))));
   } else if (!is_empty) {
-    lines.push_back(answer.is_open ? tr("There is no body, because no line is closed.")
-                                   : tr("There is no body."));
+    lines.push_back(answer.is_open ? tr("The drawing has no body, because no line is closed.")
+                                   : tr("The drawing has no body."));
   }
   QStringList notes;
   for (const std::string& note : answer.notes) notes.push_back(text_of(note));

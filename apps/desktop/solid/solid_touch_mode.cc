@@ -56,7 +56,7 @@ QString SolidTouchMode::tool() const {
 /// Returns a sentence if the pen cannot touch bodies, or an empty one.
 QString SolidTouchMode::why_not() const {
   if (!panel_.solid()) {
-    return tr("There is no body to touch: open the solid view and draw a closed line");
+    return tr("To touch a body, open the solid view and draw a closed line.");
   }
   const Capabilities& device = studio_.session().device();
   if (device.has_force() && device.actuated_axes < 3) {
@@ -85,10 +85,10 @@ void SolidTouchMode::touch_bodies() {
 
 void SolidTouchMode::follow_bodies() {
   const bool has_body = panel_.solid() != nullptr;
-  action_->setToolTip(has_body ? tr("The pen feels the bodies of the solid view, and draws nothing "
-                                    "meanwhile")
-                               : tr("There is no body to touch: open the solid view and draw a "
-                                    "closed line"));
+  const QString why = why_not();
+  action_->setToolTip(why.isEmpty() ? tr("The pen feels the bodies of the solid view, and draws "
+                                         "nothing meanwhile")
+                                    : why);
   if (!has_body) {
     set_on(false);
   } else if (is_on_) {

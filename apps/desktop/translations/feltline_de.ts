@@ -5662,11 +5662,11 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>There is no body, because no line is closed.</source>
+        <source>The drawing has no body, because no line is closed.</source>
         <translation>Es gibt keinen Körper, weil keine Linie geschlossen ist.</translation>
     </message>
     <message>
-        <source>There is no body.</source>
+        <source>The drawing has no body.</source>
         <translation>Es gibt keinen Körper.</translation>
     </message>
     <message>
@@ -5700,8 +5700,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Der Stift spürt die Körper der Körperansicht und zeichnet solange nichts</translation>
     </message>
     <message>
-        <source>There is no body to touch: open the solid view and draw a closed line</source>
-        <translation>Es gibt keinen Körper zum Betasten: öffnen Sie die Körperansicht und zeichnen Sie eine geschlossene Linie</translation>
+        <source>To touch a body, open the solid view and draw a closed line.</source>
+        <translation>Um einen Körper zu betasten, öffnen Sie die Körperansicht und zeichnen Sie eine geschlossene Linie.</translation>
     </message>
     <message>
         <source>This device cannot push in three directions, so it cannot let you touch a body.</source>

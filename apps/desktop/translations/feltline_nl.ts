@@ -5662,11 +5662,11 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Exporteren</translation>
     </message>
     <message>
-        <source>There is no body, because no line is closed.</source>
+        <source>The drawing has no body, because no line is closed.</source>
         <translation>Er is geen lichaam, omdat geen lijn gesloten is.</translation>
     </message>
     <message>
-        <source>There is no body.</source>
+        <source>The drawing has no body.</source>
         <translation>Er is geen lichaam.</translation>
     </message>
     <message>
@@ -5700,8 +5700,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>De pen voelt de lichamen van de lichaamsweergave en tekent intussen niets</translation>
     </message>
     <message>
-        <source>There is no body to touch: open the solid view and draw a closed line</source>
-        <translation>Er is geen lichaam om aan te raken: open de lichaamsweergave en teken een gesloten lijn</translation>
+        <source>To touch a body, open the solid view and draw a closed line.</source>
+        <translation>Om een lichaam aan te raken, opent u de lichaamsweergave en tekent u een gesloten lijn.</translation>
     </message>
     <message>
         <source>This device cannot push in three directions, so it cannot let you touch a body.</source>

@@ -31,7 +31,7 @@ Result<std::string> encode_solid(const Solid& solid, SolidFormat format,
 /// The encoders of the formats. Sources:
 /// <https://www.loc.gov/preservation/digital/formats/fdd/fdd000505.shtml>,
 /// <https://github.com/3MFConsortium/spec_core>,
-/// <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
+/// <https://www.khronos.org/gltf/>.
 Result<std::string> encode_stl(const Solid& solid);
 Result<std::string> encode_obj(const Solid& solid);
 Result<std::string> encode_3mf(const Solid& solid);

@@ -34,7 +34,7 @@ struct SolidSurfaceOptions {
 /// K depth and otherwise follows at that distance. So Fn never pulls the pen in, the friction
 /// removes energy like that of a plane, and no speed carries the pen through.
 ///
-/// There is no force until the pen has been where nothing of the body is between it and the hand,
+/// The force is zero until the pen has been where nothing of the body is between it and the hand,
 /// straight above. So a body that appears around the pen does not throw it out; the user pulls the
 /// pen out of it first. The same holds after a gap in the samples of more than kLostMm or 20 ms. If
 /// the body changes (another `number`) while the pen touches it, the proxy stays or is lifted by up
