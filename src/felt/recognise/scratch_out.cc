@@ -35,7 +35,8 @@ MainAxis main_axis(std::span<const Point> path) noexcept {
 }
 
 /// Returns the indices at which the path turns back along the axis, with both ends. A turn counts
-/// if the path then goes back by `run_mm`.
+/// if the path goes by more than `run_mm` before it and after it, so a hook at an end is part of its
+/// pass.
 std::vector<std::size_t> turns_of(std::span<const Point> path, Vec axis, double run_mm) {
   const auto at = [&](std::size_t i) { return dot(path[i] - path[0], axis); };
   std::vector<std::size_t> turns{0};
@@ -45,11 +46,11 @@ std::vector<std::size_t> turns_of(std::span<const Point> path, Vec axis, double 
     if (at(i) > at(high)) high = i;
     if (at(i) < at(low)) low = i;
     if (heading >= 0 && at(high) - at(i) > run_mm) {
-      if (heading > 0 || high > 0) turns.push_back(high);
+      if (heading > 0) turns.push_back(high);
       heading = -1;
       low = high = i;
     } else if (heading <= 0 && at(i) - at(low) > run_mm) {
-      if (heading < 0 || low > 0) turns.push_back(low);
+      if (heading < 0) turns.push_back(low);
       heading = 1;
       low = high = i;
     }
