@@ -9,5 +9,7 @@ work=$(mktemp -d)
 trap 'umount "$work/root/proc" 2>/dev/null || true; rm -rf "$work"' EXIT
 cp -a "$clean" "$work/root"
 mount -t proc proc "$work/root/proc"
+# A compiler cache of the developer is not in the copy.
+unset CMAKE_C_COMPILER_LAUNCHER CMAKE_CXX_COMPILER_LAUNCHER
 autopkgtest --no-built-binaries "$packages"/debian/*.deb "$packages"/debian/*.dsc --output-dir "$work/output" \
   -- chroot "$work/root"
