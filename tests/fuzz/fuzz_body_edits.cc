@@ -56,7 +56,7 @@ Solid ball_and_ring() {
   drawing.circle({-30, 0}, 20.0);
   drawing.circle({30, 0}, 25.0);
   drawing.circle({30, 0}, 10.0);
-  const Result<InflatedDrawing> inflated = inflate(drawing.document, {.triangles = 800});
+  const Result<InflatedDrawing> inflated = inflate(drawing.document, {.triangles = 300});
   FELT_CHECK(inflated.has_value());
   return inflated->solid;
 }

@@ -63,12 +63,15 @@ class PictureFolder {
 /// Returns options to import a file of the folder, as a program with a window sets them.
 const felt::ImportOptions& import_options() {
   static const PictureFolder folder;
-  static const felt::ImportOptions options{
-      .folder = folder.path(),
-      .to_png = [](std::string_view, std::int64_t max_pixels) -> felt::Result<std::string> {
-        if (max_pixels < 2) return felt::fail(felt::ErrorCode::kLimitExceeded, "too large");
-        return felt::base64_bytes(kPng).value();
-      }};
+  static const felt::ImportOptions options = [] {
+    felt::ImportOptions o;
+    o.folder = folder.path();
+    o.to_png = [](std::string_view, std::int64_t max_pixels) -> felt::Result<std::string> {
+      if (max_pixels < 2) return felt::fail(felt::ErrorCode::kLimitExceeded, "too large");
+      return felt::base64_bytes(kPng).value();
+    };
+    return o;
+  }();
   return options;
 }
 
