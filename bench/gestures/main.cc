@@ -1,14 +1,18 @@
 // Measures the gestures of the pencil: how often real strokes count as gestures, and how often
 // the gestures that simulated people mean are found (README.md).
 //   bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER] [--notes FOLDER]
-//                  [--people N] [--seed N] [--each yes]
+//                  [--variants yes] [--people N] [--seed N] [--each yes]
+// With --variants yes, also draws each page of real strokes mirrored, turned and scaled.
 // With --each yes, prints each false gesture, and each intended one that is not found.
 // Exits with 1 if a bar is missed: at most 1 false gesture in 10,000 strokes, at least 95 % found.
 #include <fmt/core.h>
 
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "meant_strokes.h"
 #include "real_strokes.h"
@@ -23,6 +27,7 @@ struct Options {
   double mm_per_unit = 25.4 / 96.0;
   std::size_t people = 40;
   std::uint64_t seed = 1;
+  bool variants = false;
   bool each = false;
 };
 
@@ -43,6 +48,8 @@ std::optional<Options> options_of(int argc, char** argv) {
       options.people = std::strtoull(value.c_str(), nullptr, 10);
     } else if (name == "--seed") {
       options.seed = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (name == "--variants") {
+      options.variants = value == "yes";
     } else if (name == "--each") {
       options.each = value == "yes";
     } else {
@@ -58,39 +65,76 @@ void print(const char* name, const FalseOffers& f) {
              f.double_loops, f.accepted_shapes, f.rests);
 }
 
-/// Returns true if the bar is met. Without strokes, nothing is said.
-bool check_real(const Options& options) {
-  FalseOffers all;
-  const auto add = [&](const char* name, const Result<std::vector<RealPage>>& pages, bool counts) {
-    if (!pages) {
-      fmt::print(stderr, "bench_gestures: {}\n", pages.error().message);
-      std::exit(1);
-    }
-    const FalseOffers f = draw_pages(*pages, options.each);
+/// The real strokes that count.
+std::vector<RealPage> pages_of(const char* name, const Result<std::vector<RealPage>>& pages) {
+  if (!pages) {
+    fmt::print(stderr, "bench_gestures: {}: {}\n", name, pages.error().message);
+    std::exit(1);
+  }
+  return *pages;
+}
+
+/// Draws the pages with these names.
+class RealStrokes {
+ public:
+  explicit RealStrokes(const Options& options) : options_(options) {
+    fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", "real strokes", "n", "scratch-out",
+               "double loop", "shape accepted", "rests");
+  }
+  /// Draws pages that count, and remembers them for the variants.
+  void add(const char* name, std::vector<RealPage> pages) {
+    all_ += show(name, pages);
+    pages_.insert(pages_.end(), std::make_move_iterator(pages.begin()),
+                  std::make_move_iterator(pages.end()));
+  }
+  /// Draws pages and prints what was offered.
+  FalseOffers show(const char* name, const std::vector<RealPage>& pages) const {
+    const FalseOffers f = draw_pages(pages, options_.each);
     print(name, f);
-    if (!counts) return;
-    all.strokes += f.strokes;
-    all.scratch_outs += f.scratch_outs;
-    all.double_loops += f.double_loops;
-    all.accepted_shapes += f.accepted_shapes;
-    all.rests += f.rests;
-  };
+    return f;
+  }
+  /// Draws all pages that count in each variant.
+  [[nodiscard]] FalseOffers show_variants() const {
+    FalseOffers sum;
+    for (const PageVariant& variant : page_variants()) {
+      sum += show(variant.name().c_str(), varied(pages_, variant));
+    }
+    return sum;
+  }
+  [[nodiscard]] const FalseOffers& all() const noexcept { return all_; }
+
+ private:
+  const Options& options_;
+  std::vector<RealPage> pages_;
+  FalseOffers all_;
+};
+
+/// Returns true if the bar is met. Without strokes, nothing is printed.
+bool check_real(const Options& options) {
   if (options.strokes.empty() && options.drawings.empty() && options.notes.empty()) return true;
-  fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", "real strokes", "n", "scratch-out",
-             "double loop", "shape accepted", "rests");
+  RealStrokes real(options);
   if (!options.drawings.empty()) {
-    add("drawings, 180 mm", read_drawings(options.drawings, 180.0), true);
-    add("the same, 90 mm", read_drawings(options.drawings, 90.0), false);
+    real.add("drawings, 180 mm", pages_of("drawings", read_drawings(options.drawings, 180.0)));
+    real.show("the same, 90 mm", pages_of("drawings", read_drawings(options.drawings, 90.0)));
   }
   if (!options.strokes.empty()) {
-    const auto in_lines = read_pen_strokes(options.strokes, options.mm_per_unit, Placing::kInLines);
-    add("pen strokes, in lines", in_lines, true);
-    add("pen strokes, piled up (not counted)",
-        read_pen_strokes(options.strokes, options.mm_per_unit, Placing::kPiled), false);
+    const auto read = [&](Placing placing) {
+      return pages_of("strokes", read_pen_strokes(options.strokes, options.mm_per_unit, placing));
+    };
+    real.add("pen strokes, in lines", read(Placing::kInLines));
+    real.show("pen strokes, piled up (not counted)", read(Placing::kPiled));
   }
-  if (!options.notes.empty()) add("notes (.xopp)", read_notes(options.notes), true);
+  if (!options.notes.empty())
+    real.add("notes (.xopp)", pages_of("notes", read_notes(options.notes)));
+  const FalseOffers& all = real.all();
   fmt::print("false gestures: {} of {} strokes\n\n", all.wrong(), all.strokes);
-  return static_cast<double>(all.wrong()) <= kMaxFalse * static_cast<double>(all.strokes);
+  const bool is_met =
+      static_cast<double>(all.wrong()) <= kMaxFalse * static_cast<double>(all.strokes);
+  if (!options.variants) return is_met;
+  const FalseOffers varied = real.show_variants();
+  fmt::print("false gestures: {} of {} variants of these strokes\n\n", varied.wrong(),
+             varied.strokes);
+  return is_met && varied.wrong() == 0;
 }
 
 bool check_meant(const Options& options) {
@@ -122,7 +166,8 @@ int main(int argc, char** argv) {
     fmt::print(
         stderr,
         "usage: bench_gestures [--strokes FILE.ndjson] [--mm-per-unit U] [--drawings FOLDER]\n"
-        "                      [--notes FOLDER] [--people N] [--seed N] [--each yes]\n");
+        "                      [--notes FOLDER] [--variants yes] [--people N] [--seed N]\n"
+        "                      [--each yes]\n");
     return 2;
   }
   const bool is_real_met = felt::bench::check_real(*options);

@@ -14,8 +14,11 @@
 #include "felt/haptics/bricks/friction.h"
 #include "felt/haptics/bricks/plane.h"
 #include "felt/haptics/force_memory.h"
+#include "felt/recognise/round_fit.h"
 #include "felt/recognise/scratch_out.h"
+#include "felt/recognise/shape_guess.h"
 #include "felt/session/session.h"
+#include "felt/tools/pencil/shape_hold.h"
 
 namespace felt::bench {
 namespace {
@@ -213,14 +216,35 @@ class PersonFixture {
   Path drawn_;
 };
 
-void print_missed(OfferKind kind, std::size_t person, double size, const Path& path) {
-  const ScratchFeatures f = ScratchOut::features(path);
-  const bool has_shape = ScratchOut::find(path).has_value();
-  fmt::print(
-      "missed: {} of person {}, size {}: {} passes, along {:.2f}, evenness {:.2f}, "
-      "straightness {:.2f}, overlap {:.2f}, path {:.1f} diagonals{}\n",
-      kOfferKinds[static_cast<std::size_t>(kind)], person, size, f.passes, f.along, f.evenness,
-      f.straightness, f.overlap, f.path_per_diagonal, has_shape ? "; it crosses out" : "");
+void print_missed(OfferKind kind, std::size_t person, double size, const Path& path,
+                  const std::optional<OfferView>& offer) {
+  fmt::print("missed: {} of person {}, size {}", kOfferKinds[static_cast<std::size_t>(kind)],
+             person, size);
+  if (kind < OfferKind::kLine) {
+    const ScratchFeatures f = ScratchOut::features(path);
+    const bool has_shape = ScratchOut::find(path).has_value();
+    fmt::print(
+        ": {} passes, along {:.2f}, evenness {:.2f}, straightness {:.2f}, overlap {:.2f}, path "
+        "{:.1f} diagonals{}\n",
+        f.passes, f.along, f.evenness, f.straightness, f.overlap, f.path_per_diagonal,
+        has_shape ? "; it crosses out" : "");
+    return;
+  }
+  fmt::print(": offered");
+  if (!offer) fmt::print(" nothing");
+  for (std::size_t i = 0; offer && i < offer->rows.size(); ++i) {
+    fmt::print(" {}", kOfferKinds[static_cast<std::size_t>(offer->rows[i].kind)]);
+  }
+  fmt::print("; near to");
+  for (const ShapeGuess& guess : guess_shapes(path)) {
+    fmt::print(" {} {:.2f}", kOfferKinds[static_cast<std::size_t>(offer_of(guess.form))],
+               guess.misfit);
+  }
+  if (!path.empty()) {
+    const LineFit line = fit_line(path);
+    fmt::print("; from a line {:.3f} of its length, {:.1f} mm\n",
+               line.rms_mm / distance(line.from, line.to), distance(line.from, line.to));
+  }
 }
 
 }  // namespace
@@ -242,7 +266,9 @@ std::vector<MeantStrokes> draw_meant(std::size_t people, std::uint64_t seed, boo
         const bool is_found = fixture.is_offered(meant.kind);
         meant.offered += is_found;
         meant.first += is_found && fixture.offered()->rows.front().kind == meant.kind;
-        if (each && !is_found) print_missed(meant.kind, p, size, fixture.drawn());
+        if (each && !is_found) {
+          print_missed(meant.kind, p, size, fixture.drawn(), fixture.offered());
+        }
       }
     }
     all.push_back(meant);

@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "felt/base/constants.h"
 #include "felt/gather/testing/labelled_drawing.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/ndjson/ndjson_parser.h"
@@ -174,6 +176,55 @@ Result<std::vector<RealPage>> read_notes(const std::string& folder) {
     pages.push_back({path, strokes_of(notes->drawing.document)});
   }
   return pages;
+}
+
+std::string PageVariant::name() const {
+  return fmt::format("{}{} degrees, x {}", is_mirrored ? "mirrored, " : "", turn_deg, scale);
+}
+
+std::vector<PageVariant> page_variants() {
+  std::vector<PageVariant> variants;
+  for (const bool is_mirrored : {false, true}) {
+    for (const double turn_deg : {0.0, -20.0, 20.0}) {
+      for (const double scale : {1.0, 0.7, 1.4}) {
+        variants.push_back({is_mirrored, turn_deg, scale});
+      }
+    }
+  }
+  variants.erase(variants.begin());  // the page itself
+  return variants;
+}
+
+std::vector<RealPage> varied(const std::vector<RealPage>& pages, const PageVariant& variant) {
+  const double turn = variant.turn_deg * kTau / 360.0;
+  const Vec u = variant.scale * Vec{std::cos(turn), std::sin(turn)};
+  const Vec v = perp(u);
+  std::vector<RealPage> changed = pages;
+  for (RealPage& page : changed) {
+    Rect before, after;
+    for (std::vector<InkSample>& stroke : page.strokes) {
+      for (InkSample& s : stroke) {
+        before.extend(s.position);
+        const double x = variant.is_mirrored ? -s.position.x : s.position.x;
+        s.position = Point{} + x * u + s.position.y * v;
+        after.extend(s.position);
+      }
+    }
+    const Vec back{before.x0 - after.x0, before.y0 - after.y0};
+    for (std::vector<InkSample>& stroke : page.strokes) {
+      for (InkSample& s : stroke) s.position += back;
+    }
+  }
+  return changed;
+}
+
+FalseOffers& FalseOffers::operator+=(const FalseOffers& other) noexcept {
+  strokes += other.strokes;
+  scratch_outs += other.scratch_outs;
+  double_loops += other.double_loops;
+  accepted_shapes += other.accepted_shapes;
+  rests += other.rests;
+  return *this;
 }
 
 FalseOffers draw_pages(const std::vector<RealPage>& pages, bool each) {

@@ -26,10 +26,28 @@ Result<std::vector<RealPage>> read_drawings(const std::string& folder, double di
 /// Reads the notes (.xopp) of a folder. The files have no times: the samples are 8 ms apart.
 Result<std::vector<RealPage>> read_notes(const std::string& folder);
 
+/// How a page is changed as a whole: the strokes keep their order, their positions relative to each
+/// other, their pressures and their times. So a larger page is drawn faster, and rests last as
+/// long.
+struct PageVariant {
+  bool is_mirrored = false;  ///< left and right are exchanged
+  double turn_deg = 0.0;     ///< from +x to +y, as on a turned sheet
+  double scale = 1.0;
+
+  /// Returns for example "mirrored, 20 degrees, x 1.4".
+  [[nodiscard]] std::string name() const;
+};
+/// Returns all variants but the unchanged page: mirrored or not; turned by -20, 0 or 20 degrees;
+/// scaled by 0.7, 1 or 1.4.
+std::vector<PageVariant> page_variants();
+/// Returns the changed pages. The top left corner of the box around a page stays.
+std::vector<RealPage> varied(const std::vector<RealPage>& pages, const PageVariant& variant);
+
 /// Offers that real strokes got.
 struct FalseOffers {
   std::size_t strokes = 0, scratch_outs = 0, double_loops = 0, accepted_shapes = 0, rests = 0;
   [[nodiscard]] std::size_t wrong() const { return scratch_outs + double_loops + accepted_shapes; }
+  FalseOffers& operator+=(const FalseOffers& other) noexcept;
 };
 /// Draws all pages in sessions and counts. If `each`, prints the name of each false one.
 FalseOffers draw_pages(const std::vector<RealPage>& pages, bool each);

@@ -45,11 +45,23 @@ double sweep_about(std::span<const Point> path, Point center) noexcept {
   return sweep;
 }
 
+/// Returns the longest distance by which a path goes back in a direction.
+double return_mm(std::span<const Point> path, Vec direction) noexcept {
+  double farthest = 0.0, longest = 0.0;
+  for (const Point p : path) {
+    const double at = dot(p - path[0], direction);
+    farthest = std::max(farthest, at);
+    longest = std::max(longest, farthest - at);
+  }
+  return longest;
+}
+
 void add_line(const PreparedPath& path, std::vector<ShapeGuess>& out) {
   const LineFit fit = fit_line(path.points);
   const double length = distance(fit.from, fit.to);
-  // A line that runs to and fro is longer than its fit.
-  if (length < 0.9 * path.length_mm) return;
+  // A quick hand goes beyond the end and comes back. A path that runs to and fro is no line.
+  if (length < Limits::kMinLineShare * path.length_mm) return;
+  if (return_mm(path.points, normalized(fit.to - fit.from)) > Limits::kMaxReturn * length) return;
   out.push_back({.form = ShapeForm::kLine,
                  .misfit = fit.rms_mm / (Limits::kLineRms * length),
                  .corners = {fit.from, fit.to}});

@@ -37,8 +37,11 @@ struct ShapeGuess {
 /// Limits of guess_shapes(), all relative to the size of the shape, so that they do not depend on
 /// the zoom. Measured by `./dev bench gestures` on simulated people.
 struct ShapeLimits {
-  static constexpr double kMinSizeMm = 6.0;     ///< diagonal of the smallest path
-  static constexpr double kLineRms = 0.025;     ///< of the length
+  static constexpr double kMinSizeMm = 6.0;  ///< diagonal of the smallest path
+  static constexpr double kLineRms = 0.025;  ///< of the length
+  /// Length of a line divided by that of its path, and the longest way back along it, of its
+  /// length.
+  static constexpr double kMinLineShare = 0.7, kMaxReturn = 0.25;
   static constexpr double kArcRms = 0.025;      ///< of the length of the path
   static constexpr double kRoundRms = 0.05;     ///< of the sum of both radii
   static constexpr double kPolygonRms = 0.035;  ///< of the diagonal

@@ -80,6 +80,19 @@ TEST(ShapeGuess, TheFirstGuessIsAlmostAlwaysRight) {
 RC_GTEST_PROP(ShapeGuess, KnowsALine, ()) {
   check(joined({{0, 0}, {any(20, 60), 0}}), ShapeForm::kLine);
 }
+// A quick hand goes beyond the ends and comes back.
+RC_GTEST_PROP(ShapeGuess, KnowsALineThatGoesBeyondItsEnds, ()) {
+  const double size = any(20, 60);
+  const double end = any(0.0, 0.12) * size, begin = 0.12 * size - end;
+  check(joined({{begin, 0}, {0, 0}, {size + end, 0}, {size, 0}}), ShapeForm::kLine);
+}
+RC_GTEST_PROP(ShapeGuess, APathThatRunsToAndFroIsNoLine, ()) {
+  const double size = any(20, 60), back = any(0.35, 1.0) * size;
+  for (const ShapeGuess& guess :
+       guess_shapes(joined({{0, 0}, {size, 0}, {size - back, 0.01 * size}, {size, 0}}))) {
+    RC_ASSERT(guess.form != ShapeForm::kLine);
+  }
+}
 RC_GTEST_PROP(ShapeGuess, KnowsAnArc, ()) {
   check(ellipse_part({0, 0}, 25, 25, 0.0, any(0.8, 4.5)), ShapeForm::kArc);
 }

@@ -21,6 +21,7 @@
 #include "felt/tools/guided_feel.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/stroke_guide.h"
+#include "hovering_guide.h"
 
 namespace felt::guided_people_test {
 namespace {
@@ -37,6 +38,7 @@ struct Drawing {
   double energy_mj = 0.0;                          ///< work of the guide on the hand
   double lead_mj = 0.0;  ///< the part of it that a force along the path does
   double sent_mj = 0.0;  ///< work of the device in the plane, with the friction of the surface
+  double air_mj = 0.0;   ///< work of the device on a pen in the air
 };
 
 /// What a person draws: a planned movement, and the path from which distances are measured, from a
@@ -48,6 +50,8 @@ struct Task {
   /// If true, the touch chooses the path of the guide. Then the errors are those from the path that
   /// the guide shows; without a guide, those from the best parallel or concentric path.
   bool is_through_touch = false;
+  double hover_mm = HandScriptOptions{}.hover_mm;  ///< height of the pen between strokes
+  std::vector<Point> before{};                     ///< a stroke that is drawn first; empty: none
 
   [[nodiscard]] double error_mm(const Drawing& drawing) const {
     if (!is_through_touch) return drawing.rms_mm;
@@ -68,7 +72,11 @@ class Watch {
     const Vec moved = has_last_ ? pen - last_ : Vec{};
     last_ = pen;
     has_last_ = true;
-    if (!in_contact(tick.sample) || pen.x < task_.from_x_mm) return;
+    if (!in_contact(tick.sample)) {
+      out_.air_mj += tick.sent.x * moved.x + tick.sent.y * moved.y;
+      return;
+    }
+    if (pen.x < task_.from_x_mm) return;
     const PolylineNearest near = nearest_on_polyline(task_.path, pen);
     const double away_mm = std::sqrt(near.distance_squared);
     const Vec along = task_.path[near.index + 1] - task_.path[near.index];
@@ -111,6 +119,28 @@ class Watch {
   bool has_last_ = false;
 };
 
+/// Returns a number of trials: that of an environment variable, or `usual`.
+std::size_t trials_of(const char* variable, std::size_t usual) {
+  const char* text = std::getenv(variable);
+  return text ? std::strtoul(text, nullptr, 10) : usual;
+}
+
+/// Returns the height below which the guides pull a pen in the air: 0 unless FELT_GUIDE_HOVER_MM
+/// says otherwise.
+double guided_height_mm() {
+  return static_cast<double>(trials_of("FELT_GUIDE_HOVER_MM", 0));
+}
+
+/// Returns the aims of a person who draws the strokes of a task.
+std::vector<TimedAim> aims_of(const Person& person, const Task& task, std::uint64_t trial,
+                              HandScriptOptions options) {
+  options.hover_mm = task.hover_mm;
+  std::vector<RecordedPath> plans;
+  if (!task.before.empty()) plans.push_back(plan_movement(person, task.before, trial));
+  plans.push_back(plan_movement(person, task.plan, trial));
+  return script_hand(plans, options);
+}
+
 /// Lets a person draw with a simulated device, the haptic loop and the forces of the pencil.
 Drawing draw(const Person& person, const Task& task, Eyes eyes, std::string_view device = "premium",
              std::uint64_t trial = 0) {
@@ -126,17 +156,17 @@ Drawing draw(const Person& person, const Task& task, Eyes eyes, std::string_view
   const SurfaceForce surface =
       make_surface_force(paper, pencil, capabilities, surface_grain(paper));
 
-  const RecordedPath plan = plan_movement(person, task.plan, trial);
   HandScriptOptions options = script_options_for(preset, person.grip());
   set_surface(options, paper, capabilities, &pencil);
-  const std::vector<TimedAim> aims = script_hand(std::span(&plan, 1), options);
+  const std::vector<TimedAim> aims = aims_of(person, task, trial, options);
   std::vector<DrawingGuidePtr> guides;
   if (task.guide) guides.push_back(task.guide);
   const Document document;
   StrokeGuide guide;
   VirtualClock clock(*servo);
   Watch watch(task);
-  servo->publish(ForceModel(Compose(surface, Guide())));
+  HoveringGuide hovering{{}, guided_height_mm()};
+  servo->publish(ForceModel(Compose(surface, hovering)));
   servo->arm();
   const std::int64_t end_ns = aims.back().time_ns + std::llround(1e9 * person.preview_s);
   std::size_t next = 0;
@@ -146,15 +176,16 @@ Drawing draw(const Person& person, const Task& task, Eyes eyes, std::string_view
     }
     const TickReport& tick = clock.tick();
     watch.add(tick);
-    guide.update(tick.sample, in_contact(tick.sample), guides, document,
-                 guide_spring_for(capabilities));
+    const PenSample guided = hovering.lowered(tick.sample);
+    guide.update(guided, in_contact(guided), guides, document, guide_spring_for(capabilities));
     if (guide.force() && in_contact(tick.sample)) {
       const Point pen = on_page(tick.sample.position);
       const Vec error = pen - guide.force()->nearest(pen);
       watch.add_shown(pen, norm(error));
       if (eyes == Eyes::kOnGuide) hand->see(error);
     }
-    servo->publish(ForceModel(Compose(surface, guide.force() ? *guide.force() : Guide())));
+    hovering.guide = guide.force() ? *guide.force() : Guide();
+    servo->publish(ForceModel(Compose(surface, hovering)));
   }
   return watch.drawing();
 }
@@ -307,12 +338,6 @@ int exits(std::uint64_t first, std::uint64_t trials, double& max_n) {
   return count;
 }
 
-/// Returns a number of trials: that of an environment variable, or `usual`.
-std::size_t trials_of(const char* variable, std::size_t usual) {
-  const char* text = std::getenv(variable);
-  return text ? std::strtoul(text, nullptr, 10) : usual;
-}
-
 TEST(GuidedPeople, LeaveAGuideOnPurpose) {
   const std::size_t trials = trials_of("FELT_GUIDE_EXITS", 12);
   double max_n = 0.0;
@@ -320,6 +345,36 @@ TEST(GuidedPeople, LeaveAGuideOnPurpose) {
   std::printf("%d of %zu exits of 10 mm; at most %.3f N\n", count, trials, max_n);
   EXPECT_EQ(static_cast<std::size_t>(count), trials);
   EXPECT_GT(max_n, 0.3);
+}
+
+/// A person comes over a guide with the pen in the air, and draws beside it.
+Task pass_task(double beyond_mm, double hover_mm) {
+  Task task = line_task();
+  task.plan = points_along(20, [&](double t) { return Point{80.0 + 20.0 * t, 80.0 + beyond_mm}; });
+  task.path = task.plan;
+  task.before = points_along(20, [](double t) { return Point{50.0 + 20.0 * t, 70.0}; });
+  task.from_x_mm = 75.0;
+  task.hover_mm = hover_mm;
+  return task;
+}
+
+// A guide lets a pen pass that is in the air, however low it is. With FELT_GUIDE_HOVER_MM, prints
+// how a guide that acts in the air would hinder these people.
+TEST(GuidedPeople, PassOverAGuideInTheAir) {
+  const std::size_t people = trials_of("FELT_GUIDE_PEOPLE", 2);
+  for (const double hover_mm : {1.0, 2.0, 4.0}) {
+    double error_mm = 0.0, air_mj = 0.0;
+    for (const Person& person : population(people, 1)) {
+      const Drawing one = draw(person, pass_task(4.0, hover_mm), Eyes::kOnPlan);
+      error_mm += one.rms_mm / double(people);
+      air_mj = std::max(air_mj, one.air_mj);
+    }
+    std::printf("over a line at %.0f mm, then 4 mm beside it: error %.2f mm, %.2f mJ in the air\n",
+                hover_mm, error_mm, air_mj);
+    if (guided_height_mm() > 0.0) continue;
+    EXPECT_LT(error_mm, 0.4) << hover_mm;
+    EXPECT_LT(air_mj, 0.05) << hover_mm;
+  }
 }
 
 /// Prints the figures of docs/design/forces.md#guides-of-a-drawing.

@@ -45,6 +45,8 @@ void ShapeHold::watch_pressure(std::optional<double> pressure, std::int64_t time
 }
 
 bool ShapeHold::is_accepted_by(std::optional<double> pressure) const noexcept {
+  // The pressure of a pen that goes on drawing changes for other reasons.
+  if (!rest_.rests()) return false;
   const bool is_constant = !has_pressure_ || high_ - low_ < kConstantPressure;
   if (is_constant && rest_.still_s() >= offered_s_ + kStayS) return true;
   const double rise = std::min(kPress, 0.5 * (1.0 - resting_));

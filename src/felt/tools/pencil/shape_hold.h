@@ -14,9 +14,10 @@
 namespace felt {
 
 /// Offers the shapes that a line resembles while the pen rests at the end of the line, and holds
-/// the pen there. The best shape is accepted if the user presses harder. If the pressure has hardly
-/// changed during the line, as with a mouse, it is accepted if the pen stays for kStayS. A user who
-/// goes on drawing refuses the offer; it is made again if the pen rests again.
+/// the pen there. The best shape is accepted if the user presses harder while the pen rests. If the
+/// pressure has hardly changed during the line, as with a mouse, it is accepted if the pen stays
+/// for kStayS. A user who goes on drawing refuses the offer; it is made again if the pen rests
+/// again.
 ///
 /// Use: begin() at the touch; update() for each sample in contact.
 class ShapeHold {

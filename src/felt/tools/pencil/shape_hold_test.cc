@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "felt/haptics/bricks/snap_well.h"
@@ -68,6 +69,24 @@ TEST(ShapeHold, APenThatPressesFullyCanStillPressHarder) {
   f.rest(0.7, 0.86);
   ASSERT_FALSE(f.hold.shapes().empty());
   f.rest(0.02, 0.95);
+  EXPECT_TRUE(f.hold.accepted());
+}
+
+TEST(ShapeHold, APenThatGoesOnTakesNothingByItsPressureUntilItRestsAgain) {
+  Fixture f;
+  f.line(0.4, 0.1);
+  f.rest(0.6, 0.4);
+  ASSERT_FALSE(f.hold.shapes().empty());
+  // Small writing beside the end of the line, with the pressure of writing.
+  for (int i = 0; i < 400; ++i) {
+    const double t = 0.05 * i;
+    f.at({61.0 + 1.5 * std::sin(t), 1.5 * std::cos(t)}, 0.45 + 0.25 * std::sin(0.7 * t));
+    ASSERT_FALSE(f.hold.accepted()) << i;
+  }
+  EXPECT_FALSE(f.hold.shapes().empty()) << "it is still offered";
+  f.rest(0.4, 0.7);
+  EXPECT_FALSE(f.hold.accepted());
+  f.rest(0.2, 0.7);
   EXPECT_TRUE(f.hold.accepted());
 }
 
