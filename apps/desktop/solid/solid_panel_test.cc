@@ -170,7 +170,7 @@ TEST_F(SolidPanelTest, NamesWhatIsLeftOutAndOnlyCountsTheRest) {
   panel_.set_on(true);
   ASSERT_TRUE(waits());
   EXPECT_EQ(bodies(), 5U);
-  EXPECT_TRUE(words().contains(QStringLiteral("left out the smaller part: strokes s1 and s3")))
+  EXPECT_TRUE(words().contains(QStringLiteral("Left out the smaller part: strokes s1 and s3")))
       << words().toStdString();
   EXPECT_TRUE(words().contains(QStringLiteral("and 2 more"))) << words().toStdString();
 }
