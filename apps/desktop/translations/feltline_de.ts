@@ -1763,6 +1763,10 @@
         <source>“%1” was not exported</source>
         <translation>„%1“ wurde nicht exportiert</translation>
     </message>
+    <message>
+        <source>The paint on the body was left out, because the format has none; glTF has it.</source>
+        <translation>Die Farbe auf dem Körper wurde weggelassen, weil das Format keine hat; glTF hat sie.</translation>
+    </message>
 </context>
 <context>
     <name>SolidWords</name>

@@ -1763,6 +1763,10 @@
         <source>“%1” was not exported</source>
         <translation>‘%1’ is niet geëxporteerd</translation>
     </message>
+    <message>
+        <source>The paint on the body was left out, because the format has none; glTF has it.</source>
+        <translation>De verf op het lichaam is weggelaten, omdat het formaat die niet heeft; glTF heeft die wel.</translation>
+    </message>
 </context>
 <context>
     <name>SolidWords</name>
