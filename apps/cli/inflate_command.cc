@@ -179,13 +179,18 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
   if (console.failed()) return;
-  const bool is_shown = format == SolidFormat::kGlb || !args.png.empty() || !args.film.empty();
   const Result<std::optional<FrontPaint>> paint =
-      args.paints && is_shown ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
+      args.paints ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
   if (!paint) return console.error(input->name() + ": " + paint.error().message);
   if (args.edits) edit_solid(document, input->name(), inflated->solid, console);
+  const FrontPaint* front = *paint ? &**paint : nullptr;
+  if (format && loses_paint(inflated->solid, *format, front)) {
+    console.notice(
+        args.output +
+        ": the paint on the body was left out, because the format has none; .glb has it");
+  }
   if (console.failed()) return;
-  write_outputs(args, format, inflated->solid, *paint ? &**paint : nullptr, console);
+  write_outputs(args, format, inflated->solid, front, console);
 }
 
 }  // namespace

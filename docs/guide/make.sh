@@ -46,3 +46,10 @@ done
 "$feltline" inflate "$scratch/lines.felt" --fill-holes --png "$here/solids.png"
 "$feltline" replay "$here/solids-edits.ndjson" --on "$scratch/lines.felt" -o "$scratch/edited.felt"
 "$feltline" inflate "$scratch/edited.felt" --fill-holes --png "$here/solids-edited.png"
+
+# The window of motion.md: the two fishes as layers of one drawing.
+desktop=${FELTLINE_DESKTOP:-$(dirname "$feltline")/feltline-desktop}
+mkdir "$scratch/drawings"
+"$feltline" replay "$here/motion-window.ndjson" --on "$here/motion-fish-1.svg" --page 141x98 -o "$scratch/drawings/fish.felt"
+QT_SCALE_FACTOR=1 "$desktop" --language en --screenshot "$here/motion-window.png" --panel motion --dialog onion \
+  --size 1280x820 "$scratch/drawings/fish.felt"

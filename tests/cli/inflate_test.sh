@@ -28,7 +28,12 @@ watertight() {
 for format in stl obj 3mf glb; do
   run 0 "$feltline" inflate ring.svg -o "ring.$format"
   is_empty out
-  is_empty err
+  if [ "$format" = glb ]; then
+    is_empty err
+  else
+    [ "$(wc -l <err)" = 1 ] || fail "not one sentence about the whisker"
+    has err "ring.$format: the paint on the body was left out"
+  fi
   run 0 "$feltline" inflate - -o - --to "$format" <ring.svg
   same out "ring.$format"
 done
@@ -55,6 +60,13 @@ run 0 "$feltline" inflate ring.svg -o plain.glb --no-paint --png plain.png
 ! grep -q image/png plain.glb || fail "a texture"
 ! cmp -s plain.png ring.png || fail "no whisker on the body"
 
+# A file without the paint says so, and not if there is none.
+run 0 "$feltline" inflate ring.svg -o plain.stl --no-paint
+is_empty err
+same plain.stl ring.stl
+run 1 "$feltline" --strict inflate ring.svg -o strict.stl
+[ ! -e strict.stl ] || fail "a file without the whisker"
+
 # The edits of the body: a cut through the middle, which removes the left half; and one that does not fit.
 cat >edits.ndjson <<'END'
 {"t_ms":0,"event":"body","do":"add","kind":"cut","path":[[100,-140,0],[100,-10,0]]}
@@ -68,7 +80,10 @@ watertight edited.obj 2
 awk '$1 == "v" && $2 < -0.001 { exit 1 }' edited.obj || fail "the left half is still there"
 run 0 "$feltline" inflate edited.felt -o edited.glb --fill-holes
 grep -q COLOR_0 edited.glb || fail "nothing is painted"
-run 0 "$feltline" inflate edited.felt -o whole.obj --fill-holes --no-edits
+grep -q "painted line\|paint on the body" err && fail "the paint is in the .glb"
+run 0 "$feltline" inflate edited.felt -o edited.stl --fill-holes --no-paint
+has err "edited.stl: the paint on the body was left out"
+run 0 "$feltline" inflate edited.felt -o whole.obj --fill-holes --no-edits --no-paint
 is_empty err
 same whole.obj disc.obj
 

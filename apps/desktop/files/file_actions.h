@@ -109,7 +109,7 @@ class FileActions : public QObject {
   /// The save to `path()` has ended; `done` is true if it succeeded.
   void saved(bool done);
   /// The drawing was exported to this file, without the objects that the format cannot hold.
-  /// `changed` says what was changed for swell paper.
+  /// `changed` says what else differs: what was changed for swell paper, or the paint of a solid.
   void exported(const QString& path, const felt::LostObjects& lost, const QString& changed);
   /// Emitted after Studio::opened when another drawing is shown: opened, new or recovered.
   void drawing_changed();

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "desktop/engine/text_of.h"
 #include "desktop/solid/body_strokes.h"
+#include "desktop/solid/solid_words.h"
 
 namespace felt::desktop {
 namespace {
@@ -172,7 +172,7 @@ void BodyTools::begin_extrusion(BodyEdit edit, const std::vector<QPointF>& px) {
   if (px.size() < 3 || !is_closed(px)) return show_refusal(tr("The line is not closed."));
   edit.kind = BodyEditKind::kExtrude;
   Result<ExtrusionRing> ring = extrusion_ring(*scene_.solid(), edit);
-  if (!ring) return show_refusal(text_of(ring.error().message));
+  if (!ring) return show_refusal(solid_words(ring.error().message));
   std::vector<Vec3> shown = ring->points;
   shown.push_back(shown.front());
   extrusion_ = Extrusion{std::move(edit), *std::move(ring)};

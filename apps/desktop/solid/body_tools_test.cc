@@ -90,7 +90,7 @@ TEST_F(BodyToolsTest, ARefusedEditSaysWhyAndIsNotAdded) {
   panel_.tools().set_tool(BodyTool::kCut);
   drag({{200, 5}, {200, 200}});
   ASSERT_TRUE(waits());
-  EXPECT_TRUE(hint().contains(QLatin1String("the stroke ends on the body")))
+  EXPECT_TRUE(hint().contains(QLatin1String("The stroke ends on the body.")))
       << hint().toStdString();
   EXPECT_TRUE(edits().empty());
   EXPECT_DOUBLE_EQ(volume(), whole);

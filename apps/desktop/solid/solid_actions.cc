@@ -70,8 +70,16 @@ void export_solid(FileActions& files, const PaintedSolid& painted, SolidFormat f
     const Result<void> done = encoded.and_then([&](const std::string& bytes) {
       return write_file(QFile::encodeName(path).toStdString(), bytes);
     });
-    return [&files, path, done, window] {
-      if (done) return;
+    const bool loses = loses_paint(*painted.solid, format, painted.paint.get());
+    return [&files, path, done, loses, window] {
+      if (done) {
+        return Q_EMIT files.exported(
+            path, {},
+            loses ? solid_text(QT_TRANSLATE_NOOP("SolidActions",
+                                                 "The paint on the body was left out, because the "
+                                                 "format has none; glTF has it."))
+                  : QString());
+      }
       files.dialogs().show_error(
           window,
           solid_text(QT_TRANSLATE_NOOP("SolidActions", "“%1” was not exported"))

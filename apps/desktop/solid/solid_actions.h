@@ -18,7 +18,8 @@ struct PaintedSolid {
   std::shared_ptr<const FrontPaint> paint;
 };
 
-/// Writes a solid on the thread for files. An error is shown to the user.
+/// Writes a solid on the thread for files, and emits FileActions::exported, with a sentence if the
+/// format has no paint. An error is shown to the user.
 void export_solid(FileActions& files, const PaintedSolid& painted, SolidFormat format,
                   const QString& path, QWidget* window);
 

@@ -10,8 +10,8 @@
 
 #include "desktop/engine/grain_setting.h"
 #include "desktop/engine/settings.h"
-#include "desktop/engine/text_of.h"
 #include "desktop/solid/solid_setting_keys.h"
+#include "desktop/solid/solid_words.h"
 #include "felt/fill/fill_map.h"
 #include "felt/material/relief.h"
 #include "felt/solid/gap_search.h"
@@ -274,7 +274,7 @@ void SolidPanel::end_edit(const SolidAnswer& answer, bool is_current) {
   const std::optional<BodyEdit> edit = new_edit_;
   forget_edit();
   if (!is_current) return;
-  if (answer.new_edit_refusal) return tools_->show_refusal(text_of(*answer.new_edit_refusal));
+  if (answer.new_edit_refusal) return tools_->show_refusal(solid_words(*answer.new_edit_refusal));
   if (!answer.solid) return tools_->show_refusal(tr("The drawing has no body."));
   adds_edit_ = true;
   studio_.apply(BodyEvent{BodyEvent::Do::kAdd, {}, *edit});
@@ -302,7 +302,7 @@ void SolidPanel::show_answer(const SolidAnswer& answer) {
                                    : tr("The drawing has no body."));
   }
   QStringList notes;
-  for (const std::string& note : answer.notes) notes.push_back(text_of(note));
+  for (const std::string& note : answer.notes) notes.push_back(solid_words(note));
   if (is_empty) notes.clear();
   lines += notes.mid(0, kMaxNotes);
   if (notes.size() > kMaxNotes) lines.push_back(tr("and %1 more").arg(notes.size() - kMaxNotes));

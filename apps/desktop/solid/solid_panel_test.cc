@@ -170,7 +170,7 @@ TEST_F(SolidPanelTest, NamesWhatIsLeftOutAndOnlyCountsTheRest) {
   panel_.set_on(true);
   ASSERT_TRUE(waits());
   EXPECT_EQ(bodies(), 5U);
-  EXPECT_TRUE(words().contains(QStringLiteral("left out the smaller part: strokes s1 and s3")))
+  EXPECT_TRUE(words().contains(QStringLiteral("Left out the smaller part: strokes s1 and s3")))
       << words().toStdString();
   EXPECT_TRUE(words().contains(QStringLiteral("and 2 more"))) << words().toStdString();
 }
@@ -210,6 +210,34 @@ TEST_F(SolidPanelTest, ExportsInEveryFormat) {
   studio_.apply(UndoEvent{});
   ASSERT_TRUE(waits());
   EXPECT_FALSE(stl->isEnabled());
+}
+
+TEST_F(SolidPanelTest, AnExportWithoutThePaintSaysSo) {
+  add_solid_actions(fixture_.actions, *fixture_.files, panel_, &fixture_.window);
+  QStringList said;
+  QObject::connect(fixture_.files, &FileActions::exported, &panel_,
+                   [&said](const QString&, const LostObjects& lost, const QString& changed) {
+                     EXPECT_EQ(lost, LostObjects());
+                     said.push_back(changed);
+                   });
+  const auto export_as = [this](const char* name, const char* ending) {
+    fixture_.person->next = fixture_.at(name);
+    fixture_.actions.find(QStringLiteral("file.export_solid_") + QString::fromLatin1(ending))
+        ->trigger();
+    fixture_.files->finish_writing();
+  };
+  draw_square(studio_, {10, 10}, 40.0);
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  export_as("plain", "stl");
+  EXPECT_EQ(said, QStringList{QString()}) << "there is no paint";
+  said.clear();
+  draw_square(studio_, {25, 25}, 8.0);  // painted on the front
+  ASSERT_TRUE(waits());
+  for (const char* ending : {"stl", "obj", "3mf", "glb"}) export_as("body", ending);
+  ASSERT_EQ(said.size(), 4);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(said[i].contains(QStringLiteral("glTF has it")));
+  EXPECT_EQ(said[3], QString());
 }
 
 }  // namespace

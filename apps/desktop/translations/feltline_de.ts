@@ -1763,6 +1763,269 @@
         <source>“%1” was not exported</source>
         <translation>„%1“ wurde nicht exportiert</translation>
     </message>
+    <message>
+        <source>The paint on the body was left out, because the format has none; glTF has it.</source>
+        <translation>Die Farbe auf dem Körper wurde weggelassen, weil das Format keine hat; glTF hat sie.</translation>
+    </message>
+</context>
+<context>
+    <name>SolidWords</name>
+    <message>
+        <source>left out: edit %1 of the body, the cut that begins at (%2, %3) mm: %4</source>
+        <translation>weggelassen: Bearbeitung %1 des Körpers, der Schnitt, der bei (%2, %3) mm beginnt: %4</translation>
+    </message>
+    <message>
+        <source>left out: edit %1 of the body, the extrusion that begins at (%2, %3) mm: %4</source>
+        <translation>weggelassen: Bearbeitung %1 des Körpers, die Extrusion, die bei (%2, %3) mm beginnt: %4</translation>
+    </message>
+    <message>
+        <source>left out: edit %1 of the body, the painted line that begins at (%2, %3) mm: %4</source>
+        <translation>weggelassen: Bearbeitung %1 des Körpers, die gemalte Linie, die bei (%2, %3) mm beginnt: %4</translation>
+    </message>
+    <message>
+        <source>left out: edit %1 of the body, the smoothing that begins at (%2, %3) mm: %4</source>
+        <translation>weggelassen: Bearbeitung %1 des Körpers, die Glättung, die bei (%2, %3) mm beginnt: %4</translation>
+    </message>
+    <message>
+        <source>left out the smaller part: %1</source>
+        <translation>der kleinere Teil wurde weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>left out %1 small closed line, %2</source>
+        <translation>%1 kleine geschlossene Linie wurde weggelassen, %2</translation>
+    </message>
+    <message>
+        <source>left out %1 small closed lines, the largest %2</source>
+        <translation>%1 kleine geschlossene Linien wurden weggelassen, die größte %2</translation>
+    </message>
+    <message>
+        <source>every closed outline is too small or too narrow; the largest is that %1</source>
+        <translation>jeder geschlossene Umriss ist zu klein oder zu schmal; der größte ist der %1</translation>
+    </message>
+    <message>
+        <source>of stroke %1 at (%2, %3) mm, %4 x %5 mm</source>
+        <translation>des Strichs %1 bei (%2, %3) mm, %4 x %5 mm</translation>
+    </message>
+    <message>
+        <source>at (%1, %2) mm, %3 x %4 mm</source>
+        <translation>bei (%1, %2) mm, %3 x %4 mm</translation>
+    </message>
+    <message>
+        <source>contains no closed outline: there is a gap of %1 mm at (%2, %3) mm, at the end of stroke %4</source>
+        <translation>es gibt keinen geschlossenen Umriss: Bei (%2, %3) mm, am Ende des Strichs %4, ist eine Lücke von %1 mm</translation>
+    </message>
+    <message>
+        <source>contains no closed outline</source>
+        <translation>es gibt keinen geschlossenen Umriss</translation>
+    </message>
+    <message>
+        <source>contains no visible strokes</source>
+        <translation>es gibt keine sichtbaren Striche</translation>
+    </message>
+    <message>
+        <source>has more than 100,000 visible strokes</source>
+        <translation>es gibt mehr als 100.000 sichtbare Striche</translation>
+    </message>
+    <message>
+        <source>an option for solids is out of range</source>
+        <translation>eine Option für Körper liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>stroke %1 crosses itself at (%2, %3) mm, so its parts meet in only one point</source>
+        <translation>Strich %1 kreuzt sich bei (%2, %3) mm selbst, sodass seine Teile sich nur in einem Punkt berühren</translation>
+    </message>
+    <message>
+        <source>strokes %1 and %2 enclose areas that meet in only one point, (%3, %4) mm: let them overlap, or move them apart</source>
+        <translation>die Striche %1 und %2 umschließen Flächen, die sich nur in einem Punkt berühren, (%3, %4) mm: Lassen Sie sie überlappen, oder rücken Sie sie auseinander</translation>
+    </message>
+    <message>
+        <source>the outline of stroke %1 only touches its mirror axis at (%2, %3) mm</source>
+        <translation>der Umriss des Strichs %1 berührt seine Spiegelachse nur, bei (%2, %3) mm</translation>
+    </message>
+    <message>
+        <source>the outline of stroke %1 touches or crosses itself at (%2, %3) mm</source>
+        <translation>der Umriss des Strichs %1 berührt oder kreuzt sich selbst bei (%2, %3) mm</translation>
+    </message>
+    <message>
+        <source>the outline of stroke %1 is too narrow at (%2, %3) mm</source>
+        <translation>der Umriss des Strichs %1 ist bei (%2, %3) mm zu schmal</translation>
+    </message>
+    <message>
+        <source>stroke %1: %2</source>
+        <translation>Strich %1: %2</translation>
+    </message>
+    <message>
+        <source>the outline nearly touches itself at (%1, %2) mm</source>
+        <translation>der Umriss berührt sich fast selbst bei (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>the outline is too narrow at (%1, %2) mm</source>
+        <translation>der Umriss ist bei (%1, %2) mm zu schmal</translation>
+    </message>
+    <message>
+        <source>the surface is not closed at (%1, %2) mm</source>
+        <translation>die Oberfläche ist bei (%1, %2) mm nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the outline has equal points</source>
+        <translation>der Umriss hat gleiche Punkte</translation>
+    </message>
+    <message>
+        <source>the outline has no area</source>
+        <translation>der Umriss hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>the outline has too many narrow parts</source>
+        <translation>der Umriss hat zu viele schmale Stellen</translation>
+    </message>
+    <message>
+        <source>the outline cannot be filled: %1</source>
+        <translation>der Umriss kann nicht gefüllt werden: %1</translation>
+    </message>
+    <message>
+        <source>no point is on the border</source>
+        <translation>kein Punkt liegt auf dem Rand</translation>
+    </message>
+    <message>
+        <source>the heights of the body cannot be computed</source>
+        <translation>die Höhen des Körpers können nicht berechnet werden</translation>
+    </message>
+    <message>
+        <source>a coordinate of the body is not a number</source>
+        <translation>eine Koordinate des Körpers ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the body has no surface</source>
+        <translation>der Körper hat keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>the stroke does not touch a body</source>
+        <translation>der Strich trifft keinen Körper</translation>
+    </message>
+    <message>
+        <source>the stroke does not touch the body</source>
+        <translation>der Strich trifft den Körper nicht</translation>
+    </message>
+    <message>
+        <source>the stroke has no length</source>
+        <translation>der Strich hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the stroke is too long</source>
+        <translation>der Strich ist zu lang</translation>
+    </message>
+    <message>
+        <source>the stroke begins on the body</source>
+        <translation>der Strich beginnt auf dem Körper</translation>
+    </message>
+    <message>
+        <source>the stroke ends on the body</source>
+        <translation>der Strich endet auf dem Körper</translation>
+    </message>
+    <message>
+        <source>the stroke crosses itself</source>
+        <translation>der Strich kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>the stroke does not cut off a part of the body</source>
+        <translation>der Strich schneidet keinen Teil des Körpers ab</translation>
+    </message>
+    <message>
+        <source>the stroke turns too sharply beside the body</source>
+        <translation>der Strich biegt neben dem Körper zu scharf ab</translation>
+    </message>
+    <message>
+        <source>nothing of the body would remain</source>
+        <translation>vom Körper bliebe nichts übrig</translation>
+    </message>
+    <message>
+        <source>the cut runs along the surface of the body</source>
+        <translation>der Schnitt verläuft entlang der Oberfläche des Körpers</translation>
+    </message>
+    <message>
+        <source>the profile has too few points</source>
+        <translation>das Profil hat zu wenige Punkte</translation>
+    </message>
+    <message>
+        <source>the profile begins and ends at the same point</source>
+        <translation>das Profil beginnt und endet am selben Punkt</translation>
+    </message>
+    <message>
+        <source>the profile leads into the body</source>
+        <translation>das Profil führt in den Körper hinein</translation>
+    </message>
+    <message>
+        <source>the profile is too flat</source>
+        <translation>das Profil ist zu flach</translation>
+    </message>
+    <message>
+        <source>the closed line bends around the body too far</source>
+        <translation>die geschlossene Linie biegt sich zu weit um den Körper</translation>
+    </message>
+    <message>
+        <source>the body is too thin below the closed line</source>
+        <translation>der Körper ist unter der geschlossenen Linie zu dünn</translation>
+    </message>
+    <message>
+        <source>the extruded part would cross itself</source>
+        <translation>der extrudierte Teil würde sich selbst kreuzen</translation>
+    </message>
+    <message>
+        <source>the closed line has too few points</source>
+        <translation>die geschlossene Linie hat zu wenige Punkte</translation>
+    </message>
+    <message>
+        <source>the closed line has no length</source>
+        <translation>die geschlossene Linie hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the closed line crosses itself</source>
+        <translation>die geschlossene Linie kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>the closed line is not wholly on the body</source>
+        <translation>die geschlossene Linie liegt nicht ganz auf dem Körper</translation>
+    </message>
+    <message>
+        <source>the closed line encloses nothing</source>
+        <translation>die geschlossene Linie umschließt nichts</translation>
+    </message>
+    <message>
+        <source>the extruded part would touch the body elsewhere</source>
+        <translation>der extrudierte Teil würde den Körper an anderer Stelle berühren</translation>
+    </message>
+    <message>
+        <source>the extruded part runs along the surface of the body</source>
+        <translation>der extrudierte Teil verläuft entlang der Oberfläche des Körpers</translation>
+    </message>
+    <message>
+        <source>the painted line has no width</source>
+        <translation>die gemalte Linie hat keine Breite</translation>
+    </message>
+    <message>
+        <source>the surface cannot be smoothed there</source>
+        <translation>die Oberfläche kann dort nicht geglättet werden</translation>
+    </message>
+    <message>
+        <source>the smoothed surface would fold; smooth less at once</source>
+        <translation>die geglättete Oberfläche würde sich falten; glätten Sie weniger auf einmal</translation>
+    </message>
+    <message>
+        <source>parts of the body would meet in only a point or a line</source>
+        <translation>Teile des Körpers würden sich nur in einem Punkt oder einer Linie berühren</translation>
+    </message>
+    <message>
+        <source>the surface of the body crosses itself there</source>
+        <translation>die Oberfläche des Körpers kreuzt sich dort selbst</translation>
+    </message>
+    <message>
+        <source>the surfaces cannot be joined: %1</source>
+        <translation>die Oberflächen können nicht verbunden werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>Stability</name>

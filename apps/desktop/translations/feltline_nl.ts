@@ -1763,6 +1763,269 @@
         <source>“%1” was not exported</source>
         <translation>‘%1’ is niet geëxporteerd</translation>
     </message>
+    <message>
+        <source>The paint on the body was left out, because the format has none; glTF has it.</source>
+        <translation>De verf op het lichaam is weggelaten, omdat het formaat die niet heeft; glTF heeft die wel.</translation>
+    </message>
+</context>
+<context>
+    <name>SolidWords</name>
+    <message>
+        <source>left out: edit %1 of the body, the cut that begins at (%2, %3) mm: %4</source>
+        <translation>weggelaten: bewerking %1 van het lichaam, de snede die bij (%2, %3) mm begint: %4</translation>
+    </message>
+    <message>
+        <source>left out: edit %1 of the body, the extrusion that begins at (%2, %3) mm: %4</source>
+        <translation>weggelaten: bewerking %1 van het lichaam, de extrusie die bij (%2, %3) mm begint: %4</translation>
+    </message>
+    <message>
+        <source>left out: edit %1 of the body, the painted line that begins at (%2, %3) mm: %4</source>
+        <translation>weggelaten: bewerking %1 van het lichaam, de geschilderde lijn die bij (%2, %3) mm begint: %4</translation>
+    </message>
+    <message>
+        <source>left out: edit %1 of the body, the smoothing that begins at (%2, %3) mm: %4</source>
+        <translation>weggelaten: bewerking %1 van het lichaam, de gladding die bij (%2, %3) mm begint: %4</translation>
+    </message>
+    <message>
+        <source>left out the smaller part: %1</source>
+        <translation>het kleinere deel is weggelaten: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelaten: %1</translation>
+    </message>
+    <message>
+        <source>left out %1 small closed line, %2</source>
+        <translation>%1 kleine gesloten lijn is weggelaten, %2</translation>
+    </message>
+    <message>
+        <source>left out %1 small closed lines, the largest %2</source>
+        <translation>%1 kleine gesloten lijnen zijn weggelaten, de grootste %2</translation>
+    </message>
+    <message>
+        <source>every closed outline is too small or too narrow; the largest is that %1</source>
+        <translation>elke gesloten omtrek is te klein of te smal; de grootste is die %1</translation>
+    </message>
+    <message>
+        <source>of stroke %1 at (%2, %3) mm, %4 x %5 mm</source>
+        <translation>van streek %1 bij (%2, %3) mm, %4 x %5 mm</translation>
+    </message>
+    <message>
+        <source>at (%1, %2) mm, %3 x %4 mm</source>
+        <translation>bij (%1, %2) mm, %3 x %4 mm</translation>
+    </message>
+    <message>
+        <source>contains no closed outline: there is a gap of %1 mm at (%2, %3) mm, at the end of stroke %4</source>
+        <translation>er is geen gesloten omtrek: bij (%2, %3) mm, aan het einde van streek %4, zit een gat van %1 mm</translation>
+    </message>
+    <message>
+        <source>contains no closed outline</source>
+        <translation>er is geen gesloten omtrek</translation>
+    </message>
+    <message>
+        <source>contains no visible strokes</source>
+        <translation>er zijn geen zichtbare streken</translation>
+    </message>
+    <message>
+        <source>has more than 100,000 visible strokes</source>
+        <translation>er zijn meer dan 100.000 zichtbare streken</translation>
+    </message>
+    <message>
+        <source>an option for solids is out of range</source>
+        <translation>een optie voor lichamen valt buiten haar bereik</translation>
+    </message>
+    <message>
+        <source>stroke %1 crosses itself at (%2, %3) mm, so its parts meet in only one point</source>
+        <translation>streek %1 kruist zichzelf bij (%2, %3) mm, zodat haar delen elkaar maar in één punt raken</translation>
+    </message>
+    <message>
+        <source>strokes %1 and %2 enclose areas that meet in only one point, (%3, %4) mm: let them overlap, or move them apart</source>
+        <translation>de streken %1 en %2 omsluiten vlakken die elkaar maar in één punt raken, (%3, %4) mm: laat ze overlappen of zet ze verder uit elkaar</translation>
+    </message>
+    <message>
+        <source>the outline of stroke %1 only touches its mirror axis at (%2, %3) mm</source>
+        <translation>de omtrek van streek %1 raakt zijn spiegelas alleen maar, bij (%2, %3) mm</translation>
+    </message>
+    <message>
+        <source>the outline of stroke %1 touches or crosses itself at (%2, %3) mm</source>
+        <translation>de omtrek van streek %1 raakt of kruist zichzelf bij (%2, %3) mm</translation>
+    </message>
+    <message>
+        <source>the outline of stroke %1 is too narrow at (%2, %3) mm</source>
+        <translation>de omtrek van streek %1 is te smal bij (%2, %3) mm</translation>
+    </message>
+    <message>
+        <source>stroke %1: %2</source>
+        <translation>streek %1: %2</translation>
+    </message>
+    <message>
+        <source>the outline nearly touches itself at (%1, %2) mm</source>
+        <translation>de omtrek raakt bijna zichzelf bij (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>the outline is too narrow at (%1, %2) mm</source>
+        <translation>de omtrek is te smal bij (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>the surface is not closed at (%1, %2) mm</source>
+        <translation>het oppervlak is niet gesloten bij (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>the outline has equal points</source>
+        <translation>de omtrek heeft gelijke punten</translation>
+    </message>
+    <message>
+        <source>the outline has no area</source>
+        <translation>de omtrek heeft geen oppervlakte</translation>
+    </message>
+    <message>
+        <source>the outline has too many narrow parts</source>
+        <translation>de omtrek heeft te veel smalle delen</translation>
+    </message>
+    <message>
+        <source>the outline cannot be filled: %1</source>
+        <translation>de omtrek kan niet worden gevuld: %1</translation>
+    </message>
+    <message>
+        <source>no point is on the border</source>
+        <translation>geen punt ligt op de rand</translation>
+    </message>
+    <message>
+        <source>the heights of the body cannot be computed</source>
+        <translation>de hoogten van het lichaam kunnen niet worden berekend</translation>
+    </message>
+    <message>
+        <source>a coordinate of the body is not a number</source>
+        <translation>een coördinaat van het lichaam is geen getal</translation>
+    </message>
+    <message>
+        <source>the body has no surface</source>
+        <translation>het lichaam heeft geen oppervlak</translation>
+    </message>
+    <message>
+        <source>the stroke does not touch a body</source>
+        <translation>de streek raakt geen lichaam</translation>
+    </message>
+    <message>
+        <source>the stroke does not touch the body</source>
+        <translation>de streek raakt het lichaam niet</translation>
+    </message>
+    <message>
+        <source>the stroke has no length</source>
+        <translation>de streek heeft geen lengte</translation>
+    </message>
+    <message>
+        <source>the stroke is too long</source>
+        <translation>de streek is te lang</translation>
+    </message>
+    <message>
+        <source>the stroke begins on the body</source>
+        <translation>de streek begint op het lichaam</translation>
+    </message>
+    <message>
+        <source>the stroke ends on the body</source>
+        <translation>de streek eindigt op het lichaam</translation>
+    </message>
+    <message>
+        <source>the stroke crosses itself</source>
+        <translation>de streek kruist zichzelf</translation>
+    </message>
+    <message>
+        <source>the stroke does not cut off a part of the body</source>
+        <translation>de streek snijdt geen deel van het lichaam af</translation>
+    </message>
+    <message>
+        <source>the stroke turns too sharply beside the body</source>
+        <translation>de streek draait naast het lichaam te scherp</translation>
+    </message>
+    <message>
+        <source>nothing of the body would remain</source>
+        <translation>er zou niets van het lichaam overblijven</translation>
+    </message>
+    <message>
+        <source>the cut runs along the surface of the body</source>
+        <translation>de snede loopt langs het oppervlak van het lichaam</translation>
+    </message>
+    <message>
+        <source>the profile has too few points</source>
+        <translation>het profiel heeft te weinig punten</translation>
+    </message>
+    <message>
+        <source>the profile begins and ends at the same point</source>
+        <translation>het profiel begint en eindigt in hetzelfde punt</translation>
+    </message>
+    <message>
+        <source>the profile leads into the body</source>
+        <translation>het profiel loopt het lichaam in</translation>
+    </message>
+    <message>
+        <source>the profile is too flat</source>
+        <translation>het profiel is te vlak</translation>
+    </message>
+    <message>
+        <source>the closed line bends around the body too far</source>
+        <translation>de gesloten lijn buigt te ver om het lichaam</translation>
+    </message>
+    <message>
+        <source>the body is too thin below the closed line</source>
+        <translation>het lichaam is te dun onder de gesloten lijn</translation>
+    </message>
+    <message>
+        <source>the extruded part would cross itself</source>
+        <translation>het geëxtrudeerde deel zou zichzelf kruisen</translation>
+    </message>
+    <message>
+        <source>the closed line has too few points</source>
+        <translation>de gesloten lijn heeft te weinig punten</translation>
+    </message>
+    <message>
+        <source>the closed line has no length</source>
+        <translation>de gesloten lijn heeft geen lengte</translation>
+    </message>
+    <message>
+        <source>the closed line crosses itself</source>
+        <translation>de gesloten lijn kruist zichzelf</translation>
+    </message>
+    <message>
+        <source>the closed line is not wholly on the body</source>
+        <translation>de gesloten lijn ligt niet helemaal op het lichaam</translation>
+    </message>
+    <message>
+        <source>the closed line encloses nothing</source>
+        <translation>de gesloten lijn omsluit niets</translation>
+    </message>
+    <message>
+        <source>the extruded part would touch the body elsewhere</source>
+        <translation>het geëxtrudeerde deel zou het lichaam elders raken</translation>
+    </message>
+    <message>
+        <source>the extruded part runs along the surface of the body</source>
+        <translation>het geëxtrudeerde deel loopt langs het oppervlak van het lichaam</translation>
+    </message>
+    <message>
+        <source>the painted line has no width</source>
+        <translation>de geschilderde lijn heeft geen breedte</translation>
+    </message>
+    <message>
+        <source>the surface cannot be smoothed there</source>
+        <translation>het oppervlak kan daar niet glad worden gemaakt</translation>
+    </message>
+    <message>
+        <source>the smoothed surface would fold; smooth less at once</source>
+        <translation>het gladgemaakte oppervlak zou vouwen; maak minder tegelijk glad</translation>
+    </message>
+    <message>
+        <source>parts of the body would meet in only a point or a line</source>
+        <translation>delen van het lichaam zouden elkaar maar in een punt of een lijn raken</translation>
+    </message>
+    <message>
+        <source>the surface of the body crosses itself there</source>
+        <translation>het oppervlak van het lichaam kruist zichzelf daar</translation>
+    </message>
+    <message>
+        <source>the surfaces cannot be joined: %1</source>
+        <translation>de oppervlakken kunnen niet worden verbonden: %1</translation>
+    </message>
 </context>
 <context>
     <name>Stability</name>

@@ -194,6 +194,7 @@ int make_picture(const PictureRequest& request) {
                     }});
     if (!studio.use_device(shown_pen().id)) return 1;
   }
+  if (!request.file.isEmpty() && !window.files().open(request.file)) return 1;
   if (!request.example.isEmpty()) studio.open(example_document(request.example), Page{});
   if (!request.script.isEmpty()) {
     if (const QString wrong = play(studio, request); !wrong.isEmpty()) return complain(wrong);
@@ -207,7 +208,9 @@ int make_picture(const PictureRequest& request) {
   QWidget* seen = &window;
   const bool shows_ring = request.dialog == QStringLiteral("ring");
   const bool shows_touch = request.dialog == QStringLiteral("touch");
-  if (!request.dialog.isEmpty() && !shows_ring && !shows_touch) {
+  const bool shows_onion = request.dialog == QStringLiteral("onion");
+  if (shows_onion) window.actions().find(QStringLiteral("view.onion_skin"))->setChecked(true);
+  if (!request.dialog.isEmpty() && !shows_ring && !shows_touch && !shows_onion) {
     seen = open_dialog(window, request.dialog);
     if (!seen) return complain(QStringLiteral("there is no dialog \"%1\"").arg(request.dialog));
     seen->show();

@@ -105,6 +105,7 @@ PictureRequest picture_of(const QCommandLineParser& parser) {
   picture.script = value("script");
   if (parser.isSet(QStringLiteral("until-ms"))) picture.until_ms = value("until-ms").toLongLong();
   picture.example = value("example");
+  picture.file = parser.positionalArguments().value(0);
   picture.dialog = value("dialog");
   return picture;
 }

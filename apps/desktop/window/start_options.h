@@ -20,7 +20,10 @@ struct PictureRequest {
   QString script;                  ///< path of an event script that is played first
   std::optional<qint64> until_ms;  ///< script time at which the script stops; nullopt: at its end
   QString example;                 ///< id of an example that is opened before the script
-  QString dialog;                  ///< "preferences/pen", "shortcuts", "about", "guide", "tour/2"
+  QString file;                    ///< path of a drawing that is opened before the script
+  /// "preferences/pen", "shortcuts", "about", "guide", "tour/2"; or what the window shows itself:
+  /// "ring", "touch", "onion"
+  QString dialog;
 };
 
 /// The options of the command line.

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "felt/geometry/surface_proxy.h"
+#include "felt/haptics/pen_sample.h"
 
 namespace felt {
 
@@ -10,6 +11,7 @@ namespace felt {
 struct SolidTouch {
   SurfaceProxy proxy{};
   Vec3 pen_mm{};             ///< at the last tick
+  VelocityFilter motion{};   ///< of the pen, from its positions
   std::int64_t time_ns = 0;  ///< of the last tick
   std::uint32_t number = 0;  ///< SolidSurfaceOptions::number; 0: none
   /// The proxy follows the pen; false until the pen has been in front of the body.

@@ -313,6 +313,15 @@ LayerId highest_open_layer(const Document& document) noexcept {
   return open == layers.rend() ? LayerId{} : open->id;
 }
 
+Edit with_layers_hidden(Edit edit, std::span<const LayerId> hidden) {
+  for (LayerChange& c : edit.layers) {
+    if (!std::binary_search(hidden.begin(), hidden.end(), c.id)) continue;
+    if (c.before) c.before->visible = false;
+    if (c.after) c.after->visible = false;
+  }
+  return edit;
+}
+
 std::string copied_name(std::string_view name) {
   constexpr std::string_view kEnd = " copy";
   return std::string(utf8_prefix(name, kMaxLayerNameBytes - kEnd.size())).append(kEnd);

@@ -21,6 +21,9 @@ inline bool is_open(const Layer& layer) noexcept {
 /// if no layer is open.
 LayerId highest_open_layer(const Document& document) noexcept;
 
+/// Returns the edit with these layers hidden, before and after it. `hidden` is ascending.
+Edit with_layers_hidden(Edit edit, std::span<const LayerId> hidden);
+
 /// Returns the whole effect of a layer event on a document as one edit, which is one undo step. The
 /// edit is empty if nothing changes; for kUse it is always empty. If no open layer would remain,
 /// the edit also adds an open layer on top, because ink must never go to a layer that the user

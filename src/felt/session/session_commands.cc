@@ -240,15 +240,7 @@ void Session::set_view(std::vector<LayerId> out_of_view) {
 }
 
 Edit Session::seen_edit(Edit edit) const {
-  const auto hide = [](std::optional<LayerState>& state) {
-    if (state) state->visible = false;
-  };
-  for (LayerChange& c : edit.layers) {
-    if (!std::binary_search(out_of_view_.begin(), out_of_view_.end(), c.id)) continue;
-    hide(c.before);
-    hide(c.after);
-  }
-  return edit;
+  return with_layers_hidden(std::move(edit), out_of_view_);
 }
 
 Result<std::size_t> Session::find_tool(std::string_view id) const {

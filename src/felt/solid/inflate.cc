@@ -159,7 +159,9 @@ Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
   const auto max_points = static_cast<std::size_t>(20 * options_.triangles) + 400'000;
   const Result<PlaneMesh> mesh =
       fill_plane(sector->points, sector->edges, spec_.edge_mm, max_points);
-  if (!mesh) return error_at(mesh.error().message.c_str(), frame.centre);
+  if (!mesh) {
+    return tl::unexpected(with_context(mesh.error(), "stroke " + stroke_name(outline_.stroke)));
+  }
   return unfolded(*mesh, axes.count, options_.thickness, frame.centre, frame.x_axis)
       .and_then([&](SolidBody body) { return checked(std::move(body)); });
 }

@@ -62,6 +62,12 @@ Result<std::string> encode_solid(const Solid& solid, SolidFormat format, const F
   return fail(ErrorCode::kInvalidArgument, "unknown format of a solid");
 }
 
+bool loses_paint(const Solid& solid, SolidFormat format, const FrontPaint* paint) noexcept {
+  if (format == SolidFormat::kGlb) return false;
+  const auto is_painted = [](const SolidBody& body) { return !body.paint.empty(); };
+  return paint != nullptr || std::any_of(solid.bodies.begin(), solid.bodies.end(), is_painted);
+}
+
 Result<std::string> encode_stl(const Solid& solid) {
   const std::size_t count = triangle_count(solid);
   if (count > std::numeric_limits<std::uint32_t>::max()) {

@@ -28,6 +28,10 @@ std::optional<SolidFormat> solid_format_of(std::string_view name) noexcept;
 Result<std::string> encode_solid(const Solid& solid, SolidFormat format,
                                  const FrontPaint* paint = nullptr);
 
+/// Returns true if the bodies have paint that this format cannot contain: ink on the fronts
+/// (`paint` is not null), or painted lines.
+bool loses_paint(const Solid& solid, SolidFormat format, const FrontPaint* paint) noexcept;
+
 /// The encoders of the formats. Sources:
 /// <https://www.loc.gov/preservation/digital/formats/fdd/fdd000505.shtml>,
 /// <https://github.com/3MFConsortium/spec_core>,

@@ -252,6 +252,18 @@ TEST(SolidWriter, TheSameSolidGivesTheSameBytes) {
   }
 }
 
+TEST(SolidWriter, SaysWhichFormatsLoseThePaint) {
+  Solid solid = two_bodies();
+  const FrontPaint ink{Image::create(1, 1).value(), {}, 1.0};
+  for (const SolidFormat format : {SolidFormat::kStl, SolidFormat::kObj, SolidFormat::k3mf}) {
+    EXPECT_FALSE(loses_paint(solid, format, nullptr));
+    EXPECT_TRUE(loses_paint(solid, format, &ink));
+  }
+  solid.bodies[1].paint.assign(solid.bodies[1].points.size(), Rgba{});
+  EXPECT_TRUE(loses_paint(solid, SolidFormat::kStl, nullptr));
+  EXPECT_FALSE(loses_paint(solid, SolidFormat::kGlb, &ink));
+}
+
 TEST(SolidWriter, NamesOfFormatsAndErrors) {
   EXPECT_EQ(solid_format_of("STL"), SolidFormat::kStl);
   EXPECT_EQ(solid_format_of("3mf"), SolidFormat::k3mf);

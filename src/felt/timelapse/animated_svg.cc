@@ -168,10 +168,14 @@ Result<void> collect(const TimelapseSource& source, StrokeLives& lives, EndOfRec
   DrawingTime time;
   bool is_down = false;
   std::optional<std::int64_t> touched_ns;
+  std::vector<LayerId> hidden;
   const auto see_edits = [&] {
     const bool draws = session.tool().info().kind == ToolKind::kDraws;
     for (const Edit& edit : std::exchange(edits, {})) {
-      lives.see(edit, session.document(), time.now_ns(), draws ? touched_ns : std::nullopt);
+      lives.see(edit, session.seen(), time.now_ns(), draws ? touched_ns : std::nullopt);
+    }
+    if (std::exchange(hidden, session.out_of_view()) != hidden) {
+      lives.see_view(session.seen(), time.now_ns());
     }
   };
   const Result<void> done = play_source(source, session, [&](const Event& event) -> Result<void> {

@@ -106,6 +106,23 @@ TEST(AnimatedSvg, HiddenLayersHideTheirInk) {
   ASSERT_EQ(film.shapes.size(), 2U) << "the line is seen twice";
 }
 
+TEST(AnimatedSvg, LayersOutOfViewAreNotSeen) {
+  testing::DrawnRecording made;
+  made.line({10.0, 10.0}, {90.0, 10.0}, 30);
+  made.event(LayerEvent{.what = LayerEvent::Do::kAdd, .layer = {}});
+  made.event(UseView{{LayerId{1}}});
+  made.line({10.0, 60.0}, {90.0, 60.0}, 30);
+  made.event(UseView{});
+  FilmFile film;
+  read_film(made.take(), 10.0, film);
+  ASSERT_EQ(film.shapes.size(), 3U) << "the first line, again at the end, and the second line";
+  EXPECT_STREQ(film.shapes[0].attribute("display").value(), "none");
+  EXPECT_STREQ(film.shapes[1].attribute("display").value(), "");
+  const pugi::xml_node shown = animation(film.shapes[0], "display");
+  EXPECT_LT(seconds_of(shown, "begin") + seconds_of(shown, "dur"),
+            seconds_of(animation(film.shapes[1], "display"), "dur"));
+}
+
 TEST(AnimatedSvg, AnyRecordingGivesValidXml) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

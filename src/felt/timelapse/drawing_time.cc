@@ -15,8 +15,7 @@ bool is_unseen(const Event& event) {
         return std::is_same_v<What, SelectTool> || std::is_same_v<What, SetOption> ||
                std::is_same_v<What, SelectStrokes> || std::is_same_v<What, UseDevice> ||
                std::is_same_v<What, UseMaterial> || std::is_same_v<What, UseGuide> ||
-               std::is_same_v<What, UseEdges> || std::is_same_v<What, UseRing> ||
-               std::is_same_v<What, UseView>;
+               std::is_same_v<What, UseEdges> || std::is_same_v<What, UseRing>;
       },
       event.what);
 }

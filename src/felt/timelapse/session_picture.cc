@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/base/check.h"
+#include "felt/session/layer_edit.h"
 #include "felt/timelapse/shown_edit.h"
 
 namespace felt {
@@ -118,13 +119,31 @@ void SessionPicture::set_materials(const Materials& materials) {
 }
 
 Result<void> SessionPicture::apply(const Edit& edit) {
-  return scene_.apply(with_exported_pictures(edit), damage_);
+  return scene_.apply(with_exported_pictures(with_layers_hidden(edit, hidden_)), damage_);
+}
+
+/// Hides the layers that have gone out of view since the last picture, and shows the others.
+Result<void> SessionPicture::use_view_of(const Session& session) {
+  const std::vector<LayerId> before = std::exchange(hidden_, session.out_of_view());
+  if (before == hidden_) return {};
+  const auto has = [](const std::vector<LayerId>& ids, LayerId id) {
+    return std::binary_search(ids.begin(), ids.end(), id);
+  };
+  Edit edit;
+  for (std::size_t i = 0; i < session.document().layers().size(); ++i) {
+    const Layer& layer = session.document().layers()[i];
+    LayerChange change{layer.id, layer.state(), layer.state(), i, i};
+    if (has(before, layer.id)) change.before->visible = false;
+    if (has(hidden_, layer.id)) change.after->visible = false;
+    if (change.before != change.after) edit.layers.push_back(std::move(change));
+  }
+  return edit.empty() ? Result<void>() : scene_.apply(with_exported_pictures(edit), damage_);
 }
 
 Result<const Image*> SessionPicture::update(const Session& session) {
-  if (Result<void> shown = scene_.show(shown_edit(session), damage_); !shown) {
-    return tl::unexpected(shown.error());
-  }
+  const Result<void> shown =
+      use_view_of(session).and_then([&] { return scene_.show(shown_edit(session), damage_); });
+  if (!shown) return tl::unexpected(shown.error());
   set_materials(session.materials());
   repaint();
   return &image_;

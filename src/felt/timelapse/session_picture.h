@@ -20,9 +20,9 @@ namespace felt {
 ///   ... events ...
 ///   const Result<const Image*> frame = (*picture)->update(session);
 ///
-/// The picture is equal, byte for byte, to render_page() of the same document with the same options
-/// and PictureChoice::kMarked. While a gesture is in progress, that document is the one with
-/// shown_edit(). Not thread-safe.
+/// The picture is equal, byte for byte, to render_page() of Session::seen() with the same options
+/// and PictureChoice::kMarked: layers that are out of view are not shown. While a gesture is in
+/// progress, that document is the one with shown_edit(). Not thread-safe.
 class SessionPicture {
  public:
   /// Requires PageOptions::area. Fails like PagePainter::create.
@@ -42,6 +42,7 @@ class SessionPicture {
  private:
   SessionPicture(Image image, const View& view, const PageOptions& page, const Document& start);
   void set_materials(const Materials& materials);
+  Result<void> use_view_of(const Session& session);
   void repaint();
   void paint(PixelRect part);
   [[nodiscard]] std::vector<PixelRect> damaged_parts() const;
@@ -53,6 +54,7 @@ class SessionPicture {
   InkScene scene_;
   TilePainter painter_;
   InkDamage damage_;
+  std::vector<LayerId> hidden_;  // out of view in the picture, ascending
   std::int64_t painted_ = 0;
 };
 

@@ -106,7 +106,7 @@ std::optional<Edit> shown_edit(const Session& session) {
     }
   }
   if (edit.empty()) return std::nullopt;
-  return with_exported_pictures(std::move(edit));
+  return with_exported_pictures(session.seen_edit(std::move(edit)));
 }
 
 Edit with_exported_pictures(Edit edit) {

@@ -33,7 +33,11 @@ void StrokeLives::see(const Edit& edit, const Document& document, std::int64_t n
 }
 
 void StrokeLives::see_start(const Document& document) {
-  for (const Layer& layer : document.layers()) see_layer(layer, document, 0);
+  see_view(document, 0);
+}
+
+void StrokeLives::see_view(const Document& seen, std::int64_t now_ns) {
+  for (const Layer& layer : seen.layers()) see_layer(layer, seen, now_ns);
 }
 
 void StrokeLives::see_layer(const Layer& layer, const Document& document, std::int64_t now_ns) {

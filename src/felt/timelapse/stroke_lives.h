@@ -26,8 +26,10 @@ class StrokeLives {
  public:
   /// Call first, if the session does not begin with an empty document.
   void see_start(const Document& document);
-  /// Call after each edit with the document after it. `drawn_from_ns` is the time at which the pen
-  /// began to draw the strokes that the edit adds; nullopt if it did not draw them.
+  /// Call when other layers have come into view, with Session::seen().
+  void see_view(const Document& seen, std::int64_t now_ns);
+  /// Call after each edit with the document as it is seen after it. `drawn_from_ns` is the time at
+  /// which the pen began to draw the strokes that the edit adds; nullopt if it did not draw them.
   void see(const Edit& edit, const Document& document, std::int64_t now_ns,
            std::optional<std::int64_t> drawn_from_ns);
 

@@ -30,7 +30,7 @@ PageOptions page_of(int width_px, int height_px) {
 
 /// Returns the document as a film shows it: with the gesture in progress.
 Document shown_document(const Session& session) {
-  Document shown = session.document();
+  Document shown = session.seen();
   const std::optional<Edit> edit = shown_edit(session);
   EXPECT_TRUE(!edit || shown.apply(*edit));
   return shown;
@@ -135,6 +135,35 @@ TEST(Timelapse, R57_LinesHaveTheStyleOfAMediumInTheRecording) {
   EXPECT_EQ(*last, dashed);
   const std::string svg = animated_svg(source, timing, {{0.0, 0.0, 100.0, 70.0}}).value();
   EXPECT_GT(std::count(svg.begin(), svg.end(), 'z'), 5) << "a path for each dash";
+}
+
+/// With an onion skin, a film shows the key drawing that the window showed.
+TEST(Timelapse, ShowsOnlyTheKeyDrawingsThatWereInView) {
+  testing::DrawnRecording made;
+  made.line({10.0, 10.0}, {90.0, 10.0}, 20);
+  made.event(LayerEvent{.what = LayerEvent::Do::kAdd, .layer = {}});
+  made.event(UseView{{LayerId{1}}});
+  made.line({10.0, 60.0}, {90.0, 60.0}, 20);
+  testing::DrawnRecording whole = made;
+  whole.event(UseView{});
+  const auto last_frame = [](const TimelapseSource& source) {
+    std::vector<Image> frames;
+    const FilmTiming timing(measure_recording(source.recording).drawing_ns, {2.0, 24, 0.5});
+    EXPECT_TRUE(play_timelapse(source, timing, page_of(200, 140), [&](const Image& frame) {
+      frames.push_back(frame);
+      return Result<void>();
+    }));
+    return frames.back();
+  };
+  const TimelapseSource source{made.take()};
+  Document seen = survey_recording(source).value().end.document;
+  const Image all = render_page(seen, page_of(200, 140), PictureChoice::kMarked).value();
+  LayerState hidden = seen.layer(LayerId{1})->state();
+  hidden.visible = false;
+  ASSERT_TRUE(seen.apply({"", {}, {{LayerId{1}, seen.layer(LayerId{1})->state(), hidden, 0, 0}}}));
+  EXPECT_EQ(last_frame(source),
+            render_page(seen, page_of(200, 140), PictureChoice::kMarked).value());
+  EXPECT_EQ(last_frame(TimelapseSource{whole.take()}), all) << "the view has ended";
 }
 
 TEST(Timelapse, EveryStrokeIsSeenByTheEndAndTheLastFrameIsTheDrawing) {

@@ -14,7 +14,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
-FuzzWorld::FuzzWorld(std::uint64_t seed) : random_(seed) {
+FuzzWorld::FuzzWorld(std::uint64_t seed) : random_(seed), body_(random_, {}) {
   const std::uint64_t mood = below(10);
   mood_ = mood < 4 ? Mood::kClean : mood < 8 ? Mood::kRough : Mood::kWild;
   hand_ = static_cast<Hand>(below(static_cast<std::uint64_t>(Hand::kCount)));
@@ -31,6 +31,11 @@ FuzzWorld::FuzzWorld(std::uint64_t seed) : random_(seed) {
   stiffness_ = std::pow(10.0, random_.between(2.0, 5.0));
   if (hand_ == Hand::kSweep) velocity_ = any_way(random_.between(100.0, 1300.0));
   position_ = last_position_ = {random_.between(-50, 50), random_.between(-50, 50), 1.0};
+  body_ = FuzzBody(random_, position_);
+  if (mood_ != Mood::kClean && chance(0.3)) {
+    lie_ = static_cast<Lie>(below(static_cast<std::uint64_t>(Lie::kCount)));
+    frozen_velocity_ = any_way(random_.between(0.0, 900.0));
+  }
 }
 
 void FuzzWorld::choose_limits() {
@@ -140,6 +145,9 @@ PenSample FuzzWorld::sense(double dt_s) {
   }
   if (frozen_ticks_ > 0) --frozen_ticks_;
   if (reports_velocity_ && dt_s > 0.0) sample.velocity = velocity_;
+  if (lie_ == Lie::kReversed) sample.velocity = -1.0 * sample.velocity;
+  if (lie_ == Lie::kTenfold) sample.velocity = 10.0 * sample.velocity;
+  if (lie_ == Lie::kFrozen) sample.velocity = frozen_velocity_;
   spoil(sample);
   last_position_ = sample.position;
   return sample;
@@ -206,7 +214,7 @@ TickInput FuzzWorld::next(const SafetyReport& report, const Force& sent) {
   return in;
 }
 
-Force FuzzWorld::asked(const PenSample& sample, const StiffnessScale& scale) {
+Force FuzzWorld::asked(const PenSample& sample, const StiffnessScale& scale, double dt_s) {
   if (tick_ <= calm_until_) return {};
   const double odds = mood_ == Mood::kWild ? 0.0005 : mood_ == Mood::kRough ? 0.0001 : 0.0;
   if (chance(odds)) {
@@ -237,6 +245,8 @@ Force FuzzWorld::asked(const PenSample& sample, const StiffnessScale& scale) {
       const double huge = std::pow(10.0, random_.between(-320.0, 308.0));
       return {huge * constant_.x / 8.0, -huge, chance(0.5) ? huge : 0.0};
     }
+    case Model::kBody:
+      return body_.asked(sample, scale, dt_s, random_);
     case Model::kCount:
       break;
   }

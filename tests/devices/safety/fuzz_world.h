@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "felt/base/random.h"
+#include "tests/devices/safety/fuzz_body.h"
 #include "tests/devices/safety/tick_record.h"
 
 namespace felt::safety {
@@ -23,8 +24,11 @@ class FuzzWorld {
   /// Advances by one tick and returns its inputs. `report` and `sent` are the chain's report and
   /// force of the tick before.
   TickInput next(const SafetyReport& report, const Force& sent);
-  /// Returns the force that the model requests, which is often too large.
-  Force asked(const PenSample& sample, const StiffnessScale& scale);
+  /// Returns the force that the model requests, which is often too large. `dt_s`: the time that
+  /// the chain gives to models.
+  Force asked(const PenSample& sample, const StiffnessScale& scale, double dt_s);
+  /// Returns the rule that the body under the pen broke, or null.
+  [[nodiscard]] const char* broken_by_body() const { return body_.broken(); }
 
  private:
   enum class Mood : std::uint8_t { kClean, kRough, kWild };
@@ -38,8 +42,11 @@ class FuzzWorld {
     kRandom,
     kFlip,
     kHuge,
+    kBody,
     kCount
   };
+  /// How the device is wrong about the velocity, in all ticks of an episode.
+  enum class Lie : std::uint8_t { kNone, kReversed, kFrozen, kTenfold, kCount };
 
   bool chance(double p) { return random_.between(0.0, 1.0) < p; }
   std::uint64_t below(std::uint64_t n) { return random_.bits() % n; }
@@ -63,6 +70,8 @@ class FuzzWorld {
   double next_beat_s_ = 0.0;
   double silent_until_s_ = -1.0;
   bool reports_velocity_ = true;
+  Lie lie_ = Lie::kNone;
+  Vec3 frozen_velocity_;
   Vec3 position_, velocity_, aim_, last_position_;
   double amplitude_mm_ = 10.0;
   double rate_hz_ = 2.0;
@@ -72,6 +81,7 @@ class FuzzWorld {
   int calm_until_ = 12;
   Force constant_;
   double stiffness_ = 500.0;
+  FuzzBody body_;
 };
 
 }  // namespace felt::safety

@@ -49,7 +49,7 @@ TickOutput tick(SafetyChain& chain, FuzzWorld& world, const TickInput& in) {
   } else {
     out.admitted = chain.admit(in.sample);
     out.scale = chain.budget(in.slopes);
-    if (out.admitted) out.asked = world.asked(in.sample, out.scale);
+    if (out.admitted) out.asked = world.asked(in.sample, out.scale, out.model_dt_s);
     out.sent = chain.limit(out.asked, in.sample);
   }
   out.after = chain.report();
@@ -81,7 +81,9 @@ bool run_episode(const Options& options, std::uint64_t episode, Totals& totals) 
     sent = out.sent;
     totals.add(out);
     if (options.trace) print_tick(i, in, out);
-    if (const char* rule = oracle.check(in, out)) {
+    const char* rule = oracle.check(in, out);
+    if (!rule) rule = world.broken_by_body();
+    if (rule) {
       std::printf("broken rule: %s\n", rule);
       print_tick(i, in, out);
       std::printf("repeat: safety_fuzz --seed %llu --episode %llu --trace\n",

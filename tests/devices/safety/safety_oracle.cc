@@ -228,9 +228,9 @@ bool SafetyOracle::is_too_fast(const TickInput& in, const TickOutput& out) {
   full_run_ = is_full ? full_run_ + 1 : 0;
   const Vec3& p = in.sample.position;
   const Vec3& q = before_;
-  double speed = 0.0;
-  if (full_run_ >= 3)
-    speed = length(Vec3{p.x - q.x, p.y - q.y, p.z - q.z}) * 1e-3 / std::max(dt_s_, 0.0002);
+  const double per_s = 1e-3 / std::max(dt_s_, 0.0002);
+  moved_m_per_s_ = {per_s * (p.x - q.x), per_s * (p.y - q.y), per_s * (p.z - q.z)};
+  double speed = full_run_ >= 3 ? length(moved_m_per_s_) : 0.0;
   before_ = p;
   if (!out.admitted || held_) {
     fast_ticks_ = 0;
@@ -345,7 +345,10 @@ const char* SafetyOracle::check_brake(const TickInput& in, const TickOutput& out
   const bool steady = out.admitted && out.after.state == SafetyState::kActive && speed > 0.7 &&
                       speed < 0.99 && is_none(out.asked) && limits_.continuous_force_n == 0.0 &&
                       limits_.peak_force_n > 0.5 && limits_.max_damping_n_s_per_m == 0.0;
-  braked_ticks_ = steady ? braked_ticks_ + 1 : 0;
+  // If the positions contradict the reported velocity, the pen may be braked against either.
+  const Vec3& m = moved_m_per_s_;
+  const bool agrees = length(m) <= 1.001 * speed && m.x * v.x + m.y * v.y + m.z * v.z >= 0.0;
+  braked_ticks_ = steady && agrees ? braked_ticks_ + 1 : 0;
   if (braked_ticks_ < 60) return nullptr;
   const double along = (out.sent.x * v.x + out.sent.y * v.y + out.sent.z * v.z) / length(v);
   return along > -0.2 ? "from 0.6 m/s the pen is braked" : nullptr;

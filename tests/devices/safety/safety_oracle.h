@@ -57,7 +57,8 @@ class SafetyOracle {
   double silent_s_ = 0.0;         // time since the last new sample
   bool held_ = false;
   double held_s_ = 0.0;
-  Vec3 before_;  // position of the tick before
+  Vec3 before_;         // position of the tick before
+  Vec3 moved_m_per_s_;  // since the tick before, from the positions
   int full_run_ = 0;
   int fast_ticks_ = 0;
 

@@ -51,7 +51,8 @@ void SolidSurface::change_body(SolidTouch& touch) const noexcept {
 }
 
 bool SolidSurface::follow(const PenSample& sample, double friction,
-                          SolidTouch& touch) const noexcept {
+                          ForceMemory& memory) const noexcept {
+  SolidTouch& touch = memory.solid;
   const Vec3& pen = sample.position;
   if (!is_finite(pen)) return false;
   // Compares instead of subtracting, as Plane does.
@@ -59,6 +60,8 @@ bool SolidSurface::follow(const PenSample& sample, double friction,
                         sample.time_ns - kGapNs <= touch.time_ns &&
                         norm(pen - touch.pen_mm) <= kLostMm;
   touch.is_outside = touch.is_outside && is_fresh;
+  if (!is_fresh) touch.motion.reset();
+  touch.motion.update(pen, memory.dt_s);
   touch.pen_mm = pen;
   touch.time_ns = sample.time_ns;
   if (touch.number != options_.number) change_body(touch);
@@ -88,7 +91,7 @@ Force SolidSurface::operator()(const PenSample& sample, ForceMemory& memory) con
   const double cone = along > 0.0 ? mu * across / along : 0.0;
   touch.friction_factor = 1.0;
   Force force;
-  if (follow(sample, cone, touch)) {
+  if (follow(sample, cone, memory)) {
     force = across_and_along(sample, across, along, memory);
   } else {
     memory.terms.add("plane", {});
@@ -106,7 +109,8 @@ Force SolidSurface::across_and_along(const PenSample& sample, double across_n_pe
   const auto at_most = [&](double n) {
     return options_.max_force_n > 0.0 ? std::min(n, options_.max_force_n) : n;
   };
-  const double speed = dot(sample.velocity, normal);
+  const Vec3 velocity = touch.motion.velocity();
+  const double speed = dot(velocity, normal);
   const double brake = 1e-3 * options_.plane.damping_n_s_per_m *
                        std::clamp(speed, -kFastestAcrossMmPerS, kFastestAcrossMmPerS);
   memory.spring_force_n = at_most(across_n_per_mm * depth);
@@ -114,13 +118,14 @@ Force SolidSurface::across_and_along(const PenSample& sample, double across_n_pe
 
   PenSample on_surface = sample;
   on_surface.position = touch.proxy.place();
+  on_surface.velocity = velocity;
   grain_(on_surface, memory);  // sets the factor of the friction
   touch.friction_factor = std::max(0.0, memory.friction_factor);
   memory.friction_factor = 1.0;
   const double limit_n =
       options_.friction.coefficient * touch.friction_factor * memory.normal_force_n;
   const Vec3 stretch = offset - dot(offset, normal) * normal;
-  const Vec3 slip = known_part(sample.velocity - speed * normal);
+  const Vec3 slip = known_part(velocity - speed * normal);
   // The share of the budget scales the damper with the bristle, as in Friction.
   const double share = options_.friction.stiffness_n_per_m > 0.0
                            ? 1e3 * along_n_per_mm / options_.friction.stiffness_n_per_m

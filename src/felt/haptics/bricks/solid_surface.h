@@ -30,6 +30,9 @@ struct SolidSurfaceOptions {
 ///   Fn = max(0, min(K depth, max_force_n) - B vn),  at most max_force_n    vn: velocity along n
 ///   F  = Fn n + (k t - d vt, shortened to mu Fn)                   vt: known part of the velocity
 ///
+/// The velocity is computed from the positions, as that of the Plane. With the reported one, a
+/// device that reports a wrong velocity, or none, would make the surface active or let it hum.
+///
 /// K and B are those of a plane, k, d and mu those of Friction. The proxy sticks while k |t| <= mu
 /// K depth and otherwise follows at that distance. So Fn never pulls the pen in, the friction
 /// removes energy like that of a plane, and no speed carries the pen through.
@@ -63,7 +66,7 @@ class SolidSurface {
   [[nodiscard]] bool is_free_in_front(const Vec3& point) const noexcept;
   void change_body(SolidTouch& touch) const noexcept;
   [[nodiscard]] bool follow(const PenSample& sample, double friction,
-                            SolidTouch& touch) const noexcept;
+                            ForceMemory& memory) const noexcept;
   [[nodiscard]] Force across_and_along(const PenSample& sample, double across_n_per_mm,
                                        double along_n_per_mm, ForceMemory& memory) const noexcept;
 

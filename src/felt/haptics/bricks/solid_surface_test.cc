@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "felt/base/constants.h"
@@ -37,10 +38,9 @@ SolidSurfaceOptions options_without_damping(double mu = 0.0, std::uint32_t numbe
           .number = number};
 }
 
-Force feel(const SolidSurface& surface, ForceMemory& memory, const Vec3& pen,
-           const Vec3& velocity = {}) {
+Force feel(const SolidSurface& surface, ForceMemory& memory, const Vec3& pen) {
   memory.begin_tick(0.001);
-  return surface(rig::pen_at(pen, velocity), memory);
+  return surface(rig::pen_at(pen), memory);
 }
 // Moves the pen in a straight line with 0.1 mm a tick and returns the last force.
 Force feel_along(const SolidSurface& surface, ForceMemory& memory, const Vec3& from,
@@ -77,11 +77,19 @@ TEST(SolidSurface, R11_BrakesAPenThatGoesInAndNeverPullsOneThatGoesOut) {
   SolidSurfaceOptions options = options_without_damping();
   options.plane.damping_n_s_per_m = 2.0;
   const SolidSurface surface(ball(), options);
-  ForceMemory memory;
-  feel_along(surface, memory, {0, 0, 21}, {0, 0, 19});
-  EXPECT_NEAR(feel(surface, memory, {0, 0, 19}, {0, 0, -100}).z, 0.5 + 0.2, 0.01);
-  EXPECT_NEAR(feel(surface, memory, {0, 0, 19}, {0, 0, 100}).z, 0.5 - 0.2, 0.01);
-  EXPECT_EQ(feel(surface, memory, {0, 0, 19}, {0, 0, 400}), Force{});
+  const auto at_19_mm = [&](double from_mm, double mm_per_tick) {
+    ForceMemory memory;
+    feel_along(surface, memory, {0, 0, 21}, {0, 0, from_mm});
+    Force force;
+    for (int i = 0; i < 20; ++i) feel(surface, memory, {0, 0, from_mm});
+    const int ticks = static_cast<int>(std::lround((19.0 - from_mm) / mm_per_tick));
+    for (int i = 1; i <= ticks; ++i)
+      force = feel(surface, memory, {0, 0, from_mm + mm_per_tick * i});
+    return force;
+  };
+  EXPECT_NEAR(at_19_mm(21, -0.1).z, 0.5 + 0.2, 0.01);
+  EXPECT_NEAR(at_19_mm(17, 0.1).z, 0.5 - 0.2, 0.01);
+  EXPECT_EQ(at_19_mm(17, 0.4), Force{});
 }
 
 TEST(SolidSurface, R13_SlidesWithTheFrictionOfThePlane) {
@@ -201,7 +209,7 @@ RC_GTEST_PROP(SolidSurface, R12_IsPassiveOnAnyClosedPath, (std::uint64_t seed)) 
       const Vec3 next = i == 0 ? to : pen + step;
       work += work_mj(held, next - pen);
       pen = next;
-      held = feel(surface, memory, pen, 1e3 * step);
+      held = feel(surface, memory, pen);
     }
   };
   for (int i = 0; i < 20; ++i) {
@@ -245,6 +253,17 @@ RC_GTEST_PROP(SolidSurface, R49_IsFiniteAndBoundedWhateverTheSamplesSay, (std::u
   }
 }
 
+// Where a hand aims that lands on the ball and then draws along a meridian, down a flank.
+auto path_over_ball(const rig::Hand& hand) {
+  const double depth = -rig::aim_z_mm(hand, 0.5, 500.0);
+  return [depth](double t) -> Vec3 {
+    const double tilt = t < 1.0 ? 0.0 : std::min(0.6 * (t - 1.0), 0.9);
+    const double land = std::min(t / 0.5, 1.0);
+    const double r = kTop_mm + 2 - (2 + depth) * land * land * (3 - 2 * land);
+    return {r * std::sin(tilt), 0, r * std::cos(tilt)};
+  };
+}
+
 TEST(SolidSurface, R12_R56_IsCalmAndPassiveInEveryGrip) {
   const SurfaceMaterial& paper = surface_materials()[0];
   for (const double period_s : {0.0002, 0.001}) {
@@ -252,15 +271,8 @@ TEST(SolidSurface, R12_R56_IsCalmAndPassiveInEveryGrip) {
       rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
         const ForceModel model(
             make_solid_surface(ball(), paper, media()[0], setup.capabilities(), 1));
-        // Along a meridian: on top, then down a flank.
         rig::Bench bench(setup, model, {0, 0, kTop_mm + 2});
-        const double depth = -rig::aim_z_mm(setup.hand, 0.5, 500.0);
-        const auto target = [&](double t) -> Vec3 {
-          const double tilt = t < 1.0 ? 0.0 : std::min(0.6 * (t - 1.0), 0.9);
-          const double land = std::min(t / 0.5, 1.0);
-          const double r = kTop_mm + 2 - (2 + depth) * land * land * (3 - 2 * land);
-          return {r * std::sin(tilt), 0, r * std::cos(tilt)};
-        };
+        const auto target = path_over_ball(setup.hand);
         bench.run(0.8, target);
         bench.begin_measuring();
         bench.run(2.0, target);
@@ -270,6 +282,45 @@ TEST(SolidSurface, R12_R56_IsCalmAndPassiveInEveryGrip) {
       });
     }
   }
+}
+
+// A device that reports a wrong velocity.
+struct WrongVelocity {
+  SolidSurface surface;
+  double factor = 1.0;
+  Vec3 added{};
+
+  Force operator()(PenSample sample, ForceMemory& memory) const noexcept {
+    sample.velocity = factor * sample.velocity + added;
+    return surface(sample, memory);
+  }
+  [[nodiscard]] Slopes slopes() const noexcept { return surface.slopes(); }
+};
+
+TEST(SolidSurface, R12_R49_AWrongVelocityOfTheDeviceDoesNotMakeTheSurfaceActive) {
+  const auto felt = [](const rig::Setup& setup, double factor, const Vec3& added) {
+    const auto body =
+        make_solid_surface(ball(), surface_materials()[0], media()[0], setup.capabilities(), 1);
+    rig::Bench bench(setup, ForceModel(WrongVelocity{body, factor, added}), {0, 0, kTop_mm + 2});
+    const auto target = path_over_ball(setup.hand);
+    bench.run(0.8, target);
+    bench.begin_measuring();
+    bench.run(2.0, target);
+    return bench.figures();
+  };
+  rig::for_each_grip(0.001, 1, [&](const rig::Setup& setup) {
+    const rig::Figures right = felt(setup, 1.0, {});
+    EXPECT_LT(right.hf_n, 0.03) << setup.name();
+    EXPECT_LT(right.energy_mj, 1.0) << setup.name();
+    for (const auto& [name, factor, added] : {std::tuple{"none", 0.0, Vec3{}},
+                                              {"wrong sign", -1.0, Vec3{}},
+                                              {"tenfold", 10.0, Vec3{}},
+                                              {"frozen", 0.0, Vec3{30, 0, -80}}}) {
+      const rig::Figures wrong = felt(setup, factor, added);
+      EXPECT_EQ(wrong.hf_n, right.hf_n) << setup.name() << ", " << name;
+      EXPECT_EQ(wrong.energy_mj, right.energy_mj) << setup.name() << ", " << name;
+    }
+  });
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ class DrawnRecording {
 };
 
 /// Returns a recording with everything that changes pictures, in a random order: strokes in three
-/// layers and several colours, opacities, blend modes, hidden layers, pulls, erasing, undo and
-/// redo.
+/// layers and several colours, opacities, blend modes, layers that are hidden or out of view,
+/// pulls, erasing, undo and redo.
 inline FeltRecording random_recording(std::uint64_t seed, int steps) {
   Random random(seed);
   DrawnRecording made;
@@ -69,7 +69,7 @@ inline FeltRecording random_recording(std::uint64_t seed, int steps) {
   int drawn = 0;  // steps that an undo may take back without removing a layer
   for (int i = 0; i < steps; ++i) {
     layer = LayerId{1 + static_cast<std::uint64_t>(pick(3))};
-    switch (pick(12)) {
+    switch (pick(14)) {
       case 0:
         made.event(SetOption{"ink.color", std::string(pick(2) == 0 ? "#c0304080" : "#204080")});
         break;
@@ -97,6 +97,9 @@ inline FeltRecording random_recording(std::uint64_t seed, int steps) {
         break;
       case 7:
         change_layer(pick(2) == 0 ? LayerEvent::Do::kHide : LayerEvent::Do::kShow);
+        break;
+      case 8:
+        made.event(pick(3) == 0 ? UseView{} : UseView{{layer}});
         break;
       default:
         made.line(point(), point(), 5 + pick(60));
