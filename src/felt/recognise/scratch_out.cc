@@ -35,8 +35,8 @@ MainAxis main_axis(std::span<const Point> path) noexcept {
 }
 
 /// Returns the indices at which the path turns back along the axis, with both ends. A turn counts
-/// if the path goes by more than `run_mm` before it and after it, so a hook at an end is part of its
-/// pass.
+/// if the path goes by more than `run_mm` before it and after it, so a hook at an end is part of
+/// its pass.
 std::vector<std::size_t> turns_of(std::span<const Point> path, Vec axis, double run_mm) {
   const auto at = [&](std::size_t i) { return dot(path[i] - path[0], axis); };
   std::vector<std::size_t> turns{0};
