@@ -32,7 +32,7 @@ FuzzWorld::FuzzWorld(std::uint64_t seed) : random_(seed), body_(random_, {}) {
   if (hand_ == Hand::kSweep) velocity_ = any_way(random_.between(100.0, 1300.0));
   position_ = last_position_ = {random_.between(-50, 50), random_.between(-50, 50), 1.0};
   body_ = FuzzBody(random_, position_);
-  if (mood_ != Mood::kClean && chance(0.3)) {
+  if (mood_ != Mood::kClean && chance(0.6)) {
     lie_ = static_cast<Lie>(below(static_cast<std::uint64_t>(Lie::kCount)));
     frozen_velocity_ = any_way(random_.between(0.0, 900.0));
   }
@@ -145,7 +145,7 @@ PenSample FuzzWorld::sense(double dt_s) {
   }
   if (frozen_ticks_ > 0) --frozen_ticks_;
   if (reports_velocity_ && dt_s > 0.0) sample.velocity = velocity_;
-  if (lie_ == Lie::kReversed) sample.velocity = -1.0 * sample.velocity;
+  if (lie_ == Lie::kReversed) sample.velocity = -1.2 * sample.velocity;
   if (lie_ == Lie::kTenfold) sample.velocity = 10.0 * sample.velocity;
   if (lie_ == Lie::kFrozen) sample.velocity = frozen_velocity_;
   spoil(sample);

@@ -33,7 +33,10 @@ felt_plant(no_jump safety_chain.cc "switch (jumps_.judge(sample.position, time_)
 felt_plant(jumps_last safety_guards.cc "return too_long ? PositionVerdict::kFault : PositionVerdict::kHeld"
   "return PositionVerdict::kHeld")
 felt_plant(no_silent_damping safety_chain.cc
-  "wants_damping_only() ? damping(sample.velocity) : asked" "asked")
+  "wants_damping_only() ? damping(speed_.measured_mm_per_s()) : asked" "asked")
+felt_plant(damping_believes_the_device safety_chain.cc
+  "damping(speed_.measured_mm_per_s())" "damping(sample.velocity)")
+felt_plant(brake_believes_the_device safety_guards.cc "agree && reported" "reported")
 felt_plant(no_silent_stop safety_chain.cc "silence_s_ >= limits_.silent_stop_s" "false")
 felt_plant(old_heartbeats_count safety_guards.cc "if (is_new_)" "if (has_beat_)"
   "silence_s_ = std::min(silence_s_, std::max(seconds_between(last_beat_ns_, now_ns), 0.0))"

@@ -33,6 +33,10 @@ double length(const Force& f) {
 double length(const Vec3& v) {
   return static_cast<double>(length3(v.x, v.y, v.z));
 }
+/// Returns the part of a force in a direction.
+double along(const Force& f, const Vec3& direction) {
+  return (f.x * direction.x + f.y * direction.y + f.z * direction.z) / length(direction);
+}
 bool all_finite(const PenSample& s) {
   const std::array numbers = {s.position.x,
                               s.position.y,
@@ -78,9 +82,10 @@ const char* SafetyOracle::check(const TickInput& in, const TickOutput& out) {
   if (!broken) broken = check_falling(out);
   if (!broken) {
     watch_engaging(in, out);
-    broken = check_silence(in, out);
+    broken = check_silence(out);
   }
   if (!broken) broken = check_brake(in, out);
+  if (!broken) broken = check_push(in, out);
   if (!broken) broken = check_heat(out);
   // After a failed read or write, the device holds no force.
   last_ = in.write_fails || in.read_fails ? Force{} : out.sent;
@@ -313,7 +318,7 @@ void SafetyOracle::watch_engaging(const TickInput&, const TickOutput& out) {
   }
 }
 
-const char* SafetyOracle::check_silence(const TickInput& in, const TickOutput& out) {
+const char* SafetyOracle::check_silence(const TickOutput& out) {
   if (silence_s_ > 2.07) {
     if (!is_none(out.sent)) return "none when the edit side is silent for 2 s";
     phase_ = Phase::kCalm;
@@ -329,7 +334,7 @@ const char* SafetyOracle::check_silence(const TickInput& in, const TickOutput& o
     return nullptr;
   }
   quiet_s_ += std::max(dt_s_, 0.0);
-  quiet_fastest_ = std::max(quiet_fastest_, length(in.sample.velocity) * 1e-3);
+  quiet_fastest_ = std::max(quiet_fastest_, length(moved_m_per_s_));
   const bool brakes = (out.after.limited_by & kLimitedBySpeed) != 0;
   if (brakes) quiet_s_ = 0.0;
   if (quiet_s_ > 0.06 && length(out.sent) > 2.0 * quiet_fastest_ + 1e-6) {
@@ -345,13 +350,24 @@ const char* SafetyOracle::check_brake(const TickInput& in, const TickOutput& out
   const bool steady = out.admitted && out.after.state == SafetyState::kActive && speed > 0.7 &&
                       speed < 0.99 && is_none(out.asked) && limits_.continuous_force_n == 0.0 &&
                       limits_.peak_force_n > 0.5 && limits_.max_damping_n_s_per_m == 0.0;
-  // If the positions contradict the reported velocity, the pen may be braked against either.
+  // If the positions contradict the reported velocity, the pen may be braked less.
   const Vec3& m = moved_m_per_s_;
-  const bool agrees = length(m) <= 1.001 * speed && m.x * v.x + m.y * v.y + m.z * v.z >= 0.0;
+  const bool agrees = length(m) <= 1.001 * speed && dot(m, v) >= 0.0;
   braked_ticks_ = steady && agrees ? braked_ticks_ + 1 : 0;
   if (braked_ticks_ < 60) return nullptr;
-  const double along = (out.sent.x * v.x + out.sent.y * v.y + out.sent.z * v.z) / length(v);
-  return along > -0.2 ? "from 0.6 m/s the pen is braked" : nullptr;
+  return along(out.sent, v) > -0.2 ? "from 0.6 m/s the pen is braked" : nullptr;
+}
+
+/// Checks that nothing pushes a pen on that moves steadily, without another force, while its device
+/// reports the opposite velocity.
+const char* SafetyOracle::check_push(const TickInput& in, const TickOutput& out) {
+  const Vec3& m = moved_m_per_s_;
+  const bool steady = out.admitted && out.after.state == SafetyState::kActive &&
+                      is_none(out.asked) && dot(m, in.sample.velocity) < 0.0 &&
+                      dot(m, moved_before_) >= 0.0;
+  moved_before_ = m;
+  opposite_s_ = steady ? opposite_s_ + std::max(dt_s_, 0.0) : 0.0;
+  return opposite_s_ > 0.1 && along(out.sent, m) > 0.02 ? "a brake never pushes" : nullptr;
 }
 
 const char* SafetyOracle::check_heat(const TickOutput&) {

@@ -35,8 +35,9 @@ class SafetyOracle {
   const char* check_rise(const TickOutput& out);
   const char* check_falling(const TickOutput& out);
   void watch_engaging(const TickInput& in, const TickOutput& out);
-  const char* check_silence(const TickInput& in, const TickOutput& out);
+  const char* check_silence(const TickOutput& out);
   const char* check_brake(const TickInput& in, const TickOutput& out);
+  const char* check_push(const TickInput& in, const TickOutput& out);
   const char* check_heat(const TickOutput& out);
 
   SafetyLimits limits_;
@@ -76,6 +77,8 @@ class SafetyOracle {
   double quiet_fastest_ = 0.0;  // largest speed since the silence became certain, m/s
   double quiet_s_ = 0.0;        // time since the silence became certain
   int braked_ticks_ = 0;
+  double opposite_s_ = 0.0;  // for how long the device has reported the opposite velocity
+  Vec3 moved_before_;        // moved_m_per_s_ of the tick before
 
   struct Heat {
     double at_s, joule_like;

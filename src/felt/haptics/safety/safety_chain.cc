@@ -204,7 +204,7 @@ Force SafetyChain::limit(const Force& asked, const PenSample& sample) noexcept {
     wait(asked);
     return send({});
   }
-  return send(by_state(wanted(wants_damping_only() ? damping(sample.velocity) : asked)));
+  return send(by_state(wanted(wants_damping_only() ? damping(speed_.measured_mm_per_s()) : asked)));
 }
 
 Force SafetyChain::damping(const Vec3& velocity_mm_per_s) const noexcept {

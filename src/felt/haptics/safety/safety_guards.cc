@@ -121,6 +121,7 @@ void SpeedGuard::reset() noexcept {
   fast_samples_ = 0;
   speed_m_per_s_ = 0.0;
   velocity_mm_per_s_ = {};
+  filter_.reset();
   must_cut_ = false;
 }
 
@@ -132,10 +133,12 @@ void SpeedGuard::update(const PenSample& sample, const TickTime& time) noexcept 
     has_anchor_ = true;
     anchor_mm_ = sample.position;
     since_anchor_s_ = 0.0;
+    filter_.update(sample.position, 0.0);
   } else {
     since_anchor_s_ += time.charged_s;
     if (since_anchor_s_ >= span_s_) {
       measured_mm_per_s_ = (1.0 / since_anchor_s_) * (sample.position - anchor_mm_);
+      filter_.update(sample.position, since_anchor_s_);
       anchor_mm_ = sample.position;
       since_anchor_s_ = 0.0;
       is_judged = true;
@@ -143,7 +146,8 @@ void SpeedGuard::update(const PenSample& sample, const TickTime& time) noexcept 
   }
   const double measured = norm(measured_mm_per_s_);
   const double reported = norm(sample.velocity);
-  velocity_mm_per_s_ = reported >= measured ? sample.velocity : measured_mm_per_s_;
+  const bool agree = dot(sample.velocity, measured_mm_per_s_) >= 0.0;
+  velocity_mm_per_s_ = agree && reported >= measured ? sample.velocity : measured_mm_per_s_;
   speed_m_per_s_ = kMPerMm * std::max(reported, measured);
 
   if (is_judged) fast_samples_ = speed_m_per_s_ > cut_m_per_s_ ? fast_samples_ + 1 : 0;

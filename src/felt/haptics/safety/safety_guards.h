@@ -135,8 +135,11 @@ class SpeedGuard {
 
   /// Returns the speed at the last sample, m/s.
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
-  /// Returns the velocity that has that speed, mm/s.
+  /// Returns the velocity to brake against, mm/s: the one that has that speed, but the measured one
+  /// if the reported one points the other way, because a brake against it would push.
   [[nodiscard]] const Vec3& velocity_mm_per_s() const noexcept { return velocity_mm_per_s_; }
+  /// Returns the velocity from positions alone, low-passed, mm/s.
+  [[nodiscard]] const Vec3& measured_mm_per_s() const noexcept { return filter_.velocity(); }
   /// Returns true if forces must be cut: cut_samples samples in a row were above cut_m_per_s, or
   /// one sample was above cut_now_m_per_s.
   [[nodiscard]] bool must_cut() const noexcept { return must_cut_; }
@@ -151,6 +154,7 @@ class SpeedGuard {
   Vec3 anchor_mm_;
   double since_anchor_s_ = 0.0;
   Vec3 measured_mm_per_s_;
+  VelocityFilter filter_;
   int fast_samples_ = 0;
   double speed_m_per_s_ = 0.0;
   Vec3 velocity_mm_per_s_;
