@@ -186,7 +186,7 @@ std::vector<PageVariant> page_variants() {
   std::vector<PageVariant> variants;
   for (const bool is_mirrored : {false, true}) {
     for (const double turn_deg : {0.0, -20.0, 20.0}) {
-      for (const double scale : {1.0, 0.7, 1.4}) {
+      for (const double scale : {1.0, 0.35, 0.7, 1.4, 2.0}) {
         variants.push_back({is_mirrored, turn_deg, scale});
       }
     }

@@ -38,7 +38,7 @@ struct PageVariant {
   [[nodiscard]] std::string name() const;
 };
 /// Returns all variants but the unchanged page: mirrored or not; turned by -20, 0 or 20 degrees;
-/// scaled by 0.7, 1 or 1.4.
+/// scaled by 0.35, 0.7, 1, 1.4 or 2.
 std::vector<PageVariant> page_variants();
 /// Returns the changed pages. The top left corner of the box around a page stays.
 std::vector<RealPage> varied(const std::vector<RealPage>& pages, const PageVariant& variant);

@@ -19,6 +19,9 @@ constexpr std::size_t kShapePoints = 72;
 constexpr double kAllAround = 2.0 * std::numbers::pi;
 /// A shape is offered besides the best one if its misfit is at most this much larger.
 constexpr double kNearlyEqual = 0.35;
+/// The same for a shape with fewer freedoms besides a polygon with any corners, which also fits the
+/// unsteadiness of the hand.
+constexpr double kBesidesPolygon = 0.65;
 /// A shape with more freedom must fit better by this much to come first.
 constexpr double kSimpler = 0.15;
 /// With a smaller misfit, what is left is the unsteadiness of the hand, and no more corners are
@@ -158,7 +161,9 @@ void keep_best(std::vector<ShapeGuess>& guesses) {
                    [](const ShapeGuess& a, const ShapeGuess& b) { return a.misfit < b.misfit; });
   std::vector<ShapeGuess> kept;
   for (ShapeGuess& guess : guesses) {
-    const bool is_near = kept.empty() || guess.misfit <= kept.front().misfit + kNearlyEqual;
+    const bool is_besides_polygon = !kept.empty() && kept.front().form == ShapeForm::kPolygon;
+    const double margin = is_besides_polygon ? kBesidesPolygon : kNearlyEqual;
+    const bool is_near = kept.empty() || guess.misfit <= kept.front().misfit + margin;
     const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const ShapeGuess& other) {
       return other.form == guess.form;
     });

@@ -58,8 +58,9 @@ struct ShapeLimits {
 inline constexpr std::size_t kMaxGuesses = 3;
 
 /// Returns the shapes that a path resembles, the best one first. Shapes that fit nearly as well as
-/// the best one are included, because a user may have meant any of them. Returns none if the path
-/// resembles nothing or is smaller than kMinSizeMm. A pure function; takes less than a millisecond.
+/// the best one are included, because a user may have meant any of them; besides a polygon with any
+/// corners, also simpler ones that fit less well. Returns none if the path resembles nothing or is
+/// smaller than kMinSizeMm. A pure function; takes less than a millisecond.
 std::vector<ShapeGuess> guess_shapes(std::span<const Point> path);
 
 }  // namespace felt

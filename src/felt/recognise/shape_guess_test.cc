@@ -131,6 +131,26 @@ TEST(ShapeGuess, OffersBothOfTwoShapesThatAreNearlyEqual) {
   EXPECT_EQ(round[0].form, ShapeForm::kCircle);
 }
 
+// The corners of a small triangle that trembles can be more than three, which fit much better.
+TEST(ShapeGuess, OffersATriangleBesidesAPolygonThatFitsBetter) {
+  constexpr int kDrawings = 1000;
+  int triangles = 0, polygons = 0;
+  double apart = 0.0;
+  for (std::uint64_t seed = 1; seed <= kDrawings; ++seed) {
+    const auto guesses =
+        guess_shapes(unsteady(joined({{0, 0}, {20, 0}, {10, 17}, {0.5, 0.5}}), 0.6, seed));
+    for (const ShapeGuess& g : guesses) {
+      if (g.form != ShapeForm::kTriangle) continue;
+      ++triangles;
+      apart = std::max(apart, g.misfit - guesses[0].misfit);
+    }
+    polygons += !guesses.empty() && guesses[0].form == ShapeForm::kPolygon ? 1 : 0;
+  }
+  EXPECT_GE(triangles, kDrawings * 99 / 100);
+  EXPECT_GT(polygons, 0);
+  EXPECT_GT(apart, 0.4) << "far from equal";
+}
+
 TEST(ShapeGuess, ScribblesAndDotsResembleNothing) {
   EXPECT_TRUE(guess_shapes(testing::zigzag(7, 20, 6)).empty());
   EXPECT_TRUE(guess_shapes(ellipse_part({0, 0}, 20, 20, 0.0, 2.0 * kTau)).empty());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "felt/base/constants.h"
+#include "felt/geometry/polyline.h"
 #include "felt/tools/gesture_tool.h"
 
 namespace felt {
@@ -11,6 +13,8 @@ namespace {
 constexpr double kTouchS = 0.15;
 /// Share of the newest sample in the pressure of the resting pen.
 constexpr double kSmoothing = 0.05;
+/// Time after which a pen that was not slow enough is examined again, if it is still in its place.
+constexpr double kAskAgainS = 0.25;
 
 /// Returns the path up to where the rest began: a resting pen trembles, which is not a part of the
 /// shape.
@@ -20,11 +24,22 @@ std::span<const Point> before_rest(std::span<const Point> path, Point rest) noex
   return path.first(std::min(count + 1, path.size()));
 }
 
+/// Returns true if the pen has been slower during a rest than before it. Small writing also stays
+/// within the radius of a rest for some time, at its usual pace. `drawing_s` is the time of the
+/// line before the rest.
+bool is_slower(std::span<const Point> path, std::size_t before, double drawing_s,
+               double still_s) noexcept {
+  if (before == 0 || !(drawing_s > 0.0)) return true;
+  const double drawn_mm = polyline_length(path.first(before));
+  const double rest_mm = polyline_length(path.subspan(before - 1));
+  return rest_mm * drawing_s <= ShapeHold::kMaxRestPace * drawn_mm * still_s;
+}
+
 }  // namespace
 
 void ShapeHold::begin(Point pen, std::int64_t time_ns) noexcept {
   rest_.begin(pen, time_ns);
-  was_asked_ = false;
+  ask_at_s_ = 0.0;
   shapes_.clear();
   accepted_.reset();
   start_ns_ = time_ns;
@@ -65,10 +80,14 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
       accepted_ = 0;
     }
   }
-  if (!rest_.rests()) was_asked_ = false;
-  if (!rest_.rests() || was_asked_ || !shapes_.empty()) return;
-  was_asked_ = true;
-  shapes_ = guess_shapes(before_rest(path, rest_.at()));
+  if (!rest_.rests()) ask_at_s_ = 0.0;
+  if (!rest_.rests() || rest_.still_s() < ask_at_s_ || !shapes_.empty()) return;
+  const std::span<const Point> before = before_rest(path, rest_.at());
+  const double drawing_s = 1e-9 * static_cast<double>(time_ns - start_ns_) - rest_.still_s();
+  const bool is_slow = is_slower(path, before.size(), drawing_s, rest_.still_s());
+  ask_at_s_ = is_slow ? kInf : rest_.still_s() + kAskAgainS;
+  if (!is_slow) return;
+  shapes_ = guess_shapes(before);
   held_ = rest_.at();
   offered_s_ = rest_.still_s();
 }

@@ -23,6 +23,8 @@ namespace felt {
 class ShapeHold {
  public:
   static constexpr double kStayS = 1.0;
+  /// Largest mean speed of a resting pen, of that of the line before.
+  static constexpr double kMaxRestPace = 0.6;
   /// The offer ends at this distance from the resting point. The hold is a well of this radius, so
   /// its force is already on its plateau there.
   static constexpr double kLeaveMm = 4.0;
@@ -36,7 +38,8 @@ class ShapeHold {
   static constexpr double kHoldN = 0.45;
 
   void begin(Point pen, std::int64_t time_ns) noexcept;
-  /// Handles one sample. `path` is the line so far; it is examined once for each rest.
+  /// Handles one sample. `path` is the line so far; it is examined once for each rest,
+  /// and every 0.25 s while the pen is within the radius of a rest but not slow.
   void update(Point pen, std::optional<double> pressure, std::int64_t time_ns,
               std::span<const Point> path);
   /// Takes an offered shape. Has no effect if it is not offered.
@@ -54,7 +57,7 @@ class ShapeHold {
   [[nodiscard]] bool is_accepted_by(std::optional<double> pressure) const noexcept;
 
   RestWatch rest_;
-  bool was_asked_ = false;  // the path was examined during this rest
+  double ask_at_s_ = 0.0;  // the path is examined when the rest has lasted so long
   std::vector<ShapeGuess> shapes_;
   std::optional<std::size_t> accepted_;
   Point held_;

@@ -90,6 +90,26 @@ TEST(ShapeHold, APenThatGoesOnTakesNothingByItsPressureUntilItRestsAgain) {
   EXPECT_TRUE(f.hold.accepted());
 }
 
+TEST(ShapeHold, SmallWritingInOnePlaceIsNotARest) {
+  Fixture f;
+  for (int i = 0; i < 1500; ++i) {  // loops with a radius of 0.6 mm that advance by 1 mm/s
+    const double t = 0.004 * i;
+    f.at({t + 0.6 * std::cos(12.0 * t), 0.6 * std::sin(12.0 * t)}, 0.5);
+    ASSERT_TRUE(f.hold.shapes().empty()) << t;
+  }
+}
+
+TEST(ShapeHold, APenThatWritesInOnePlaceAndThenRestsIsOffered) {
+  Fixture f;
+  f.line(0.4, 0.1);
+  for (int i = 0; i < 250; ++i) {
+    const double t = 0.08 * i;
+    f.at({60.0 + 0.9 * std::sin(t), 0.3 * std::sin(2.0 * t)}, 0.4);
+  }
+  f.rest(2.0, 0.4);
+  EXPECT_FALSE(f.hold.shapes().empty());
+}
+
 TEST(ShapeHold, AnOfferEndsFarFromTheRestAndIsMadeAgain) {
   Fixture f;
   f.line(0.4, 0.1);
