@@ -4,7 +4,8 @@
 //                  [--variants yes] [--people N] [--seed N] [--each yes]
 // With --variants yes, also draws each page of real strokes mirrored, turned and scaled.
 // With --each yes, prints each false gesture, and each intended one that is not found.
-// Exits with 1 if a bar is missed: at most 1 false gesture in 10,000 strokes, at least 95 % found.
+// Exits with 1 if a bar is missed: at most 1 false gesture in 10,000 strokes, none in the variants,
+// at least 95 % found.
 #include <fmt/core.h>
 
 #include <cstdlib>

@@ -46,6 +46,18 @@ RC_GTEST_PROP(ScratchOut, TheSameTurnedOrBackwards, ()) {
   RC_ASSERT(std::abs(turned.along - ScratchOut::features(path).along) < 0.02);
 }
 
+TEST(ScratchOut, AHookAtTheStartIsPartOfItsPassLikeOneAtTheEnd) {
+  constexpr double kExtent = 30.0, kHook = 0.1 * kExtent;
+  std::vector<Point> ends{{kHook, -0.2}};
+  for (int i = 0; i <= 6; ++i) ends.push_back({i % 2 == 0 ? 0.0 : kExtent, 1.0 * i});
+  for (const double angle : {0.0, 3.0}) {  // to both sides along the axis first
+    const auto path = placed(joined(ends), angle, 1.0, {});
+    const std::vector<Point> back(path.rbegin(), path.rend());
+    EXPECT_EQ(ScratchOut::features(path).passes, 6) << angle;
+    EXPECT_EQ(ScratchOut::features(back).passes, 6) << angle;
+  }
+}
+
 TEST(ScratchOut, LettersLinesAndCirclesAreInk) {
   const Point m[] = {{0, 10}, {0, 0}, {4, 8}, {8, 0}, {8, 10}};
   EXPECT_FALSE(ScratchOut::find(joined({std::begin(m), std::end(m)})));

@@ -16,6 +16,9 @@ namespace {
 using Limits = ShapeLimits;
 
 constexpr std::size_t kShapePoints = 72;
+/// Points of the path whose length is compared with that of a line: 72 could all be at the same
+/// height of a wave with 72 periods.
+constexpr std::size_t kFinePoints = 288;
 constexpr double kAllAround = 2.0 * std::numbers::pi;
 /// A shape is offered besides the best one if its misfit is at most this much larger.
 constexpr double kNearlyEqual = 0.35;
@@ -33,6 +36,7 @@ constexpr double kMiddleRatio = 0.82;
 /// The path of a stroke, prepared for all fits.
 struct PreparedPath {
   std::vector<Point> points;
+  std::vector<Point> fine;  // the same with more points
   double length_mm = 0.0, diagonal_mm = 0.0, gap_mm = 0.0;
 
   [[nodiscard]] bool is_closed() const noexcept { return gap_mm <= Limits::kMaxGap * length_mm; }
@@ -48,23 +52,33 @@ double sweep_about(std::span<const Point> path, Point center) noexcept {
   return sweep;
 }
 
-/// Returns the longest distance by which a path goes back in a direction.
-double return_mm(std::span<const Point> path, Vec direction) noexcept {
-  double farthest = 0.0, longest = 0.0;
+/// How far a path goes back in a direction: the longest return, and the sum of all.
+struct WayBack {
+  double longest_mm = 0.0, sum_mm = 0.0;
+};
+
+WayBack way_back(std::span<const Point> path, Vec direction) noexcept {
+  WayBack back;
+  double farthest = 0.0, last = 0.0;
   for (const Point p : path) {
     const double at = dot(p - path[0], direction);
     farthest = std::max(farthest, at);
-    longest = std::max(longest, farthest - at);
+    back.longest_mm = std::max(back.longest_mm, farthest - at);
+    back.sum_mm += std::max(0.0, last - at);
+    last = at;
   }
-  return longest;
+  return back;
 }
 
 void add_line(const PreparedPath& path, std::vector<ShapeGuess>& out) {
   const LineFit fit = fit_line(path.points);
   const double length = distance(fit.from, fit.to);
-  // A quick hand goes beyond the end and comes back. A path that runs to and fro is no line.
-  if (length < Limits::kMinLineShare * path.length_mm) return;
-  if (return_mm(path.points, normalized(fit.to - fit.from)) > Limits::kMaxReturn * length) return;
+  // A quick hand goes beyond the end and comes back. A path that runs to and fro is no line, and
+  // neither is one that goes from side to side (a wave, a zigzag, a coil).
+  const WayBack back = way_back(path.fine, normalized(fit.to - fit.from));
+  if (back.longest_mm > Limits::kMaxReturn * length) return;
+  const double along_mm = length + 2.0 * back.sum_mm;
+  if (along_mm < Limits::kMinAlongLine * polyline_length(path.fine)) return;
   out.push_back({.form = ShapeForm::kLine,
                  .misfit = fit.rms_mm / (Limits::kLineRms * length),
                  .corners = {fit.from, fit.to}});
@@ -177,6 +191,7 @@ void keep_best(std::vector<ShapeGuess>& guesses) {
 std::vector<ShapeGuess> guess_shapes(std::span<const Point> drawn) {
   PreparedPath path;
   path.points = even_path(drawn, kShapePoints);
+  path.fine = even_path(drawn, kFinePoints);
   std::vector<ShapeGuess> guesses;
   if (path.points.empty()) return guesses;
   path.length_mm = polyline_length(path.points);

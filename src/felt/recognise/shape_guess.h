@@ -39,9 +39,11 @@ struct ShapeGuess {
 struct ShapeLimits {
   static constexpr double kMinSizeMm = 6.0;  ///< diagonal of the smallest path
   static constexpr double kLineRms = 0.025;  ///< of the length
-  /// Length of a line divided by that of its path, and the longest way back along it, of its
-  /// length.
-  static constexpr double kMinLineShare = 0.7, kMaxReturn = 0.25;
+  /// Longest return along a line, of its length.
+  static constexpr double kMaxReturn = 0.25;
+  /// Motion along a line, forwards and back, of the length of its path. Those of simulated people
+  /// have at least 0.95; a wave with an amplitude of 1/60 of its length and six periods has 0.92.
+  static constexpr double kMinAlongLine = 0.93;
   static constexpr double kArcRms = 0.025;      ///< of the length of the path
   static constexpr double kRoundRms = 0.05;     ///< of the sum of both radii
   static constexpr double kPolygonRms = 0.035;  ///< of the diagonal

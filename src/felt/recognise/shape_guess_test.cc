@@ -93,6 +93,42 @@ RC_GTEST_PROP(ShapeGuess, APathThatRunsToAndFroIsNoLine, ()) {
     RC_ASSERT(guess.form != ShapeForm::kLine);
   }
 }
+/// Checks that no line is offered for a path of 60 mm, somewhere on the page in any size.
+void check_no_line(const std::vector<Point>& exact) {
+  const double scale = any(0.4, 3.0);
+  for (const ShapeGuess& guess : guess_shapes(placed(exact, any(0.0, kTau), scale, {30, 40}))) {
+    RC_ASSERT(guess.form != ShapeForm::kLine);
+  }
+}
+
+/// Returns x along 60 mm, plus `along` and `across` times sine and cosine of `periods` turns.
+std::vector<Point> wavy(double periods, double along, double across) {
+  constexpr int kSteps = 3000;
+  std::vector<Point> path;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double u = static_cast<double>(i) / kSteps, t = kTau * periods * u;
+    path.push_back({60.0 * u + along * std::cos(t), across * std::sin(t)});
+  }
+  return path;
+}
+
+// Grass or water drawn with a pen that stays at the end.
+RC_GTEST_PROP(ShapeGuess, AWaveOfManyPeriodsIsNoLine, ()) {
+  check_no_line(wavy(any(7, 80), 0.0, 1.0));
+  check_no_line(wavy(any(5, 20), 0.0, 1.5));
+  check_no_line(wavy(any(5, 12), 0.0, 2.0));
+}
+RC_GTEST_PROP(ShapeGuess, AZigzagIsNoLine, ()) {
+  const int count = *rc::gen::inRange(12, 40);
+  const double half = any(1.5, 2.0);
+  std::vector<Point> ends;
+  for (int i = 0; i <= count; ++i) ends.push_back({60.0 * i / count, i % 2 == 0 ? -half : half});
+  check_no_line(joined(ends));
+}
+RC_GTEST_PROP(ShapeGuess, ACoilIsNoLine, ()) {
+  const double radius = any(1.0, 2.0);
+  check_no_line(wavy(any(6, 20), radius, *rc::gen::element(-1.0, 1.0) * radius));
+}
 RC_GTEST_PROP(ShapeGuess, KnowsAnArc, ()) {
   check(ellipse_part({0, 0}, 25, 25, 0.0, any(0.8, 4.5)), ShapeForm::kArc);
 }

@@ -50,13 +50,21 @@ void ShapeHold::begin(Point pen, std::int64_t time_ns) noexcept {
 
 void ShapeHold::watch_pressure(std::optional<double> pressure, std::int64_t time_ns) noexcept {
   if (!pressure) return;
-  if (!has_pressure_) resting_ = *pressure;
+  if (!has_pressure_) smooth_ = *pressure;
   has_pressure_ = true;
+  smooth_ += kSmoothing * (*pressure - smooth_);
   if (!shapes_.empty()) return;
-  resting_ += kSmoothing * (*pressure - resting_);
   if (seconds_between(start_ns_, time_ns, 1.0) < kTouchS) return;
   low_ = std::min(low_, *pressure);
   high_ = std::max(high_, *pressure);
+}
+
+void ShapeHold::watch_resting_pressure(std::int64_t time_ns) noexcept {
+  if (!rest_.rests()) return;
+  const double away_s = 1e-9 * static_cast<double>(time_ns - rested_ns_) - rest_.still_s();
+  // A pen that presses less may press again.
+  resting_ = away_s > kSlipS ? smooth_ : std::min(resting_, smooth_);
+  rested_ns_ = time_ns;
 }
 
 bool ShapeHold::is_accepted_by(std::optional<double> pressure) const noexcept {
@@ -74,6 +82,7 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
   rest_.update(pen, time_ns);
   watch_pressure(pressure, time_ns);
   if (!shapes_.empty()) {
+    watch_resting_pressure(time_ns);
     if (distance(pen, held_) > kLeaveMm) {
       shapes_.clear();
     } else if (is_accepted_by(pressure)) {
@@ -90,6 +99,8 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
   shapes_ = guess_shapes(before);
   held_ = rest_.at();
   offered_s_ = rest_.still_s();
+  resting_ = smooth_;
+  rested_ns_ = time_ns;
 }
 
 void ShapeHold::accept(OfferKind kind) noexcept {

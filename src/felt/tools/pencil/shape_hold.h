@@ -30,6 +30,9 @@ class ShapeHold {
   static constexpr double kLeaveMm = 4.0;
   /// Rise of the pressure that takes the shape: kPress, or half of what is left of the range.
   static constexpr double kPress = 0.2;
+  /// A tip that is pressed harder may slip. A pen that leaves its rest for longer than this has
+  /// moved on, so a press must exceed the pressure of its next rest (chosen).
+  static constexpr double kSlipS = 0.25;
   /// A pressure that varies less than this in a line is not that of a hand on a pen (chosen: the
   /// pen strokes of `./dev bench gestures` with pressure vary more in all but a few lines).
   static constexpr double kConstantPressure = 0.05;
@@ -54,6 +57,7 @@ class ShapeHold {
 
  private:
   void watch_pressure(std::optional<double> pressure, std::int64_t time_ns) noexcept;
+  void watch_resting_pressure(std::int64_t time_ns) noexcept;
   [[nodiscard]] bool is_accepted_by(std::optional<double> pressure) const noexcept;
 
   RestWatch rest_;
@@ -64,7 +68,9 @@ class ShapeHold {
   double offered_s_ = 0.0;  // still_s() when the shapes were offered
   std::int64_t start_ns_ = 0;
   double low_ = 1.0, high_ = 0.0;  // pressures of the line
-  double resting_ = 0.0;           // low-passed pressure up to the offer
+  double smooth_ = 0.0;            // low-passed pressure
+  double resting_ = 0.0;           // pressure of the rest, which a press must exceed
+  std::int64_t rested_ns_ = 0;     // when the pen last rested with shapes offered
   bool has_pressure_ = false;
 };
 

@@ -84,9 +84,49 @@ TEST(ShapeHold, APenThatGoesOnTakesNothingByItsPressureUntilItRestsAgain) {
     ASSERT_FALSE(f.hold.accepted()) << i;
   }
   EXPECT_FALSE(f.hold.shapes().empty()) << "it is still offered";
-  f.rest(0.4, 0.7);
+  f.rest(1.0, 0.7);
+  EXPECT_FALSE(f.hold.accepted()) << "a rest with the pressure of the writing";
+  f.rest(0.02, 0.9);
+  EXPECT_TRUE(f.hold.accepted());
+}
+
+TEST(ShapeHold, TheRestAfterWritingTakesNothingAtThePressureOfTheWriting) {
+  Fixture f;
+  f.line(0.6, 0.1);
+  f.rest(1.0, 0.4);
+  ASSERT_FALSE(f.hold.shapes().empty());
+  for (int i = 0; i < 500; ++i) {  // within 2.5 mm of the rest
+    const double t = 0.03 * i;
+    f.at({60.0 + 2.4 * std::cos(t), 0.5 * std::sin(4.0 * t)}, 0.65);
+    ASSERT_FALSE(f.hold.accepted()) << i;
+  }
+  f.rest(2.0, 0.65);
   EXPECT_FALSE(f.hold.accepted());
-  f.rest(0.2, 0.7);
+  ASSERT_FALSE(f.hold.shapes().empty());
+  f.rest(0.02, 0.84);
+  EXPECT_TRUE(f.hold.accepted()) << "pressed harder than in this rest";
+}
+
+TEST(ShapeHold, APressIsNotLostIfTheTipSlips) {
+  for (const double slip_mm : {0.5, 1.5, 3.0}) {
+    Fixture f;
+    f.line(0.4, 0.1);
+    f.rest(1.0, 0.4);
+    for (int i = 1; i <= 25; ++i) f.at({60.0 + slip_mm * i / 25.0, 0.0}, 0.4 + 0.01 * i);
+    f.rest(0.55, 0.65);
+    EXPECT_TRUE(f.hold.accepted()) << slip_mm;
+  }
+}
+
+TEST(ShapeHold, AfterALongSlipAPenThatPressesLessMayPressAgain) {
+  Fixture f;
+  f.line(0.4, 0.1);
+  f.rest(1.0, 0.4);
+  for (int i = 1; i <= 250; ++i) f.at({60.0 + 0.012 * i, 0.0}, 0.4 + 0.001 * i);
+  f.rest(1.0, 0.65);
+  EXPECT_FALSE(f.hold.accepted()) << "a pen that moves for a second draws";
+  f.rest(0.4, 0.4);
+  f.rest(0.02, 0.65);
   EXPECT_TRUE(f.hold.accepted());
 }
 
