@@ -81,6 +81,10 @@
         <source>--trial opens no drawings</source>
         <translation>--trial öffnet keine Zeichnungen</translation>
     </message>
+    <message>
+        <source>--screenshot shows one drawing only</source>
+        <translation>--screenshot zeigt nur eine Zeichnung</translation>
+    </message>
 </context>
 <context>
     <name>ButtonRole</name>

@@ -81,6 +81,10 @@
         <source>--trial opens no drawings</source>
         <translation>--trial opent geen tekeningen</translation>
     </message>
+    <message>
+        <source>--screenshot shows one drawing only</source>
+        <translation>--screenshot toont maar één tekening</translation>
+    </message>
 </context>
 <context>
     <name>ButtonRole</name>
