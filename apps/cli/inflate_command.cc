@@ -124,7 +124,14 @@ Result<void> write_solid(const Solid& solid, const FrontPaint* paint, SolidForma
       });
 }
 
-Result<std::optional<FrontPaint>> paint_of(const Drawing& drawing, const Solid& solid) {
+/// Returns the ink on the fronts. If it is written to no file, only whether there is any matters,
+/// so it is not known instead of an error.
+Result<std::optional<FrontPaint>> paint_of(const Drawing& drawing, const Solid& solid,
+                                           bool is_written) {
+  if (!is_written) {
+    Result<std::optional<FrontPaint>> paint = front_paint(drawing.document, solid, Grain());
+    return paint ? *std::move(paint) : std::nullopt;
+  }
   return grain_of(drawing).and_then(
       [&](const Grain& grain) { return front_paint(drawing.document, solid, grain); });
 }
@@ -179,8 +186,9 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
   if (console.failed()) return;
+  const bool has_paint = format == SolidFormat::kGlb || !args.png.empty() || !args.film.empty();
   const Result<std::optional<FrontPaint>> paint =
-      args.paints ? paint_of(opened->drawing, inflated->solid) : std::nullopt;
+      args.paints ? paint_of(opened->drawing, inflated->solid, has_paint) : std::nullopt;
   if (!paint) return console.error(input->name() + ": " + paint.error().message);
   if (args.edits) edit_solid(document, input->name(), inflated->solid, console);
   const FrontPaint* front = *paint ? &**paint : nullptr;

@@ -67,6 +67,28 @@ same plain.stl ring.stl
 run 1 "$feltline" --strict inflate ring.svg -o strict.stl
 [ ! -e strict.stl ] || fail "a file without the whisker"
 
+# A line beside the body or in its hole is not on it.
+cat >beside.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="70mm" viewBox="0 0 60 70">
+<path d="M20 10 L50 60 L10 60 Z M40 12 L49 14" fill="none" stroke="#000" stroke-width="0.5"
+stroke-linecap="round" stroke-linejoin="round"/>
+</svg>
+END
+sed 's|M140 75 H190|M95 75 H105|' ring.svg >in_hole.svg
+for name in beside in_hole; do
+  run 0 "$feltline" --strict inflate $name.svg -o $name.stl
+  is_empty err
+done
+
+# A surface that is unknown here matters only where the paint is written.
+run 0 "$feltline" convert ring.svg -o known.svg
+sed 's/felt:page="/felt:surface="moon dust" &/' known.svg >unknown.svg
+has unknown.svg "moon dust"
+run 0 "$feltline" inflate unknown.svg -o unknown.stl
+has err "unknown.stl: the paint on the body was left out"
+run 1 "$feltline" inflate unknown.svg -o unknown.glb
+has err "the drawing's surface 'moon dust' is unknown"
+
 # The edits of the body: a cut through the middle, which removes the left half; and one that does not fit.
 cat >edits.ndjson <<'END'
 {"t_ms":0,"event":"body","do":"add","kind":"cut","path":[[100,-140,0],[100,-10,0]]}

@@ -48,6 +48,9 @@ constexpr const char* kSentences[] = {
                       "strokes %1 and %2 enclose areas that meet in only one point, (%3, %4) mm: "
                       "let them overlap, or move them apart"),
     QT_TRANSLATE_NOOP("SolidWords",
+                      "lines enclose areas that meet in only one point, (%1, %2) mm: let them "
+                      "overlap, or move them apart"),
+    QT_TRANSLATE_NOOP("SolidWords",
                       "the outline of stroke %1 only touches its mirror axis at (%2, %3) mm"),
     QT_TRANSLATE_NOOP("SolidWords",
                       "the outline of stroke %1 touches or crosses itself at (%2, %3) mm"),
@@ -59,7 +62,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("SolidWords", "the outline has equal points"),
     QT_TRANSLATE_NOOP("SolidWords", "the outline has no area"),
     QT_TRANSLATE_NOOP("SolidWords", "the outline has too many narrow parts"),
-    QT_TRANSLATE_NOOP("SolidWords", "the outline cannot be filled: %1"),
+    QT_TRANSLATE_NOOP("SolidWords", "the outline cannot be filled"),
     QT_TRANSLATE_NOOP("SolidWords", "no point is on the border"),
     QT_TRANSLATE_NOOP("SolidWords", "the heights of the body cannot be computed"),
     QT_TRANSLATE_NOOP("SolidWords", "a coordinate of the body is not a number"),
@@ -95,7 +98,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("SolidWords", "the smoothed surface would fold; smooth less at once"),
     QT_TRANSLATE_NOOP("SolidWords", "parts of the body would meet in only a point or a line"),
     QT_TRANSLATE_NOOP("SolidWords", "the surface of the body crosses itself there"),
-    QT_TRANSLATE_NOOP("SolidWords", "the surfaces cannot be joined: %1"),
+    QT_TRANSLATE_NOOP("SolidWords", "the surfaces cannot be joined"),
 };
 
 struct Pattern {
@@ -110,9 +113,29 @@ std::vector<Pattern> make_patterns() {
     QString text = QRegularExpression::escape(QLatin1String(sentence));
     text.replace(QStringLiteral("\\%"), QStringLiteral("%"));  // as escape() wrote it
     text.replace(kVaries, QStringLiteral("(.+?)"));
-    patterns.push_back({sentence, QRegularExpression(QRegularExpression::anchoredPattern(text))});
+    patterns.push_back(
+        {sentence, QRegularExpression(QRegularExpression::anchoredPattern(text),
+                                      QRegularExpression::DotMatchesEverythingOption)});
   }
   return patterns;
+}
+
+QString translated(const QString& sentence);
+
+/// Replaces %1, %2 ... in `text` by what the match captured, translated. What is inserted stays as
+/// it is, even if it contains a %1.
+QString filled_in(const QString& text, const QRegularExpressionMatch& match) {
+  QString filled;
+  for (qsizetype i = 0; i < text.size(); ++i) {
+    const int number = text[i] == QLatin1Char('%') ? text.mid(i + 1, 1).toInt() : 0;
+    if (number < 1 || number > match.lastCapturedIndex()) {
+      filled += text[i];
+    } else {
+      filled += translated(match.captured(number));
+      ++i;
+    }
+  }
+  return filled;
 }
 
 /// Translates a sentence, and those that it contains.
@@ -121,12 +144,7 @@ QString translated(const QString& sentence) {
   for (const Pattern& pattern : kPatterns) {
     const QRegularExpressionMatch match = pattern.expression.match(sentence);
     if (!match.hasMatch()) continue;
-    QString text = QCoreApplication::translate(kContext, pattern.sentence);
-    // Replaces from the last one, so that a %1 in what is inserted stays as it is.
-    for (int i = match.lastCapturedIndex(); i > 0; --i) {
-      text.replace(QLatin1Char('%') + QString::number(i), translated(match.captured(i)));
-    }
-    return text;
+    return filled_in(QCoreApplication::translate(kContext, pattern.sentence), match);
   }
   return sentence;
 }
@@ -136,6 +154,10 @@ QString translated(const QString& sentence) {
 QString solid_words(std::string_view sentence) {
   QString text = translated(text_of(sentence));
   if (text.isEmpty()) return text;
+  // The library says these of a file, whose name stands before them; so do the English texts.
+  if (text.startsWith(QLatin1String("contains ")) || text.startsWith(QLatin1String("has "))) {
+    text.prepend(QLatin1String("the drawing "));
+  }
   text[0] = text[0].toUpper();
   return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }

@@ -81,6 +81,10 @@
         <source>--trial opens no drawings</source>
         <translation>--trial öffnet keine Zeichnungen</translation>
     </message>
+    <message>
+        <source>--screenshot shows one drawing only</source>
+        <translation>--screenshot zeigt nur eine Zeichnung</translation>
+    </message>
 </context>
 <context>
     <name>ButtonRole</name>
@@ -1796,7 +1800,7 @@
     </message>
     <message>
         <source>left out %1 small closed line, %2</source>
-        <translation>%1 kleine geschlossene Linie wurde weggelassen, %2</translation>
+        <translation>%1 kleine geschlossene Linie wurde weggelassen: die %2</translation>
     </message>
     <message>
         <source>left out %1 small closed lines, the largest %2</source>
@@ -1843,6 +1847,10 @@
         <translation>die Striche %1 und %2 umschließen Flächen, die sich nur in einem Punkt berühren, (%3, %4) mm: Lassen Sie sie überlappen, oder rücken Sie sie auseinander</translation>
     </message>
     <message>
+        <source>lines enclose areas that meet in only one point, (%1, %2) mm: let them overlap, or move them apart</source>
+        <translation>Linien umschließen Flächen, die sich nur in einem Punkt berühren, (%1, %2) mm: Lassen Sie sie überlappen, oder rücken Sie sie auseinander</translation>
+    </message>
+    <message>
         <source>the outline of stroke %1 only touches its mirror axis at (%2, %3) mm</source>
         <translation>der Umriss des Strichs %1 berührt seine Spiegelachse nur, bei (%2, %3) mm</translation>
     </message>
@@ -1883,8 +1891,8 @@
         <translation>der Umriss hat zu viele schmale Stellen</translation>
     </message>
     <message>
-        <source>the outline cannot be filled: %1</source>
-        <translation>der Umriss kann nicht gefüllt werden: %1</translation>
+        <source>the outline cannot be filled</source>
+        <translation>der Umriss kann nicht gefüllt werden</translation>
     </message>
     <message>
         <source>no point is on the border</source>
@@ -2023,8 +2031,8 @@
         <translation>die Oberfläche des Körpers kreuzt sich dort selbst</translation>
     </message>
     <message>
-        <source>the surfaces cannot be joined: %1</source>
-        <translation>die Oberflächen können nicht verbunden werden: %1</translation>
+        <source>the surfaces cannot be joined</source>
+        <translation>die Oberflächen können nicht verbunden werden</translation>
     </message>
 </context>
 <context>

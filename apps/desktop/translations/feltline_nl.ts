@@ -81,6 +81,10 @@
         <source>--trial opens no drawings</source>
         <translation>--trial opent geen tekeningen</translation>
     </message>
+    <message>
+        <source>--screenshot shows one drawing only</source>
+        <translation>--screenshot toont maar één tekening</translation>
+    </message>
 </context>
 <context>
     <name>ButtonRole</name>
@@ -1780,11 +1784,11 @@
     </message>
     <message>
         <source>left out: edit %1 of the body, the painted line that begins at (%2, %3) mm: %4</source>
-        <translation>weggelaten: bewerking %1 van het lichaam, de geschilderde lijn die bij (%2, %3) mm begint: %4</translation>
+        <translation>weggelaten: bewerking %1 van het lichaam, de geverfde lijn die bij (%2, %3) mm begint: %4</translation>
     </message>
     <message>
         <source>left out: edit %1 of the body, the smoothing that begins at (%2, %3) mm: %4</source>
-        <translation>weggelaten: bewerking %1 van het lichaam, de gladding die bij (%2, %3) mm begint: %4</translation>
+        <translation>weggelaten: bewerking %1 van het lichaam, het gladmaken dat bij (%2, %3) mm begint: %4</translation>
     </message>
     <message>
         <source>left out the smaller part: %1</source>
@@ -1796,7 +1800,7 @@
     </message>
     <message>
         <source>left out %1 small closed line, %2</source>
-        <translation>%1 kleine gesloten lijn is weggelaten, %2</translation>
+        <translation>%1 kleine gesloten lijn is weggelaten: die %2</translation>
     </message>
     <message>
         <source>left out %1 small closed lines, the largest %2</source>
@@ -1843,6 +1847,10 @@
         <translation>de streken %1 en %2 omsluiten vlakken die elkaar maar in één punt raken, (%3, %4) mm: laat ze overlappen of zet ze verder uit elkaar</translation>
     </message>
     <message>
+        <source>lines enclose areas that meet in only one point, (%1, %2) mm: let them overlap, or move them apart</source>
+        <translation>lijnen omsluiten vlakken die elkaar maar in één punt raken, (%1, %2) mm: laat ze overlappen of zet ze verder uit elkaar</translation>
+    </message>
+    <message>
         <source>the outline of stroke %1 only touches its mirror axis at (%2, %3) mm</source>
         <translation>de omtrek van streek %1 raakt zijn spiegelas alleen maar, bij (%2, %3) mm</translation>
     </message>
@@ -1883,8 +1891,8 @@
         <translation>de omtrek heeft te veel smalle delen</translation>
     </message>
     <message>
-        <source>the outline cannot be filled: %1</source>
-        <translation>de omtrek kan niet worden gevuld: %1</translation>
+        <source>the outline cannot be filled</source>
+        <translation>de omtrek kan niet worden gevuld</translation>
     </message>
     <message>
         <source>no point is on the border</source>
@@ -2004,7 +2012,7 @@
     </message>
     <message>
         <source>the painted line has no width</source>
-        <translation>de geschilderde lijn heeft geen breedte</translation>
+        <translation>de geverfde lijn heeft geen breedte</translation>
     </message>
     <message>
         <source>the surface cannot be smoothed there</source>
@@ -2023,8 +2031,8 @@
         <translation>het oppervlak van het lichaam kruist zichzelf daar</translation>
     </message>
     <message>
-        <source>the surfaces cannot be joined: %1</source>
-        <translation>de oppervlakken kunnen niet worden verbonden: %1</translation>
+        <source>the surfaces cannot be joined</source>
+        <translation>de oppervlakken kunnen niet worden verbonden</translation>
     </message>
 </context>
 <context>

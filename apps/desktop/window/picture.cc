@@ -194,7 +194,9 @@ int make_picture(const PictureRequest& request) {
                     }});
     if (!studio.use_device(shown_pen().id)) return 1;
   }
-  if (!request.file.isEmpty() && !window.files().open(request.file)) return 1;
+  if (!request.file.isEmpty() && !window.files().open(request.file)) {
+    return complain(QStringLiteral("%1: cannot be opened").arg(request.file));
+  }
   if (!request.example.isEmpty()) studio.open(example_document(request.example), Page{});
   if (!request.script.isEmpty()) {
     if (const QString wrong = play(studio, request); !wrong.isEmpty()) return complain(wrong);

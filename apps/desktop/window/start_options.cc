@@ -123,6 +123,9 @@ std::optional<QString> read_arguments(const QStringList& arguments, StartOptions
   options.record = parser.value(QStringLiteral("record"));
   if (const auto wrong = read_trial(parser, options.trial)) return wrong;
   options.picture = picture_of(parser);
+  if (!options.picture.path.isEmpty() && options.files.size() > 1) {
+    return option_text(QT_TRANSLATE_NOOP("Arguments", "--screenshot shows one drawing only"));
+  }
   const QSize size = options.picture.size;
   if (size.width() < 100 || size.height() < 100 || size.width() > 8000 || size.height() > 8000) {
     return option_text(

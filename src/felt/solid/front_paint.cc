@@ -1,6 +1,7 @@
 #include "felt/solid/front_paint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -86,6 +87,49 @@ bool is_blank(const Image& image, const PixelRect& part) {
   return true;
 }
 
+/// The corners of a triangle on the picture.
+using PixelTriangle = std::array<Vec, 3>;
+
+/// Returns true if there is ink at the centre of a pixel in the triangle or on its border.
+bool has_ink(const Image& ink, const PixelTriangle& corners) {
+  const auto [a, b, c] = corners;
+  const double turn = cross(b - a, c - a) < 0.0 ? -1.0 : 1.0;
+  const auto is_left = [turn](const Vec& from, const Vec& to, const Vec& p) {
+    return turn * cross(to - from, p - from) >= 0.0;
+  };
+  const auto first = [](double least, int end) {
+    return static_cast<int>(std::clamp(std::floor(least), 0.0, static_cast<double>(end)));
+  };
+  const auto end = [](double most, int end_of_image) {
+    return static_cast<int>(std::clamp(std::ceil(most), 0.0, static_cast<double>(end_of_image)));
+  };
+  const int x0 = first(std::min({a.x, b.x, c.x}), ink.width());
+  const int x1 = end(std::max({a.x, b.x, c.x}), ink.width());
+  const int y1 = end(std::max({a.y, b.y, c.y}), ink.height());
+  for (int y = first(std::min({a.y, b.y, c.y}), ink.height()); y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      const Vec p{x + 0.5, y + 0.5};
+      if (ink.at(x, y).a != 0 && is_left(a, b, p) && is_left(b, c, p) && is_left(c, a, p)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Returns true if there is ink on the front of a body. Ink beside the bodies and in their holes
+/// does not count.
+bool has_ink_on(const Solid& solid, const FrontPaint& paint) {
+  for (const SolidBody& body : solid.bodies) {
+    for (const SolidBody::Triangle& t : body.triangles) {
+      if (!is_front(body, t)) continue;
+      const auto corner = [&](std::size_t k) { return paint.to_px(body.points[t[k]]); };
+      if (has_ink(paint.ink, {corner(0), corner(1), corner(2)})) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace front_painting
 
 bool is_front(const SolidBody& body, const SolidBody::Triangle& triangle) noexcept {
@@ -134,8 +178,9 @@ Result<std::optional<FrontPaint>> front_paint(const Document& document, const So
   Result<Image> ink =
       render_page(without_outlines(document, solid), options, PictureChoice::kMarked);
   if (!ink) return tl::unexpected(ink.error());
-  if (is_blank(*ink, {0, 0, ink->width(), ink->height()})) return std::optional<FrontPaint>();
-  return FrontPaint{*std::move(ink), {area.x0, area.y1}, px_per_mm};
+  FrontPaint paint{*std::move(ink), {area.x0, area.y1}, px_per_mm};
+  if (!has_ink_on(solid, paint)) return std::optional<FrontPaint>();
+  return paint;
 }
 
 Result<std::optional<FrontPaint>> painted_front(const SolidBody& body, const FrontPaint& paint) {

@@ -31,8 +31,8 @@ struct FrontPaint {
 /// Draws the visible strokes and fills of a document for the fronts of its bodies. A stroke that
 /// follows an outline for more than half of its length is left out: it has become the body. `solid`
 /// must be that of this document, before its edits (body_edits.h). Returns nullopt if no ink is
-/// left on the bodies. The same drawing gives the same picture. Fails if the memory limit of Image
-/// does not allow a layer.
+/// left on the bodies: ink beside them and in their holes does not count. The same drawing gives
+/// the same picture. Fails if the memory limit of Image does not allow a layer.
 Result<std::optional<FrontPaint>> front_paint(const Document& document, const Solid& solid,
                                               const Grain& grain);
 

@@ -45,6 +45,35 @@ TEST(FrontPaint, HasTheLinesInsideAndNotTheOutline) {
   EXPECT_EQ(ink_at(*paint, ball, {50, 20.3}), 0) << "at the outline";
 }
 
+// The rectangle around the bodies contains all of these strokes.
+TEST(FrontPaint, InkBesideTheBodiesDoesNotCount) {
+  testing::SolidDrawing drawing;
+  drawing.polygon({{20, 10}, {50, 60}, {10, 60}});
+  drawing.polyline({{40, 12}, {49, 14}});
+  const Solid triangle = inflated(drawing.document);
+  EXPECT_FALSE(painted(drawing.document, triangle));
+  drawing.polyline({{25, 40}, {30, 41}});
+  EXPECT_TRUE(painted(drawing.document, triangle));
+
+  testing::SolidDrawing round;
+  round.circle({50, 50}, 30.0);
+  round.polyline({{72, 22}, {79, 24}});
+  EXPECT_FALSE(painted(round.document, inflated(round.document)));
+}
+
+TEST(FrontPaint, InkInAHoleDoesNotCount) {
+  testing::SolidDrawing drawing;
+  drawing.circle({50, 50}, 30.0);
+  drawing.circle({50, 50}, 15.0);
+  const Result<InflatedDrawing> ring = inflate(drawing.document, {.holes = HoleChoice::kKeep});
+  ASSERT_TRUE(ring);
+  ASSERT_EQ(ring->solid.bodies[0].holes, 1);
+  drawing.polyline({{45, 48}, {55, 53}});
+  EXPECT_FALSE(painted(drawing.document, ring->solid));
+  drawing.polyline({{25, 48}, {30, 50}});
+  EXPECT_TRUE(painted(drawing.document, ring->solid));
+}
+
 // A rough outline of several strokes, one of which ends inside.
 TEST(FrontPaint, LeavesOutStrokesThatFollowTheOutlineForMoreThanHalf) {
   testing::SolidDrawing drawing;

@@ -393,6 +393,14 @@ TEST(Inflate, SaysWhatCannotBeInflated) {
                                     "(20.00, 20.00) mm"),
             std::string::npos)
       << error_of(touching);
+  SolidDrawing four;
+  four.polyline({{20, 20}, {0, 0}, {0, 20}});
+  four.polyline({{0, 20}, {0, 40}, {20, 20}});
+  four.polyline({{20, 20}, {40, 0}, {40, 20}});
+  four.polyline({{40, 20}, {40, 40}, {20, 20}});
+  EXPECT_EQ(error_of(four).find("strokes s1, s2, s3 and s4 enclose areas that meet in only one "),
+            0U)
+      << error_of(four);
   SolidDrawing open;
   open.polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 5}});
   EXPECT_EQ(error_of(open),

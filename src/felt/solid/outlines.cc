@@ -160,6 +160,17 @@ void OutlineFinder::drop_small() {
   });
 }
 
+/// Returns "strokes s1, s2 and s3"; "lines" if there are none, because bridges over gaps meet.
+std::string names_of(const std::vector<StrokeId>& strokes) {
+  if (strokes.empty()) return "lines";
+  std::string names = "strokes ";
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (i > 0) names += i + 1 == strokes.size() ? " and " : ", ";
+    names += stroke_name(strokes[i]);
+  }
+  return names;
+}
+
 tl::unexpected<Error> OutlineFinder::pinch(std::size_t node, const Lobe& a, const Lobe& b) const {
   std::vector<StrokeId> strokes;
   for (const Lobe* lobe : {&a, &b}) {
@@ -178,11 +189,9 @@ tl::unexpected<Error> OutlineFinder::pinch(std::size_t node, const Lobe& a, cons
                                              " crosses itself at " + at +
                                              ", so its parts meet in only one point");
   }
-  std::string names;
-  for (const StrokeId id : strokes) names += (names.empty() ? "" : " and ") + stroke_name(id);
-  return fail(ErrorCode::kInvalidData, "strokes " + names +
-                                           " enclose areas that meet in only one " + "point, " +
-                                           at + ": let them overlap, or move them apart");
+  return fail(ErrorCode::kInvalidData, names_of(strokes) +
+                                           " enclose areas that meet in only one point, " + at +
+                                           ": let them overlap, or move them apart");
 }
 
 /// Fails if two lobes have a node in common. With FaultChoice::kLeaveOut, drops the smaller one.

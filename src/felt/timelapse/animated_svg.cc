@@ -72,7 +72,8 @@ class FilmShapes {
     if (std::max({-box.x0, -box.y0, box.x1, box.y1}) > kMaxCoordinateMm) {
       return fail(ErrorCode::kLimitExceeded, "the ink extends beyond 1e9 mm");
     }
-    const double drawn_s = seconds(life.drawn_from_ns), done_s = seconds(life.from_ns);
+    const double drawn_s = seconds(life.drawn_from_ns),
+                 done_s = seconds(life.times.front().from_ns);
     const bool is_drawn = stroke && done_s > drawn_s;
     if (is_drawn) append_mask(**stroke, box, drawn_s, done_s);
     out_ += "<path";
@@ -82,7 +83,7 @@ class FilmShapes {
       append_fill_color(out_, std::get<FillPtr>(life.shape)->color);
       out_ += " fill-rule=\"evenodd\"";
     }
-    if (life.to_ns) out_ += " display=\"none\"";
+    if (life.times.back().to_ns) out_ += " display=\"none\"";
     out_ += " d=\"";
     append_path_data(out_, on_grid(stroke ? styled_path(**stroke, styles_.find((*stroke)->medium()),
                                                         kFilmToleranceMm)
@@ -138,13 +139,17 @@ class FilmShapes {
     out_ += "/>";
   }
 
-  /// Shows the shape from `shown_s` to the end of its life. Without animations, only shapes that
-  /// are there at the end are seen.
+  /// Shows the shape in the times of its life, the first of which begins at `shown_s`. Without
+  /// animations, only shapes that are there at the end are seen.
   void append_life(const ShapeLife& life, double shown_s) {
-    if (life.to_ns) {
-      append_set("display", "inline", shown_s, seconds(*life.to_ns));
-    } else {
-      append_set("display", "none", 0.0, shown_s);
+    const bool is_seen_at_end = !life.times.back().to_ns;
+    double gone_s = 0.0;
+    for (const SeenTime& time : life.times) {
+      const double from_s = &time == &life.times.front() ? shown_s : seconds(time.from_ns);
+      if (is_seen_at_end) append_set("display", "none", gone_s, from_s);
+      if (!time.to_ns) break;
+      gone_s = seconds(*time.to_ns);
+      if (!is_seen_at_end) append_set("display", "inline", from_s, gone_s);
     }
   }
 

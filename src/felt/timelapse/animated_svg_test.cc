@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <pugixml.hpp>
+#include <utility>
+#include <vector>
 
 #include "felt/timelapse/testing/drawn_recording.h"
 
@@ -37,6 +41,19 @@ pugi::xml_node animation(const pugi::xml_node& shape, const char* attribute) {
 }
 double seconds_of(const pugi::xml_node& node, const char* name) {
   return std::strtod(node.attribute(name).value(), nullptr);  // ignores the unit
+}
+
+/// The times in which a shape has this value of `display`, from and to, in s.
+std::vector<std::pair<double, double>> times_of(const pugi::xml_node& shape,
+                                                std::string_view value) {
+  std::vector<std::pair<double, double>> times;
+  for (const pugi::xml_node& set : shape.children("set")) {
+    if (set.attribute("attributeName").value() != std::string_view("display")) continue;
+    EXPECT_EQ(set.attribute("to").value(), value);
+    const double from = seconds_of(set, "begin");
+    times.emplace_back(from, std::round(1e3 * (from + seconds_of(set, "dur"))) / 1e3);
+  }
+  return times;
 }
 
 TEST(AnimatedSvg, StrokesAppearAlongTheirPathOneAfterAnother) {
@@ -103,7 +120,40 @@ TEST(AnimatedSvg, HiddenLayersHideTheirInk) {
   made.event(LayerEvent{.what = LayerEvent::Do::kShow, .layer = {1}});
   FilmFile film;
   read_film(made.take(), 10.0, film);
-  ASSERT_EQ(film.shapes.size(), 2U) << "the line is seen twice";
+  ASSERT_EQ(film.shapes.size(), 1U);
+  EXPECT_STREQ(film.shapes[0].attribute("display").value(), "");
+  EXPECT_EQ(times_of(film.shapes[0], "none").size(), 1U) << "drawn from the start, then hidden";
+}
+
+// Switching between layers under the onion skin.
+TEST(AnimatedSvg, AShapeThatIsSeenAgainIsWrittenOnce) {
+  constexpr std::array kLayers{LayerId{1}, LayerId{2}};
+  testing::DrawnRecording made;
+  made.line({10.0, 10.0}, {90.0, 10.0}, 30);
+  made.event(LayerEvent{.what = LayerEvent::Do::kAdd, .layer = {}});
+  made.event(UseView{{kLayers[0]}});
+  made.line({10.0, 60.0}, {90.0, 60.0}, 30);
+  made.pause(1.0);
+  constexpr std::size_t kSwitches = 20;  // the last one is to the second layer
+  for (std::size_t i = 0; i < kSwitches; ++i) {
+    made.event(LayerEvent{.what = LayerEvent::Do::kUse, .layer = kLayers[i % 2]});
+    made.event(UseView{{kLayers[1 - i % 2]}});
+    made.pause(1.0);
+  }
+  FilmFile film;
+  read_film(made.take(), 60.0, film);
+  ASSERT_EQ(film.shapes.size(), 2U);
+  const auto &first = film.shapes[0], &second = film.shapes[1];
+  EXPECT_STREQ(first.attribute("display").value(), "none");
+  EXPECT_STREQ(second.attribute("display").value(), "");
+  const auto seen = times_of(first, "inline"), hidden = times_of(second, "none");
+  ASSERT_EQ(seen.size(), 1 + kSwitches / 2);
+  ASSERT_EQ(hidden.size(), 1 + kSwitches / 2);
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    EXPECT_GT(seen[i].first, seen[i - 1].second);
+    EXPECT_NEAR(seen[i].first, hidden[i].first, 0.2) << "one is seen while the other is hidden";
+    EXPECT_NEAR(seen[i].second, hidden[i].second, 0.2);
+  }
 }
 
 TEST(AnimatedSvg, LayersOutOfViewAreNotSeen) {
@@ -115,12 +165,13 @@ TEST(AnimatedSvg, LayersOutOfViewAreNotSeen) {
   made.event(UseView{});
   FilmFile film;
   read_film(made.take(), 10.0, film);
-  ASSERT_EQ(film.shapes.size(), 3U) << "the first line, again at the end, and the second line";
-  EXPECT_STREQ(film.shapes[0].attribute("display").value(), "none");
-  EXPECT_STREQ(film.shapes[1].attribute("display").value(), "");
-  const pugi::xml_node shown = animation(film.shapes[0], "display");
-  EXPECT_LT(seconds_of(shown, "begin") + seconds_of(shown, "dur"),
-            seconds_of(animation(film.shapes[1], "display"), "dur"));
+  ASSERT_EQ(film.shapes.size(), 2U);
+  for (const auto& shape : film.shapes) EXPECT_STREQ(shape.attribute("display").value(), "");
+  const auto first = times_of(film.shapes[0], "none"), second = times_of(film.shapes[1], "none");
+  ASSERT_EQ(first.size(), 1U) << "out of view";
+  ASSERT_EQ(second.size(), 1U) << "before it is drawn";
+  EXPECT_LE(first[0].first, second[0].second);
+  EXPECT_GT(first[0].second, second[0].second) << "the second line is drawn meanwhile";
 }
 
 TEST(AnimatedSvg, AnyRecordingGivesValidXml) {

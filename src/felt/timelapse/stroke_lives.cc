@@ -2,7 +2,7 @@
 
 namespace felt {
 
-/// Ends the life of the present shape if it changed or is gone, and begins that of the next one.
+/// Ends the time of the present shape if it changed or is gone, and begins that of the next one.
 template <class Id, class Ptr>
 void StrokeLives::see_shape(std::map<Id, std::size_t>& seen, Id id, const Ptr& shape,
                             const Layer* layer, std::int64_t now_ns, std::int64_t drawn_from_ns) {
@@ -10,12 +10,20 @@ void StrokeLives::see_shape(std::map<Id, std::size_t>& seen, Id id, const Ptr& s
   if (const auto old = seen.find(id); old != seen.end()) {
     ShapeLife& life = lives_[old->second];
     if (is_seen && life.layer == layer->id && std::get<Ptr>(life.shape) == shape) return;
-    life.to_ns = now_ns;
+    life.times.back().to_ns = now_ns;
     seen.erase(old);
   }
   if (!is_seen) return;
+  std::vector<std::size_t>& known = known_[{layer->id, shape.get()}];
+  for (const std::size_t at : known) {
+    if (lives_[at].id != id.value || !lives_[at].times.back().to_ns) continue;
+    lives_[at].times.push_back({now_ns});
+    seen.emplace(id, at);
+    return;
+  }
+  known.push_back(lives_.size());
   seen.emplace(id, lives_.size());
-  lives_.push_back({shape, id.value, layer->id, drawn_from_ns, now_ns});
+  lives_.push_back({shape, id.value, layer->id, drawn_from_ns, {{now_ns}}});
 }
 
 void StrokeLives::see(const Edit& edit, const Document& document, std::int64_t now_ns,

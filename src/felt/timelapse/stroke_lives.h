@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,14 +12,21 @@
 
 namespace felt {
 
+/// A time in which a shape was seen, in DrawingTime.
+struct SeenTime {
+  std::int64_t from_ns = 0;
+  std::optional<std::int64_t> to_ns{};  ///< when it was gone; nullopt: seen at the end
+};
+
 /// One shape of a stroke or of a fill, and when it was seen, in DrawingTime.
 struct ShapeLife {
   std::variant<StrokePtr, FillPtr> shape;
   std::uint64_t id = 0;  ///< of the stroke or fill
   LayerId layer;
-  std::int64_t drawn_from_ns = 0;  ///< when the pen began to draw it; `from_ns` if it was not drawn
-  std::int64_t from_ns = 0;        ///< when it was complete
-  std::optional<std::int64_t> to_ns{};  ///< when it was gone; nullopt: seen at the end
+  /// When the pen began to draw it; the beginning of the first time if it was not drawn.
+  std::int64_t drawn_from_ns = 0;
+  /// In order; at least one. Only the last one may be open. In the first one it is complete.
+  std::vector<SeenTime> times;
 };
 
 /// Collects the shapes of all strokes and fills that are visible at any time of a session.
@@ -33,7 +41,8 @@ class StrokeLives {
   void see(const Edit& edit, const Document& document, std::int64_t now_ns,
            std::optional<std::int64_t> drawn_from_ns);
 
-  /// Returns all shapes in the order in which they were seen first.
+  /// Returns all shapes in the order in which they were seen first. A shape that is seen again in
+  /// the same layer, as by switching layers or by undo, has one life with several times.
   [[nodiscard]] const std::vector<ShapeLife>& all() const noexcept { return lives_; }
 
  private:
@@ -46,6 +55,8 @@ class StrokeLives {
   std::vector<ShapeLife> lives_;
   std::map<StrokeId, std::size_t> strokes_;  // the lives of those that are seen now
   std::map<FillId, std::size_t> fills_;
+  // The lives of all shapes. They keep the shapes, so that no address is used again.
+  std::map<std::pair<LayerId, const void*>, std::vector<std::size_t>> known_;
 };
 
 }  // namespace felt

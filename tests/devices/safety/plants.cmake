@@ -51,14 +51,20 @@ felt_plant(no_budget safety_stages.cc
 felt_plant(friction_last safety_stages.cc
   "share_of(slopes.friction_n_per_m, budget - lateral)" "share_of(slopes.friction_n_per_m, 1.0)")
 
-# Bugs of the force of a body.
+# Bugs of the force of a body: the rules of FuzzBody find them, not those of the chain.
+set(rule "a body does not rely on the device's velocity")
 felt_plant(body_believes_the_velocity ../bricks/solid_surface.cc
   "const Vec3 velocity = touch.motion.velocity();" "const Vec3 velocity = sample.velocity;")
+set(rule "a body does not pull the pen in")
 felt_plant(body_pulls_in ../bricks/solid_surface.cc
   "std::max(0.0, memory.spring_force_n - brake)" "memory.spring_force_n - brake")
+set(rule "the force of a body is under the force of the device")
 felt_plant(body_has_no_bound ../bricks/solid_surface.cc
   "options_.max_force_n > 0.0 ?" "options_.max_force_n < 0.0 ?")
+set(rule "a body that appears around the pen does not push")
 felt_plant(body_throws_out ../bricks/solid_surface.cc
   "touch.is_outside = rise_mm <= kFollowMm;" "touch.is_outside = true;")
+set(rule "a body that appears around the pen does not push")
 felt_plant(body_starts_inside ../bricks/solid_surface.cc
   "if (!is_free_in_front(pen)) return false;" "")
+unset(rule)

@@ -2,23 +2,25 @@
 
 #include <algorithm>
 
+#include "felt/haptics/bricks/sample_gap.h"
+
 namespace felt {
 namespace {
 
-constexpr std::int64_t kGapNs = 20'000'000;
 constexpr double kFastestMmPerS = 500.0;
 
 void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
   const double z_mm = sample.position.z;
-  // Compares instead of subtracting, because the difference of two arbitrary times may overflow.
-  const bool fresh = memory.has_last_z && sample.time_ns >= memory.last_z_time_ns &&
-                     sample.time_ns - kGapNs <= memory.last_z_time_ns;
+  const bool fresh = memory.has_last_z && is_next_sample(sample.time_ns, memory.last_z_time_ns);
+  // The device repeats its sample until it has a new one.
+  if (fresh && sample.time_ns == memory.last_z_time_ns && z_mm == memory.last_z_mm) return;
   // Uses backward Euler, as VelocityFilter does. It does not divide by dt, so that the jitter of a
   // short tick does not appear as speed.
   const double way_mm = z_mm - memory.last_z_mm;
   memory.normal_speed_mm_per_s =
       fresh ? (Plane::kSpeedFilterS * memory.normal_speed_mm_per_s + way_mm) /
-                  (Plane::kSpeedFilterS + memory.dt_s)
+                  (Plane::kSpeedFilterS +
+                   sample_gap_s(sample.time_ns, memory.last_z_time_ns, memory.dt_s))
             : 0.0;
   memory.last_z_mm = z_mm;
   memory.last_z_time_ns = sample.time_ns;

@@ -87,6 +87,20 @@ TEST(Plane, AJumpAfterAGapIsNoSpeed) {
   EXPECT_DOUBLE_EQ(backwards.z, 1.0);
 }
 
+TEST(Plane, R11_R12_TheBrakeStaysWhileTheDeviceRepeatsItsSample) {
+  const Plane plane;
+  ForceMemory memory;
+  const auto brake_at = [&](int ms, double dt_s) {
+    memory.begin_tick(dt_s);
+    plane(at_z(2.0 - 0.2 * ms, 0.001 * ms), memory);  // 200 mm/s
+    return memory.normal_force_n - memory.spring_force_n;
+  };
+  for (int ms = 0; ms < 22; ++ms) brake_at(ms, 0.001);
+  for (int i = 0; i < 10; ++i) EXPECT_NEAR(brake_at(22, 0.001), 0.4, 0.01) << i;
+  EXPECT_NEAR(brake_at(32, 0.001), 0.4, 0.01) << "10 ms of motion are not that of one tick";
+  EXPECT_NEAR(brake_at(47, 0.005), 0.4, 0.01) << "after a stall of the loop";
+}
+
 TEST(Plane, AJitteryTickIsNoSpeedEither) {
   // The sensor changes by one step within a tick of 0.2 ms instead of 1 ms.
   const Plane plane;

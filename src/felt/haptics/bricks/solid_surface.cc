@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/sample_gap.h"
 
 namespace felt {
 namespace {
@@ -55,13 +56,15 @@ bool SolidSurface::follow(const PenSample& sample, double friction,
   SolidTouch& touch = memory.solid;
   const Vec3& pen = sample.position;
   if (!is_finite(pen)) return false;
-  // Compares instead of subtracting, as Plane does.
-  const bool is_fresh = sample.time_ns >= touch.time_ns &&
-                        sample.time_ns - kGapNs <= touch.time_ns &&
-                        norm(pen - touch.pen_mm) <= kLostMm;
+  const bool is_fresh =
+      is_next_sample(sample.time_ns, touch.time_ns) && norm(pen - touch.pen_mm) <= kLostMm;
   touch.is_outside = touch.is_outside && is_fresh;
-  if (!is_fresh) touch.motion.reset();
-  touch.motion.update(pen, memory.dt_s);
+  if (!is_fresh) {
+    touch.motion.reset();
+    touch.motion.update(pen, memory.dt_s);
+  } else if (sample.time_ns != touch.time_ns || pen != touch.pen_mm) {
+    touch.motion.update(pen, sample_gap_s(sample.time_ns, touch.time_ns, memory.dt_s));
+  }
   touch.pen_mm = pen;
   touch.time_ns = sample.time_ns;
   if (touch.number != options_.number) change_body(touch);

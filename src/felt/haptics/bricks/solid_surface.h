@@ -31,7 +31,8 @@ struct SolidSurfaceOptions {
 ///   F  = Fn n + (k t - d vt, shortened to mu Fn)                   vt: known part of the velocity
 ///
 /// The velocity is computed from the positions, as that of the Plane. With the reported one, a
-/// device that reports a wrong velocity, or none, would make the surface active or let it hum.
+/// device that reports a wrong velocity, or none, would make the surface active or let it hum. It
+/// stays while the device repeats its sample.
 ///
 /// K and B are those of a plane, k, d and mu those of Friction. The proxy sticks while k |t| <= mu
 /// K depth and otherwise follows at that distance. So Fn never pulls the pen in, the friction
@@ -50,7 +51,6 @@ class SolidSurface {
  public:
   static constexpr double kLostMm = 4.0;
   static constexpr double kFollowMm = 1.0;
-  static constexpr std::int64_t kGapNs = 20'000'000;
 
   SolidSurface(const TriangleTree& body, const SolidSurfaceOptions& options,
                const Texture& grain = Texture()) noexcept

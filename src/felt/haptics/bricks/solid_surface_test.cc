@@ -92,6 +92,59 @@ TEST(SolidSurface, R11_BrakesAPenThatGoesInAndNeverPullsOneThatGoesOut) {
   EXPECT_EQ(at_19_mm(17, 0.4), Force{});
 }
 
+// A pen that goes into a plate at 200 mm/s, and a loop and a device at 1 kHz.
+struct FallingPen {
+  const TriangleTree body = plate(0.0);
+  SolidSurfaceOptions options = options_without_damping();
+  ForceMemory memory;
+
+  FallingPen() { options.plane.damping_n_s_per_m = 2.0; }
+  // The force at a tick of `dt_s` with the sample of `at_ms`.
+  double force_at(int at_ms, double dt_s = 0.001) {
+    memory.begin_tick(dt_s);
+    const PenSample sample = rig::pen_at({0, 0, 4.0 - 0.2 * at_ms}, {}, 0.001 * at_ms);
+    return SolidSurface(body, options)(sample, memory).z;
+  }
+  // The part of the damper, 0.4 N when steady.
+  [[nodiscard]] double brake_n() const { return memory.normal_force_n - memory.spring_force_n; }
+};
+
+TEST(SolidSurface, R11_R12_TheBrakeStaysWhileTheDeviceRepeatsItsSample) {
+  FallingPen pen;
+  for (int ms = 0; ms <= 22; ++ms) pen.force_at(ms);
+  ASSERT_NEAR(pen.brake_n(), 0.4, 0.01);
+  const double steady_n = pen.force_at(22);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_NEAR(pen.force_at(22), steady_n, 1e-9) << i;
+    EXPECT_NEAR(pen.brake_n(), 0.4, 0.01) << i;
+  }
+  pen.force_at(33);
+  EXPECT_NEAR(pen.brake_n(), 0.4, 0.01) << "11 ms of motion are not that of one tick";
+}
+
+TEST(SolidSurface, R11_R12_AStallOfTheLoopIsNoSpeed) {
+  FallingPen pen;
+  for (int ms = 0; ms <= 22; ++ms) pen.force_at(ms);
+  pen.force_at(37, 0.005);  // the loop clamps 15 ms to 5 ms
+  EXPECT_NEAR(pen.brake_n(), 0.4, 0.01);
+  for (int i = 0; i < 300; ++i) {
+    pen.memory.begin_tick(0.001);
+    const auto rest = rig::pen_at({0, 0, -3.4}, {}, 0.038 + 0.001 * i);
+    SolidSurface(pen.body, pen.options)(rest, pen.memory);
+  }
+  EXPECT_NEAR(pen.brake_n(), 0.0, 1e-6) << "new samples at the same place are a pen at rest";
+}
+
+TEST(SolidSurface, R11_R12_TheSpeedBeginsAnewAfterAGap) {
+  FallingPen pen;
+  pen.memory.begin_tick(0.001);
+  SolidSurface(pen.body, pen.options)(rig::pen_at({0, 0, 30}, {}, -1.0), pen.memory);
+  EXPECT_EQ(pen.force_at(19), 0.0) << "above the surface";
+  pen.force_at(21);
+  EXPECT_GT(pen.memory.spring_force_n, 0.09);
+  EXPECT_LT(pen.brake_n(), 0.3) << "30 mm in a second are not 30 mm in a tick";
+}
+
 TEST(SolidSurface, R13_SlidesWithTheFrictionOfThePlane) {
   const TriangleTree body = plate(0.0);
   for (const double bristle : {300.0, 500.0, 900.0}) {
