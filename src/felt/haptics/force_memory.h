@@ -120,6 +120,7 @@ struct ForceMemory {
   double normal_speed_mm_per_s = 0.0;  ///< low-pass filtered dz/dt of the plane brick
   double last_z_mm = 0.0;
   std::int64_t last_z_time_ns = 0;
+  double z_repeated_s = 0.0;  ///< time for which the device has repeated its sample
   bool has_last_z = false;
   double turn_rad = 0.0;  ///< angle of a rotation about its centre, unwrapped (tether)
   std::uint32_t turn_gesture = 0;

@@ -13,6 +13,7 @@ struct SolidTouch {
   Vec3 pen_mm{};             ///< at the last tick
   VelocityFilter motion{};   ///< of the pen, from its positions
   std::int64_t time_ns = 0;  ///< of the last tick
+  double repeated_s = 0.0;   ///< time for which the device has repeated its sample
   std::uint32_t number = 0;  ///< SolidSurfaceOptions::number; 0: none
   /// The proxy follows the pen; false until the pen has been in front of the body.
   bool is_outside = false;

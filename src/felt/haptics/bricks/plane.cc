@@ -13,7 +13,13 @@ void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
   const double z_mm = sample.position.z;
   const bool fresh = memory.has_last_z && is_next_sample(sample.time_ns, memory.last_z_time_ns);
   // The device repeats its sample until it has a new one.
-  if (fresh && sample.time_ns == memory.last_z_time_ns && z_mm == memory.last_z_mm) return;
+  const bool is_repeated =
+      fresh && sample.time_ns == memory.last_z_time_ns && z_mm == memory.last_z_mm;
+  memory.z_repeated_s = is_repeated ? memory.z_repeated_s + memory.dt_s : 0.0;
+  if (is_repeated) {
+    if (memory.z_repeated_s > kMaxSampleGapS) memory.normal_speed_mm_per_s = 0.0;
+    return;
+  }
   // Uses backward Euler, as VelocityFilter does. It does not divide by dt, so that the jitter of a
   // short tick does not appear as speed.
   const double way_mm = z_mm - memory.last_z_mm;

@@ -25,6 +25,7 @@ struct PlaneOptions {
 ///   tick.
 /// * The first sample, and the first one after a gap of more than 20 ms, start with vz = 0, because
 ///   the displacement in between says nothing about the present speed.
+/// * While the device repeats its sample, vz stays, for up to 20 ms. Then it is 0.
 /// * |vz| is clamped to 500 mm/s, so the damper adds at most 1 N. Faster motion is left to the
 ///   safety chain, so that a stale position does not cause a kick.
 /// * If the stiffness budget is less than K, K is reduced but B is not, because the damper keeps a

@@ -99,6 +99,8 @@ TEST(Plane, R11_R12_TheBrakeStaysWhileTheDeviceRepeatsItsSample) {
   for (int i = 0; i < 10; ++i) EXPECT_NEAR(brake_at(22, 0.001), 0.4, 0.01) << i;
   EXPECT_NEAR(brake_at(32, 0.001), 0.4, 0.01) << "10 ms of motion are not that of one tick";
   EXPECT_NEAR(brake_at(47, 0.005), 0.4, 0.01) << "after a stall of the loop";
+  for (int i = 0; i < 21; ++i) brake_at(47, 0.001);
+  EXPECT_EQ(brake_at(47, 0.001), 0.0) << "nobody knows the speed any more";
 }
 
 TEST(Plane, AJitteryTickIsNoSpeedEither) {

@@ -8,6 +8,7 @@ namespace felt {
 /// If more time has passed between two samples, the displacement in between says nothing about the
 /// present speed.
 inline constexpr std::int64_t kMaxSampleGapNs = 20'000'000;
+inline constexpr double kMaxSampleGapS = 1e-9 * static_cast<double>(kMaxSampleGapNs);
 
 /// Returns the time between two samples of a pen, in ns, in the range 0 to 2^64 - 1. `time_ns` must
 /// not be before `last_ns`.

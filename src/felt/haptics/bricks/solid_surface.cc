@@ -59,11 +59,14 @@ bool SolidSurface::follow(const PenSample& sample, double friction,
   const bool is_fresh =
       is_next_sample(sample.time_ns, touch.time_ns) && norm(pen - touch.pen_mm) <= kLostMm;
   touch.is_outside = touch.is_outside && is_fresh;
-  if (!is_fresh) {
-    touch.motion.reset();
-    touch.motion.update(pen, memory.dt_s);
-  } else if (sample.time_ns != touch.time_ns || pen != touch.pen_mm) {
-    touch.motion.update(pen, sample_gap_s(sample.time_ns, touch.time_ns, memory.dt_s));
+  // The device repeats its sample until it has a new one.
+  const bool is_repeated = is_fresh && sample.time_ns == touch.time_ns && pen == touch.pen_mm;
+  touch.repeated_s = is_repeated ? touch.repeated_s + memory.dt_s : 0.0;
+  const bool is_unknown = !is_fresh || touch.repeated_s > kMaxSampleGapS;
+  if (is_unknown) touch.motion.reset();
+  if (is_unknown || !is_repeated) {
+    touch.motion.update(
+        pen, is_fresh ? sample_gap_s(sample.time_ns, touch.time_ns, memory.dt_s) : memory.dt_s);
   }
   touch.pen_mm = pen;
   touch.time_ns = sample.time_ns;

@@ -32,7 +32,7 @@ struct SolidSurfaceOptions {
 ///
 /// The velocity is computed from the positions, as that of the Plane. With the reported one, a
 /// device that reports a wrong velocity, or none, would make the surface active or let it hum. It
-/// stays while the device repeats its sample.
+/// stays while the device repeats its sample, for up to 20 ms.
 ///
 /// K and B are those of a plane, k, d and mu those of Friction. The proxy sticks while k |t| <= mu
 /// K depth and otherwise follows at that distance. So Fn never pulls the pen in, the friction

@@ -120,6 +120,9 @@ TEST(SolidSurface, R11_R12_TheBrakeStaysWhileTheDeviceRepeatsItsSample) {
   }
   pen.force_at(33);
   EXPECT_NEAR(pen.brake_n(), 0.4, 0.01) << "11 ms of motion are not that of one tick";
+  for (int i = 0; i < 21; ++i) pen.force_at(33);
+  EXPECT_EQ(pen.brake_n(), 0.0) << "nobody knows the speed any more";
+  EXPECT_GT(pen.memory.spring_force_n, 1.0);
 }
 
 TEST(SolidSurface, R11_R12_AStallOfTheLoopIsNoSpeed) {
