@@ -56,8 +56,11 @@ class VelocityFilter {
   explicit constexpr VelocityFilter(double cutoff_hz = kDefaultCutoffHz) noexcept
       : time_constant_s_(cutoff_hz > 0.0 ? 1.0 / (6.283185307179586 * cutoff_hz) : 0.0) {}
 
-  /// Forgets all state. The velocity at the next position is 0.
-  constexpr void reset() noexcept { has_last_ = false; }
+  /// Forgets all state. The velocity is 0 now, and at the next position.
+  constexpr void reset() noexcept {
+    has_last_ = false;
+    velocity_ = {};
+  }
   /// Adds a position (mm), measured dt_s after the previous one, and returns the velocity in mm/s.
   /// If no time has passed, the velocity does not change.
   constexpr Vec3 update(const Vec3& position_mm, double dt_s) noexcept {

@@ -352,7 +352,7 @@ const char* SafetyOracle::check_brake(const TickInput& in, const TickOutput& out
                       limits_.peak_force_n > 0.5 && limits_.max_damping_n_s_per_m == 0.0;
   // If the positions contradict the reported velocity, the pen may be braked less.
   const Vec3& m = moved_m_per_s_;
-  const bool agrees = length(m) <= 1.001 * speed && dot(m, v) >= 0.0;
+  const bool agrees = length(m) <= 1.001 * speed && dot(m, v) > 0.0;
   braked_ticks_ = steady && agrees ? braked_ticks_ + 1 : 0;
   if (braked_ticks_ < 60) return nullptr;
   return along(out.sent, v) > -0.2 ? "from 0.6 m/s the pen is braked" : nullptr;

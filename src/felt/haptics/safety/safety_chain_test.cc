@@ -303,6 +303,36 @@ TEST(SafetyChain, R49_AVelocityOfTheWrongSignNeverPushesThePen) {
   }
 }
 
+TEST(SafetyChain, R49_AVelocityOfTheWrongSignNeverPushesBetweenTwoPositions) {
+  Rig rig;
+  rig.engaged({});
+  double x = 0.0;
+  double hardest = 0.0;
+  for (int i = 0; i < 400; ++i) {  // each position is read four times, with a new time
+    if (i % 4 == 0) x += 0.8;
+    rig.tick({}, {x, 0, 0}, {-900, 0, 0});
+    EXPECT_LE(rig.sent.x, 0.0) << i;
+    hardest = std::min(hardest, rig.sent.x);
+  }
+  EXPECT_LT(hardest, -0.1);
+}
+
+TEST(SafetyChain, R49_ADeviceThatFreezesIsNotBrakedForEver) {
+  Rig rig;
+  rig.engaged({});
+  double x = 0.0;
+  for (int i = 0; i < 30; ++i) rig.tick({}, {x += 0.9, 0, 0}, {900, 0, 0});
+  EXPECT_LT(rig.sent.x, -1.0);
+  rig.said_ns = rig.now_ns;  // the same sample again and again
+  for (int i = 0; i < 15; ++i) rig.tick({}, {x, 0, 0}, {900, 0, 0});
+  EXPECT_LT(rig.sent.x, -1.0) << "it may be late";
+  for (int i = 0; i < 15; ++i) rig.tick({}, {x, 0, 0}, {900, 0, 0});
+  EXPECT_EQ(rig.sent.x, 0.0);
+  rig.said_ns.reset();
+  for (int i = 0; i < 30; ++i) rig.tick({}, {x, 0, 0}, {900, 0, 0});
+  EXPECT_NEAR(rig.sent.x, 0.0, 1e-6) << "a new time, the same position";
+}
+
 TEST(SafetyChain, APositionThatJumpsHoldsTheForceFor2MillisecondsThenLatches) {
   Rig rig;
   rig.engaged();

@@ -117,18 +117,28 @@ SpeedGuard::SpeedGuard(const SafetyLimits& limits) noexcept
 
 void SpeedGuard::reset() noexcept {
   has_anchor_ = false;
-  measured_mm_per_s_ = {};
   fast_samples_ = 0;
-  speed_m_per_s_ = 0.0;
-  velocity_mm_per_s_ = {};
-  filter_.reset();
   must_cut_ = false;
+  forget_speed();
+}
+
+void SpeedGuard::forget_speed() noexcept {
+  measured_mm_per_s_ = velocity_mm_per_s_ = {};
+  speed_m_per_s_ = 0.0;
+  filter_.reset();
+}
+
+void SpeedGuard::wait(const TickTime& time) noexcept {
+  since_anchor_s_ += time.charged_s;
+  waited_s_ += time.charged_s;
+  if (waited_s_ > kLongestWaitS) forget_speed();
 }
 
 // Measures the speed from an anchor position over at least span_s_. Only such measurements count
 // towards cut_samples_; a single higher speed, reported or measured, cuts at cut_now_m_per_s_.
 void SpeedGuard::update(const PenSample& sample, const TickTime& time) noexcept {
   bool is_judged = false;
+  waited_s_ = 0.0;
   if (!has_anchor_) {
     has_anchor_ = true;
     anchor_mm_ = sample.position;
@@ -146,7 +156,8 @@ void SpeedGuard::update(const PenSample& sample, const TickTime& time) noexcept 
   }
   const double measured = norm(measured_mm_per_s_);
   const double reported = norm(sample.velocity);
-  const bool agree = dot(sample.velocity, measured_mm_per_s_) >= 0.0;
+  // The low-passed one, because positions may come at a lower rate than ticks.
+  const bool agree = dot(sample.velocity, filter_.velocity()) > 0.0;
   velocity_mm_per_s_ = agree && reported >= measured ? sample.velocity : measured_mm_per_s_;
   speed_m_per_s_ = kMPerMm * std::max(reported, measured);
 

@@ -124,19 +124,22 @@ class JumpGuard {
 /// bursts do not turn one sensor step into a high speed.
 class SpeedGuard {
  public:
+  static constexpr double kLongestWaitS = 0.02;
+
   explicit SpeedGuard(const SafetyLimits& limits) noexcept;
 
   /// Forgets the last position and all speeds.
   void reset() noexcept;
-  /// Counts a tick without a new sample.
-  void wait(const TickTime& time) noexcept { since_anchor_s_ += time.charged_s; }
+  /// Counts a tick without a new sample. After kLongestWaitS the speed is unknown, and counts as 0,
+  /// so that a device that freezes is not braked for ever.
+  void wait(const TickTime& time) noexcept;
   /// Processes an accepted sample; its numbers are finite and may have any size.
   void update(const PenSample& sample, const TickTime& time) noexcept;
 
   /// Returns the speed at the last sample, m/s.
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   /// Returns the velocity to brake against, mm/s: the one that has that speed, but the measured one
-  /// if the reported one points the other way, because a brake against it would push.
+  /// if the reported one does not point the same way, because a brake against it would push.
   [[nodiscard]] const Vec3& velocity_mm_per_s() const noexcept { return velocity_mm_per_s_; }
   /// Returns the velocity from positions alone, low-passed, mm/s.
   [[nodiscard]] const Vec3& measured_mm_per_s() const noexcept { return filter_.velocity(); }
@@ -145,10 +148,13 @@ class SpeedGuard {
   [[nodiscard]] bool must_cut() const noexcept { return must_cut_; }
 
  private:
+  void forget_speed() noexcept;
+
   double cut_m_per_s_;
   double cut_now_m_per_s_;
   int cut_samples_;
   double span_s_;  // positions are compared over at least this time
+  double waited_s_ = 0.0;
 
   bool has_anchor_ = false;
   Vec3 anchor_mm_;
