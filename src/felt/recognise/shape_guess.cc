@@ -16,9 +16,6 @@ namespace {
 using Limits = ShapeLimits;
 
 constexpr std::size_t kShapePoints = 72;
-/// Points of the path whose length is compared with that of a line: 72 could all be at the same
-/// height of a wave with 72 periods.
-constexpr std::size_t kFinePoints = 288;
 constexpr double kAllAround = 2.0 * std::numbers::pi;
 /// A shape is offered besides the best one if its misfit is at most this much larger.
 constexpr double kNearlyEqual = 0.35;
@@ -35,8 +32,8 @@ constexpr double kMiddleRatio = 0.82;
 
 /// The path of a stroke, prepared for all fits.
 struct PreparedPath {
-  std::vector<Point> points;
-  std::vector<Point> fine;  // the same with more points
+  std::span<const Point> drawn;
+  std::vector<Point> points;  // at equal distances
   double length_mm = 0.0, diagonal_mm = 0.0, gap_mm = 0.0;
 
   [[nodiscard]] bool is_closed() const noexcept { return gap_mm <= Limits::kMaxGap * length_mm; }
@@ -52,22 +49,30 @@ double sweep_about(std::span<const Point> path, Point center) noexcept {
   return sweep;
 }
 
-/// How far a path goes back in a direction: the longest return, and the sum of all.
-struct WayBack {
-  double longest_mm = 0.0, sum_mm = 0.0;
+/// How far a path moves in a direction, and against it.
+struct Motion {
+  double forth_mm = 0.0, back_mm = 0.0;
 };
 
-WayBack way_back(std::span<const Point> path, Vec direction) noexcept {
-  WayBack back;
-  double farthest = 0.0, last = 0.0;
+/// Returns the motion of a path between its turning points. A motion shorter than `least_mm` makes
+/// no turning point. Leaves out points that are not in range.
+Motion motion_along(std::span<const Point> path, Point origin, Vec direction,
+                    double least_mm) noexcept {
+  Motion motion;
+  double sign = 1.0, turned = 0.0, farthest = 0.0;  // all in the present direction
+  const auto add = [&] { (sign > 0.0 ? motion.forth_mm : motion.back_mm) += farthest - turned; };
   for (const Point p : path) {
-    const double at = dot(p - path[0], direction);
+    if (!is_in_range(p)) continue;
+    const double at = sign * dot(p - origin, direction);
     farthest = std::max(farthest, at);
-    back.longest_mm = std::max(back.longest_mm, farthest - at);
-    back.sum_mm += std::max(0.0, last - at);
-    last = at;
+    if (farthest - at < least_mm) continue;
+    add();
+    sign = -sign;
+    turned = -farthest;
+    farthest = -at;
   }
-  return back;
+  add();
+  return motion;
 }
 
 void add_line(const PreparedPath& path, std::vector<ShapeGuess>& out) {
@@ -75,10 +80,12 @@ void add_line(const PreparedPath& path, std::vector<ShapeGuess>& out) {
   const double length = distance(fit.from, fit.to);
   // A quick hand goes beyond the end and comes back. A path that runs to and fro is no line, and
   // neither is one that goes from side to side (a wave, a zigzag, a coil).
-  const WayBack back = way_back(path.fine, normalized(fit.to - fit.from));
-  if (back.longest_mm > Limits::kMaxReturn * length) return;
-  const double along_mm = length + 2.0 * back.sum_mm;
-  if (along_mm < Limits::kMinAlongLine * polyline_length(path.fine)) return;
+  const Vec along = normalized(fit.to - fit.from), across{-along.y, along.x};
+  const double least = std::max(Limits::kMinMotionMm, Limits::kMinMotion * length);
+  const Point start = path.points.front();
+  if (motion_along(path.drawn, start, along, least).back_mm > Limits::kMaxReturn * length) return;
+  const Motion sideways = motion_along(path.drawn, start, across, least);
+  if (sideways.forth_mm + sideways.back_mm > Limits::kMaxSideways * length) return;
   out.push_back({.form = ShapeForm::kLine,
                  .misfit = fit.rms_mm / (Limits::kLineRms * length),
                  .corners = {fit.from, fit.to}});
@@ -190,8 +197,8 @@ void keep_best(std::vector<ShapeGuess>& guesses) {
 
 std::vector<ShapeGuess> guess_shapes(std::span<const Point> drawn) {
   PreparedPath path;
+  path.drawn = drawn;
   path.points = even_path(drawn, kShapePoints);
-  path.fine = even_path(drawn, kFinePoints);
   std::vector<ShapeGuess> guesses;
   if (path.points.empty()) return guesses;
   path.length_mm = polyline_length(path.points);

@@ -34,16 +34,17 @@ struct ShapeGuess {
   double sweep = 0.0;  ///< from start to end, positive from +x to +y; +-2 pi if closed
 };
 
-/// Limits of guess_shapes(), all relative to the size of the shape, so that they do not depend on
-/// the zoom. Measured by `./dev bench gestures` on simulated people.
+/// Limits of guess_shapes(). They are relative to the size of the shape, so that they do not depend
+/// on the zoom, except those in mm. Measured by `./dev bench gestures` on simulated people.
 struct ShapeLimits {
   static constexpr double kMinSizeMm = 6.0;  ///< diagonal of the smallest path
   static constexpr double kLineRms = 0.025;  ///< of the length
-  /// Longest return along a line, of its length.
-  static constexpr double kMaxReturn = 0.25;
-  /// Motion along a line, forwards and back, of the length of its path. Those of simulated people
-  /// have at least 0.95; a wave with an amplitude of 1/60 of its length and six periods has 0.92.
-  static constexpr double kMinAlongLine = 0.93;
+  /// Sum of all returns along a line, and of the motion to both sides, of its length.
+  static constexpr double kMaxReturn = 0.25, kMaxSideways = 0.3;
+  /// A motion along a line or to its sides counts if it is at least so long, and at least this
+  /// share of the length of the line. Sideways motion is at most 0.74 mm in a straight line drawn
+  /// with a mouse, whose positions are whole pixels: 0.52 mm apart at half the usual zoom.
+  static constexpr double kMinMotionMm = 0.75, kMinMotion = 0.01;
   static constexpr double kArcRms = 0.025;      ///< of the length of the path
   static constexpr double kRoundRms = 0.05;     ///< of the sum of both radii
   static constexpr double kPolygonRms = 0.035;  ///< of the diagonal

@@ -86,6 +86,19 @@ RC_GTEST_PROP(ShapeGuess, KnowsALineThatGoesBeyondItsEnds, ()) {
   const double end = any(0.0, 0.12) * size, begin = 0.12 * size - end;
   check(joined({{begin, 0}, {0, 0}, {size + end, 0}, {size, 0}}), ShapeForm::kLine);
 }
+// A mouse reports whole pixels: 0.26 mm, and twice that at half the usual zoom.
+RC_GTEST_PROP(ShapeGuess, KnowsALineOfWholePixelsAtAnyAngle, ()) {
+  const double pixel = *rc::gen::element(0.26, 0.52), step = any(10, 40) / 125.0;
+  const double length = any(20, 120), angle = any(0.0, kTau);
+  const Point start{any(0, 1), any(0, 1)};
+  std::vector<Point> path;
+  for (double s = 0.0; s <= length; s += step) {
+    const Point p = start + s * Vec{std::cos(angle), std::sin(angle)};
+    path.push_back({pixel * std::round(p.x / pixel), pixel * std::round(p.y / pixel)});
+  }
+  const auto guesses = guess_shapes(path);
+  RC_ASSERT(!guesses.empty() && guesses[0].form == ShapeForm::kLine);
+}
 RC_GTEST_PROP(ShapeGuess, APathThatRunsToAndFroIsNoLine, ()) {
   const double size = any(20, 60), back = any(0.35, 1.0) * size;
   for (const ShapeGuess& guess :
@@ -99,6 +112,17 @@ void check_no_line(const std::vector<Point>& exact) {
   for (const ShapeGuess& guess : guess_shapes(placed(exact, any(0.0, kTau), scale, {30, 40}))) {
     RC_ASSERT(guess.form != ShapeForm::kLine);
   }
+}
+
+RC_GTEST_PROP(ShapeGuess, APathWithManyShortReturnsIsNoLine, ()) {
+  const double back = any(5, 14), forth = back + any(2, 6);
+  std::vector<Point> ends{{0, 0}};
+  while (ends.back().x < 60.0 - forth) {
+    ends.push_back(ends.back() + Vec{forth, 0});
+    ends.push_back(ends.back() - Vec{back, 0});
+  }
+  ends.push_back({60, 0});
+  check_no_line(ends);
 }
 
 /// Returns x along 60 mm, plus `along` and `across` times sine and cosine of `periods` turns.

@@ -15,6 +15,8 @@ constexpr double kTouchS = 0.15;
 constexpr double kSmoothing = 0.05;
 /// Time after which a pen that was not slow enough is examined again, if it is still in its place.
 constexpr double kAskAgainS = 0.25;
+/// Time constant of the speed of the pen while shapes are offered (chosen).
+constexpr double kPaceS = 0.1;
 
 /// Returns the path up to where the rest began: a resting pen trembles, which is not a part of the
 /// shape.
@@ -24,15 +26,12 @@ std::span<const Point> before_rest(std::span<const Point> path, Point rest) noex
   return path.first(std::min(count + 1, path.size()));
 }
 
-/// Returns true if the pen has been slower during a rest than before it. Small writing also stays
+/// Returns the largest mean speed of a resting pen after a line, in mm/s. Small writing also stays
 /// within the radius of a rest for some time, at its usual pace. `drawing_s` is the time of the
 /// line before the rest.
-bool is_slower(std::span<const Point> path, std::size_t before, double drawing_s,
-               double still_s) noexcept {
-  if (before == 0 || !(drawing_s > 0.0)) return true;
-  const double drawn_mm = polyline_length(path.first(before));
-  const double rest_mm = polyline_length(path.subspan(before - 1));
-  return rest_mm * drawing_s <= ShapeHold::kMaxRestPace * drawn_mm * still_s;
+double max_rest_speed(std::span<const Point> before, double drawing_s) noexcept {
+  if (before.empty() || !(drawing_s > 0.0)) return kInf;
+  return ShapeHold::kMaxRestPace * polyline_length(before) / drawing_s;
 }
 
 }  // namespace
@@ -67,9 +66,16 @@ void ShapeHold::watch_resting_pressure(std::int64_t time_ns) noexcept {
   rested_ns_ = time_ns;
 }
 
+void ShapeHold::watch_pace(Point pen, std::int64_t time_ns) noexcept {
+  const double step_s = 1e-9 * static_cast<double>(time_ns - last_ns_);
+  if (step_s > 0.0) speed_ += (distance(last_, pen) - step_s * speed_) / (kPaceS + step_s);
+  last_ = pen;
+  last_ns_ = time_ns;
+}
+
 bool ShapeHold::is_accepted_by(std::optional<double> pressure) const noexcept {
-  // The pressure of a pen that goes on drawing changes for other reasons.
-  if (!rest_.rests()) return false;
+  // The pressure of a pen that goes on drawing changes for other reasons, also in one place.
+  if (!rest_.rests() || speed_ > max_speed_) return false;
   const bool is_constant = !has_pressure_ || high_ - low_ < kConstantPressure;
   if (is_constant && rest_.still_s() >= offered_s_ + kStayS) return true;
   const double rise = std::min(kPress, 0.5 * (1.0 - resting_));
@@ -83,6 +89,7 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
   watch_pressure(pressure, time_ns);
   if (!shapes_.empty()) {
     watch_resting_pressure(time_ns);
+    watch_pace(pen, time_ns);
     if (distance(pen, held_) > kLeaveMm) {
       shapes_.clear();
     } else if (is_accepted_by(pressure)) {
@@ -93,11 +100,16 @@ void ShapeHold::update(Point pen, std::optional<double> pressure, std::int64_t t
   if (!rest_.rests() || rest_.still_s() < ask_at_s_ || !shapes_.empty()) return;
   const std::span<const Point> before = before_rest(path, rest_.at());
   const double drawing_s = 1e-9 * static_cast<double>(time_ns - start_ns_) - rest_.still_s();
-  const bool is_slow = is_slower(path, before.size(), drawing_s, rest_.still_s());
+  max_speed_ = max_rest_speed(before, drawing_s);
+  const double rest_mm = polyline_length(path.subspan(before.empty() ? 0 : before.size() - 1));
+  const bool is_slow = rest_mm <= max_speed_ * rest_.still_s();
   ask_at_s_ = is_slow ? kInf : rest_.still_s() + kAskAgainS;
   if (!is_slow) return;
   shapes_ = guess_shapes(before);
   held_ = rest_.at();
+  last_ = pen;
+  last_ns_ = time_ns;
+  speed_ = 0.0;
   offered_s_ = rest_.still_s();
   resting_ = smooth_;
   rested_ns_ = time_ns;

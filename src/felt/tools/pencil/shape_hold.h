@@ -58,14 +58,17 @@ class ShapeHold {
  private:
   void watch_pressure(std::optional<double> pressure, std::int64_t time_ns) noexcept;
   void watch_resting_pressure(std::int64_t time_ns) noexcept;
+  void watch_pace(Point pen, std::int64_t time_ns) noexcept;
   [[nodiscard]] bool is_accepted_by(std::optional<double> pressure) const noexcept;
 
   RestWatch rest_;
   double ask_at_s_ = 0.0;  // the path is examined when the rest has lasted so long
   std::vector<ShapeGuess> shapes_;
   std::optional<std::size_t> accepted_;
-  Point held_;
-  double offered_s_ = 0.0;  // still_s() when the shapes were offered
+  Point held_, last_;  // last_: the pen at last_ns_, while shapes are offered
+  std::int64_t last_ns_ = 0;
+  double speed_ = 0.0, max_speed_ = 0.0;  // mm/s, low-passed, and the largest at rest
+  double offered_s_ = 0.0;                // still_s() when the shapes were offered
   std::int64_t start_ns_ = 0;
   double low_ = 1.0, high_ = 0.0;  // pressures of the line
   double smooth_ = 0.0;            // low-passed pressure

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/force_memory.h"
 
@@ -105,6 +106,23 @@ TEST(ShapeHold, TheRestAfterWritingTakesNothingAtThePressureOfTheWriting) {
   ASSERT_FALSE(f.hold.shapes().empty());
   f.rest(0.02, 0.84);
   EXPECT_TRUE(f.hold.accepted()) << "pressed harder than in this rest";
+}
+
+TEST(ShapeHold, WritingThatGoesOnInOnePlaceTakesNothingUntilThePenRests) {
+  Fixture f;
+  for (int i = 0; i <= 400; ++i) f.at({0.12 * i, 0.0}, 0.4 + 0.1 * (i % 2));  // 30 mm/s
+  f.rest(0.7, 0.4);
+  ASSERT_FALSE(f.hold.shapes().empty());
+  const Point rest = *f.hold.holds_at();
+  for (int i = 0; i < 500; ++i) {  // loops of 0.1 s, at 39 mm/s, and soon with more pressure
+    const double t = i * kTau / 25.0;
+    f.at(rest + Vec{0.8 * std::sin(t), 0.4 * std::cos(t)}, i < 30 ? 0.4 : 0.65);
+    ASSERT_FALSE(f.hold.accepted()) << i;
+  }
+  ASSERT_FALSE(f.hold.shapes().empty());
+  f.rest(0.7, 0.4);
+  f.rest(0.02, 0.65);
+  EXPECT_TRUE(f.hold.accepted());
 }
 
 TEST(ShapeHold, APressIsNotLostIfTheTipSlips) {
