@@ -115,7 +115,9 @@ void SafetyOracle::take_orders(const TickInput& in, SafetyState before) {
     soft_at_s_.clear();
   }
   if (in.heartbeat_ns && (!has_beat_ || *in.heartbeat_ns != beat_ns_)) {
-    const bool is_fresh = *in.heartbeat_ns > in.now_ns - 400'000'000;
+    // As long double, because the times may be any.
+    const bool is_fresh =
+        static_cast<long double>(*in.heartbeat_ns) > static_cast<long double>(in.now_ns) - 4e8L;
     if (silence_s_ > 0.55 && phase_ == Phase::kFree && is_fresh) {
       phase_ = Phase::kRamp;
       ramp_s_ = 0.0;
