@@ -124,8 +124,8 @@ Result<void> write_solid(const Solid& solid, const FrontPaint* paint, SolidForma
       });
 }
 
-/// Returns the ink on the fronts. If it is written to no file, only whether there is any matters,
-/// so it is not known instead of an error.
+/// Returns the ink on the fronts of the bodies. If it is not written to a file, it is only needed
+/// to report its loss, so an error counts as no ink and the grain is not loaded.
 Result<std::optional<FrontPaint>> paint_of(const Drawing& drawing, const Solid& solid,
                                            bool is_written) {
   if (!is_written) {
@@ -186,9 +186,9 @@ void run_inflate(InflateArguments& args, Console& console) {
   if (!inflated) return console.error(input->name() + ": " + inflated.error().message);
   for (const std::string& note : inflated->notes) console.notice(input->name() + ": " + note);
   if (console.failed()) return;
-  const bool has_paint = format == SolidFormat::kGlb || !args.png.empty() || !args.film.empty();
+  const bool writes_paint = format == SolidFormat::kGlb || !args.png.empty() || !args.film.empty();
   const Result<std::optional<FrontPaint>> paint =
-      args.paints ? paint_of(opened->drawing, inflated->solid, has_paint) : std::nullopt;
+      args.paints ? paint_of(opened->drawing, inflated->solid, writes_paint) : std::nullopt;
   if (!paint) return console.error(input->name() + ": " + paint.error().message);
   if (args.edits) edit_solid(document, input->name(), inflated->solid, console);
   const FrontPaint* front = *paint ? &**paint : nullptr;

@@ -230,7 +230,7 @@ TEST_F(SolidPanelTest, AnExportWithoutThePaintSaysSo) {
   panel_.set_on(true);
   ASSERT_TRUE(waits());
   export_as("plain", "stl");
-  EXPECT_EQ(said, QStringList{QString()}) << "there is no paint";
+  EXPECT_EQ(said, QStringList{QString()}) << "the body has no paint";
   said.clear();
   draw_square(studio_, {25, 25}, 8.0);  // painted on the front
   ASSERT_TRUE(waits());

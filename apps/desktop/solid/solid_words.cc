@@ -33,7 +33,7 @@ constexpr const char* kSentences[] = {
                       "every closed outline is too small or too narrow; the largest is that %1"),
     QT_TRANSLATE_NOOP("SolidWords", "of stroke %1 at (%2, %3) mm, %4 x %5 mm"),
     QT_TRANSLATE_NOOP("SolidWords", "at (%1, %2) mm, %3 x %4 mm"),
-    // Why there is no body.
+    // Why the drawing has no body.
     QT_TRANSLATE_NOOP("SolidWords",
                       "contains no closed outline: there is a gap of %1 mm at (%2, %3) mm, at the "
                       "end of stroke %4"),
