@@ -64,7 +64,6 @@ felt_plant(body_has_no_bound ../bricks/solid_surface.cc
 set(rule "a body that appears around the pen does not push")
 felt_plant(body_throws_out ../bricks/solid_surface.cc
   "touch.is_outside = rise_mm <= kFollowMm;" "touch.is_outside = true;")
-set(rule "a body that appears around the pen does not push")
 felt_plant(body_starts_inside ../bricks/solid_surface.cc
   "if (!is_free_in_front(pen)) return false;" "")
 unset(rule)

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "felt/haptics/bricks/sample_gap.h"
+#include "felt/haptics/sample_gap.h"
 
 namespace felt {
 namespace {

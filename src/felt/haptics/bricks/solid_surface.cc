@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/haptics/bricks/sample_gap.h"
+#include "felt/haptics/sample_gap.h"
 
 namespace felt {
 namespace {

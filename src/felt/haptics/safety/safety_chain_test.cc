@@ -291,7 +291,8 @@ TEST(SafetyChain, R49_AVelocityOfTheWrongSignNeverPushesThePen) {
       rig.tick({}, {x += 1e-3 * mm_per_s, 0, 0}, {-mm_per_s, 0, 0});
       EXPECT_LE(rig.sent.x, 0.0) << mm_per_s << " mm/s, tick " << i;
     }
-    EXPECT_EQ(rig.sent.x<-0.1, mm_per_s> 600.0) << "the brake works by positions";
+    const bool is_braked = rig.sent.x < -0.1;
+    EXPECT_EQ(is_braked, mm_per_s > 600.0) << "the brake works by positions";
     rig.is_edit_alive = false;
     for (int i = 0; i < 900; ++i) {
       const double step = (i / 50) % 2 == 0 ? -0.05 : 0.05;

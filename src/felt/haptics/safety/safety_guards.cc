@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "felt/base/constants.h"
+#include "felt/haptics/sample_gap.h"
 
 namespace felt {
 namespace {
@@ -131,7 +132,7 @@ void SpeedGuard::forget_speed() noexcept {
 void SpeedGuard::wait(const TickTime& time) noexcept {
   since_anchor_s_ += time.charged_s;
   waited_s_ += time.charged_s;
-  if (waited_s_ > kLongestWaitS) forget_speed();
+  if (waited_s_ > kMaxSampleGapS) forget_speed();
 }
 
 // Measures the speed from an anchor position over at least span_s_. Only such measurements count

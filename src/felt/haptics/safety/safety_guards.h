@@ -124,14 +124,12 @@ class JumpGuard {
 /// bursts do not turn one sensor step into a high speed.
 class SpeedGuard {
  public:
-  static constexpr double kLongestWaitS = 0.02;
-
   explicit SpeedGuard(const SafetyLimits& limits) noexcept;
 
   /// Forgets the last position and all speeds.
   void reset() noexcept;
-  /// Counts a tick without a new sample. After kLongestWaitS the speed is unknown, and counts as 0,
-  /// so that a device that freezes is not braked for ever.
+  /// Counts a tick without a new sample. After kMaxSampleGapS the speed is unknown, and counts as
+  /// 0, so that a device that freezes is not braked for ever.
   void wait(const TickTime& time) noexcept;
   /// Processes an accepted sample; its numbers are finite and may have any size.
   void update(const PenSample& sample, const TickTime& time) noexcept;
