@@ -78,8 +78,8 @@ Motion motion_along(std::span<const Point> path, Point origin, Vec direction,
 void add_line(const PreparedPath& path, std::vector<ShapeGuess>& out) {
   const LineFit fit = fit_line(path.points);
   const double length = distance(fit.from, fit.to);
-  // A quick hand goes beyond the end and comes back, so a short return is accepted. A path that runs
-  // to and fro, or from side to side as a wave, a zigzag or a coil does, is not a line.
+  // A quick hand goes beyond the end and comes back, so a short return is accepted. A path that
+  // runs to and fro, or from side to side as a wave, a zigzag or a coil does, is not a line.
   const Vec along = normalized(fit.to - fit.from), across{-along.y, along.x};
   const double least = std::max(Limits::kMinMotionMm, Limits::kMinMotion * length);
   const Point start = path.points.front();
