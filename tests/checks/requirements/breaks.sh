@@ -5,6 +5,8 @@
 # shellcheck disable=SC2034  # used by the scripts that source this file
 readonly requirements=57
 
+command -v patch >/dev/null || { echo "the program 'patch' is missing (./dev setup test installs it)" >&2; exit 2; }
+
 # header KEY FILE: prints the value of a header line of a patch.
 header() {
   sed -n "/^--- /q; s/^$1: *//p" "$2" | head -n 1
