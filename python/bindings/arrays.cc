@@ -14,6 +14,26 @@ std::string shape_text(const py::array& array) {
   return py::str(array.attr("shape")).cast<std::string>();
 }
 
+py::module_ tables() {
+  return py::module_::import("feltline._tables");
+}
+
+/// Returns whether the object is exactly a numpy array. The checks of other objects take longer
+/// than everything else.
+bool is_plain_array(const py::handle& object) {
+  return py::type::handle_of(object).ptr() ==
+         reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
+}
+
+/// Returns the rows of a data frame, whose columns have names, and any other object as it is.
+py::object by_position(const py::handle& object, const char* name, std::size_t max_columns) {
+  const bool has_names = is_plain_array(object)
+                             ? py::reinterpret_borrow<py::array>(object).dtype().kind() == 'V'
+                             : tables().attr("is_frame")(object).cast<bool>();
+  if (!has_names) return py::reinterpret_borrow<py::object>(object);
+  return tables().attr("rows_of_frame")(object, name, max_columns);
+}
+
 [[noreturn]] void bad_number(const char* name, std::size_t row, const char* part, double number,
                              const char* reason) {
   throw py::value_error(std::string(name) + "[" + std::to_string(row) + "]: " + part + " is " +
@@ -74,17 +94,16 @@ void check_name(const std::string& what, const std::string& text) {
 }
 
 py::array any_array(const py::handle& object, const char* name) {
-  // A plain array has no mask. Asking it would take longer than all other checks.
-  const bool is_plain = py::type::handle_of(object).ptr() ==
-                        reinterpret_cast<PyObject*>(py::detail::npy_api::get().PyArray_Type_);
-  if (!is_plain && py::hasattr(object, "mask")) {
+  const bool is_plain = is_plain_array(object);
+  if (!is_plain &&
+      py::module_::import("numpy").attr("ma").attr("isMaskedArray")(object).cast<bool>()) {
     throw py::type_error(std::string(name) + ": is a masked array; fill it first, for example " +
                          "with .filled(nan)");
   }
   py::array array;
   try {
     array = is_plain ? py::reinterpret_borrow<py::array>(object)
-                     : py::array(py::module_::import("numpy").attr("asarray")(object));
+                     : py::array(tables().attr("numbers_of")(object));
   } catch (py::error_already_set& error) {
     if (error.matches(PyExc_MemoryError)) throw;
     throw py::value_error(std::string(name) + ": cannot be converted to an array of numbers (" +
@@ -137,17 +156,17 @@ std::vector<InkSample> samples_of(const Rows& rows, const char* name, double mm_
 }
 
 std::vector<InkSample> samples_of(const py::handle& object, const char* name, double mm_per_unit) {
-  return samples_of(rows_of(object, name, 2, 5), name, mm_per_unit);
+  return samples_of(rows_of(by_position(object, name, 5), name, 2, 5), name, mm_per_unit);
 }
 
 std::vector<InkSample> one_or_more_samples(const py::handle& object, const char* name) {
-  const py::array array = any_array(object, name);
+  const py::array array = any_array(by_position(object, name, 5), name);
   if (array.ndim() != 1 || array.size() == 0) return samples_of(array, name);
   return samples_of(array.attr("reshape")(1, -1), name);
 }
 
 std::vector<Point> points_of(const py::handle& object, const char* name) {
-  const Rows rows = rows_of(object, name, 2, 2);
+  const Rows rows = rows_of(by_position(object, name, 2), name, 2, 2);
   std::vector<Point> points;
   points.reserve(rows.count);
   for (std::size_t i = 0; i < rows.count; ++i) {
@@ -166,7 +185,7 @@ Point point_of(const py::handle& object, const char* name) {
 }
 
 bool is_table(const py::handle& object) {
-  return any_array(object, "point").ndim() == 2;
+  return any_array(by_position(object, "point", 2), "point").ndim() == 2;
 }
 
 py::array view(const double* data, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,

@@ -261,41 +261,14 @@ InkFitOptions options_of(const FitArguments& arguments) {
 }
 
 void bind_fit(py::module_& module) {
-  module.def(
-      "fit",
-      [](const py::object& points, double tolerance, double mm_per_unit, bool refine, bool filter,
-         const py::object& steady, const std::string& scheme, int shared_samples,
-         const std::optional<std::string>& medium, std::optional<double> min_width,
-         std::optional<double> max_width) {
-        const FitArguments arguments{tolerance, filter,    scheme,   shared_samples,
-                                     medium,    min_width, max_width};
-        return fit(points, arguments, mm_per_unit, refine, steady);
-      },
-      py::arg("points"), py::arg("tolerance") = FitArguments{}.tolerance, py::kw_only(),
-      py::arg("mm_per_unit") = 1.0, py::arg("refine") = true, py::arg("filter") = false,
-      py::arg("steady") = py::none(), py::arg("scheme") = FitArguments{}.scheme,
-      py::arg("shared_samples") = FitArguments{}.shared_samples, py::arg("medium") = py::none(),
-      py::arg("min_width") = py::none(), py::arg("max_width") = py::none(),
-      R"(Returns the stroke that follows pen samples, as `feltline fit` does.
-
-`points` has a row for each sample: x, y, and if known pressure (0 to 1), t_ms and tilt_deg (0 to
-90). NaN in these three means unknown. Every sample is within `tolerance` mm of the curve.
-
-mm_per_unit     size of one unit of x and y
-refine          fits again with fewer segments; False keeps the curve of the live fit
-filter          drops what the pen adds at touch-down and lift
-steady          removes the shaking of a hand: (hz, mm, degrees), 'HZ,MM,DEG', or the name of a
-                file of `feltline steady calibrate`
-scheme          'feltline', or 'paper2002' for study, with its shared_samples
-medium          id of a medium, which sets widths, tone and response to tilt; None is ink-pen
-min_width       width in mm without pressure (0.3, or the medium's)
-max_width       width in mm at full pressure (2, or the medium's)
-
-Raises ValueError or TypeError if the array is empty or has a wrong shape, type or number.
-
->>> feltline.fit([[0, 0], [10, 5], [20, 0]], tolerance=0.1)
-<feltline.Stroke: 1 segment, 0 corners, ink-pen>
-)");
+  module.def("fit", [](const py::object& points, double tolerance, double mm_per_unit, bool refine,
+                       bool filter, const py::object& steady, const std::string& scheme,
+                       int shared_samples, const std::optional<std::string>& medium,
+                       std::optional<double> min_width, std::optional<double> max_width) {
+    const FitArguments arguments{tolerance, filter,    scheme,   shared_samples,
+                                 medium,    min_width, max_width};
+    return fit(points, arguments, mm_per_unit, refine, steady);
+  });
   bind_fitter(module);
 }
 

@@ -11,8 +11,9 @@ thread.
 """
 
 from . import trial
-from ._feltline import Drawing, Fitter, Recording, Stroke, __version__, fit
+from ._feltline import Drawing, Fitter, Recording, Stroke, __version__
 from ._files import (formats, parse, read, read_raw, read_recordings, to_bytes, write, write_raw)
+from ._fit import fit
 from ._types import (Column, DataError, Error, FileError, Format, FormatWarning, Layer, Nearest,
                      Notice, NotFoundError, RawStroke)
 

@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Any, Callable, Iterable, Iterator, NamedTuple, Sequence
+from typing import Any, BinaryIO, Callable, Iterable, Iterator, NamedTuple, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -196,7 +196,7 @@ def fit(
     max_width: float | None = None,
 ) -> Stroke: ...
 def read(
-    path: str | bytes | PathLike[str],
+    path: str | bytes | PathLike[str] | BinaryIO,
     *,
     salvage: bool = False,
     tolerance: float = 0.15,
@@ -221,7 +221,7 @@ def parse(
     max_width: float | None = None,
 ) -> Drawing: ...
 def write(
-    path: str | bytes | PathLike[str],
+    path: str | bytes | PathLike[str] | BinaryIO,
     drawing: Drawing | Stroke | Iterable[Stroke | Layer],
     *,
     format: str | None = None,

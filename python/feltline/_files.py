@@ -15,6 +15,12 @@ def _name(path):
     return b"./-" if path == b"-" else path
 
 
+def _stream_name(stream):
+    """Returns the name of an open file, or "" if it has none."""
+    name = getattr(stream, "name", "")
+    return os.fsdecode(name) if isinstance(name, (str, bytes, os.PathLike)) else ""
+
+
 def _warn(texts, name):
     for text in texts:
         warnings.warn(f"{os.fsdecode(name)}: {text}", FormatWarning, stacklevel=3)
@@ -36,6 +42,7 @@ def read(path, *, salvage=False, tolerance=0.15, filter=False, scheme="feltline"
          shared_samples=4, medium=None, min_width=None, max_width=None):
     """Returns the drawing of a file of any readable format (see formats()).
 
+    `path` is a name or an open binary file, which is read to its end.
     The content of the file decides the format, not its name. For each kind of content that was
     skipped or changed, there is one FormatWarning with its number; `Drawing.notices` has the same.
     Raw pen samples are fitted with the other arguments, as by fit(). With `salvage`, the intact
@@ -51,6 +58,10 @@ def read(path, *, salvage=False, tolerance=0.15, filter=False, scheme="feltline"
     ...     feltline.read(path)
     <feltline.Drawing: 1 stroke in 1 layer>
     """
+    if hasattr(path, "read"):
+        return parse(path.read(), _stream_name(path), salvage=salvage, tolerance=tolerance,
+                     filter=filter, scheme=scheme, shared_samples=shared_samples, medium=medium,
+                     min_width=min_width, max_width=max_width)
     name = _name(path)
     drawing = _feltline.read(name, _fit(tolerance, filter, scheme, shared_samples, medium,
                                         min_width, max_width), salvage)
@@ -79,18 +90,24 @@ def write(path, drawing, *, format=None, dpi=300.0, compact=False, pictures=Fals
     """Writes a drawing, a stroke, or an iterable of strokes, completely or not at all.
 
     The ending of `path` decides the format, unless `format` names one. If writing fails, an
-    existing file is unchanged. For each kind of content that the format cannot hold, there is one
+    existing file is unchanged. `path` may be an open binary file if `format` is given. For each kind of content that the format cannot hold, there is one
     FormatWarning with its number. `dpi` is for .png; `compact` makes a small .svg for web pages;
     `pictures` includes all pictures of layers.
 
     The file is the same, byte for byte, as that of `feltline convert` with these options.
     """
-    name = _name(path)
+    is_stream = hasattr(path, "write")
+    if is_stream and format is None:
+        raise ValueError("format: is needed to write to an open file")
+    name = os.fsencode(_stream_name(path)) if is_stream else _name(path)
     drawing = _drawing(drawing)
     arguments = _feltline.WriteArguments(format or "", dpi, compact, pictures)
     losses = _feltline.losses(drawing, name, arguments)
-    _warn(losses, name)  # first: if warnings are errors, the old file stays
-    _feltline.write(name, drawing, arguments)
+    _warn(losses, name or "data")  # first: if warnings are errors, the old file stays
+    if is_stream:
+        path.write(_feltline.to_bytes(drawing, arguments))
+    else:
+        _feltline.write(name, drawing, arguments)
 
 
 def to_bytes(drawing, format, *, dpi=300.0, compact=False, pictures=False):

@@ -1,5 +1,6 @@
 """Reading and writing files."""
 
+import io
 import os
 import pickle
 import tempfile
@@ -62,6 +63,30 @@ class Files(FilesCase):
         if drawing.page:
             self.assertEqual(feltline.parse(feltline.to_bytes(drawing, "felt")), drawing)
         self.assertEqual(pickle.loads(pickle.dumps(drawing)), drawing)
+
+    @seeds(3)
+    def test_open_files_are_read_and_written(self, random):
+        drawing = random_drawing(random)
+        for format in ("felt", "svg", "xopp"):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                stream = io.BytesIO()
+                feltline.write(stream, drawing, format=format)
+                texts = [str(warning.message) for warning in caught]
+                path = self.file("drawing." + format)
+                feltline.write(path, drawing)
+            self.assertEqual(stream.getvalue(), path.read_bytes())
+            self.assertEqual([text.partition(": ")[2] for text in texts],
+                             [str(w.message).partition(": ")[2] for w in caught[len(texts):]])
+            with warnings.catch_warnings(), open(path, "rb") as file:
+                warnings.simplefilter("ignore", feltline.FormatWarning)
+                self.assertEqual(feltline.read(file), feltline.read(path))
+                stream.seek(0)
+                self.assertEqual(feltline.read(stream).strokes, feltline.read(path).strokes)
+        with self.assertRaisesRegex(ValueError, "format: is needed"):
+            feltline.write(io.BytesIO(), drawing)
+        with self.assertRaises(feltline.DataError):
+            feltline.read(io.BytesIO(b"neither"))
 
     @needs_program
     @seeds(3)

@@ -1,6 +1,7 @@
 """fit(), Fitter and Stroke."""
 
 import copy
+import multiprocessing
 import pickle
 import tempfile
 import threading
@@ -12,6 +13,11 @@ import numpy as np
 
 import feltline
 from helpers import needs_program, random_points, run, seeds
+
+try:
+    import pandas
+except ImportError:
+    pandas = None
 
 LINE = [[0, 0], [10, 0]]
 # The options of `feltline fit`, and the same as arguments of fit().
@@ -29,6 +35,95 @@ OPTIONS = [
     (["--min-width", "0.5", "--max-width", "7"], {"min_width": 0.5, "max_width": 7}),
     (["--medium", "chalk", "--max-width", "9"], {"medium": "chalk", "max_width": 9}),
 ]
+
+
+class Frame:
+    """A data frame of another library than pandas: its columns have names, and one gets them by name."""
+
+    def __init__(self, **columns):
+        self.values, self.columns = columns, list(columns)
+
+    def __getitem__(self, name):
+        return self.values[name]
+
+
+class Tables(unittest.TestCase):
+    """Data frames of pandas, of other libraries, and structured arrays."""
+
+    def setUp(self):
+        self.points = random_points(np.random.default_rng(1))
+        self.names = ["x", "y", "pressure", "t_ms", "tilt_deg"]
+        self.stroke = feltline.fit(self.points)
+
+    @unittest.skipUnless(pandas, "pandas is not here")
+    @seeds(5)
+    def test_a_data_frame_of_pandas_is_read_by_its_names(self, random):
+        points = random_points(random)
+        stroke = feltline.fit(points)
+        frame = pandas.DataFrame(points, columns=self.names)
+        self.assertEqual(feltline.fit(frame), stroke)
+        self.assertEqual(feltline.fit(frame[list(random.permutation(self.names))]), stroke)
+        self.assertEqual(feltline.fit(frame.convert_dtypes()), stroke)  # with pandas.NA
+        self.assertEqual(feltline.fit(pandas.DataFrame(points)), stroke)  # columns 0 to 4
+        unknown = points.copy()
+        unknown[:, 2] = np.nan
+        self.assertEqual(feltline.fit(frame.drop(columns="pressure")), feltline.fit(unknown))
+
+    @unittest.skipUnless(pandas, "pandas is not here")
+    def test_pandas_works_wherever_an_array_does(self):
+        stroke = self.stroke
+        places = np.array([[1.0, 2.0], [3.0, 4.0]])
+        swapped = pandas.DataFrame(places, columns=["x", "y"])[["y", "x"]]
+        self.assertEqual(repr(stroke.nearest(swapped)), repr(stroke.nearest(places)))
+        widths = pandas.DataFrame(stroke.widths)
+        tones = pandas.Series(np.full(len(stroke.widths), 0.5))
+        self.assertEqual(feltline.Stroke(stroke.segments, widths, tones=tones),
+                         feltline.Stroke(stroke.segments, stroke.widths, tones=tones.to_numpy()))
+        drawn = pandas.DataFrame([[0, 1, 0.5, 0], [10, 1, 0.5, 100]], columns=self.names[:4])
+        target = pandas.DataFrame([[0, 0], [20, 0]], columns=["x", "y"])
+        self.assertEqual(feltline.trial.metrics(drawn[["t_ms", "y", "x", "pressure"]], target),
+                         feltline.trial.metrics(drawn.to_numpy(), target.to_numpy()))
+        fitter = feltline.Fitter()
+        fitter.push(pandas.Series([1.0, 2.0, 0.5]))
+        fitter.push(drawn[["y", "x"]])
+        np.testing.assert_array_equal(fitter.samples[:, :2], [[1, 2], [0, 1], [10, 1]])
+
+    def test_frames_of_other_libraries_and_structured_arrays(self):
+        columns = dict(zip(self.names, self.points.T))
+        self.assertEqual(feltline.fit(Frame(**columns)), self.stroke)
+        self.assertEqual(feltline.fit(Frame(**{n: columns[n] for n in reversed(self.names)})), self.stroke)
+        rows = np.array([tuple(row) for row in self.points[:, ::-1]],
+                        dtype=[(name, "f8") for name in reversed(self.names)])
+        self.assertEqual(feltline.fit(rows), self.stroke)
+
+    def test_a_name_that_is_not_known_is_refused(self):
+        for bad, reason in [
+            ({"x": [0], "y": [1], "force": [2]}, "points: unknown column 'force'; the columns are x, y, "
+             "pressure, t_ms, tilt_deg"),
+            ({"x": [0], "t_ms": [1]}, "points: has no column 'y'"),
+            ({"X": [0], "Y": [1]}, "unknown column 'X'"),
+            ({"x": [], "y": []}, "points: is empty"),
+        ]:
+            with self.subTest(reason), self.assertRaisesRegex(ValueError, reason):
+                feltline.fit(Frame(**bad))
+        with self.assertRaisesRegex(TypeError, "real numbers"):
+            feltline.fit(Frame(x=["a"], y=["b"]))
+
+    def test_an_object_with_some_attribute_named_mask_is_no_masked_array(self):
+        class Masked(np.ndarray):
+            mask = "a method of another library"
+
+        self.assertEqual(feltline.fit(self.points.view(Masked)), self.stroke)
+
+    def test_other_processes_can_fit(self):
+        self.assertIs(pickle.loads(pickle.dumps(feltline.fit)), feltline.fit)
+        many = [random_points(np.random.default_rng(seed)) for seed in range(4)]
+        with multiprocessing.get_context("spawn").Pool(2) as pool:
+            self.assertEqual(pool.map(feltline.fit, many), [feltline.fit(points) for points in many])
+
+    def test_a_wrong_keyword_is_named(self):
+        with self.assertRaisesRegex(TypeError, r"^fit\(\) got an unexpected keyword argument 'tolerence'$"):
+            feltline.fit(LINE, tolerence=1)
 
 
 class Fit(unittest.TestCase):
