@@ -59,11 +59,12 @@ link() {
 # bundle NAME SOURCE: makes dist/NAME.mjs and dist/NAME.cjs with their types.
 bundle() {
   local location='const moduleUrl=typeof document==="undefined"?require("node:url").pathToFileURL(__filename).href:document.baseURI;'
-  local options=(--bundle --minify --target=es2022 --log-level=warning)
+  local options=(--bundle --minify --target=es2022 --log-level=warning --external:node:*)
   esbuild "$folder/src/$2" "${options[@]}" --format=esm --outfile="$package/dist/$1.mjs"
-  [ "$1" = slim ] || location=
+  [[ $1 == slim* ]] || location=
   esbuild "$folder/src/$2" "${options[@]}" --format=cjs --define:import.meta.url=moduleUrl \
     --banner:js="$location" --outfile="$package/dist/$1.cjs"
+  [ "$1" != slim_node ] || return 0
   cp index.d.ts "$package/dist/$1.d.mts"
   cp index.d.ts "$package/dist/$1.d.cts"
 }
@@ -82,6 +83,7 @@ cp -r src "$folder/src"
 node embed.mjs "$package/dist/feltline.wasm" "$folder/src/module_text.js"
 bundle feltline inlined.js
 bundle slim slim.js
+bundle slim_node slim_node.js
 pack
 for file in feltline.mjs feltline.cjs slim.mjs feltline.wasm; do
   printf '%-14s %7d bytes, %6d with gzip -9\n' "$file" "$(wc -c <"$package/dist/$file")" \

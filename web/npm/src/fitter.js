@@ -50,23 +50,27 @@ function newHandle(core, values) {
   return core.exports.fitter_new();
 }
 
-function pushRows(core, handle, rows, count, scale) {
-  if (scale !== 1) {
-    for (let i = 0; i < count * COLUMNS; i += COLUMNS) {
-      rows[i] *= scale;
-      rows[i + 1] *= scale;
-    }
+function scaleRows(rows, scale) {
+  if (scale === 1) return;
+  for (let i = 0; i < rows.length; i += COLUMNS) {
+    rows[i] *= scale;
+    rows[i + 1] *= scale;
   }
-  inputView(core, count * COLUMNS).set(rows.subarray(0, count * COLUMNS));
-  core.exports.fitter_push(handle, count);
 }
 
-function pushPoints(core, handle, { count, write }, scale) {
-  const rows = new Float64Array(COLUMNS * Math.min(count, PIECE));
+function pushRows(core, handle, rows) {
+  inputView(core, rows.length).set(rows);
+  core.exports.fitter_push(handle, rows.length / COLUMNS);
+}
+
+/** Calls use(rows) for pieces of the points of a reader, in mm. */
+function forPieces({ count, write }, scale, use) {
+  const buffer = new Float64Array(COLUMNS * Math.min(count, PIECE));
   for (let from = 0; from < count; from += PIECE) {
-    const to = Math.min(count, from + PIECE);
+    const to = Math.min(count, from + PIECE), rows = buffer.subarray(0, COLUMNS * (to - from));
     write(from, to, rows);
-    pushRows(core, handle, rows, to - from, scale);
+    scaleRows(rows, scale);
+    use(rows);
   }
 }
 
@@ -84,7 +88,7 @@ export function fitOnce({ values, refine, scale }, reader, take) {
     }
     const { handle } = core.fit;
     wasm.fitter_begin(handle);
-    pushPoints(core, handle, reader, scale);
+    forPieces(reader, scale, (rows) => pushRows(core, handle, rows));
     wasm.fitter_end(handle);
     if (refine) wasm.fitter_refine(handle);
     return take(core, handle);
@@ -101,46 +105,113 @@ export function fitStroke(points, options = {}) {
   });
 }
 
-// Frees fitters that nobody can reach any more.
-const registry = new FinalizationRegistry(({ core, handle }) => release(core, handle));
+// The fitters of wasm that StrokeFitters have on loan. They are few, however many StrokeFitters there are, because the
+// collector does not see the memory of wasm and so is in no hurry. A StrokeFitter keeps its points; if its fitter went to
+// another one, it gets a new one and pushes the points again, which gives the same curve.
 
-function release(core, handle) {
-  --core.fitters;
-  if (core.alive) run(core, (wasm) => wasm.fitter_free(handle));
+/** Returns the loan of a core that was not used for the longest time, or a new one if there are few. */
+function freeLoan(core) {
+  const index = core.loans.findIndex((loan) => loan.owner === null);
+  if (index >= 0) return core.loans.splice(index, 1)[0];
+  return core.loans.length < core.maxLoans ? { handle: 0, values: null, owner: null } : core.loans.shift();
+}
+
+/** Lends a fitter with these values to `owner`. It is used last now. */
+function lend(core, values, owner) {
+  const loan = freeLoan(core);
+  loan.owner = null;
+  if (loan.values === null || loan.values.some((value, i) => value !== values[i])) {
+    if (loan.handle) core.exports.fitter_free(loan.handle);
+    loan.handle = newHandle(core, values);
+    loan.values = values;
+  }
+  core.exports.fitter_begin(loan.handle);
+  loan.owner = owner;
+  core.loans.push(loan);
+  return loan;
+}
+
+/** The points of one stroke: COLUMNS numbers each, in an array that grows. */
+class Rows {
+  #numbers = new Float64Array(0);
+  length = 0;
+
+  append(rows) {
+    const needed = this.length + rows.length;
+    if (needed > this.#numbers.length) {
+      const larger = new Float64Array(Math.max(2 * this.#numbers.length, needed, 16 * COLUMNS));
+      larger.set(this.#numbers.subarray(0, this.length));
+      this.#numbers = larger;
+    }
+    this.#numbers.set(rows, this.length);
+    this.length = needed;
+  }
+
+  /** Calls use(rows) for pieces of the points. */
+  forPieces(use) {
+    for (let from = 0; from < this.length; from += PIECE * COLUMNS) {
+      const rows = this.#numbers.subarray(from, Math.min(this.length, from + PIECE * COLUMNS));
+      use(rows);
+    }
+  }
 }
 
 export class StrokeFitter {
-  #core;
-  #handle;
+  #core = null;
+  #loan = null;
   #settings;
   #row = new Float64Array(COLUMNS);
+  #rows = new Rows();
   #state = 'drawing';
 
   constructor(options = {}) {
     this.#settings = settingsOf(options);
+    this.#run(() => {});
+  }
+
+  /** Gets a fitter, and brings it to the state of this stroke. */
+  #borrow() {
+    const before = this.#loan;
     this.#core = currentCore();
-    this.#handle = run(this.#core, () => newHandle(this.#core, this.#settings.values));
-    ++this.#core.fitters;
-    registry.register(this, { core: this.#core, handle: this.#handle }, this);
+    this.#loan = run(this.#core, () => lend(this.#core, this.#settings.values, this));
+    // Strokes that are drawn at the same time must not take the fitters from each other at each point.
+    if (before) this.#core.maxLoans = Math.min(1 << 16, 2 * this.#core.maxLoans);
+    run(this.#core, (wasm) => {
+      const { handle } = this.#loan;
+      this.#rows.forPieces((rows) => pushRows(this.#core, handle, rows));
+      if (this.#state !== 'drawing') wasm.fitter_end(handle);
+      if (this.#state === 'refined') wasm.fitter_refine(handle);
+    });
   }
 
   /** Runs work(exports, handle, core). */
   #run(work) {
     if (this.#state === 'freed') throw new FeltlineError('this StrokeFitter was freed');
-    return run(this.#core, (wasm) => work(wasm, this.#handle, this.#core));
+    if (this.#loan?.owner !== this || !this.#core.alive) this.#borrow();
+    return run(this.#core, (wasm) => work(wasm, this.#loan.handle, this.#core));
+  }
+
+  /** Adds points in mm. */
+  #push(rows) {
+    this.#run((_, handle, core) => pushRows(core, handle, rows));
+    this.#rows.append(rows);
   }
 
   #pushRow() {
-    this.#run((_, handle, core) => pushRows(core, handle, this.#row, 1, this.#settings.scale));
+    scaleRows(this.#row, this.#settings.scale);
+    this.#push(this.#row);
   }
 
   begin() {
     this.#run((wasm, handle) => wasm.fitter_begin(handle));
+    this.#rows.length = 0;
     this.#state = 'drawing';
   }
 
   push(...args) {
-    if (this.#state === 'ended') throw new FeltlineError('the stroke has ended; call begin() first');
+    if (this.#state === 'ended' || this.#state === 'refined') {
+      throw new FeltlineError('the stroke has ended; call begin() first');
+    }
     if (typeof args[0] === 'number') {
       writePoint(args, 0, this.#row, 0);
       this.#pushRow();
@@ -150,8 +221,7 @@ export class StrokeFitter {
       writePoint(args[0], 0, this.#row, 0);
       this.#pushRow();
     } else {
-      const reader = readerOf(args[0], this.#settings.stride);
-      this.#run((_, handle, core) => pushPoints(core, handle, reader, this.#settings.scale));
+      forPieces(readerOf(args[0], this.#settings.stride), this.#settings.scale, (rows) => this.#push(rows));
     }
   }
 
@@ -181,13 +251,14 @@ export class StrokeFitter {
 
   end() {
     this.#run((wasm, handle) => wasm.fitter_end(handle));
-    this.#state = 'ended';
+    if (this.#state === 'drawing') this.#state = 'ended';
     return this.#stroke();
   }
 
   refine() {
-    if (this.#state !== 'ended') throw new FeltlineError('call end() before refine()');
+    if (this.#state === 'drawing') throw new FeltlineError('call end() before refine()');
     this.#run((wasm, handle) => wasm.fitter_refine(handle));
+    this.#state = 'refined';
     return this.#stroke();
   }
 
@@ -205,8 +276,8 @@ export class StrokeFitter {
   free() {
     if (this.#state === 'freed') return;
     this.#state = 'freed';
-    registry.unregister(this);
-    release(this.#core, this.#handle);
+    this.#rows.length = 0;
+    if (this.#loan?.owner === this) this.#loan.owner = null;
     trim(this.#core);
   }
 }

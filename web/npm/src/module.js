@@ -29,7 +29,8 @@ export function setModule(compiled) {
 
 function instantiate() {
   module ??= getModule();
-  const core = { alive: true, fitters: 0, fit: null };
+  // For `loans` and `maxLoans`, see fitter.js; `fit` is the fitter of fitOnce().
+  const core = { alive: true, loans: [], maxLoans: 16, fit: null };
   const instance = new WebAssembly.Instance(module, {
     env: {
       // Prints a number for an error message: small_library.cc.
@@ -64,9 +65,6 @@ export function currentCore() {
  * instance is discarded, so that the next call finds a fresh one.
  */
 export function run(core, work) {
-  if (!core.alive) {
-    throw new FeltlineError('this StrokeFitter was lost, because the memory was used up');
-  }
   try {
     return work(core.exports);
   } catch (error) {
@@ -79,7 +77,7 @@ export function run(core, work) {
 
 /** Gives back a large memory after a call, unless a StrokeFitter still uses it. */
 export function trim(core) {
-  if (core.fitters === 0 && core === current && core.exports.memory.buffer.byteLength > KEPT_BYTES) {
+  if (core.loans.every((loan) => loan.owner === null) && core === current && core.exports.memory.buffer.byteLength > KEPT_BYTES) {
     current = null;
   }
 }

@@ -34,6 +34,61 @@ case $topic in
         node same_bytes.mjs "$file" native.ndjson "$refine"
       done
     done ;;
+  bundlers)
+    # The packed package, as programs for browsers bundle it. The bundlers are installed by ./dev test -L web.
+    bundlers=$root/build/web/bundlers/node_modules
+    cat >entry.mjs <<'END'
+import { fitStroke as slimFit, init } from 'feltline/slim';
+import { fitStroke } from 'feltline';
+globalThis.run = async (wasm) => {
+  await init(WebAssembly.compile(wasm));
+  return JSON.stringify([slimFit([[0, 0], [10, 5], [20, 0]]), fitStroke([[0, 0], [10, 5], [20, 0]])]);
+};
+END
+    cat >check.mjs <<'END'
+import { readFileSync } from 'node:fs';
+// What webpack asks a browser for.
+Object.assign(globalThis, { self: globalThis, document: { baseURI: 'http://localhost/' } });
+await import(process.argv[2]);
+const [slim, whole] = JSON.parse(await run(readFileSync('node_modules/feltline/dist/feltline.wasm')));
+if (JSON.stringify(slim) !== JSON.stringify(whole) || !slim.d.startsWith('M0 0C')) throw new Error('differs');
+END
+    tried=0
+    tried_with() { echo "$1"; node check.mjs "./out/$2"; tried=$((tried + 1)); }
+    if command -v esbuild >/dev/null; then
+      esbuild entry.mjs --bundle --platform=browser --format=esm --log-level=warning --outfile=out/esbuild.mjs
+      ! grep -q 'node:' out/esbuild.mjs && tried_with esbuild esbuild.mjs
+    fi
+    if [ -d "$bundlers/webpack" ]; then
+      cat >webpack.mjs <<END
+import webpack from '$bundlers/webpack/lib/index.js';
+webpack({ mode: 'production', target: 'web', entry: './entry.mjs', context: '$folder',
+          output: { path: '$folder/out', filename: 'webpack.js', publicPath: './' } },
+        (error, stats) => { if (error || stats.hasErrors() || stats.hasWarnings()) {
+          console.error(error ?? stats.toString()); process.exit(1); } });
+END
+      node webpack.mjs && tried_with webpack webpack.js
+    fi
+    if [ -d "$bundlers/vite" ]; then
+      cat >vite.mjs <<END
+import { build } from '$bundlers/vite/dist/node/index.js';
+await build({ root: '$folder', logLevel: 'warn', configFile: false, build: { outDir: 'out', emptyOutDir: false,
+  lib: { entry: 'entry.mjs', formats: ['es'], fileName: () => 'vite.mjs' } } });
+END
+      node vite.mjs && tried_with vite vite.mjs
+    fi
+    if [ -d "$bundlers/rollup" ]; then
+      cat >rollup.mjs <<END
+import { rollup } from '$bundlers/rollup/dist/es/rollup.js';
+import resolve from '$bundlers/@rollup/plugin-node-resolve/dist/es/index.js';
+const bundle = await rollup({ input: 'entry.mjs', plugins: [resolve({ browser: true })],
+                              onwarn(warning) { throw new Error(warning.message); } });
+await bundle.write({ file: 'out/rollup.mjs', format: 'es' });
+END
+      node rollup.mjs && tried_with rollup rollup.mjs
+    fi
+    [ "$tried" -gt 0 ] || { echo "skipped: no bundler is installed (./dev test -L web)"; exit 77; }
+    echo "$tried bundlers: passed" ;;
   types)
     skip_without tsc
     tsc --noEmit --strict --target es2022 --lib es2022,dom --module node16 --moduleResolution node16 types.ts ;;
