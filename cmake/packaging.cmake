@@ -56,7 +56,6 @@ foreach(library IN LISTS FELT_LIBRARIES)
     message(FATAL_ERROR "A layer links ${library}: say in cmake/packaging.cmake how users of the "
                         "installed library find it")
   endif()
-  string(APPEND FELT_FIND_LINES "${FELT_FIND_${library}}\n")
   if(FELT_PC_${library} MATCHES "^-")
     string(APPEND FELT_PC_LIBS " ${FELT_PC_${library}}")
   elseif(FELT_PC_${library})
@@ -64,6 +63,17 @@ foreach(library IN LISTS FELT_LIBRARIES)
   endif()
 endforeach()
 list(JOIN FELT_PC_REQUIRES " " FELT_PC_REQUIRES)
+# A program that names its layers as components needs only the libraries of those.
+get_property(felt_components GLOBAL PROPERTY FELT_COMPONENTS)
+set_property(GLOBAL PROPERTY FELT_LIBRARIES_OF_feltline ${FELT_LIBRARIES})
+foreach(component IN LISTS felt_components ITEMS feltline)
+  get_property(libraries GLOBAL PROPERTY FELT_LIBRARIES_OF_${component})
+  string(APPEND FELT_FIND_LINES "if(\"${component}\" IN_LIST _felt_wanted)\n")
+  foreach(library IN LISTS libraries)
+    string(APPEND FELT_FIND_LINES "${FELT_FIND_${library}}\n")
+  endforeach()
+  string(APPEND FELT_FIND_LINES "endif()\n")
+endforeach()
 # A linker reads archives from left to right, so a layer must come before the layers that it uses. This is
 # the reverse of the order in which they are declared.
 set(felt_archives "")
@@ -95,6 +105,9 @@ install(FILES ${CMAKE_BINARY_DIR}/package/feltline.pc
 
 if(TARGET feltline)
   install(TARGETS feltline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bin)
+endif()
+if(FELT_FITTER_ONLY)
+  return()
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/samples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin OPTIONAL

@@ -31,6 +31,34 @@ quietly "$export_cxx" -std=c++20 "$sample/fit_a_stroke.cc" $(pkg-config --cflags
   -o "$work/by_pkg_config"
 "$work/by_pkg_config" | diff - "$work/by_cmake"
 
+# As a part of another project: only the fitter, with a find_package that hides all other libraries.
+echo "only the fitter:"
+mkdir "$work/part"
+cat >"$work/part/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(part LANGUAGES CXX)
+foreach(hidden PkgConfig PNG pugixml simdjson SQLite3 Threads ZLIB CGAL Qt6 CLI11)
+  set(CMAKE_DISABLE_FIND_PACKAGE_\${hidden} ON)
+endforeach()
+if(AS_PART)
+  set(FELT_FITTER_ONLY ON)
+  add_subdirectory($source_dir feltline EXCLUDE_FROM_ALL)
+  if(TARGET felt_io OR TARGET feltline OR TARGET base_test OR DEFINED CACHE{CMAKE_BUILD_TYPE} AND CMAKE_BUILD_TYPE)
+    message(FATAL_ERROR "more than the fitter, or the build type of the project was set")
+  endif()
+else()
+  find_package(feltline 0.1 REQUIRED COMPONENTS stroke)
+endif()
+add_executable(part $sample/fit_a_stroke.cc)
+target_link_libraries(part PRIVATE feltline::stroke)
+END
+quietly cmake -S "$work/part" -B "$work/installed" -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_CXX_COMPILER=$export_cxx"
+quietly cmake --build "$work/installed"
+"$work/installed/part" | diff - "$work/by_cmake"
+quietly cmake -S "$work/part" -B "$work/subdirectory" -G Ninja -DAS_PART=ON "-DCMAKE_CXX_COMPILER=$export_cxx"
+# Nothing but the fitter is configured; compiling it again would only repeat the build.
+! ninja -C "$work/subdirectory" -n part | grep -E 'felt/(io|store|render)/' || { echo "builds more than the fitter"; exit 1; }
+
 # compiles OPTION...: checks that the source on stdin compiles with only the installed files.
 compiles() {
   cat >"$work/one.cc"
