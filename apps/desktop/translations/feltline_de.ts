@@ -6801,8 +6801,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Wie schnell sich die Breite ändert, je Einheit Druck.</translation>
     </message>
     <message>
-        <source>How grab bends a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which does not reach the pen.</source>
-        <translation>Wie Greifen ein Segment biegt: mit geringster Bewegung (weich), nach den drei Fällen des Artikels (Artikel) oder nach seiner gedruckten Gleichung 7, die den Stift nicht erreicht.</translation>
+        <source>How grab and sweep bend a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which moves the line less than the pen.</source>
+        <translation>Wie Greifen und Fegen ein Segment biegen: mit geringster Bewegung (weich), nach den drei Fällen des Artikels (Artikel) oder nach seiner gedruckten Gleichung 7, mit der sich die Linie weniger bewegt als der Stift.</translation>
     </message>
     <message>
         <source>Distance from the end of a line at which the pen grabs it.</source>
@@ -7081,8 +7081,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Länge der Linie zu jeder Seite des Stifts, deren Breite sich ändert.</translation>
     </message>
     <message>
-        <source>Weights of grab</source>
-        <translation>Gewichte des Greifens</translation>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
     </message>
     <message>
         <source>What a touch does</source>

@@ -6801,8 +6801,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Hoe snel de breedte verandert, per eenheid druk.</translation>
     </message>
     <message>
-        <source>How grab bends a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which does not reach the pen.</source>
-        <translation>Hoe pakken een segment buigt: met de minste beweging (zacht), volgens de drie gevallen van het artikel (artikel), of volgens vergelijking 7 zoals gedrukt, die de pen niet bereikt.</translation>
+        <source>How grab and sweep bend a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which moves the line less than the pen.</source>
+        <translation>Hoe pakken en vegen een segment buigen: met de minste beweging (zacht), volgens de drie gevallen van het artikel (artikel), of volgens vergelijking 7 zoals gedrukt, waarmee de lijn minder beweegt dan de pen.</translation>
     </message>
     <message>
         <source>Distance from the end of a line at which the pen grabs it.</source>
@@ -7081,8 +7081,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Lengte van de lijn, aan elke kant van de pen, waarvan de breedte verandert.</translation>
     </message>
     <message>
-        <source>Weights of grab</source>
-        <translation>Gewichten van pakken</translation>
+        <source>Weights</source>
+        <translation>Gewichten</translation>
     </message>
     <message>
         <source>What a touch does</source>

@@ -23,6 +23,10 @@ struct Between {
   [[nodiscard]] double of(double x, double y) const noexcept {
     return share > 0.0 ? (1.0 - share) * x + share * y : x;
   }
+  // Rounding must not give a width below the smallest one (I4).
+  [[nodiscard]] double width_mm() const noexcept {
+    return std::max(of(a.width_mm, b.width_mm), std::min({a.width_mm, b.width_mm, kMinWidthMm}));
+  }
   // Rounding must not give a tone above 1 (I7).
   [[nodiscard]] double tone() const noexcept { return std::min(of(a.tone, b.tone), 1.0); }
 };
@@ -42,8 +46,7 @@ Between place(std::span<const WidthKnot> profile, double u) noexcept {
 
 double width_at(std::span<const WidthKnot> profile, double u) noexcept {
   if (profile.empty()) return 0.0;
-  const Between at = place(profile, u);
-  return at.of(at.a.width_mm, at.b.width_mm);
+  return place(profile, u).width_mm();
 }
 
 double tone_at(std::span<const WidthKnot> profile, double u) noexcept {
@@ -53,7 +56,7 @@ double tone_at(std::span<const WidthKnot> profile, double u) noexcept {
 WidthKnot knot_at(std::span<const WidthKnot> profile, double u) noexcept {
   if (profile.empty()) return {u, 0.0, 0.0};
   const Between at = place(profile, u);
-  const double width_mm = at.of(at.a.width_mm, at.b.width_mm);
+  const double width_mm = at.width_mm();
   const bool follows =
       is_tone(at.a.tone) && is_tone(at.b.tone) && follows_width(at.a) && follows_width(at.b);
   return {u, width_mm, follows ? tone_of_width(width_mm) : at.tone()};

@@ -43,7 +43,7 @@ std::vector<WidthKnot> drawn_knots(const Stroke& stroke, double tolerance_mm) {
     for (int s = 0; s <= steps; ++s) {
       const double x = static_cast<double>(s) / steps;
       WidthKnot knot = knot_at(stroke.widths(), u_of(x));
-      knot.width_mm += 2.0 * piece.radius_mm.at(x);
+      knot.width_mm = std::max(knot.width_mm + 2.0 * piece.radius_mm.at(x), kMinWidthMm);
       knot.tone = std::clamp(knot.tone + piece.tone.at(x), 0.0, 1.0);
       append_knot(knots, knot);
     }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -104,6 +105,46 @@ TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
     }
     if (e.pen.commits > 0) e.fixture.undo();
     EXPECT_EQ(e.fixture.document, original) << "seed " << seed;
+  }
+}
+
+/// Returns a random line whose widths are at the minimum or near it, constant or changing.
+Stroke thin_line(std::uint64_t seed) {
+  testing::RandomStroke random(seed);
+  StrokeData data = testing::random_stroke(seed).data();
+  const double n = static_cast<double>(data.points.size() / 3);
+  const double wide = std::array{kMinWidthMm, 0.0501, 0.3, 2.0}[seed % 4];
+  data.widths.clear();
+  const int knots = random.pick(2, 7);
+  for (int k = 0; k < knots; ++k) {
+    const double share = k == 0           ? 0.0
+                         : k + 1 == knots ? 1.0
+                                          : (k + random.uniform(-0.4, 0.4)) / (knots - 1);
+    data.widths.push_back({n * share, random.chance(0.6) ? kMinWidthMm : wide});
+  }
+  return Stroke::create(std::move(data)).value();
+}
+
+TEST(Eraser, R39_TheThinnestLinesLoseNothingOutsideOfTheSweep) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::RandomStroke random(3000 + seed);
+    Eraser e;
+    e.fixture.add(thin_line(seed));
+    const StrokePtr line = e.fixture.strokes().front();
+    const auto place = [&] { return Point{random.uniform(0, 20), random.uniform(0, 20)}; };
+    const std::vector<Point> path{place(), place(), place()};
+    e.pen.line(way(path[0], path[1], 0.7) + way(path[1], path[2], 0.7));
+    const auto pieces = e.fixture.strokes();
+    for (double u = 0.0; u <= line->segment_count(); u += 0.01) {
+      const Point p = line->position(u);
+      // The round end of a piece and a piece that is too short to stay (R40).
+      const double lost = 0.5 * line->width_mm(u) + 1.3;
+      if (std::sqrt(nearest_on_polyline(path, p).distance_squared) < 2.0 + lost) continue;
+      double left = 1e300;
+      for (const StrokePtr& piece : pieces) left = std::min(left, distance_to(*piece, p));
+      ASSERT_LE(left, 1e-6) << u;
+    }
   }
 }
 

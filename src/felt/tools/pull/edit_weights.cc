@@ -55,6 +55,18 @@ EditWeights printed_weights(double t) noexcept {
   return {{b.b1, b.b2, b.b3, t}};
 }
 
+EditWeights edit_weights(WeightKind kind, double t, const Compliance& compliance) noexcept {
+  switch (kind) {
+    case WeightKind::kPaper:
+      return paper_weights(t);
+    case WeightKind::kPrinted:
+      return printed_weights(t);
+    case WeightKind::kSoft:
+      break;
+  }
+  return soft_weights(t, compliance);
+}
+
 double pinned_compliance(double t) noexcept {
   return fade(std::max(t, 0.0) / kBlendTau);
 }

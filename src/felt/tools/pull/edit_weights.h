@@ -53,6 +53,8 @@ EditWeights soft_weights(double t, const Compliance& compliance = {}) noexcept;
 EditWeights paper_weights(double t, double tau = kBlendTau) noexcept;
 /// Returns (1-t)^3, 3t(1-t)^2, 3t^2(1-t), t.
 EditWeights printed_weights(double t) noexcept;
+/// Returns the weights of this kind at t. Only kSoft uses the compliance.
+EditWeights edit_weights(WeightKind kind, double t, const Compliance& compliance) noexcept;
 
 /// Returns the compliance of a pinned joint at the parameter distance t from the grab: 1 at t = 0
 /// (the joint itself is grabbed), 0 if t >= kBlendTau, and a smooth transition in between.

@@ -23,18 +23,6 @@ void divide_around(Strand& strand, const ArcMap& map, double s0, double away_mm)
   }
 }
 
-EditWeights weights_of(const GrabOptions& options, const Strand& strand, StrandPlace place) {
-  switch (options.weights) {
-    case WeightKind::kPaper:
-      return paper_weights(place.t);
-    case WeightKind::kPrinted:
-      return printed_weights(place.t);
-    case WeightKind::kSoft:
-      break;
-  }
-  return soft_weights(place.t, strand.compliance(place.segment, place.t, options.pins_joints));
-}
-
 }  // namespace
 
 GrabPull::GrabPull(StrokePtr snapshot, double u0, const GrabOptions& options)
@@ -49,7 +37,8 @@ GrabPull::GrabPull(StrokePtr snapshot, double u0, const GrabOptions& options)
   }
   place_ = strand_.locate(u0);
   strand_.prepare(place_.segment);
-  weights_ = weights_of(options, strand_, place_);
+  weights_ = edit_weights(options.weights, place_.t,
+                          strand_.compliance(place_.segment, place_.t, options.pins_joints));
 }
 
 bool GrabPull::moves_left() const noexcept {

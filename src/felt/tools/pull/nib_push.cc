@@ -100,28 +100,69 @@ NibPush::NibPush(StrokePtr snapshot, double radius_mm)
 }
 
 bool NibPush::move(Point from, Point to, Vec came_from) {
+  return step(from, to, came_from) && settle();
+}
+
+bool NibPush::step(Point from, Point to, Vec came_from) {
   contact_.reset();
   if (!box_.intersects(box_of(from, to).inflated(radius_mm_))) return false;
-  std::optional<Strand> before;
   const Steps steps(from, to, radius_mm_);
   bool moved = false;
   for (int k = 1; k <= steps.count; ++k) {
     const Point p = steps.at(k);
-    const auto met = nearest_to(p, radius_mm_ - kContactMm);
-    if (!met && !steps.may_jump) continue;
-    if (!before) before = strand_;
     if (steps.may_jump) moved = catch_jumped(steps.at(k - 1), p) || moved;
-    moved = clear(p, came_from) || moved;
+    moved = clear(p, came_from, 0.0) || moved;
   }
-  if (!moved) return false;
+  return moved;
+}
+
+bool NibPush::settle() {
+  if (!settled_) return true;
   Result<Stroke> now = strand_.stroke();
-  if (!now) {
-    strand_ = *std::move(before);
-    return false;
+  if (now) {
+    stroke_ = std::make_shared<const Stroke>(*std::move(now));
+  } else {
+    strand_ = *std::move(settled_);
+    note_material();
   }
-  stroke_ = std::make_shared<const Stroke>(*std::move(now));
+  settled_.reset();
   box_ = bounds_of(strand_.points());
-  return true;
+  return now.has_value();
+}
+
+Point NibPush::position(double snapshot_u) const noexcept {
+  const StrandPlace at = strand_.locate(snapshot_u);
+  return evaluate(strand_.segment(at.segment), at.t);
+}
+
+/// Divides the ink at a parameter of the snapshot, so that the influence can be exactly 0 or 1
+/// there.
+void NibPush::cut(double snapshot_u) {
+  const StrandPlace at = strand_.locate(snapshot_u);
+  if (at.t <= 0.0 || at.t >= 1.0 || strand_.count() >= kMaxSegments) return;
+  if (strand_.divide(at.segment, at.t)) note_material();
+}
+
+bool NibPush::pull(double u, Point target, std::pair<double, double> pins) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  if (!settled_) settled_ = strand_;
+  const double s = map_.length_at(u);
+  const double reach =
+      kReachRadii * radius_mm_ + kReachPerDepth * distance(strand_.snapshot()->position(u), target);
+  const auto pinned = [&](double pin) {
+    if (std::isnan(pin)) return kFar;
+    const double mm = std::fabs(map_.way(s, map_.length_at(pin)));
+    if (mm < reach) cut(pin);
+    return mm;
+  };
+  cut(u);
+  pin_before_mm_ = pinned(pins.first);
+  pin_after_mm_ = pinned(pins.second);
+  const StrandPlace at = strand_.locate(u);
+  const bool moved = displace({at, evaluate(strand_.segment(at.segment), at.t)}, target);
+  pin_before_mm_ = pin_after_mm_ = kFar;
+  box_ = bounds_of(strand_.points());
+  return moved;
 }
 
 std::optional<NibPush::Nearest> NibPush::nearest_to(Point p, double within_mm) const {
@@ -145,21 +186,23 @@ std::optional<NibPush::Under> NibPush::under(Point p, double within_mm) const {
   return Under{near->point, distance(near->point, was)};
 }
 
-bool NibPush::clear(Point p, Vec came_from) {
+bool NibPush::clear(Point p, Vec came_from, double room_mm) {
   bool moved = false;
   for (int k = 0; k < kCorrections; ++k) {
     const auto met = nearest_to(p, radius_mm_ - kContactMm);
     if (!met) break;
+    if (!settled_) settled_ = strand_;
     const double depth = distance(p, met->point);
     Vec n = depth > 1e-9 ? (p - met->point) / depth : came_from;
     if (n == Vec{}) n = perp(tangent(strand_.segment(met->place.segment), met->place.t));
     // A correction may move another point back under the nib. Therefore each additional correction
     // moves the ink a little farther than the radius.
-    const double room = k < kExactCorrections ? 0.0 : kRoomMm * (k - kExactCorrections + 1);
-    contact_ = p - (radius_mm_ + room) * n;
+    const double more = k < kExactCorrections ? 0.0 : kRoomMm * (k - kExactCorrections + 1);
+    contact_ = p - (radius_mm_ + room_mm + more) * n;
     if (!displace(*met, *contact_)) break;
     moved = true;
   }
+  if (moved) box_ = bounds_of(strand_.points());
   return moved;
 }
 
@@ -171,6 +214,7 @@ bool NibPush::catch_jumped(Point from, Point to) {
     std::optional<double> t;
     while (i < strand_.count() && !(t = crossing(strand_.segment(i), from, to))) ++i;
     if (!t) break;
+    if (!settled_) settled_ = strand_;
     if (!displace({{i, *t}, evaluate(strand_.segment(i), *t)}, beyond)) break;
     moved = true;
   }
@@ -203,7 +247,9 @@ void NibPush::note_material() {
 }
 
 bool NibPush::divide_within(double s_mm, double reach_mm) {
-  bool divided = false;
+  // A segment of the snapshot may have been cut, so first all segments to divide are found.
+  constexpr std::uint8_t kIsNext = 2;
+  bool found = false;
   for (int i = strand_.count() - 1; i >= 0; --i) {
     const auto origin = static_cast<std::size_t>(strand_.snapshot_u(i));
     if (is_in_pieces_[origin] != 0) continue;
@@ -214,10 +260,17 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
                           material_[static_cast<std::size_t>(i)].s_mm;
     // Skips the segment unless one of its ends is within reach or the point at s_mm lies on it.
     if (std::min(to_start, to_end) >= reach_mm && to_start + to_end > length + 1e-6) continue;
-    is_in_pieces_[origin] = 1;
+    is_in_pieces_[origin] = kIsNext;
+    found = true;
+  }
+  if (!found) return false;
+  bool divided = false;
+  for (int i = strand_.count() - 1; i >= 0; --i) {
+    if (is_in_pieces_[static_cast<std::size_t>(strand_.snapshot_u(i))] != kIsNext) continue;
     const int largest = kMaxSegments - strand_.count() + 1;
     divided = strand_.divide_evenly(i, kPieceRadii * radius_mm_, largest) > 1 || divided;
   }
+  for (std::uint8_t& state : is_in_pieces_) state = state != 0 ? 1 : 0;
   if (divided) note_material();
   return divided;
 }
@@ -225,10 +278,12 @@ bool NibPush::divide_within(double s_mm, double reach_mm) {
 NibPush::Influence NibPush::influence_at(int joint, double s_mm, double reach_mm) const {
   // On a closed stroke both sides meet at half its length. The influence must have zero slope
   // there, so a reach of more than half of the length raises the influence everywhere instead.
-  const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
-  const double radius = std::min(reach_mm, half);
-  const double base = 1.0 - radius / reach_mm;
   const double way = map_.way(s_mm, material_[static_cast<std::size_t>(joint)].s_mm);
+  const bool is_pinned = std::isfinite(pin_before_mm_) || std::isfinite(pin_after_mm_);
+  const double pin = is_pinned ? (way > 0.0 ? pin_after_mm_ : pin_before_mm_) : reach_mm;
+  const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
+  const double radius = std::min({reach_mm, half, pin});
+  const double base = is_pinned ? 0.0 : 1.0 - radius / reach_mm;
   const double x = std::min(1.0, std::fabs(way) / radius);
   const double slope = (way > 0.0 ? -6.0 : 6.0) * x * (1.0 - x) / radius;
   return {base + (1.0 - base) * (1.0 - x * x * (3.0 - 2.0 * x)), (1.0 - base) * slope};

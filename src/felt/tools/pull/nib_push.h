@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "felt/base/result.h"
@@ -50,6 +52,21 @@ class NibPush {
   /// towards the pen, used if the pen lies exactly on the stroke; zero if unknown. Returns true if
   /// the stroke moved. Ignores a motion that would break an invariant.
   bool move(Point from, Point to, Vec came_from = {});
+  /// Moves the nib as move() does, but leaves stroke() as it is until settle() is called, so that
+  /// several steps and pulls make one stroke. Returns true if the ink moved.
+  bool step(Point from, Point to, Vec came_from);
+  /// Pushes the ink out from under a nib that rests at p, `room_mm` farther than the radius.
+  /// Returns true if the ink moved. Call settle() afterwards.
+  bool clear(Point p, Vec came_from, double room_mm);
+  /// Moves the point with this parameter of the snapshot to `target`, and the ink around it as if
+  /// the nib had pushed it there. `pins` are the parameters on both sides at which the ink stays;
+  /// NaN if there is none. Returns false if the ink cannot follow. Call settle() afterwards.
+  bool pull(double u, Point target, std::pair<double, double> pins);
+  /// Makes stroke() the ink after the last steps and pulls. If that breaks an invariant, undoes
+  /// them and returns false.
+  bool settle();
+  /// Returns the position of the point with this parameter of the snapshot.
+  [[nodiscard]] Point position(double snapshot_u) const noexcept;
   /// Returns the stroke as pushed so far.
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
   /// The point of the stroke nearest to a position, and how far it has been pushed.
@@ -84,7 +101,7 @@ class NibPush {
   };
 
   [[nodiscard]] std::optional<Nearest> nearest_to(Point p, double within_mm) const;
-  bool clear(Point p, Vec came_from);
+  void cut(double snapshot_u);
   bool catch_jumped(Point from, Point to);
   bool displace(Nearest at, Point target);
   bool displace_within(double reach, const Nearest& at, Point target);
@@ -102,6 +119,10 @@ class NibPush {
   std::vector<std::uint8_t> is_in_pieces_;  // true for divided segments of the snapshot
   std::vector<Material> material_;          // by joint
   std::vector<double> weights_;             // buffer of displace_within()
+  /// Arc lengths from the displaced point to the pins of pull(), before and after it.
+  double pin_before_mm_ = std::numeric_limits<double>::infinity();
+  double pin_after_mm_ = std::numeric_limits<double>::infinity();
+  std::optional<Strand> settled_;  // the ink at the last settle(), if it has moved since
   std::optional<Point> contact_;
 };
 

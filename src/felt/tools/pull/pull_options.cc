@@ -13,6 +13,7 @@ PullSettings pull_settings(const OptionValues& values) {
   s.grab.pins_joints = !s.brush.free_ends;
   s.grab.affected_mm = values.number(Row::kAffected);
   s.push.radius_mm = values.number(Row::kNibRadius);
+  s.sweep.weights = s.grab.weights;
   s.sweep.time_constant_s = values.number(Row::kSweepTime);
   s.bulge = {.radius_mm = s.brush.radius_mm,
              .pinches = s.mode == PullMode::kPinch,

@@ -96,14 +96,15 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .when = "mode=brush|bulge|pinch",
      .is_seldom = true},
     {.id = "weights",
-     .label = "Weights of grab",
+     .label = "Weights",
      .unit = "",
      .kind = OptionKind::kChoice,
      .fallback = 0,
      .choices = kPullWeights,
-     .help = "How grab bends a segment: with least motion (soft), by the paper's three cases "
-             "(paper), or by its equation 7 as printed, which does not reach the pen.",
-     .when = "mode=grab",
+     .help =
+         "How grab and sweep bend a segment: with least motion (soft), by the paper's three cases "
+         "(paper), or by its equation 7 as printed, which moves the line less than the pen.",
+     .when = "mode=grab|sweep",
      .is_seldom = true},
     {.id = "affected_mm",
      .label = "Length bent by grab",

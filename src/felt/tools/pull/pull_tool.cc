@@ -87,11 +87,11 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     gesture_ = make_bulge(sample, scene, settings_.bulge);
     return {};
   }
-  connected_.emplace(settings_.brush);
   if (settings_.mode == PullMode::kPush) {
     gesture_ = make_push(sample, scene, settings_.push);
     return move(sample, scene);
   }
+  connected_.emplace(settings_.brush);
   const auto hit = scene.index.nearest(on_page(sample.position), settings_.grab_radius_mm);
   if (!hit) return {};
   const BrushOptions brush = brush_for(sample);

@@ -52,7 +52,7 @@ class PullTool final : public GestureTool {
   std::unique_ptr<Target> target_;  // reused for the same stroke, because a new map takes time
   bool has_target_ = false;
   std::unique_ptr<PullGesture> gesture_;
-  std::optional<ConnectedPull> connected_;  // not of bulges, which move all lines in reach
+  std::optional<ConnectedPull> connected_;  // not of bulges and pushes, which join lines themselves
 };
 
 std::unique_ptr<Tool> make_pull();

@@ -22,7 +22,7 @@ class SweepGesture final : public PullGesture {
   SweepGesture(const PenSample& touch, const Scene& scene, const StrokeHit& hit,
                const SweepOptions& options)
       : stroke_(scene.document, hit.stroke),
-        sweep_(stroke_.before(), hit.u),
+        sweep_(stroke_.before(), hit.u, options.weights),
         shown_(stroke_.before()),
         time_constant_ns_(1e9 * options.time_constant_s),
         last_(on_page(touch.position)),

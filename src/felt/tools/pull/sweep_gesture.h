@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "felt/document/stroke_index.h"
+#include "felt/tools/pull/edit_weights.h"
 #include "felt/tools/pull/pull_gesture.h"
 
 namespace felt {
@@ -10,6 +11,7 @@ namespace felt {
 struct SweepOptions {
   /// The stroke yields to the pen with this time constant, s (docs/design/editing.md#sweep: 50 ms).
   double time_constant_s = 0.050;
+  WeightKind weights = WeightKind::kSoft;
 };
 
 /// Makes a gesture that redraws a stroke along the path of the pen (docs/design/editing.md#sweep):

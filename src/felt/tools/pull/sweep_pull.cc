@@ -17,7 +17,8 @@ constexpr double kTooLong = 1.5;
 
 }  // namespace
 
-SweepPull::SweepPull(StrokePtr snapshot, double u0) : strand_(std::move(snapshot)) {
+SweepPull::SweepPull(StrokePtr snapshot, double u0, WeightKind weights)
+    : strand_(std::move(snapshot)), weights_(weights) {
   place_ = strand_.locate(std::clamp(u0, 0.0, strand_.snapshot_u(strand_.count())));
 }
 
@@ -72,7 +73,8 @@ bool SweepPull::step(Point pen, double part) {
   const Vec pull = part * (pen - point());
   if (pull == Vec{}) return false;
   strand_.prepare(i);
-  if (!strand_.bend(i, t, soft_weights(t, strand_.compliance(i, t, true)), pull)) return false;
+  const EditWeights weights = edit_weights(weights_, t, strand_.compliance(i, t, true));
+  if (!strand_.bend(i, t, weights, pull)) return false;
   for (const int k : {strand_.previous(i), i, strand_.next(i)}) {
     if (k >= 0) strand_.limit_handles(k, kLongestHandle);
   }

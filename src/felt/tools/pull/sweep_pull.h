@@ -10,17 +10,18 @@
 namespace felt {
 
 /// A stroke being redrawn (docs/design/editing.md#sweep): in each step the point nearest to the pen
-/// moves towards the pen by a fraction of its distance to the pen. soft_weights() determines how
+/// moves towards the pen by a fraction of its distance to the pen. edit_weights() determines how
 /// far each control point moves so that the nearest point does. Each step starts from the result of
 /// the previous step, so moving back does not undo the change. Because the fraction is 1 -
 /// exp(-dt/tau), the result hardly depends on the step length.
 ///
 /// The search for the nearest point covers only the segment of the previous nearest point and the
 /// neighbours of that segment, so that the point moves along the stroke and does not leap to
-/// another part of the stroke that is near the pen. Pieces near the pen are kept short (kPieceMm)
-/// as long as the stroke has fewer than kMaxSegments. Handles are kept below kLongestHandle times
-/// the length of their segments (R24). Ends and corners stay unless they are themselves nearest to
-/// the pen.
+/// another part of the stroke that is near the pen. With WeightKind::kPaper and kPrinted this is
+/// the loop of the paper (eq. 6 and 7), with its three cases or as printed, repeated in each step.
+/// Pieces near the pen are kept short (kPieceMm) as long as the stroke has fewer than kMaxSegments.
+/// Handles are kept below kLongestHandle times the length of their segments (R24). Ends and corners
+/// stay unless they are themselves nearest to the pen.
 class SweepPull {
  public:
   static constexpr double kPieceMm = 8.0;
@@ -29,7 +30,7 @@ class SweepPull {
   static constexpr double kLeapMm = 1.0;
 
   /// Grabs the stroke at u0, clamped to the stroke.
-  SweepPull(StrokePtr snapshot, double u0);
+  SweepPull(StrokePtr snapshot, double u0, WeightKind weights = WeightKind::kSoft);
 
   /// Moves the nearest point by the fraction `part`, 0..1, of its distance to the pen. Returns
   /// false if nothing moved.
@@ -53,6 +54,7 @@ class SweepPull {
 
   Strand strand_;
   StrandPlace place_;
+  WeightKind weights_;
   std::uint32_t leaps_ = 0;
 };
 

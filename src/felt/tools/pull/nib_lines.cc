@@ -1,0 +1,210 @@
+#include "felt/tools/pull/nib_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "felt/tools/junctions.h"
+#include "felt/tools/pull/nearest_u.h"
+
+namespace felt {
+namespace {
+
+/// Points nearer to each other than this are joined.
+constexpr double kJoinedMm = 1e-9;
+/// Largest gap that the refit may leave. It is far below kSharedPointMm, so that the strokes stay
+/// connected through many gestures.
+constexpr double kCommittedGapMm = 1e-6;
+/// Added to the radius by each round of a stroke after the first kExactVisits, mm.
+constexpr double kRoundRoomMm = 2e-4;
+
+}  // namespace
+
+bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
+  const double wanted = std::ceil(distance(from, to) / (0.5 * radius_mm_));
+  const int steps = static_cast<int>(std::clamp(wanted, 1.0, double{NibPush::kMaxSteps}));
+  meet(scene, from, to);
+  bool moved = false;
+  for (int k = 1; k <= steps; ++k) {
+    const Point a = lerp(from, to, (k - 1.0) / steps);
+    const Point b = k == steps ? to : lerp(from, to, static_cast<double>(k) / steps);
+    for (auto& [id, line] : lines_) {
+      line.visits = 0;
+      note_touch(line, a, b);
+      if (line.push.step(a, b, came_from)) queue(id, line);
+    }
+    moved = moved || !queue_.empty();
+    weld(b, came_from, &scene);
+  }
+  for (auto& [id, line] : lines_) line.push.settle();
+  return moved;
+}
+
+NibLines::Line& NibLines::add(StrokeReplacement place, StrokePtr ink) {
+  const StrokeId id = place.id();
+  return lines_.try_emplace(id, std::move(place), std::move(ink), radius_mm_).first->second;
+}
+
+/// Adds the strokes that the nib meets for the first time.
+void NibLines::meet(const Scene& scene, Point from, Point to) {
+  Rect path;
+  path.extend(from);
+  path.extend(to);
+  scene.index.for_each_segment_in(path.inflated(radius_mm_), [&](StrokeId id, int segment) {
+    if (lines_.contains(id)) return;
+    const StrokePtr stroke = scene.document.find(id);
+    if (!nib_meets(stroke->segment(segment), from, to, radius_mm_)) return;
+    add(StrokeReplacement(scene.document, id), stroke).touched = true;
+  });
+}
+
+/// Notes the first touch of a stroke that has followed others so far. Its force begins at zero.
+void NibLines::note_touch(Line& line, Point from, Point to) const {
+  if (line.touched) return;
+  for (const Point p : {from, to}) {
+    const auto under = line.push.under(p, radius_mm_);
+    if (!under) continue;
+    line.touched = true;
+    line.carried_mm = under->displacement_mm;
+    return;
+  }
+}
+
+void NibLines::queue(StrokeId id, Line& line) {
+  if (line.waits || line.visits >= kMaxVisits) return;
+  line.waits = true;
+  queue_.push_back(id);
+}
+
+NibLines::Line* NibLines::follower(StrokeId id, const Scene* scene) {
+  const auto known = lines_.find(id);
+  if (known != lines_.end()) return &known->second;
+  if (!scene || followers_ >= kMaxFollowers) return nullptr;
+  ++followers_;
+  return &add(StrokeReplacement(scene->document, id), scene->document.find(id));
+}
+
+void NibLines::find_links(StrokeId id, Line& line, const Scene& scene) const {
+  line.has_links = true;
+  const Stroke& stroke = *line.place.before();
+  const double n = stroke.segment_count();
+  for (const Junction& j : junctions_of(scene.document, scene.index, id, stroke)) {
+    const bool is_end = !stroke.closed() && (j.u <= 0.0 || j.u >= n);
+    if (!j.editable && !is_end) continue;
+    const Point here = stroke.position(j.u);
+    const Point there = scene.document.find(j.other)->position(j.other_u);
+    line.links.push_back({j.u, j.other, j.other_u, here, there - here, !j.editable});
+    line.pins.push_back(j.u);
+  }
+  std::sort(line.pins.begin(), line.pins.end());
+}
+
+void NibLines::weld(Point p, Vec came_from, const Scene* scene) {
+  for (std::size_t k = 0; k < queue_.size(); ++k) {
+    const StrokeId id = queue_[k];
+    Line& line = lines_.at(id);
+    line.waits = false;
+    ++line.visits;
+    if (scene && !line.has_links) find_links(id, line, *scene);
+    visit(line, p, came_from, scene);
+  }
+  queue_.clear();
+}
+
+/// Pushes a stroke out from under the nib, holds its ends on locked strokes and pulls the strokes
+/// that share a point with it.
+void NibLines::visit(Line& line, Point p, Vec came_from, const Scene* scene) {
+  const double room = kRoundRoomMm * std::max(0, line.visits - kExactVisits);
+  line.push.clear(p, came_from, room);
+  for (const Line::Link& link : line.links) {
+    if (link.held) pull(line, link.u, link.start);
+  }
+  for (const Line::Link& link : line.links) {
+    if (link.held) continue;
+    const Point here = line.push.position(link.u);
+    if (distance(here, link.start) < kJoinedMm && !lines_.contains(link.other)) continue;
+    Line* other = follower(link.other, scene);
+    if (other && pull(*other, link.other_u, here + link.offset)) queue(link.other, *other);
+  }
+}
+
+/// Moves a shared point of a stroke. Returns true if the ink moved.
+bool NibLines::pull(Line& line, double u, Point target) {
+  constexpr double kSameU = 1e-6;
+  if (distance(line.push.position(u), target) <= kJoinedMm) return false;
+  std::pair<double, double> pins{std::nan(""), std::nan("")};
+  const auto after = std::upper_bound(line.pins.begin(), line.pins.end(), u + kSameU);
+  const auto before = std::lower_bound(line.pins.begin(), line.pins.end(), u - kSameU);
+  if (after != line.pins.end()) pins.second = *after;
+  if (before != line.pins.begin()) pins.first = *(before - 1);
+  if (line.place.before()->closed() && !line.pins.empty()) {
+    if (std::isnan(pins.second) && line.pins.front() < u - kSameU) pins.second = line.pins.front();
+    if (std::isnan(pins.first) && line.pins.back() > u + kSameU) pins.first = line.pins.back();
+  }
+  return line.push.pull(u, target, pins);
+}
+
+double NibLines::largest_gap_mm() const {
+  double largest = 0.0;
+  for (const auto& [id, line] : lines_) {
+    for (const Line::Link& link : line.links) {
+      const auto other = lines_.find(link.other);
+      if (link.held || other == lines_.end()) continue;
+      const Point here = line.push.position(link.u) + link.offset;
+      largest = std::max(largest, distance(here, other->second.push.position(link.other_u)));
+    }
+  }
+  return largest;
+}
+
+/// Copies the shared points of a line of `from` to the same line after the refit, which has other
+/// parameters. Points that have not moved stay.
+void NibLines::copy_links(const Line& line, Line& to, const NibLines& from) const {
+  const auto refitted_u = [](const Line& a, const Line& b, double u) {
+    const Stroke &before = *a.place.before(), &after = *b.push.stroke();
+    if (!before.closed() && u <= 0.0) return 0.0;
+    if (!before.closed() && u >= before.segment_count()) return 1.0 * after.segment_count();
+    return nearest_u(after, a.push.position(u));
+  };
+  for (Line::Link link : line.links) {
+    const auto other = lines_.find(link.other);
+    const bool stays = distance(line.push.position(link.u), link.start) < kJoinedMm;
+    if (other == lines_.end() && !link.held && !stays) continue;
+    if (other == lines_.end()) {
+      link.held = true;
+    } else {
+      link.other_u = refitted_u(from.lines_.at(link.other), other->second, link.other_u);
+    }
+    link.u = refitted_u(line, to, link.u);
+    to.pins.push_back(link.u);
+    to.links.push_back(link);
+  }
+  std::sort(to.pins.begin(), to.pins.end());
+}
+
+std::vector<std::pair<StrokeId, StrokePtr>> NibLines::finished(Point pen) const {
+  std::vector<std::pair<StrokeId, StrokePtr>> raw, done;
+  NibLines fine(radius_mm_);
+  for (const auto& [id, line] : lines_) {
+    if (line.push.stroke() == line.place.before()) continue;
+    raw.emplace_back(id, line.push.stroke());
+    Result<Stroke> refitted = line.push.finished(pen);
+    if (!refitted) return raw;
+    fine.add(line.place, std::make_shared<const Stroke>(*std::move(refitted)));
+  }
+  for (auto& [id, next] : fine.lines_) {
+    fine.copy_links(lines_.at(id), next, *this);
+    fine.queue(id, next);
+  }
+  fine.weld(pen, {}, nullptr);
+  for (auto& [id, next] : fine.lines_) next.push.settle();
+  if (fine.largest_gap_mm() > std::max(kCommittedGapMm, largest_gap_mm())) return raw;
+  for (const auto& [id, next] : fine.lines_) {
+    const double within = radius_mm_ - kCommittedGapMm;
+    if (next.push.under(pen, within) && !lines_.at(id).push.under(pen, within)) return raw;
+    done.emplace_back(id, next.push.stroke());
+  }
+  return done;
+}
+
+}  // namespace felt
