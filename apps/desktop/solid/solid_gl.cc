@@ -25,7 +25,7 @@ struct GlPoint {
 };
 static_assert(sizeof(GlPoint) == 24);
 
-constexpr int kSamplesPerPixel = 4;
+constexpr int kSamplesPerPixel = 8;  // or as many as OpenGL has
 /// Software OpenGL paints about 10^5 lines in the time of a frame at 20 frames a second
 /// (solid_scene_bench.cc), and so many lines cannot be told apart anyway.
 constexpr GLsizei kMaxFastLines = 30'000;
@@ -326,9 +326,11 @@ bool SolidGl::Parts::make_frames(QSize size_px) {
   };
   const GLenum color = has_samples ? GL_RGBA8 : GL_RGBA4;  // OpenGL ES 2.0 has no other
   const GLenum deep = has_samples ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT16;
+  GLint max_samples = 1;
+  if (has_samples) gl().glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
   gl().glGenFramebuffers(2, frames.data());
   for (std::size_t i = 0; i < (has_samples ? 2U : 1U); ++i) {
-    const int samples = i == 0 ? 0 : kSamplesPerPixel;
+    const int samples = i == 0 ? 0 : std::min(kSamplesPerPixel, static_cast<int>(max_samples));
     gl().glBindFramebuffer(GL_FRAMEBUFFER, frames[i]);
     make(colors[i], color, GL_COLOR_ATTACHMENT0, samples);
     make(depths[i], deep, GL_DEPTH_ATTACHMENT, samples);

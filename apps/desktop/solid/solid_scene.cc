@@ -51,7 +51,7 @@ SolidScene::SolidScene(QWidget* parent, Painter painter)
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(tr("Solid"));
   setAccessibleDescription(
-      tr("Arrow keys turn the solid, plus and minus zoom, Home shows it from the front again"));
+      tr("Arrow keys turn the solid, plus and minus zoom, Home shows the first view again"));
 }
 
 SolidScene::~SolidScene() = default;

@@ -5956,8 +5956,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Körper</translation>
     </message>
     <message>
-        <source>Arrow keys turn the solid, plus and minus zoom, Home shows it from the front again</source>
-        <translation>Pfeiltasten drehen den Körper, Plus und Minus zoomen, Pos1 zeigt ihn wieder von vorn</translation>
+        <source>Arrow keys turn the solid, plus and minus zoom, Home shows the first view again</source>
+        <translation>Pfeiltasten drehen den Körper, Plus und Minus zoomen, Pos1 zeigt wieder die erste Ansicht</translation>
     </message>
 </context>
 <context>

@@ -5956,8 +5956,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Lichaam</translation>
     </message>
     <message>
-        <source>Arrow keys turn the solid, plus and minus zoom, Home shows it from the front again</source>
-        <translation>Pijltoetsen draaien het lichaam, plus en min zoomen, Home toont het weer van voren</translation>
+        <source>Arrow keys turn the solid, plus and minus zoom, Home shows the first view again</source>
+        <translation>Pijltoetsen draaien het lichaam, plus en min zoomen, Home toont de eerste weergave weer</translation>
     </message>
 </context>
 <context>

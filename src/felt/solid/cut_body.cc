@@ -6,6 +6,7 @@
 
 #include "felt/solid/body_boolean.h"
 #include "felt/solid/body_parts.h"
+#include "felt/solid/cut_clearance.h"
 #include "felt/solid/cut_region.h"
 #include "felt/solid/plane_mesh.h"
 #include "felt/solid/stroke_path.h"
@@ -14,11 +15,30 @@
 namespace felt {
 namespace body_cutting {
 
-/// Distance of the points on the stroke, in mean edges of the body.
-constexpr double kStepInEdges = 0.8;
+/// Distance of the points on the stroke, in edges of the body: at most this. It is a power of
+/// sqrt(2), so that a stroke that is drawn again gets the same points.
+constexpr double kStepInEdges = 0.75;
+/// In steps: parts of the body that reach less far beyond the stroke are not cut off, and the
+/// stroke is moved by as much if points of the body lie on it (half of the length below which
+/// body_boolean.h removes edges).
+constexpr double kToleranceInSteps = 3e-3, kClearanceInSteps = 5e-4;
 constexpr int kMaxLevels = 40;
 /// Components with a smaller share of the volume are crumbs of rounding.
 constexpr double kCrumbShare = 1e-6;
+
+/// Returns the distance of the points on a stroke across a body. Each edge counts with the area of
+/// its triangles: the small triangles at earlier cuts make the next one no finer.
+double step_for(const SolidBody& body) {
+  double sum = 0.0, areas = 0.0;
+  for (const auto& [a, b, c] : body.triangles) {
+    const Vec3 u = body.points[b] - body.points[a], v = body.points[c] - body.points[a];
+    const double area = norm(cross(u, v));
+    areas += area;
+    sum += area * (norm(u) + norm(v) + norm(v - u)) / 3.0;
+  }
+  if (!(areas > 0.0)) return mean_edge_mm(body);
+  return std::exp2(0.5 * std::floor(2.0 * std::log2(kStepInEdges * sum / areas)));
+}
 
 /// Returns the closed prism above and below a region, deeper than the body on both sides.
 Result<SolidBody> prism_of(const CutRegion& region, const ViewFrame& frame, const SolidBody& body,
@@ -31,7 +51,11 @@ Result<SolidBody> prism_of(const CutRegion& region, const ViewFrame& frame, cons
     high = std::max(high, frame.depth(p));
   }
   const double margin = 0.05 * (high - low) + step_mm;
-  low -= margin, high += margin;
+  // The levels of two cuts have different depths, so that their edges do not meet.
+  constexpr double kGoldenRatio = 1.6180339887498949;
+  const double turns = kGoldenRatio * static_cast<double>(body.points.size());
+  const double offset = 2.0 * step_mm * (turns - std::floor(turns));
+  low -= margin + offset, high += margin + 2.0 * step_mm - offset;
   const auto levels = static_cast<std::uint32_t>(
       std::clamp(static_cast<int>((high - low) / (2.0 * step_mm)), 1, kMaxLevels));
   const auto n = static_cast<std::uint32_t>(region.ring.size());
@@ -67,10 +91,18 @@ Result<std::optional<std::vector<SolidBody>>> cut_body(const SolidBody& body,
   if (stroke.size() < 2 || path_length(stroke) <= 0.0) {
     return invalid_data("the stroke has no length");
   }
-  const double step_mm = kStepInEdges * mean_edge_mm(body);
+  const double step_mm = step_for(body);
   Result<std::optional<CutRegion>> region = find_cut_region(body, frame, stroke, step_mm);
   if (!region) return tl::unexpected(region.error());
   if (!*region) return Parts();
+  switch (cut_effect(body, frame, **region, kToleranceInSteps * step_mm)) {
+    case CutEffect::kNothingGoes:
+      return Parts(std::vector{body});
+    case CutEffect::kAllGoes:
+      return invalid_data("nothing of the body would remain");
+    case CutEffect::kPartGoes:
+      move_off_points(body, frame, kClearanceInSteps * step_mm, **region);
+  }
   const Result<SolidBody> prism = prism_of(**region, frame, body, step_mm);
   if (!prism) return tl::unexpected(prism.error());
   Result<SolidBody> rest = combine(body, *prism, BodyBoolean::kDifference);

@@ -187,13 +187,21 @@ void cover_stroke(Grid& grid, const std::vector<Point>& stroke) {
 }
 
 /// The part of the stroke from the last point before the body to the first one after it, with
-/// points at equal distances between. Requires that some point is on the body, and the ends are
+/// points at equal distances from its start: the same stroke gets the same points on every body.
+/// Requires that some point of `fine`, the stroke in small steps, is on the body, and the ends are
 /// not.
-std::vector<Point> part_on_body(const Grid& grid, const std::vector<Point>& fine, double step_mm) {
+std::vector<Point> part_on_body(const Grid& grid, const std::vector<Point>& stroke,
+                                const std::vector<Point>& fine, double step_mm) {
   std::size_t first = 0, last = fine.size() - 1;
   while (!grid.is_covered(grid.cell_at(fine[first + 1]))) ++first;
   while (!grid.is_covered(grid.cell_at(fine[last - 1]))) --last;
-  return resampled(std::span(fine).subspan(first, last - first + 1), step_mm);
+  const std::vector<Point> points = resampled(stroke, step_mm);
+  const double share =
+      static_cast<double>(points.size() - 1) / static_cast<double>(fine.size() - 1);
+  const auto begin = static_cast<std::ptrdiff_t>(static_cast<double>(first) * share);
+  const auto end = static_cast<std::ptrdiff_t>(std::ceil(static_cast<double>(last) * share));
+  return {points.begin() + begin,
+          points.begin() + std::min(end + 1, static_cast<std::ptrdiff_t>(points.size()))};
 }
 
 Grid grid_of(const SolidBody& body, const ViewFrame& frame, const std::vector<Point>& stroke) {
@@ -224,7 +232,7 @@ Result<std::optional<CutRegion>> find_cut_region(const SolidBody& body, const Vi
   if (is_on_body(fine.front())) return invalid_data("the stroke begins on the body");
   if (is_on_body(fine.back())) return invalid_data("the stroke ends on the body");
   CutRegion region;
-  region.ring = part_on_body(grid, fine, step_mm);
+  region.ring = part_on_body(grid, stroke, fine, step_mm);
   region.stroke_points = region.ring.size();
   if (region.ring.size() < 2) return std::optional<CutRegion>();
   if (self_crossing(region.ring, PathEnds::kOpen)) return invalid_data("the stroke crosses itself");

@@ -56,6 +56,9 @@ double area_inside(const Curves& curves) {
 constexpr double kTriangleArea = 0.2, kTrianglesPerBorderEdge = 1.2;
 /// The edges of the border are shorter than the others, because the surface is steep there.
 constexpr double kBorderShare = 0.5;
+/// The mesh has this share of the wanted triangles; its two sides and the fine surface make about
+/// the rest.
+constexpr double kCoarseShare = 0.25;
 
 /// Returns the longest side of a triangle for about `count` triangles: the positive solution e of
 /// count = area / 0.2 e^2 + 1.2 length / 0.5 e.
@@ -73,6 +76,20 @@ double length_of(const Curves& curves) {
   return length;
 }
 
+/// A surface of this many triangles has the figures of kOutlinePx and kTurnDeg.
+constexpr double kUsualTriangles = 5000.0;
+/// The border is within 1/5 of a pixel of the outline if the body is this many pixels large.
+constexpr double kOutlinePx = 1200.0, kOutlineShareOfPx = 0.18;
+/// How far the normals of the surface turn along an edge.
+constexpr double kTurnDeg = 8.0;
+
+/// Returns how fine the surface of a body is.
+SurfaceSpec surface_spec_of(const RingSpec& ring, const InflateOptions& options) {
+  const double fineness = std::sqrt(kUsualTriangles / options.triangles);
+  return {.max_turn_rad = std::clamp(fineness * kTurnDeg, 1.0, 45.0) * std::numbers::pi / 180.0,
+          .min_edge_mm = 0.75 * ring.min_edge_mm};
+}
+
 /// Returns the lengths for a body, so that all bodies together have about the given number of
 /// triangles, and each has enough for a shape.
 RingSpec spec_of(const Curves& curves, const OutlineSize& whole, const InflateOptions& options) {
@@ -81,9 +98,13 @@ RingSpec spec_of(const Curves& curves, const OutlineSize& whole, const InflateOp
   for (const Cubic& c : curves.front()) box.extend(control_bounds(c));
   const double extent = std::max(box.width(), box.height());
   RingSpec spec;
-  spec.edge_mm = std::min(edge_for(0.5 * options.triangles, whole.area_mm2, whole.length_mm),
-                          edge_for(kMinFrontTriangles, area_inside(curves), length_of(curves)));
-  spec.tolerance_mm = std::min(0.02 * spec.edge_mm, 0.05);
+  spec.edge_mm =
+      std::min(edge_for(kCoarseShare * options.triangles, whole.area_mm2, whole.length_mm),
+               edge_for(kMinFrontTriangles, area_inside(curves), length_of(curves)));
+  const double px_mm = extent / kOutlinePx * (kUsualTriangles / options.triangles);
+  spec.tolerance_mm = std::min({0.02 * spec.edge_mm, 0.05, kOutlineShareOfPx * px_mm});
+  spec.min_edge_mm = 2.0 * px_mm;
+  spec.max_turn_rad = surface_spec_of(spec, options).max_turn_rad;
   spec.tip_mm = std::max(0.01 * spec.edge_mm, 1e-4 * extent);
   return spec;
 }
@@ -162,7 +183,8 @@ Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
   if (!mesh) {
     return tl::unexpected(with_context(mesh.error(), "stroke " + stroke_name(outline_.stroke)));
   }
-  return unfolded(*mesh, axes.count, options_.thickness, frame.centre, frame.x_axis)
+  return unfolded(*mesh, axes.count, surface_spec_of(spec_, options_), options_.thickness,
+                  frame.centre, frame.x_axis)
       .and_then([&](SolidBody body) { return checked(std::move(body)); });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "felt/solid/stroke_path.h"
 #include "felt/solid/surface_hit.h"
@@ -30,11 +31,47 @@ double Vec3::*longest_axis(std::span<const LineOnBody> lines) {
   return longest;
 }
 
+/// A point of a line in the picture, and that on the body below it.
+struct ProjectedPoint {
+  Point at;
+  SurfaceHit hit;
+};
+
+/// Tells whether the surface joins two points of a line, and appends the points between them if the
+/// surface is steep there. Halves the line until neighbours are near each other, as at the rim of a
+/// ball, or nearer than a 64th of a step in the picture, as where one part hides another.
+class LineSteps {
+ public:
+  LineSteps(const SolidBody& body, const ViewFrame& frame, double max_jump_mm)
+      : body_(body), frame_(frame), max_jump_mm_(max_jump_mm) {}
+
+  [[nodiscard]] std::optional<ProjectedPoint> project(Point p) const {
+    const auto hit = hit_from_eye(body_, frame_.to_solid(p, 0.0), -1.0 * frame_.towards);
+    if (!hit) return std::nullopt;
+    return ProjectedPoint{p, *hit};
+  }
+  bool join(const ProjectedPoint& from, const ProjectedPoint& to, int halvings,
+            std::vector<ProjectedPoint>& between) const {
+    if (norm(to.hit.point - from.hit.point) <= max_jump_mm_) return true;
+    if (halvings == 0) return false;
+    const auto middle = project(lerp(from.at, to.at, 0.5));
+    if (!middle || !join(from, *middle, halvings - 1, between)) return false;
+    between.push_back(*middle);
+    return join(*middle, to, halvings - 1, between);
+  }
+
+ private:
+  const SolidBody& body_;
+  const ViewFrame& frame_;
+  double max_jump_mm_;
+};
+
 }  // namespace
 
 std::vector<LineOnBody> projected_line(const SolidBody& body, std::span<const Vec3> path,
                                        const Vec3& view, double step_mm) {
   constexpr double kMaxJump = 6.0;  // in steps
+  constexpr int kHalvings = 6;
   std::vector<LineOnBody> lines;
   if (path.empty()) return lines;
   const ViewFrame frame = view_frame(view);
@@ -42,20 +79,22 @@ std::vector<LineOnBody> projected_line(const SolidBody& body, std::span<const Ve
   for (const Vec3& p : path) drawn.push_back(frame.to_picture(p));
   step_mm = std::max(step_mm, path_length(drawn) / kMaxProjectedPoints);
   const std::vector<Point> points = drawn.size() > 1 ? resampled(drawn, step_mm) : drawn;
-  bool is_new = true;
+  const LineSteps steps(body, frame, kMaxJump * step_mm);
+  std::optional<ProjectedPoint> last;
+  const auto append = [&lines](const ProjectedPoint& p) {
+    lines.back().points.push_back(p.hit.point);
+    lines.back().normals.push_back(p.hit.normal);
+  };
   for (const Point p : points) {
-    const auto hit = hit_from_eye(body, frame.to_solid(p, 0.0), -1.0 * frame.towards);
-    if (!hit) {
-      is_new = true;
-      continue;
+    const std::optional<ProjectedPoint> next = steps.project(p);
+    std::vector<ProjectedPoint> between;
+    if (next && last && steps.join(*last, *next, kHalvings, between)) {
+      for (const ProjectedPoint& middle : between) append(middle);
+    } else if (next) {
+      lines.emplace_back();
     }
-    if (!is_new && norm(hit->point - lines.back().points.back()) > kMaxJump * step_mm) {
-      is_new = true;
-    }
-    if (is_new) lines.emplace_back();
-    is_new = false;
-    lines.back().points.push_back(hit->point);
-    lines.back().normals.push_back(hit->normal);
+    if (next) append(*next);
+    last = next;
   }
   return lines;
 }

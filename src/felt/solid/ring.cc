@@ -144,6 +144,16 @@ bool meets(const EdgeGrid::Edge& e, const EdgeGrid::Edge& f) {
   return !(c * d > 0.0) && !(a * b > 0.0);
 }
 
+/// Returns into how many parts a line must be divided so that none turns by more than the spec
+/// allows. Its ends say how far it turns, so that the jitter of a hand between them does not count.
+int bend_steps(std::span<const Point> part, double length_mm, const RingSpec& spec) {
+  if (part.size() < 3 || length_mm < 2.0 * spec.min_edge_mm) return 1;
+  const Vec first = part[1] - part[0], last = part.back() - part[part.size() - 2];
+  const double turn = std::fabs(std::atan2(cross(first, last), dot(first, last)));
+  const double steps = std::min(turn / spec.max_turn_rad, length_mm / spec.min_edge_mm);
+  return std::max(1, static_cast<int>(std::ceil(steps)));
+}
+
 }  // namespace ring_work
 
 Ring fine_ring(std::span<const Cubic> curve, const RingSpec& spec) {
@@ -172,7 +182,8 @@ std::vector<Point> border_points(std::span<const Point> line, const RingSpec& sp
     if (i > 0) {
       const auto part = line.subspan(last, i - last + 1);
       const double length = polyline_length(part);
-      const int count = std::max(1, static_cast<int>(std::ceil(length / spec.edge_mm)));
+      const int count = std::max(ring_work::bend_steps(part, length, spec),
+                                 std::max(1, static_cast<int>(std::ceil(length / spec.edge_mm))));
       for (int k = 1; k < count; ++k) points.push_back(point_at_length(part, length * k / count));
     }
     points.push_back(line[i]);

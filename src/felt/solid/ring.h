@@ -17,6 +17,10 @@ struct RingSpec {
   double edge_mm = 1.0;        ///< the longest edge of the border
   double tolerance_mm = 0.01;  ///< the largest distance of the border from the outline
   double tip_mm = 0.01;        ///< tips are cut off where they are narrower than this
+  /// A bend of the border turns by at most this at each of its points, unless its edges become
+  /// shorter than `min_edge_mm`.
+  double max_turn_rad = 0.14;
+  double min_edge_mm = 0.1;
 };
 
 /// Returns a polygon that follows the curves within a twentieth of the tolerance, with edges of at
@@ -26,7 +30,7 @@ struct RingSpec {
 Ring fine_ring(std::span<const Cubic> curve, const RingSpec& spec);
 
 /// Returns a part of a polygon with few points: those that Douglas-Peucker keeps, and more of the
-/// line between them where an edge would be too long. The ends are kept.
+/// line between them where an edge would be too long or the line bends. The ends are kept.
 std::vector<Point> border_points(std::span<const Point> line, const RingSpec& spec);
 
 /// Tells whether a point is near one of many straight edges. Each cell of a grid lists the edges

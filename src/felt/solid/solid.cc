@@ -12,7 +12,6 @@ namespace felt {
 namespace solid_check {
 
 using Stored = std::array<float, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 Stored stored(const Vec3& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
@@ -51,17 +50,23 @@ bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// Returns a point of an edge that does not belong to two triangles in opposite directions, or the
 /// number of points.
 std::size_t open_point(const SolidBody& body) {
-  std::vector<Edge> edges, twins;
+  // Both ends in one number, which is sorted faster than a pair.
+  const auto edge = [](std::uint32_t from, std::uint32_t to) {
+    return static_cast<std::uint64_t>(from) << 32U | to;
+  };
+  std::vector<std::uint64_t> edges, twins;
+  edges.reserve(3 * body.triangles.size());
+  twins.reserve(3 * body.triangles.size());
   for (const SolidBody::Triangle& t : body.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      edges.emplace_back(t[k], t[(k + 1) % 3]);
-      twins.emplace_back(t[(k + 1) % 3], t[k]);
+      edges.push_back(edge(t[k], t[(k + 1) % 3]));
+      twins.push_back(edge(t[(k + 1) % 3], t[k]));
     }
   }
   std::sort(edges.begin(), edges.end());
   std::sort(twins.begin(), twins.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (edges[i] != twins[i] || (i > 0 && edges[i] == edges[i - 1])) return edges[i].first;
+    if (edges[i] != twins[i] || (i > 0 && edges[i] == edges[i - 1])) return edges[i] >> 32U;
   }
   return body.points.size();
 }
@@ -99,10 +104,15 @@ std::vector<Triangle3> page_triangles(const Solid& solid, double lowered_mm) {
 
 std::vector<Vec3> point_normals(const SolidBody& body) {
   std::vector<Vec3> normals(body.points.size());
-  for (const auto& [a, b, c] : body.triangles) {
-    // The length is twice the area, so large triangles count more.
-    const Vec3 n = cross(body.points[b] - body.points[a], body.points[c] - body.points[a]);
-    for (const std::uint32_t i : {a, b, c}) normals[i] += n;
+  for (const SolidBody::Triangle& t : body.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The weights of Max, "Weights for computing vertex normals from facet normals", Journal of
+      // Graphics Tools 4, 1999: exact on spheres, however uneven the triangles are.
+      const Vec3& at = body.points[t[k]];
+      const Vec3 u = body.points[t[(k + 1) % 3]] - at, v = body.points[t[(k + 2) % 3]] - at;
+      const double squares = norm_squared(u) * norm_squared(v);
+      if (squares > 0.0) normals[t[k]] += (1.0 / squares) * cross(u, v);
+    }
   }
   for (Vec3& n : normals) {
     const double length = norm(n);

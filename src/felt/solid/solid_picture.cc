@@ -14,7 +14,7 @@
 namespace felt {
 namespace solid_paint {
 
-constexpr int kSamples = 2;  // per pixel and direction
+constexpr int kSamples = 3;  // per pixel and direction
 
 /// Half the width of a painted edge, in pixels, and how much darker it is.
 constexpr double kHalfLinePx = 0.5, kLineShade = 0.45;
@@ -92,15 +92,20 @@ SolidShade lit(const SolidShade& color, const Vec3& normal, const SolidCamera& c
 /// The samples of a picture.
 struct Samples {
   int width, height;
-  std::vector<double> depth;
-  std::vector<SolidShade> color;
+  std::vector<float> depth;
+  std::vector<std::array<float, 3>> color;
 
   Samples(int w, int h, const SolidShade& paper)
       : width(w),
         height(h),
         depth(static_cast<std::size_t>(w) * static_cast<std::size_t>(h),
-              -std::numeric_limits<double>::infinity()),
-        color(depth.size(), paper) {}
+              -std::numeric_limits<float>::infinity()),
+        color(depth.size(), stored(paper)) {}
+
+  static std::array<float, 3> stored(const SolidShade& shade) {
+    return {static_cast<float>(shade[0]), static_cast<float>(shade[1]),
+            static_cast<float>(shade[2])};
+  }
 };
 
 /// One corner of a triangle: its position in samples and depth, that on the body in mm, its normal
@@ -197,12 +202,12 @@ void TrianglePainter::paint(const std::array<Corner, 3>& t) {
       const double w = 1.0 - u - v;
       if (u < 0.0 || v < 0.0 || w < 0.0) continue;
       if (on_body(t, {u, v, w}).x > section_mm_) continue;
-      const double z = u * a.z + v * b.z + w * c.z;
+      const auto z = static_cast<float>(u * a.z + v * b.z + w * c.z);
       const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_.width) +
                      static_cast<std::size_t>(x);
       if (z <= samples_.depth[i]) continue;
       samples_.depth[i] = z;
-      samples_.color[i] = color_at(t, {u, v, w}, area);
+      samples_.color[i] = Samples::stored(color_at(t, {u, v, w}, area));
     }
   }
 }
@@ -215,9 +220,9 @@ void write_pixels(const Samples& samples, Pixels out) {
       for (int k = 0; k < kSamples * kSamples; ++k) {
         const auto row = static_cast<std::size_t>(y * kSamples + k / kSamples);
         const auto column = static_cast<std::size_t>(x * kSamples + k % kSamples);
-        const SolidShade& color =
+        const std::array<float, 3>& color =
             samples.color[row * static_cast<std::size_t>(samples.width) + column];
-        for (std::size_t part = 0; part < 3; ++part) sum[part] += color[part];
+        for (std::size_t part = 0; part < 3; ++part) sum[part] += static_cast<double>(color[part]);
       }
       std::uint8_t* pixel = out.data + y * out.stride + std::ptrdiff_t{4} * x;
       for (std::size_t part = 0; part < 3; ++part) {

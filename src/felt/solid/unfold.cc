@@ -7,7 +7,6 @@
 
 #include "felt/geometry/rect.h"
 #include "felt/solid/chords.h"
-#include "felt/solid/heights.h"
 #include "felt/solid/sector.h"
 
 namespace felt {
@@ -48,7 +47,7 @@ bool share_a_ray(const RayFlags& a, const RayFlags& b) {
   return (a.first && b.first) || (a.last && b.last);
 }
 
-Result<Half> half_of(PlaneMesh mesh, int axes) {
+Result<Half> half_of(PlaneMesh mesh, int axes, const SurfaceSpec& spec) {
   Half half;
   const double tolerance_mm = axis_tolerance(mesh);
   half.rays = put_on_axes(mesh, axes, tolerance_mm);
@@ -63,10 +62,13 @@ Result<Half> half_of(PlaneMesh mesh, int axes) {
     if (!axis) half.on_border[a] = half.on_border[b] = 1;
   }
   half.mesh = without_chords(std::move(mesh), is_axis, half.on_border);
+  const Result<SquaredHeights> squares = squared_heights(half.mesh, half.on_border);
+  if (!squares) return tl::unexpected(squares.error());
+  FineSurface fine = fine_surface(half.mesh, half.on_border, *squares, spec);
+  half.mesh = std::move(fine.mesh);
+  half.on_border = std::move(fine.on_border);
+  half.heights = std::move(fine.heights);
   half.rays = put_on_axes(half.mesh, axes, tolerance_mm);
-  Result<std::vector<double>> heights = inflated_heights(half.mesh, half.on_border);
-  if (!heights) return tl::unexpected(heights.error());
-  half.heights = *std::move(heights);
   return half;
 }
 
@@ -169,8 +171,9 @@ Vec unit_at(double angle_rad) noexcept {
   return unit;
 }
 
-Result<SolidBody> unfolded(PlaneMesh mesh, int axes, double thickness, Point centre, Vec x_axis) {
-  const Result<unfolding::Half> half = unfolding::half_of(std::move(mesh), axes);
+Result<SolidBody> unfolded(PlaneMesh mesh, int axes, const SurfaceSpec& spec, double thickness,
+                           Point centre, Vec x_axis) {
+  const Result<unfolding::Half> half = unfolding::half_of(std::move(mesh), axes, spec);
   if (!half) return tl::unexpected(half.error());
   SolidBody body = unfolding::both_sides(unfolding::Unfolder(*half, axes).unfold(), thickness);
   const Vec y_axis = perp(x_axis);

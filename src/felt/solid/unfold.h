@@ -1,6 +1,7 @@
 #pragma once
 
 #include "felt/base/result.h"
+#include "felt/solid/fine_surface.h"
 #include "felt/solid/plane_mesh.h"
 #include "felt/solid/solid.h"
 
@@ -10,9 +11,11 @@ namespace felt {
 Vec unit_at(double angle_rad) noexcept;
 
 /// Makes a closed surface of the mesh of a sector with the given number of mirror axes (Sector):
-/// divides chords, computes the heights times `thickness`, mirrors the sector 2 `axes` - 1 times
-/// and joins the copies along the axes, adds the back, and moves the result so that (0, 0) becomes
-/// `centre` and the direction +x becomes `x_axis`.
-Result<SolidBody> unfolded(PlaneMesh mesh, int axes, double thickness, Point centre, Vec x_axis);
+/// divides chords, computes the heights, divides the triangles as `spec` says, multiplies the
+/// heights by `thickness`, mirrors the sector 2
+/// `axes` - 1 times and joins the copies along the axes, adds the back, and moves the result so
+/// that (0, 0) becomes `centre` and the direction +x becomes `x_axis`.
+Result<SolidBody> unfolded(PlaneMesh mesh, int axes, const SurfaceSpec& spec, double thickness,
+                           Point centre, Vec x_axis);
 
 }  // namespace felt
