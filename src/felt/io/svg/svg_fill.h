@@ -13,15 +13,16 @@ namespace felt {
 /// The filled area of a shape.
 struct SvgArea {
   Fill fill;  ///< without its colour
-  /// True if the shape is filled by the non-zero rule and its boundary crosses itself in a way that
-  /// could not be resolved. Then the even-odd rule can show holes where it covers an area twice.
+  /// True if the shape is filled by the non-zero rule and is too complex to convert it (more than
+  /// about 10,000 edges above each other). Then the even-odd rule can show holes where it covers an
+  /// area twice.
   bool may_lack_parts = false;
 };
 
 /// Converts the contours of a shape, in user units, to an area in mm. Open contours are closed by a
-/// straight line. A fill is painted by the even-odd rule; if the shape uses the non-zero rule,
-/// contours that cross are cut at the crossings, and parts that do not separate painted from
-/// unpainted areas are left out, so that the area is the same.
+/// straight line. A fill is painted by the even-odd rule; if the shape uses the non-zero rule, its
+/// contours are converted by make_even_odd(), so that the area is the same. It has no loop then if
+/// the shape covers no area.
 SvgArea svg_area(const std::vector<SvgContour>& contours, const Affine& to_mm, bool even_odd);
 
 /// Returns the references of a fill as text, for our own attributes in files: the largest gap, then
