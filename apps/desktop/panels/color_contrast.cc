@@ -8,7 +8,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kHiddenContrast = 1.5;
+// Above that of black ink on the blackboard, 2.0, which people reported as hard to see.
+constexpr double kHiddenContrast = 2.25;
 constexpr int kHiddenStep = 64;
 
 double luminance_of(Rgba color) {

@@ -21,6 +21,8 @@ TEST(ColorContrast, OnlyColoursThatAlmostDisappearAreHardToSee) {
   EXPECT_TRUE(is_hard_to_see({0, 0, 0, 20}, kWhite)) << "almost transparent";
   EXPECT_TRUE(is_hard_to_see({0x2b, 0x2d, 0x31}, {0x20, 0x24, 0x22}));
   EXPECT_TRUE(is_hard_to_see(kWhite, {0, 0, 0, 0})) << "no paper is shown as white";
+  EXPECT_TRUE(is_hard_to_see(kBlack, {0x34, 0x46, 0x3e})) << "black on the blackboard, 2.0:1";
+  EXPECT_FALSE(is_hard_to_see({0x90, 0x90, 0x90}, kWhite)) << "a light pencil";
   EXPECT_FALSE(is_hard_to_see({255, 230, 0}, kWhite)) << "yellow is light, but no white";
   EXPECT_FALSE(is_hard_to_see(kBlack, kWhite));
   EXPECT_FALSE(is_hard_to_see(kChalk, {0x2f, 0x4f, 0x3f}));
