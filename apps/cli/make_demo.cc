@@ -193,7 +193,7 @@ std::string lasso_act() {
 std::string transform_act() {
   DemoAct act;
   act.tool("lasso");
-  act.set("lasso.take", std::string("points"));
+  act.set("lasso.take", std::string("parts"));
   act.gesture({{30, 8},
                {60, 4},
                {92, 6},

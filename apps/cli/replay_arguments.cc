@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "felt/haptics/safety/safety_limits.h"
 #include "replay_input.h"
 
 namespace felt::cli {
@@ -39,12 +40,17 @@ void ReplayArguments::add_loop_to(CLI::App& command) {
       .add_option("--delay", delay_ticks,
                   "Delay from a position to its force, in ticks (default: the device's)")
       ->check(CLI::Range(0, 7));
+  command.add_option("--limit", limit_n, "Largest force, N; never more than the device's")
+      ->check(number_between(0.1, 3.0))
+      ->capture_default_str();
   command.add_flag("--no-force", no_force, "Send no force to the pen");
 }
 
 ReplaySettings ReplayArguments::settings() const {
-  ReplaySettings settings = replay_settings(*find_stylus_preset(device), *find_hand(hand),
-                                            !no_force, rate_hz, delay_ticks);
+  StylusPreset preset = *find_stylus_preset(device);
+  preset.capabilities = with_force_limit(preset.capabilities, limit_n);
+  ReplaySettings settings =
+      replay_settings(preset, *find_hand(hand), !no_force, rate_hz, delay_ticks);
   settings.read_import = read_strokes;
   return settings;
 }

@@ -18,10 +18,11 @@ struct ReplayArguments {
   std::optional<double> rate_hz;
   std::optional<int> delay_ticks;
   bool no_force = false;
+  double limit_n = 3.0;
 
   /// Adds --device and --hand.
   void add_pen_to(CLI::App& command);
-  /// Adds --rate, --delay and --no-force.
+  /// Adds --rate, --delay, --limit and --no-force.
   void add_loop_to(CLI::App& command);
   /// Requires that the command line was parsed, so that all names are valid.
   [[nodiscard]] ReplaySettings settings() const;

@@ -368,9 +368,10 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
 
 /// Throws a usage error for options that need a device, a hand and a loop.
 void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
-  for (const char* option : {"--forces", "--plot", "--stats", "--device", "--hand", "--rate",
-                             "--delay", "--no-force", "--seed", "--surface", "--sheet", "--medium",
-                             "--set", "--until", "--overlay", "--mm-per-unit", "--recording"}) {
+  for (const char* option :
+       {"--forces", "--plot", "--stats", "--device", "--hand", "--rate", "--delay", "--limit",
+        "--no-force", "--seed", "--surface", "--sheet", "--medium", "--set", "--until", "--overlay",
+        "--mm-per-unit", "--recording"}) {
     if (command.count(option) == 0) continue;
     throw UsageError(std::string(option) +
                      " cannot be used with --as-recorded: a recording is drawn unchanged, without "

@@ -66,6 +66,15 @@ run 0 "$feltline" replay events.ndjson -o fast.ndjson --rate 4000 --delay 2
 run 0 "$feltline" replay in.ndjson -o shaken.ndjson --seed 7 --set pencil.snap=off
 cmp -s shaken.ndjson s1.ndjson && fail "the tremor changes nothing"
 run 0 "$feltline" replay in.ndjson -o small.ndjson --mm-per-unit 0.1 --set pencil.snap=off
+# The limit is that of the forces and of full pressure.
+run 0 "$feltline" replay in.ndjson -o limited.ndjson --device premium --limit 0.3 --forces limited.csv
+awk -F, 'NR > 1 && $12 * $12 + $13 * $13 + $14 * $14 > 0.3 * 0.3 + 1e-6 { exit 1 }' limited.csv || fail "a force exceeded --limit"
+run 0 "$feltline" replay in.ndjson -o free.ndjson --device premium --forces free.csv
+awk -F, 'NR > 1 && $12 * $12 + $13 * $13 + $14 * $14 > 0.4 * 0.4 { n++ } END { exit n == 0 }' free.csv || fail "without --limit, the forces are as weak"
+run 0 "$feltline" replay in.ndjson -o whole.ndjson --device premium --limit 3 --forces whole.csv
+cmp -s whole.csv free.csv || fail "--limit 3 is not the default"
+run 2 "$feltline" replay in.ndjson --limit 3.1
+run 2 "$feltline" replay in.ndjson --limit 0
 run 0 "$feltline" replay in.ndjson --no-force --forces none.csv -o none.ndjson --set pencil.snap=off
 lines none.ndjson 3
 awk -F, 'NR > 1 && ($12 != 0 || $13 != 0 || $14 != 0) { exit 1 }' none.csv || fail "a force was sent despite --no-force"

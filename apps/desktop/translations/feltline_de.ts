@@ -6561,12 +6561,20 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Hilfslinie</translation>
     </message>
     <message>
+        <source>Lines that lead out of the loop: only their part inside (parts), or the whole line (strokes). By control points, as in the paper (points), or by joints (on-curve).</source>
+        <translation>Linien, die aus der Schlinge hinausführen: nur ihr Teil innen (Teile) oder die ganze Linie (Linien). Nach Kontrollpunkten wie im Artikel (Punkte) oder nach Gelenken (auf der Kurve).</translation>
+    </message>
+    <message>
         <source>Places rulers, grids, mirror axes and other guides, and moves and turns them.</source>
         <translation>Setzt Lineale, Raster, Spiegelachsen und andere Hilfslinien, verschiebt und dreht sie.</translation>
     </message>
     <message>
         <source>Drag to place a guide, or drag a guide by a handle or a line.</source>
         <translation>Ziehen setzt eine Hilfslinie; an einem Griff oder einer Linie ziehen verändert sie.</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
     </message>
     <message>
         <source>removes the guide</source>
@@ -7047,10 +7055,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Strength of forces</source>
         <translation>Stärke der Kräfte</translation>
-    </message>
-    <message>
-        <source>The parts of lines inside by their control points (points) or by their joints only (on-curve), or whole lines of which any part is inside (strokes).</source>
-        <translation>Die Teile der Linien innen nach ihren Kontrollpunkten (Punkte) oder nur nach ihren Gelenken (auf der Kurve), oder ganze Linien, von denen ein Teil innen ist (Linien).</translation>
     </message>
     <message>
         <source>Thinnest line</source>

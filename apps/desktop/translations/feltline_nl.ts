@@ -6561,12 +6561,20 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Hulplijn</translation>
     </message>
     <message>
+        <source>Lines that lead out of the loop: only their part inside (parts), or the whole line (strokes). By control points, as in the paper (points), or by joints (on-curve).</source>
+        <translation>Lijnen die uit de lus lopen: alleen hun deel erbinnen (delen) of de hele lijn (lijnen). Naar controlepunten, zoals in het artikel (punten), of naar knooppunten (op de kromme).</translation>
+    </message>
+    <message>
         <source>Places rulers, grids, mirror axes and other guides, and moves and turns them.</source>
         <translation>Plaatst linialen, rasters, spiegelassen en andere hulplijnen, en verplaatst en draait ze.</translation>
     </message>
     <message>
         <source>Drag to place a guide, or drag a guide by a handle or a line.</source>
         <translation>Sleep om een hulplijn te plaatsen, of sleep er een aan een greep of lijn.</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>delen</translation>
     </message>
     <message>
         <source>removes the guide</source>
@@ -7047,10 +7055,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Strength of forces</source>
         <translation>Sterkte van de krachten</translation>
-    </message>
-    <message>
-        <source>The parts of lines inside by their control points (points) or by their joints only (on-curve), or whole lines of which any part is inside (strokes).</source>
-        <translation>De delen van lijnen erbinnen naar hun controlepunten (punten) of alleen hun knooppunten (op de kromme), of hele lijnen waarvan een deel erbinnen ligt (lijnen).</translation>
     </message>
     <message>
         <source>Thinnest line</source>

@@ -108,6 +108,7 @@ complete -c feltline -n '__fish_seen_subcommand_from replay' -l stats -x -a json
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l rate -x -d 'Ticks of the haptic loop per second'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l delay -x -d 'Ticks between measuring a position and sending its force'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l seed -x -d 'Seed of the tremor of the hand, 0 for none'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -x -l limit -d 'Largest force, N'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l no-force -d 'Send no force to the pen'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l until -x -d 'Stop at this time, ms'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l overlay -d 'Also show the overlay of the tool'

@@ -251,7 +251,7 @@ Result<void> Session::finish() {
   // lifted first.
   const bool was_down = std::exchange(pen_is_down_, false);
   must_lift_ = must_lift_ || was_down;
-  if (!must_lift_) parts_->contact = {};
+  if (!must_lift_) parts_->contact.reset();
   return taken;
 }
 
@@ -303,6 +303,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
 
 Result<void> Session::use_defaults(int version) {
   if (std::exchange(option_defaults_, version) == version) return {};
+  parts_->contact.set_landing(version >= kLandingDefaults);
   for (const SetOption& old : old_defaults(version)) {
     const auto [owner, name] = split_id(old.id);
     const Result<std::size_t> found = find_tool(owner);

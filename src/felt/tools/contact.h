@@ -27,11 +27,29 @@ inline bool is_pen_position(const Vec3& at) noexcept {
 ///     height in 10 ms.
 ///   - During kLiftNs, a 133 Hz tablet sends three reports, so one may be lost. The shortest lift
 ///     between two strokes of handwriting takes twice as long.
+///
+/// A pen that lands on a plane of a force device is thrown back, higher and for longer than that
+/// (docs/design/loop.md#landing). Until it has stayed on the surface for kLandedNs, a gap is such a
+/// bounce if the surface alone can have thrown the pen: it rises no faster than it landed and no
+/// faster than it left the surface, it stays below kBounceMm, and it is back within kBounceNs, or
+/// within kLowBounceNs if it stays below kLowBounceMm, where the friction of a device can hold it.
+/// A hand that lifts the pen accelerates it after it has left the surface, so the contact ends at
+/// once. This rule holds only for pens whose depth tells contact (no pressure), and not for a pen
+/// that jumps to the surface (kMaxLandingMmPerS), like that of a mouse or a script.
 class Contact {
  public:
   static constexpr double kLiftMm = 0.5;
   static constexpr std::int64_t kLiftNs = 25'000'000;
   static constexpr int kMaxGapSamples = 256;
+  static constexpr std::int64_t kLandedNs = 120'000'000;
+  static constexpr double kBounceMm = 2.5;
+  static constexpr std::int64_t kBounceNs = 350'000'000;
+  static constexpr double kLowBounceMm = 0.7;
+  static constexpr std::int64_t kLowBounceNs = 1'000'000'000;
+  static constexpr double kMinLandingMmPerS = 10.0;
+  static constexpr double kMaxLandingMmPerS = 400.0;
+  /// Maximum number of samples of a bounce: kLowBounceNs at the fastest loop, 5 kHz.
+  static constexpr int kMaxBounceSamples = 5000;
 
   /// The effect of a sample on the contact.
   enum class Change {
@@ -43,29 +61,14 @@ class Contact {
     kLifted,   ///< the contact ended at the first sample of the gap
   };
 
+  /// Switches the rule for landing pens off or on (default). Recordings of earlier versions need it
+  /// off to draw the same strokes.
+  void set_landing(bool on) noexcept { has_landing_ = on; }
+  /// Forgets all samples: the pen is above the surface.
+  void reset() noexcept;
+
   /// Handles the next sample. Requires a finite position.
-  Change update(const PenSample& sample) noexcept {
-    if (in_contact(sample)) {
-      const Phase before = phase_;
-      phase_ = Phase::kDown;
-      if (before == Phase::kAir) return Change::kTouched;
-      return before == Phase::kGap ? Change::kBack : Change::kDown;
-    }
-    if (phase_ == Phase::kAir) return Change::kAir;
-    if (phase_ == Phase::kDown) {
-      phase_ = Phase::kGap;
-      gap_since_ns_ = sample.time_ns;
-      gap_samples_ = 0;
-    }
-    // Computed in double, because the difference of two invalid times may overflow 64 bits.
-    const double gap_ns = static_cast<double>(sample.time_ns) - static_cast<double>(gap_since_ns_);
-    if (sample.position.z < kLiftMm && gap_ns < static_cast<double>(kLiftNs) &&
-        ++gap_samples_ < kMaxGapSamples) {
-      return Change::kGap;
-    }
-    phase_ = Phase::kAir;
-    return Change::kLifted;
-  }
+  Change update(const PenSample& sample) noexcept;
 
   /// Returns true from kTouched until kLifted.
   [[nodiscard]] bool is_down() const noexcept { return phase_ != Phase::kAir; }
@@ -73,7 +76,22 @@ class Contact {
  private:
   enum class Phase { kAir, kDown, kGap };
 
+  /// The filter's error for one step of a position sensor (0.03 mm) is at most 6 mm/s.
+  static constexpr double kSpeedHz = 40.0;
+
+  Change touch(const PenSample& sample) noexcept;
+  [[nodiscard]] bool is_chatter(const PenSample& sample) const noexcept;
+  [[nodiscard]] bool is_bounce(const PenSample& sample) const noexcept;
+
   Phase phase_ = Phase::kAir;
+  VelocityFilter speed_{kSpeedHz};
+  std::int64_t last_ns_ = 0;
+  bool has_landing_ = true;
+  bool lands_ = false;             // the pen may still bounce
+  double fall_mm_per_s_ = 0.0;     // downwards, at the last sample in the air
+  double leaving_mm_per_s_ = 0.0;  // upwards, at the first sample of the gap
+  double gap_from_mm_ = 0.0;       // height of that sample
+  std::int64_t down_since_ns_ = 0;
   std::int64_t gap_since_ns_ = 0;
   int gap_samples_ = 0;
 };

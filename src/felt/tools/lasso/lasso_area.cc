@@ -145,6 +145,26 @@ bool LassoArea::touches(const Stroke& stroke) const noexcept {
   return false;
 }
 
+double LassoArea::share_inside(const Stroke& stroke) const noexcept {
+  double length_mm = 0.0, inside_mm = 0.0;
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic curve = stroke.segment(i);
+    const bool is_near = control_bounds(curve).intersects(bounds_);
+    const double fine = std::clamp(control_length(curve) / kChordMm, 4.0, kMaxChords);
+    const int chords = is_near ? static_cast<int>(fine) : 4;
+    Point last = curve.p[0];
+    for (int k = 1; k <= chords; ++k) {
+      const Point next = evaluate(curve, static_cast<double>(k) / chords);
+      const double chord_mm = distance(last, next);
+      length_mm += chord_mm;
+      if (is_near && contains(lerp(last, next, 0.5))) inside_mm += chord_mm;
+      last = next;
+    }
+  }
+  if (length_mm > 0.0) return inside_mm / length_mm;
+  return stroke.segment_count() > 0 && contains(stroke.segment(0).p[0]) ? 1.0 : 0.0;
+}
+
 double swept_area_mm2(std::span<const Point> path) noexcept {
   double twice = 0.0;
   for (std::size_t i = 2; i < path.size(); ++i) {

@@ -22,6 +22,9 @@ class LassoArea {
   /// Returns true if any part of the curve is inside. Segments are flattened to 4..64 chords of
   /// about 0.5 mm.
   [[nodiscard]] bool touches(const Stroke& stroke) const noexcept;
+  /// Returns the share of the stroke's length that is inside, 0..1. The curve is flattened in the
+  /// same way, and a chord is inside if its middle is.
+  [[nodiscard]] double share_inside(const Stroke& stroke) const noexcept;
   [[nodiscard]] const Rect& bounds() const noexcept { return bounds_; }
   [[nodiscard]] std::span<const Point> outline() const noexcept { return outline_; }
 

@@ -14,7 +14,8 @@ namespace felt {
 enum class LassoMode : std::uint8_t { kFree, kRectangle };
 
 inline constexpr std::array<std::string_view, 2> kLassoModes = {"free", "rectangle"};
-inline constexpr std::array<std::string_view, 3> kLassoTakes = {"points", "on-curve", "strokes"};
+inline constexpr std::array<std::string_view, 4> kLassoTakes = {"parts", "strokes", "points",
+                                                                "on-curve"};
 inline constexpr std::array<std::string_view, 3> kLassoCombines = {"replace", "add", "subtract"};
 
 /// Rows of kLassoOptions.
@@ -34,10 +35,10 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .label = "Select",
      .unit = "",
      .kind = OptionKind::kChoice,
-     .fallback = 2,
+     .fallback = 0,
      .choices = kLassoTakes,
-     .help = "The parts of lines inside by their control points (points) or by their joints only "
-             "(on-curve), or whole lines of which any part is inside (strokes)."},
+     .help = "Lines that lead out of the loop: only their part inside (parts), or the whole line "
+             "(strokes). By control points, as in the paper (points), or by joints (on-curve)."},
     {.id = "combine",
      .label = "Combine",
      .unit = "",
@@ -62,7 +63,7 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
 /// The options in the form that the tool uses.
 struct LassoSettings {
   LassoMode mode = LassoMode::kFree;
-  LassoTake take = LassoTake::kStrokes;
+  LassoTake take = LassoTake::kParts;
   LassoCombine combine = LassoCombine::kReplace;
   double click_radius_mm = 4.0;
   double strength = 1.0;

@@ -6,12 +6,30 @@
 
 namespace felt {
 
+namespace {
+
+void mark_points_inside(const Stroke& stroke, const LassoArea& area, Selection::Marks& marks) {
+  const auto& points = stroke.data().points;
+  for (std::size_t i = 0; i < points.size(); ++i) marks[i] = area.contains(points[i]) ? 1 : 0;
+}
+
+}  // namespace
+
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take) {
   const auto& points = stroke.data().points;
   Selection::Marks marks(points.size(), 0);
   switch (take) {
+    case LassoTake::kParts: {
+      const double inside = area.share_inside(stroke);
+      if (inside >= 1.0 - kTailShare) {
+        marks.assign(points.size(), 1);
+      } else if (inside > 0.0) {
+        mark_points_inside(stroke, area, marks);
+      }
+      break;
+    }
     case LassoTake::kPoints:
-      for (std::size_t i = 0; i < points.size(); ++i) marks[i] = area.contains(points[i]) ? 1 : 0;
+      mark_points_inside(stroke, area, marks);
       break;
     case LassoTake::kOnCurve:
       for (std::size_t i = 0; i < points.size(); i += 3) {

@@ -10,11 +10,21 @@
 namespace felt {
 
 /// Which parts of strokes a lasso selects.
+///
+/// kParts is for people who see ink and not control points: a stroke that lies inside, or leaves
+/// the area by at most kTailShare of its length, is selected whole; any other stroke of which ink
+/// is inside is selected by its control points inside, like kPoints.
 enum class LassoTake : std::uint8_t {
+  kParts,
+  kStrokes,  ///< each whole stroke that is at least partly inside
   kPoints,   ///< each control point inside (as in the paper)
   kOnCurve,  ///< each joint and end inside, with its handles
-  kStrokes,  ///< each whole stroke that is at least partly inside
 };
+
+/// The share of a stroke outside a loop that counts as drawn around (LassoTake::kParts). Loops
+/// drawn by hand cut off the tips of lines that were meant; a line that leads out of the loop to
+/// another part of the drawing has more of its length outside.
+inline constexpr double kTailShare = 0.1;
 
 /// How the lasso combines the previous selection with the new one.
 enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };

@@ -94,6 +94,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   begin_steady();
+  landing_.begin(sample, Pressing(scene.surface, scene.device).is_felt());
   color_ = scene.color;
   snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
   path_.begin();
@@ -126,6 +127,10 @@ void PencilTool::add_ink(const InkSample& ink) {
   for (const InkSample& settled : steady_->push(ink)) add(settled);
 }
 
+void PencilTool::add_landed(std::span<const InkSample> ink) {
+  for (const InkSample& sample : ink) add_ink(sample);
+}
+
 ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_page(sample.position);
   if (shapes_.accepted()) return {};  // the line has become a shape
@@ -133,7 +138,13 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   pen_ = {pen_point_, width_steps_.held(pressing.of(sample)), sample.time_ns, sample.tilt_deg};
   InkSample ink = pen_;
   ink.position = stabiliser_.update(pen_point_, sample.time_ns);
-  add_ink(ink);
+  const bool landed = !landing_.is_landing();
+  const std::span<const InkSample> known = landing_.push(ink, in_contact(sample));
+  add_landed(known);
+  if (!landed && !known.empty()) straight_.begin(straight_.start(), fitted_.width_map);
+  if (!landed) {
+    for (const InkSample& sample_of_line : known) straight_.push(sample_of_line);
+  }
   straight_.push(pen_);
   hold_.update(sample);
   // A sample during a bounce draws ink but does not snap.
@@ -163,6 +174,7 @@ std::optional<Stroke> PencilTool::straight_line(InkConnections& to) const {
 }
 
 std::optional<Stroke> PencilTool::free_line() {
+  add_landed(landing_.end());
   std::vector<Stabiliser::Step> rest;
   stabiliser_.finish(rest);
   for (const Stabiliser::Step& step : rest) {
@@ -351,6 +363,16 @@ void PencilTool::draw_shapes(Overlay& overlay) const {
   }
 }
 
+/// Draws the samples that are not yet in the fitter.
+void PencilTool::draw_ahead(Overlay& overlay) const {
+  std::vector<InkSample> ahead = landing_.held();
+  if (steady_) {
+    const auto held = steady_->held();
+    ahead.insert(ahead.begin(), held.begin(), held.end());
+  }
+  wet_.draw_ahead(ahead, overlay);
+}
+
 void PencilTool::draw(Overlay& overlay) const {
   if (in_gesture()) {
     overlay.ink_color = color_;
@@ -359,7 +381,7 @@ void PencilTool::draw(Overlay& overlay) const {
                      hold_.has_second() ? straight_.pen_in_steps() : straight_.pen(), overlay);
     } else if (!shapes_.accepted()) {
       wet_.draw(*fitter_, overlay);
-      if (steady_) wet_.draw_ahead(steady_->held(), overlay);
+      draw_ahead(overlay);
       if (settings_.stabiliser.kind != StabiliserKind::kOff) {
         overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
       }

@@ -10,6 +10,7 @@
 #include "felt/tools/pencil/connect_ink.h"
 #include "felt/tools/pencil/drawn_path.h"
 #include "felt/tools/pencil/ink_snap.h"
+#include "felt/tools/pencil/landing_pressure.h"
 #include "felt/tools/pencil/modifier_hold.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/pencil/shape_hold.h"
@@ -70,6 +71,8 @@ class PencilTool final : public GestureTool {
   [[nodiscard]] std::optional<Stroke> straight_line(InkConnections& to) const;
   void begin_steady();
   void add_ink(const InkSample& ink);
+  /// Adds samples whose pressure is known (LandingPressure).
+  void add_landed(std::span<const InkSample> ink);
   [[nodiscard]] std::optional<Stroke> free_line();
   /// Completes the line in the fitter.
   [[nodiscard]] std::optional<Stroke> fitted_line();
@@ -85,6 +88,7 @@ class PencilTool final : public GestureTool {
   /// ink.
   [[nodiscard]] std::optional<Offer> shape_offer(const Edit& ink, const Scene& scene) const;
   void draw_shapes(Overlay& overlay) const;
+  void draw_ahead(Overlay& overlay) const;
   void add_offer(ToolResult& result, const Scene& scene) const;
   [[nodiscard]] InkConnections connections(const Scene& scene) const;
   [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
@@ -98,7 +102,8 @@ class PencilTool final : public GestureTool {
   WidthSteps width_steps_;              // none if the option is off
   std::unique_ptr<SteadyLine> steady_;  // null if the steady hand is off
   std::optional<Shake> shake_;          // that steady_ was made for
-  InkSample pen_;                       // last sample of the line
+  LandingPressure landing_;
+  InkSample pen_;  // last sample of the line
   Rgba color_;
 
   InkSnap snap_;
