@@ -71,11 +71,17 @@ bool answer(int argc, char** argv) {
 }
 
 void set_names() {
-  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
-  QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
   QCoreApplication::setOrganizationName(QStringLiteral("feltline"));
   QCoreApplication::setApplicationName(QStringLiteral("feltline-desktop"));
   QCoreApplication::setApplicationVersion(QStringLiteral(FELT_VERSION));
+}
+
+/// Makes Qt deliver every motion of mouse, fingers and pen, however late the program reads them.
+/// Must be called after the constructor of QApplication, because the plugin for X11 turns the
+/// compression of events on while it is loaded.
+void keep_every_motion() {
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+  QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
 }
 
 void dress() {
@@ -171,6 +177,7 @@ int main(int argc, char** argv) {
   }
   qInstallMessageHandler(say_and_leave);
   const QApplication app(argc, argv);
+  keep_every_motion();
   StartOptions options;
   if (const auto wrong = read_arguments(QCoreApplication::arguments(), options)) {
     std::fprintf(stderr, "feltline-desktop: %s\n", qPrintable(*wrong));

@@ -6,8 +6,9 @@
 
 namespace felt::desktop {
 
-/// A pen of the "inputtest" driver of an X server. Talks to the driver through its socket (protocol
-/// 1.1: man 4 inputtestdrv). A server has only one pen. Calls block. Use from one thread only.
+/// A pen or a mouse of the "inputtest" driver of an X server. A mouse ignores pressures. Talks to
+/// the driver through its socket (protocol 1.1: man 4 inputtestdrv). Calls block. Use from one
+/// thread only.
 class InputtestPen {
  public:
   static constexpr double kMaxPlace = 65535.0;  ///< largest x and y; 0..kMaxPlace is the screen

@@ -11,7 +11,8 @@ namespace {
 constexpr int kStartMs = 20'000;
 constexpr int kStopMs = 5'000;
 
-/// The configuration of the server: %1 is the socket, %2 and %3 are the size of the screen.
+/// The configuration of the server: %1 and %4 are the sockets of pen and mouse, %2 and %3 are
+/// the size of the screen.
 constexpr auto kConfiguration = R"(
 Section "ServerFlags"
   Option "AutoAddDevices" "false"
@@ -45,10 +46,17 @@ Section "InputDevice"
   Option "DeviceType" "PointerAbsoluteProximity"
   Option "PointerHasPressure" "true"
 EndSection
+Section "InputDevice"
+  Identifier "Simulated Mouse"
+  Driver "inputtest"
+  Option "SocketPath" "%4"
+  Option "DeviceType" "PointerAbsolute"
+EndSection
 Section "ServerLayout"
   Identifier "Layout"
   Screen "Screen"
   InputDevice "Simulated Pen" "CorePointer"
+  InputDevice "Simulated Mouse" "SendCoreEvents"
 EndSection
 )";
 
@@ -70,6 +78,10 @@ std::string XServer::pen_socket() const {
   return folder_.filePath(QStringLiteral("pen")).toStdString();
 }
 
+std::string XServer::mouse_socket() const {
+  return folder_.filePath(QStringLiteral("mouse")).toStdString();
+}
+
 Result<void> XServer::run() {
   const QString program = QStandardPaths::findExecutable(
       QStringLiteral("Xorg"), {QStringLiteral("/usr/bin"), QStringLiteral("/usr/lib/xorg")});
@@ -82,6 +94,7 @@ Result<void> XServer::run() {
                  .arg(QString::fromStdString(pen_socket()))
                  .arg(kWidth)
                  .arg(kHeight)
+                 .arg(QString::fromStdString(mouse_socket()))
                  .toUtf8());
   file.close();
   const QString log = folder_.filePath(QStringLiteral("xorg.log"));
@@ -98,11 +111,14 @@ Result<void> XServer::run() {
     process_.waitForReadyRead(100);
     number += process_.readAllStandardOutput();
   }
-  while (!QFile::exists(QString::fromStdString(pen_socket())) && !deadline.hasExpired() &&
-         process_.state() != QProcess::NotRunning) {
+  const auto has_sockets = [this] {
+    return QFile::exists(QString::fromStdString(pen_socket())) &&
+           QFile::exists(QString::fromStdString(mouse_socket()));
+  };
+  while (!has_sockets() && !deadline.hasExpired() && process_.state() != QProcess::NotRunning) {
     process_.waitForReadyRead(50);
   }
-  if (!number.endsWith('\n') || !QFile::exists(QString::fromStdString(pen_socket()))) {
+  if (!number.endsWith('\n') || !has_sockets()) {
     QFile said(log);
     const bool is_open = said.open(QIODevice::ReadOnly);
     const QByteArray end = is_open ? said.readAll().right(400) : QByteArray();

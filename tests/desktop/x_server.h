@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// A private X server without graphics card, keyboard and mouse, but with a pen that is controlled
-/// through a socket (InputtestPen). The destructor stops the server.
+/// A private X server without graphics card and keyboard, but with a pen and a mouse that are
+/// controlled through sockets (InputtestPen). The destructor stops the server.
 class XServer {
  public:
   static constexpr int kWidth = 1280;
@@ -26,6 +26,7 @@ class XServer {
   /// Returns the name of the display, for example ":5".
   [[nodiscard]] const QString& display() const noexcept { return display_; }
   [[nodiscard]] std::string pen_socket() const;
+  [[nodiscard]] std::string mouse_socket() const;
 
  private:
   XServer() = default;

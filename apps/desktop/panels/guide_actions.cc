@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <string>
 
 #include "desktop/engine/text_of.h"
 #include "desktop/panels/tool_icons.h"
+#include "felt/tools/guide/guide_options.h"
 
 namespace felt::desktop {
 namespace {
@@ -103,8 +105,11 @@ void add_guide(Studio& studio, RowKind kind) {
   }
   if (!studio.apply(GuidesEvent{GuideDo::kAdd, {}, guide_at_middle(kind, studio.page().area())}))
     return;
+  // The tool stays, so that the next line is drawn with the new guide. If the user then chooses the
+  // tool Guide, it places the same kind.
   if (const Tool* tool = studio.session().first_tool(ToolKind::kGuides)) {
-    studio.apply(SelectTool{std::string(tool->info().id)});
+    studio.apply(SetOption{std::string(tool->info().id) + ".kind",
+                           std::string(kPlacedGuideKinds[static_cast<std::size_t>(kind)])});
   }
 }
 

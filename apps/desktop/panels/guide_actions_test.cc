@@ -9,6 +9,7 @@
 namespace felt::desktop::guide_actions_test {
 namespace {
 
+using testing::draw_lines;
 using testing::still;
 
 TEST(GuideActions, TheSwitchShowsWhetherTheGuidesAreShownAlsoIfAStrokeRefusesIt) {
@@ -29,6 +30,40 @@ TEST(GuideActions, TheSwitchShowsWhetherTheGuidesAreShownAlsoIfAStrokeRefusesIt)
   show->trigger();
   EXPECT_TRUE(studio.session().document().shows_guides());
   EXPECT_TRUE(show->isChecked()) << "nothing has changed";
+}
+
+// A guide from the menu is there once. What is drawn next is a line along it, not another guide.
+TEST(GuideActions, AfterAGuideIsAddedOneDrawsWithTheToolOfBefore) {
+  for (const char* kind : {"ruler", "line", "parallels", "ellipse", "perspective", "grid",
+                           "isometric_grid", "symmetry"}) {
+    Studio studio{still()};
+    QWidget window;
+    Actions actions{&window};
+    add_guide_actions(actions, studio);
+    QAction* add = actions.find(QStringLiteral("guide.add_%1").arg(QLatin1String(kind)));
+    ASSERT_NE(add, nullptr) << kind;
+    const std::string tool(studio.session().tool().info().id);
+    add->trigger();
+    ASSERT_EQ(studio.session().document().guides().size(), 1U) << kind;
+    EXPECT_EQ(studio.session().tool().info().id, tool) << kind;
+    draw_lines(studio, 1);
+    EXPECT_EQ(studio.session().document().guides().size(), 1U) << kind;
+    EXPECT_EQ(studio.session().document().stroke_count(), std::string(kind) == "symmetry" ? 2U : 1U)
+        << kind;
+  }
+}
+
+// Whoever chooses the tool Guide then places the same kind.
+TEST(GuideActions, TheToolPlacesTheKindThatTheMenuAddedLast) {
+  Studio studio{still()};
+  QWidget window;
+  Actions actions{&window};
+  add_guide_actions(actions, studio);
+  const std::string tool(studio.session().first_tool(ToolKind::kGuides)->info().id);
+  for (const char* kind : {"symmetry", "perspective", "ruler"}) {
+    actions.find(QStringLiteral("guide.add_%1").arg(QLatin1String(kind)))->trigger();
+    EXPECT_EQ(studio.session().option(tool + ".kind").value(), OptionValue(std::string(kind)));
+  }
 }
 
 }  // namespace

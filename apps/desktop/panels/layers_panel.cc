@@ -128,7 +128,6 @@ void LayersPanel::add_blend(QVBoxLayout& lines) {
   blend_->addItem(tr("Multiply"));  // in the order of BlendMode
   blend_->setAccessibleName(tr("Blend mode of the layer"));
   blend_->setFocusPolicy(Qt::StrongFocus);
-  blend_->installEventFilter(this);
   blend_->setToolTip(tr("Multiply makes what is below darker, for shading on line art"));
   row->addWidget(label);
   row->addWidget(blend_, 1);
@@ -387,11 +386,6 @@ QString LayersPanel::why_not_open(const Layer& layer) const {
 }
 
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
-  // Scrolling over the box must not change the drawing.
-  if (watched == blend_ && event->type() == QEvent::Wheel && !blend_->hasFocus()) {
-    event->ignore();
-    return true;
-  }
   if (watched == list_ && event->type() == QEvent::KeyPress) {
     switch (static_cast<QKeyEvent*>(event)->key()) {
       case Qt::Key_Space:

@@ -139,7 +139,6 @@ void OptionRow::dress(QWidget* control, const QString& name) {
   control->setToolTip(translated(spec_.help));
   control->setWhatsThis(translated(spec_.help));
   if (control->focusPolicy() == Qt::WheelFocus) control->setFocusPolicy(Qt::StrongFocus);
-  control->installEventFilter(this);
 }
 
 void OptionRow::make_number() {
@@ -262,15 +261,6 @@ void OptionRow::show_value(const OptionValue& value) {
     if (!buttons_.empty()) buttons_[i]->setChecked(true);
   }
   reset_->setVisible(value != default_value(spec_));
-}
-
-bool OptionRow::eventFilter(QObject* watched, QEvent* event) {
-  auto* control = qobject_cast<QWidget*>(watched);
-  if (event->type() == QEvent::Wheel && control && !control->hasFocus()) {
-    event->ignore();
-    return true;
-  }
-  return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace felt::desktop

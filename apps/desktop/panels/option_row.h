@@ -40,10 +40,6 @@ class OptionRow : public QWidget {
  Q_SIGNALS:
   void chosen(const felt::OptionValue& value);
 
- protected:
-  /// Ignores wheel events, so that scrolling changes no value.
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   void make_number();
   void make_switch();
@@ -54,7 +50,7 @@ class OptionRow : public QWidget {
   void add_name(QWidget* buddy);
   QHBoxLayout* add_line();
   QToolButton* make_reset();
-  /// Sets a control's name and help, and installs the event filter for the wheel.
+  /// Sets a control's name and help.
   void dress(QWidget* control, const QString& name);
   void show_number(double value);
 

@@ -13,6 +13,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/engine/tool_texts.h"
+#include "desktop/engine/wheel_guard.h"
 #include "desktop/panels/testing/panels_fixture.h"
 
 namespace felt::desktop::options_panel_test {
@@ -182,6 +183,7 @@ TEST(OptionsPanel, ResetsTheWholeToolAndNoOther) {
 }
 
 TEST(OptionsPanel, AWheelThatScrollsChangesNothing) {
+  guard_values_from_wheel();
   Studio studio(still());
   OptionsPanel panel(studio);
   panel.show();

@@ -23,6 +23,12 @@ double number_of(const Session& session, const char* id, double fallback) {
 
 /// Returns why nothing was found, in the language of the program.
 QString why_not(const SpiralArea& area) {
+  // The spiral was drawn for long enough, but has gaps, which leave lines that are too short.
+  if (area.drawn_s() >= kMinSpiralS && spiral_s(area.samples()) < kMinSpiralS) {
+    return SteadyDialog::tr(
+        "The computer was too busy and missed parts of the spiral. Close other programs, then "
+        "start again.");
+  }
   if (spiral_s(area.samples()) < kMinSpiralS) {
     return SteadyDialog::tr(
         "That was too short. Draw slowly, for about ten seconds, without lifting the pen.");

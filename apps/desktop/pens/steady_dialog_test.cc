@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "desktop/pens/steady_group.h"
@@ -16,8 +17,10 @@
 namespace felt::desktop::steady_dialog_test {
 namespace {
 
-/// Draws with the mouse in the area: a spiral of this many seconds, shaken by some pixels.
-void draw_spiral(SpiralArea& area, double seconds, double shake_px, int step_ms = 8) {
+/// Draws with the mouse in the area: a spiral of this many seconds, shaken by some pixels. If
+/// `gap_every_ms` is set, 300 ms are missing at the end of each such time.
+void draw_spiral(SpiralArea& area, double seconds, double shake_px, int step_ms = 8,
+                 std::optional<int> gap_every_ms = {}) {
   const QPointF middle = QRectF(area.rect()).center();
   const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButtons buttons, int ms) {
     QMouseEvent event(type, at, area.mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier);
@@ -27,6 +30,7 @@ void draw_spiral(SpiralArea& area, double seconds, double shake_px, int step_ms 
   QPointF at = middle;
   const int end_ms = static_cast<int>(1e3 * seconds);
   for (int ms = 0; ms < end_ms; ms += step_ms) {
+    if (gap_every_ms && ms % *gap_every_ms >= *gap_every_ms - 300) continue;
     const double s = 1e-3 * ms, a = 2.0 * std::numbers::pi * 0.5 * s;
     at = middle + 12.0 * s * QPointF(std::cos(a), std::sin(a)) +
          QPointF(shake_px * std::sin(2.0 * std::numbers::pi * 5.0 * s), 0.0);
@@ -155,6 +159,24 @@ TEST(SteadyDialog, SaysWhyItFindsNothing) {
   EXPECT_TRUE(dialog.sentence().startsWith(QStringLiteral("This pen reports")));
   EXPECT_FALSE(dialog.found());
   EXPECT_FALSE(button(dialog, QStringLiteral("Use"))->isEnabled());
+}
+
+// Traced for ten seconds without lifting, while the computer was late again and again.
+TEST(SteadyDialog, SaysThatTheComputerWasBusyIfThereAreGaps) {
+  Studio studio({});
+  SteadyDialog dialog(studio);
+  dialog.resize(500, 600);
+  dialog.show();
+  draw_spiral(dialog.area(), 10.0, 5.0, 8, 1500);
+  EXPECT_TRUE(dialog.sentence().startsWith(QStringLiteral("The computer was too busy")))
+      << dialog.sentence().toStdString();
+  EXPECT_FALSE(dialog.found());
+  button(dialog, QStringLiteral("Start again"))->click();
+  draw_spiral(dialog.area(), 2.0, 5.0, 8, 1500);
+  EXPECT_TRUE(dialog.sentence().startsWith(QStringLiteral("That was too short")));
+  button(dialog, QStringLiteral("Start again"))->click();
+  draw_spiral(dialog.area(), 12.0, 5.0, 8, 5000);
+  EXPECT_TRUE(dialog.found()) << "two gaps leave enough";
 }
 
 TEST(SteadyDialog, EveryControlHasAName) {

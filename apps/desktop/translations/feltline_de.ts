@@ -6070,6 +6070,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
 <context>
     <name>felt::desktop::SteadyDialog</name>
     <message>
+        <source>The computer was too busy and missed parts of the spiral. Close other programs, then start again.</source>
+        <translation>Der Rechner war zu beschäftigt und hat Teile der Spirale verpasst. Schließen Sie andere Programme und beginnen Sie neu.</translation>
+    </message>
+    <message>
         <source>This pen reports its position too rarely to measure a shaking.</source>
         <translation>Dieser Stift meldet seine Position zu selten, um ein Zittern zu messen.</translation>
     </message>

@@ -6070,6 +6070,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
 <context>
     <name>felt::desktop::SteadyDialog</name>
     <message>
+        <source>The computer was too busy and missed parts of the spiral. Close other programs, then start again.</source>
+        <translation>De computer had het te druk en heeft delen van de spiraal gemist. Sluit andere programma’s en begin opnieuw.</translation>
+    </message>
+    <message>
         <source>This pen reports its position too rarely to measure a shaking.</source>
         <translation>Deze pen meldt zijn positie te weinig om beven te meten.</translation>
     </message>

@@ -15,6 +15,7 @@
 #include "desktop/engine/driver_watch.h"
 #include "desktop/engine/settings.h"
 #include "desktop/engine/text_of.h"
+#include "desktop/engine/wheel_guard.h"
 #include "desktop/trial/session_steps.h"
 #include "desktop/trial/trial_window.h"
 #include "desktop/trial/unfinished_trials.h"
@@ -75,6 +76,7 @@ int complain(const Error& error) {
 int show_session(TrialSetup setup, std::unique_ptr<PenDevice> device) {
   Studio studio({.reads_forces = true});
   studio.loop().use_device(std::move(device));
+  guard_values_from_wheel();
   TrialRun run(std::move(setup.folder), std::move(setup.session), studio);
   TrialWindow window(run, studio);
   QObject::connect(&window, &TrialWindow::ended, qApp, &QApplication::quit, Qt::QueuedConnection);

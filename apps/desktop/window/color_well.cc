@@ -28,6 +28,10 @@ ColorWell::ColorWell(Studio& studio, QWidget* parent) : QToolButton(parent), stu
     if (!menu->isEmpty()) return;
     auto* colors = new ColorsPanel(studio_, menu);
     colors->setFixedSize(kPopupPx);
+    // A swatch is a choice: the menu closes, so that the next press draws.
+    for (const SwatchView* swatches : colors->findChildren<SwatchView*>()) {
+      connect(swatches, &SwatchView::chosen, menu, &QMenu::close);
+    }
     auto* action = new QWidgetAction(menu);
     action->setDefaultWidget(colors);
     menu->addAction(action);

@@ -12,6 +12,7 @@
 #include "desktop/canvas/view_actions.h"
 #include "desktop/engine/kept_options.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/wheel_guard.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
 #include "desktop/feel/force_panel.h"
@@ -198,6 +199,7 @@ QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QW
 }
 
 void MainWindow::make_panels() {
+  guard_values_from_wheel();
   setDockNestingEnabled(true);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   const OptionPicker media = [this](QWidget* parent) {
