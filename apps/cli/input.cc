@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "felt/base/input_files.h"
 #include "felt/store/felt_file.h"
 
 namespace felt::cli {
@@ -56,6 +57,7 @@ Result<Input> Input::open_regular(const std::string& path) {
 Result<Input> Input::begin(const std::string& path, int fd, bool regular_only) {
   if (fd < 0) return cannot_open(errno);
   Input input(input_name(path), fd);
+  note_input_file(fd, input.name_);
   struct stat status {};
   if (::fstat(fd, &status) != 0) return cannot_open(errno);
   if (S_ISDIR(status.st_mode)) return cannot_open(EISDIR);

@@ -10,6 +10,7 @@
 #include <new>
 
 #include "commands.h"
+#include "felt/base/input_files.h"
 #include "felt/base/printable.h"
 #include "felt/base/standard_streams.h"
 #include "print.h"
@@ -125,5 +126,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   felt::open_standard_streams();
+  felt::protect_input_files();
   return felt::cli::run(argc, argv);
 }

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "commands.h"
 #include "felt/base/check.h"
 
 namespace felt::cli {
@@ -17,6 +18,17 @@ namespace {
 bool is_written_directly(const std::string& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// Throws a UsageError if the error says that an input would be overwritten.
+void throw_if_input(const Error& error) {
+  if (error.code == ErrorCode::kInvalidArgument) throw UsageError(error.message);
+}
+
+Result<AtomicFile> create_file(const std::string& path) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file && !path.empty()) throw_if_input(file.error());
+  return file;
 }
 
 }  // namespace
@@ -32,14 +44,14 @@ Result<Output> Output::create(const std::string& path) {
     if (output.fd_ >= 0) return output;
     return fail(ErrorCode::kIo, path + ": " + std::generic_category().message(errno));
   }
-  Result<AtomicFile> file = AtomicFile::create(path);
+  Result<AtomicFile> file = create_file(path);
   if (!file) return tl::unexpected(file.error());
   output.file_ = *std::move(file);
   return output;
 }
 
 Result<Output> Output::create_for_overwrite(const std::string& path) {
-  Result<AtomicFile> file = AtomicFile::create(path);
+  Result<AtomicFile> file = create_file(path);
   if (!file) return tl::unexpected(file.error());
   Output output(path);
   output.file_ = *std::move(file);
@@ -74,8 +86,10 @@ Result<void> Output::overwrite(std::string_view bytes) {
 }
 
 Result<void> Output::commit() {
-  if (file_) return file_->commit();
-  return {};
+  if (!file_) return {};
+  Result<void> done = file_->commit();
+  if (!done) throw_if_input(done.error());
+  return done;
 }
 
 Result<void> Output::write_all(std::string_view bytes) {
@@ -85,7 +99,9 @@ Result<void> Output::write_all(std::string_view bytes) {
 
 Result<void> Output::save(std::string_view bytes) {
   if (Result<void> written = write(bytes); !written || !file_) return written;
-  return file_->commit_verified(bytes);
+  Result<void> done = file_->commit_verified(bytes);
+  if (!done) throw_if_input(done.error());
+  return done;
 }
 
 }  // namespace felt::cli

@@ -11,7 +11,8 @@ namespace felt::cli {
 
 /// An output on the command line. A file gets its name only when it is complete (commit()); until
 /// then, and after a failure, the previous file of that name stays. Stdout ("-") and special files
-/// (a pipe, /dev/null) are written immediately.
+/// (a pipe, /dev/null) are written immediately. A file that the program has read is never replaced:
+/// create(), commit() and save() then throw a UsageError.
 class Output {
  public:
   /// Creates the output. Fails if the path cannot be written or is a folder. Messages start with

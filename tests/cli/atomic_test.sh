@@ -33,6 +33,28 @@ cp sketch.ndjson twice.ndjson
 run 2 "$feltline" convert twice.ndjson -o twice.ndjson
 same twice.ndjson sketch.ndjson
 
+# So is every other file that a command reads: the options' files, and pictures that a drawing shows.
+cp sketch.png picture.png
+cp sketch.png relief.png
+cat >shows.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
+<image href="picture.png" width="20" height="10"/><path d="M5 5L40 30" stroke="black" fill="none"/></svg>
+SVG
+mkdir inside
+ln -s ../picture.png inside/link.png
+ln picture.png hard.png
+for output in picture.png inside/link.png hard.png inside/../picture.png; do
+  run 2 "$feltline" convert shows.svg -o "$output"
+  has err "would overwrite the input"
+  same picture.png sketch.png
+done
+run 2 "$feltline" fit in.ndjson --medium charcoal --surface relief.png -o relief.png
+has err "would overwrite the input"
+same relief.png sketch.png
+run 0 "$feltline" convert shows.svg -o shown.png
+run 0 "$feltline" convert shows.svg -o shown.png
+rm hard.png
+
 # Writing to a symbolic link changes the file that it points to and keeps the permissions of that file.
 mkdir kept
 cp old kept/real.ndjson

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "desktop/trial/session_steps.h"
+#include "felt/base/read_file.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/session/session.h"
 #include "felt/store/felt_recording.h"
@@ -19,6 +18,8 @@ namespace felt::desktop {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxUnfinishedBytes = std::size_t{1} << 30;
 
 struct UnfinishedTrial {
   int trial = 0;
@@ -45,11 +46,10 @@ std::vector<UnfinishedTrial> find_unfinished(const fs::path& folder) {
 
 /// Reads the whole lines of a file of events; the crash may have cut the last line.
 Result<std::vector<Event>> read_unfinished(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) return fail(ErrorCode::kIo, path.string() + ": cannot be read");
-  text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
-  return read_events(path.string(), read_text(text));
+  Result<std::string> text = read_regular_file(path.string(), kMaxUnfinishedBytes);
+  if (!text) return tl::unexpected(text.error());
+  text->resize(text->rfind('\n') == std::string::npos ? 0 : text->rfind('\n') + 1);
+  return read_events(path.string(), read_text(*text));
 }
 
 bool has_sample(std::span<const Event> events) {

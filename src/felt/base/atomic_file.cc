@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "felt/base/file_steps.h"
+#include "felt/base/input_files.h"
 
 namespace felt {
 
@@ -24,6 +25,14 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 }  // namespace
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
+  Result<AtomicFile> file = create_for_save(path);
+  if (!file) return file;
+  file->keeps_inputs_ = true;
+  if (Result<void> ok = file->check_not_read(); !ok) return tl::unexpected(ok.error());
+  return file;
+}
+
+Result<AtomicFile> AtomicFile::create_for_save(const std::string& path) {
   if (path.empty()) return fail(ErrorCode::kInvalidArgument, "the file name is empty");
   AtomicFile file;
   file.shown_name_ = path == "-" ? "stdout" : path;
@@ -57,6 +66,7 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   temporary_ = std::exchange(other.temporary_, {});
   previous_ = std::exchange(other.previous_, {});
   is_spool_ = other.is_spool_;
+  keeps_inputs_ = other.keeps_inputs_;
   buffer_ = std::exchange(other.buffer_, {});
   fd_ = std::exchange(other.fd_, -1);
   old_fd_ = std::exchange(other.old_fd_, -1);
@@ -188,7 +198,20 @@ Result<void> AtomicFile::replace_target(const std::string_view* expected) {
   return put_in_place().and_then([&] { return check_in_place(*expected); });
 }
 
+Result<void> AtomicFile::check_not_read() const {
+  if (!keeps_inputs_ || is_spool_) return {};
+  const std::optional<std::string> input = input_file_at(target_);
+  if (!input) return {};
+  return fail(ErrorCode::kInvalidArgument, shown_name_ + ": would overwrite the input " + *input +
+                                               "; it was not written. Choose another file");
+}
+
 Result<void> AtomicFile::put_in_place() {
+  // A file that was read since create() counts, too.
+  if (Result<void> ok = check_not_read(); !ok) {
+    if (!previous_.empty()) ::unlink(previous_.c_str());
+    return ok;
+  }
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
     const auto failed = error("cannot replace");
     if (!previous_.empty()) ::unlink(previous_.c_str());  // the old file still has its own name
@@ -224,14 +247,14 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {
-  auto file = AtomicFile::create(path);
+  auto file = AtomicFile::create_for_save(path);
   if (!file) return tl::unexpected<Error>(std::move(file.error()));
   if (auto ok = file->write(bytes); !ok) return ok;
   return file->commit();
 }
 
 Result<void> save_file(const std::string& path, std::string_view bytes) {
-  auto file = AtomicFile::create(path);
+  auto file = AtomicFile::create_for_save(path);
   if (!file) return tl::unexpected<Error>(std::move(file.error()));
   if (auto ok = file->write(bytes); !ok) return ok;
   return file->commit_verified(bytes);

@@ -27,8 +27,13 @@ namespace felt {
 /// case, start again with a new AtomicFile.
 class AtomicFile {
  public:
-  /// Opens the temporary file. Fails if `path` is empty, is a folder, or may not be written.
+  /// Opens the temporary file. Fails if `path` is empty, is a folder, or may not be written. Fails
+  /// with kInvalidArgument if `path` is a file that this process has read (input_files.h); so does
+  /// commit() if it was read since.
   static Result<AtomicFile> create(const std::string& path);
+  /// Does the same for a file that the program itself keeps, such as the session of a study: the
+  /// new content may replace the content that was read.
+  static Result<AtomicFile> create_for_save(const std::string& path);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -58,16 +63,18 @@ class AtomicFile {
   Result<void> commit(const std::string_view* expected);
   Result<void> copy_to_target();
   Result<void> replace_target(const std::string_view* expected);
+  [[nodiscard]] Result<void> check_not_read() const;
   Result<void> put_in_place();
   Result<void> check_in_place(std::string_view expected);
   void discard() noexcept;
   tl::unexpected<Error> error(const char* doing) const;
 
-  std::string shown_name_;  ///< for messages
-  std::string target_;      ///< links resolved; empty for stdout
-  std::string temporary_;   ///< name of the temporary file; empty if it has no name
-  std::string previous_;    ///< another name of the old file, until the new one is verified
-  bool is_spool_ = false;   ///< `commit` copies the file instead of renaming it
+  std::string shown_name_;     ///< for messages
+  std::string target_;         ///< links resolved; empty for stdout
+  std::string temporary_;      ///< name of the temporary file; empty if it has no name
+  std::string previous_;       ///< another name of the old file, until the new one is verified
+  bool keeps_inputs_ = false;  ///< never replaces a file of input_files.h
+  bool is_spool_ = false;      ///< `commit` copies the file instead of renaming it
   std::string buffer_;
   int fd_ = -1;
   int old_fd_ = -1;  ///< the existing file; locked, so that no process removes it as a leftover

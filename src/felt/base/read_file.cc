@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "felt/base/input_files.h"
+
 namespace felt {
 namespace {
 
@@ -24,6 +26,7 @@ tl::unexpected<Error> too_large(const std::string& name, std::size_t max_bytes) 
 }
 
 Result<std::string> read_all(int fd, const std::string& name, std::size_t max_bytes) {
+  note_input_file(fd, name);
   std::string bytes;
   struct stat info {};
   if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode)) {

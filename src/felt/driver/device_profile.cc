@@ -358,7 +358,7 @@ Result<DeviceProfile> load_device_profile(const std::string& folder, std::string
   nothing.device_id = device_id;
   std::error_code error;
   if (!std::filesystem::exists(path, error) && !error) return nothing;
-  const Result<std::string> text = read_file(path, kMaxProfileBytes);
+  const Result<std::string> text = read_regular_file(path, kMaxProfileBytes);
   if (!text) return tl::unexpected(text.error());
   Result<DeviceProfile> profile = parse_device_profile(*text, path);
   if (profile && profile->device_id != device_id) {

@@ -118,7 +118,8 @@ MaterialSource material_source(const std::string& path, const LoadPicture& load_
 }
 
 Result<AnyMaterial> read_material_file(const std::string& path, const LoadPicture& load_picture) {
-  const Result<std::string> text = read_file(path, kMaxMaterialBytes);
+  const Result<std::string> text =
+      path == "-" ? read_file(path, kMaxMaterialBytes) : read_regular_file(path, kMaxMaterialBytes);
   if (!text) return tl::unexpected(text.error());
   return read_material(*text, material_source(path, load_picture));
 }

@@ -108,7 +108,8 @@ Result<std::string> felt_bytes(const Drawing& drawing) {
 }
 
 Result<Drawing> read_felt(const std::string& path) {
-  Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  Result<std::string> bytes =
+      path == "-" ? read_file(path, kMaxFeltBytes) : read_regular_file(path, kMaxFeltBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto shared = std::make_shared<const std::string>(*std::move(bytes));
   Result<Drawing> drawing = parse(*shared, shared);

@@ -26,7 +26,8 @@ inline constexpr std::size_t kMaxFeltBytes = std::size_t{2} << 30;
 ///
 /// The bytes are not trusted. Fails if the file cannot be read, is not a .felt file, has a newer
 /// version of the format, is truncated or damaged in a part that the drawing needs, or exceeds a
-/// limit. The message begins with the path and says what to do.
+/// limit; so does a path of a pipe or a device. The message begins with the path and says what to
+/// do.
 Result<Drawing> read_felt(const std::string& path);
 
 /// Writes a drawing completely or not at all, durably and verified (save_file): if the process is

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -30,13 +31,27 @@ bool is_line(std::string_view text) {
   return text.size() <= kMaxTextBytes && printable(text) == text;
 }
 
-/// Returns true for "2026-11-24T09:30:00Z", and for an empty text.
+/// Returns true for a time that exists, such as "2026-11-24T09:30:00Z", and for an empty text.
 bool is_start(std::string_view text) {
   constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
-  return text.empty() ||
-         std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(), [](char c, char form) {
-           return form == '0' ? c >= '0' && c <= '9' : c == form;
-         });
+  if (text.empty()) return true;
+  const bool has_form =
+      std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(),
+                 [](char c, char form) { return form == '0' ? c >= '0' && c <= '9' : c == form; });
+  if (!has_form) return false;
+  const auto two_digits = [&text](std::size_t at) {
+    return static_cast<unsigned>((text[at] - '0') * 10 + (text[at + 1] - '0'));
+  };
+  const std::chrono::year_month_day date(
+      std::chrono::year(static_cast<int>(two_digits(0) * 100 + two_digits(2))),
+      std::chrono::month(two_digits(5)), std::chrono::day(two_digits(8)));
+  return date.ok() && two_digits(11) < 24 && two_digits(14) < 60 && two_digits(17) < 60;
+}
+
+bool is_fingerprint(std::string_view text) {
+  constexpr std::string_view kStart = "fnv1a-";
+  return text.starts_with(kStart) && text.size() == kStart.size() + 16 &&
+         text.find_first_not_of("0123456789abcdef", kStart.size()) == std::string_view::npos;
 }
 
 bool is_known_reason(std::string_view invalid) {
@@ -126,10 +141,12 @@ Result<void> check_answers(const StudySession& session, const Study& study) {
   return {};
 }
 
-/// The members of a JSON object. Each key must be read once; the first error is kept.
+/// The members of a JSON object. Each key must be there, except `optional_key`; the first error is
+/// kept.
 class Members {
  public:
-  Members(dom::element value, std::string place, std::span<const std::string_view> keys)
+  Members(dom::element value, std::string place, std::span<const std::string_view> keys,
+          std::string_view optional_key = {})
       : place_(std::move(place)) {
     dom::object object;
     if (value.get(object) != simdjson::SUCCESS) {
@@ -139,14 +156,19 @@ class Members {
     std::set<std::string_view> seen;
     for (const auto& member : object) {
       const std::string key = "key \"" + printable(member.key) + "\"";
-      if (std::find(keys.begin(), keys.end(), member.key) == keys.end()) wrong(key + " is unknown");
+      const bool is_known = (!optional_key.empty() && member.key == optional_key) ||
+                            std::find(keys.begin(), keys.end(), member.key) != keys.end();
+      if (!is_known) wrong(key + " is unknown");
       if (!seen.insert(member.key).second) wrong(key + " occurs twice");
     }
     for (const std::string_view key : keys) {
       if (!seen.contains(key)) wrong("key \"" + std::string(key) + "\" is missing");
     }
     object_ = object;
+    has_optional_ = seen.contains(optional_key);
   }
+
+  [[nodiscard]] bool has_optional() const noexcept { return has_optional_; }
 
   std::string text(std::string_view key) {
     std::string_view text;
@@ -201,6 +223,7 @@ class Members {
 
   std::string place_;
   dom::object object_;
+  bool has_optional_ = false;
   std::optional<Error> error_;
 };
 
@@ -209,15 +232,22 @@ constexpr std::array<std::string_view, 10> kSessionKeys = {
     "program", "started", "person_seed", "trials",  "answers"};
 constexpr std::array<std::string_view, 6> kTrialKeys = {"trial", "attempt", "condition",
                                                         "shape", "invalid", "recording"};
+constexpr std::string_view kFingerprintKey = "fingerprint";  // absent in older files
 constexpr std::array<std::string_view, 3> kAnswerKeys = {"after_trial", "form", "values"};
 
 Result<void> read_trial(dom::element value, const std::string& place, const Study& study,
                         StudySession& session) {
-  Members members(value, place, kTrialKeys);
+  Members members(value, place, kTrialKeys, kFingerprintKey);
   TrialResult result{.trial = members.whole("trial"),
                      .attempt = members.whole("attempt"),
                      .invalid = members.optional_text("invalid"),
                      .recording = members.text("recording")};
+  if (members.has_optional()) {
+    result.fingerprint = members.text(kFingerprintKey);
+    if (!is_fingerprint(result.fingerprint)) {
+      members.wrong("fingerprint must be fnv1a- and 16 hexadecimal digits");
+    }
+  }
   if (result.trial >= 1 && static_cast<std::size_t>(result.trial) <= session.plan.size()) {
     const PlannedTrial& planned = session.plan[static_cast<std::size_t>(result.trial - 1)];
     members.expect("condition", study.conditions[planned.condition].name);
@@ -318,6 +348,7 @@ std::string session_to_json(const StudySession& session, const Study& study) {
     trial.add_text("shape", study.shapes[planned.shape].name);
     trial.add_raw("invalid", result.invalid.empty() ? "null" : json_string(result.invalid));
     trial.add_text("recording", result.recording);
+    if (!result.fingerprint.empty()) trial.add_text(kFingerprintKey, result.fingerprint);
     trials.push_back("\n" + trial.text());
   }
   for (const QuestionAnswers& answer : session.answers) {

@@ -6,15 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cinttypes>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <system_error>
 #include <utility>
 
 #include "felt/base/atomic_file.h"
+#include "felt/base/hash.h"
 #include "felt/base/read_file.h"
 #include "felt/store/felt_file.h"
 #include "felt/studies/session_file.h"
+#include "felt/studies/trial_setup.h"
 
 namespace felt {
 namespace {
@@ -77,12 +82,56 @@ bool have_equal_sources(const StudyFiles& a, const StudyFiles& b) {
          std::equal(a.sources.begin() + 1, a.sources.end(), b.sources.begin() + 1, b.sources.end());
 }
 
+Result<FeltRecording> last_recording(std::string_view bytes) {
+  const Result<Drawing> drawing = parse_felt(bytes);
+  if (!drawing) return tl::unexpected(drawing.error());
+  const auto all = recordings_of(*drawing);
+  if (!all) return tl::unexpected(all.error());
+  if (all->empty()) return invalid_data("has no recording");
+  return read_recording(*drawing, all->size() - 1);
+}
+
+/// Returns false if the recording starts with another value of an option of the trial's condition,
+/// or with another guide. A recording without events, of another program, may be of any trial.
+bool may_be_of(const FeltRecording& recording, const StudyFiles& files, const SessionInfo& info,
+               int trial) {
+  const auto plan = plan_trials(files.study, info.participant, info.session);
+  if (!plan || trial < 1 || static_cast<std::size_t>(trial) > plan->size()) return false;
+  if (recording.events.empty()) return true;
+  GuideLine guide;
+  std::map<std::string, OptionValue> options;
+  for (const RecordedEvent& recorded : recording.events) {
+    if (recorded.before_sample > 0) break;
+    if (const auto* set = std::get_if<SetOption>(&recorded.event.what))
+      options[set->id] = set->value;
+    if (const auto* use = std::get_if<UseGuide>(&recorded.event.what)) guide = use->line;
+  }
+  GuideLine wanted;
+  const PlannedTrial& planned = (*plan)[static_cast<std::size_t>(trial - 1)];
+  for (const Event& event : setup_events(files, planned, Capabilities())) {
+    if (const auto* use = std::get_if<UseGuide>(&event.what)) wanted = use->line;
+    const auto* set = std::get_if<SetOption>(&event.what);
+    if (!set) continue;
+    const auto found = options.find(set->id);
+    if (found == options.end() || found->second != set->value) return false;
+  }
+  return guide == wanted;
+}
+
 bool exists(const std::string& path) {
   std::error_code error;
   return std::filesystem::exists(path, error);
 }
 
 }  // namespace
+
+std::string fingerprint_of(std::string_view bytes) {
+  Fnv1a hash;
+  hash.add(std::as_bytes(std::span(bytes)));
+  std::array<char, 24> text{};
+  std::snprintf(text.data(), text.size(), "fnv1a-%016" PRIx64, hash.value());
+  return text.data();
+}
 
 bool TrialAttempts::is_done(const CatchRules& rules) const noexcept {
   return has_valid || invalid > (rules.action == CatchAction::kRepeat ? rules.max_repeats : 0);
@@ -209,7 +258,10 @@ Result<void> StudyFolder::add_trial(StudySession& session, TrialResult result,
     return tl::unexpected(with_context(valid.error(), file));
   }
   if (Result<void> begun = check_begun(session.info); !begun) return begun;
-  if (Result<void> saved = write_felt(file, drawing); !saved) return saved;
+  const Result<std::string> bytes = felt_bytes(drawing);
+  if (!bytes) return tl::unexpected(with_context(bytes.error(), file));
+  changed.results.back().fingerprint = fingerprint_of(*bytes);
+  if (Result<void> saved = save_file(file, *bytes); !saved) return saved;
   if (Result<void> saved = write_session(changed); !saved) return saved;
   session = std::move(changed);
   return {};
@@ -254,16 +306,21 @@ Result<std::vector<StudySession>> StudyFolder::sessions() const {
   return sessions;
 }
 
-Result<FeltRecording> StudyFolder::recording(const SessionInfo& info,
-                                             const TrialResult& result) const {
+Result<FeltRecording> StudyFolder::recording(const SessionInfo& info, const TrialResult& result,
+                                             std::string* bytes) const {
   const std::string file = file_of(info, result.recording);
-  const Result<Drawing> drawing = read_felt(file);
-  if (!drawing) return tl::unexpected(drawing.error());
-  const auto all = recordings_of(*drawing);
-  if (!all) return tl::unexpected(with_context(all.error(), file));
-  if (all->empty()) return invalid_data(file + ": has no recording");
-  Result<FeltRecording> recording = read_recording(*drawing, all->size() - 1);
+  Result<std::string> text = read_regular_file(file, kMaxFeltBytes);
+  if (!text) return tl::unexpected(text.error());
+  Result<FeltRecording> recording = last_recording(*text);
   if (!recording) return tl::unexpected(with_context(recording.error(), file));
+  const bool belongs = result.fingerprint.empty()
+                           ? may_be_of(*recording, files_, info, result.trial)
+                           : result.fingerprint == fingerprint_of(*text);
+  if (!belongs) {
+    return invalid_data(file + ": is not the recording of trial " + std::to_string(result.trial) +
+                        ", or was changed after the trial");
+  }
+  if (bytes) *bytes = *std::move(text);
   return recording;
 }
 

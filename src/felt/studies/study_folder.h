@@ -32,8 +32,14 @@ struct TrialResult {
   int attempt = 1;           ///< greater than 1 if the trial was repeated
   std::string invalid = {};  ///< the catch rule that the trial broke, "interrupted", or empty
   std::string recording;     ///< the name of the file in the folder of the session
+  /// Of the bytes of this file (fingerprint_of()), so that the recording of another trial is not
+  /// taken for it; empty in folders of before there were fingerprints.
+  std::string fingerprint = {};
   friend bool operator==(const TrialResult&, const TrialResult&) = default;
 };
+
+/// Returns the fingerprint (FNV-1a) of bytes as text: "fnv1a-" and 16 hexadecimal digits.
+std::string fingerprint_of(std::string_view bytes);
 
 /// The answers to one questionnaire, in the order of its items.
 struct QuestionAnswers {
@@ -103,9 +109,9 @@ class StudyFolder {
   /// those of the first call. Fails if the participant or the session does not fit the study, or if
   /// the existing session is damaged.
   Result<StudySession> begin_session(const SessionInfo& info);
-  /// Saves a finished trial. Sets `result.recording`. When this returns, the trial is on the disk.
-  /// `drawing` has the recording of the trial (add_recording()). Fails if the session was not
-  /// begun, or if this attempt exists already.
+  /// Saves a finished trial. Sets `result.recording` and `result.fingerprint`. When this returns,
+  /// the trial is on the disk. `drawing` has the recording of the trial (add_recording()). Fails if
+  /// the session was not begun, or if this attempt exists already.
   Result<void> add_trial(StudySession& session, TrialResult result, const Drawing& drawing);
   /// Saves the answers to a questionnaire, in the same way.
   Result<void> add_answers(StudySession& session, QuestionAnswers answers);
@@ -115,9 +121,12 @@ class StudyFolder {
   [[nodiscard]] Result<std::vector<StudySession>> sessions() const;
   /// Returns the full name of a file in the folder of a session.
   [[nodiscard]] std::string file_of(const SessionInfo& info, const std::string& name) const;
-  /// Reads the recording of a trial.
-  [[nodiscard]] Result<FeltRecording> recording(const SessionInfo& info,
-                                                const TrialResult& result) const;
+  /// Reads the recording of a trial.  Fails if the file is not a regular file, is damaged, or does
+  /// not belong to this trial: its fingerprint differs or, if the session has none, an option or
+  /// the guide at its start is not that of the trial's condition. If `bytes` is not null, it
+  /// receives the content of the file.
+  [[nodiscard]] Result<FeltRecording> recording(const SessionInfo& info, const TrialResult& result,
+                                                std::string* bytes = nullptr) const;
 
  private:
   StudyFolder(std::string path, StudyFiles files);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "felt/studies/measured_trial.h"
 #include "felt/studies/session_file.h"
 #include "felt/studies/testing/study_fixture.h"
+#include "felt/studies/trial_setup.h"
 #include "felt/trial/study_file.h"
 
 namespace felt::study_folder_test {
@@ -187,6 +189,7 @@ TEST_F(StudyFolderTest, SaysWhereADamagedSessionIsWrong) {
       {"[0,20,40,60,80,100]", "null", "values must be a list"},
       {"[0,20,", "[", "must be 6 whole numbers"},
       {"18446744073709551615", "18446744073709551616", ""},
+      {"\"fingerprint\":\"fnv1a-", "\"fingerprint\":\"fnv1b-", "fingerprint must be"},
       {"null,\"person_seed\"", "\"2026\",\"person_seed\"", "started: \"2026\""}};
   for (const auto& [from, to, message] : cases) {
     std::filesystem::remove_all(path("out"));
@@ -196,6 +199,84 @@ TEST_F(StudyFolderTest, SaysWhereADamagedSessionIsWrong) {
     ASSERT_FALSE(sessions) << from << " -> " << to;
     EXPECT_THAT(sessions.error().message, HasSubstr(session_file() + ": "));
     EXPECT_THAT(sessions.error().message, HasSubstr(message)) << to;
+  }
+}
+
+TEST_F(StudyFolderTest, ARecordingBelongsToItsTrial) {
+  const StudyFolder made = filled();
+  const std::vector<TrialResult> results = made.sessions().value()[0].results;
+  const auto file = [&](std::size_t i) { return made.file_of(simulated(1), results[i].recording); };
+  for (const TrialResult& result : results) EXPECT_TRUE(made.recording(simulated(1), result));
+  std::filesystem::rename(file(0), path("first"));
+  std::filesystem::rename(file(2), file(0));
+  std::filesystem::rename(path("first"), file(2));
+  for (const std::size_t i : {0U, 2U}) {
+    const auto recording = made.recording(simulated(1), results[i]);
+    ASSERT_FALSE(recording);
+    EXPECT_THAT(recording.error().message, HasSubstr(file(i) + ": is not the recording of trial"));
+  }
+  EXPECT_TRUE(made.recording(simulated(1), results[1]));
+}
+
+TEST_F(StudyFolderTest, AFileOfAStudyIsARegularFile) {
+  const StudyFolder made = filled();
+  const TrialResult result = made.sessions().value()[0].results[0];
+  const std::string file = made.file_of(simulated(1), result.recording);
+  const auto expect_refused = [&] {
+    const auto recording = made.recording(simulated(1), result);
+    ASSERT_FALSE(recording);
+    EXPECT_THAT(recording.error().message, HasSubstr(file + ": not a regular file"));
+    std::filesystem::remove(file);
+  };
+  std::filesystem::remove(file);
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  expect_refused();
+  std::filesystem::create_symlink("/dev/zero", file);
+  expect_refused();
+}
+
+// A folder of before there were fingerprints: the options at the start of the recording count.
+TEST_F(StudyFolderTest, AnOlderRecordingHasTheOptionsOfItsCondition) {
+  StudyFolder made = folder();
+  StudySession session = made.begin_session(simulated(1)).value();
+  for (int trial = 1; trial <= 4; ++trial) {
+    const PlannedTrial& planned = session.plan[static_cast<std::size_t>(trial - 1)];
+    FeltRecording recording;
+    recording.samples.emplace_back();
+    for (const Event& event : setup_events(made.files(), planned, Capabilities())) {
+      recording.events.push_back({0, event});
+    }
+    Drawing drawing;
+    ASSERT_TRUE(add_recording(drawing, recording));
+    ASSERT_TRUE(made.add_trial(session, result_of(trial, 1), drawing));
+  }
+  const std::size_t drag = session.plan[0].condition == 1 ? 0 : 2, free = drag == 0 ? 2 : 0;
+  ASSERT_NE(session.plan[0].condition, session.plan[2].condition);
+  for (TrialResult& result : session.results) {
+    result.fingerprint.clear();
+    EXPECT_TRUE(made.recording(simulated(1), result));
+  }
+  std::filesystem::copy_file(made.file_of(simulated(1), session.results[free].recording),
+                             made.file_of(simulated(1), session.results[drag].recording),
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_FALSE(made.recording(simulated(1), session.results[drag]));
+}
+
+TEST_F(StudyFolderTest, ASessionStartsAtATimeThatExists) {
+  StudyFolder made = folder();
+  int participant = 1;
+  for (const char* time : {"2026-13-45T99:99:99Z", "2026-02-29T00:00:00Z", "2026-00-10T00:00:00Z",
+                           "2026-04-31T00:00:00Z", "2026-04-00T00:00:00Z", "2026-04-01T24:00:00Z",
+                           "2026-04-01T23:60:00Z", "2026-04-01T23:59:60Z", "2026-04-01T23:59:59"}) {
+    SessionInfo info = simulated(++participant);
+    info.started = time;
+    EXPECT_FALSE(made.begin_session(info)) << time;
+  }
+  for (const char* time :
+       {"2024-02-29T23:59:59Z", "2000-02-29T00:00:00Z", "1999-12-31T12:00:00Z"}) {
+    SessionInfo info = simulated(++participant);
+    info.started = time;
+    EXPECT_TRUE(made.begin_session(info)) << time;
   }
 }
 
@@ -226,6 +307,7 @@ rc::Gen<StudySession> random_session(const Study& study) {
                                        std::string(*rc::gen::element<std::string_view>(
                                            "", "interrupted", "left_tunnel", "device_fault")));
         result.recording = recording_name(result);
+        if (*rc::gen::arbitrary<bool>()) result.fingerprint = fingerprint_of(result.recording);
         session.results.push_back(result);
       }
       if (!trial.asks_questions || *rc::gen::arbitrary<bool>()) continue;

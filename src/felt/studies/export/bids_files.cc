@@ -37,11 +37,12 @@ constexpr std::array<MotionChannel, 9> kMotionChannels = {{
 }};
 constexpr std::size_t kPositionChannels = 3, kMiscChannels = 5;
 
-/// Returns a value of a table: BIDS separates values by tabs, and has n/a for a missing one.
+/// Returns a value of a table: BIDS separates values by tabs, and has n/a for a missing one. Like
+/// trials.csv, it holds nothing that a spreadsheet computes.
 std::string tsv_value(std::string_view text) {
   if (text.empty()) return "n/a";
   std::string out;
-  for (const char c : text) out += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
+  for (const char c : spreadsheet_text(text)) out += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
   return out;
 }
 

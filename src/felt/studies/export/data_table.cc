@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <set>
 
 #include "felt/base/hash.h"
@@ -282,13 +283,26 @@ std::vector<DataColumn<GivenAnswers>> answer_columns(const StudyResults& results
   return columns;
 }
 
+std::string spreadsheet_text(std::string_view value) {
+  constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
+  if (value.empty() || kFormulaStarts.find(value.front()) == std::string_view::npos) {
+    return std::string(value);
+  }
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  const bool is_number =
+      error == std::errc() && end == value.data() + value.size() && std::isfinite(number);
+  return is_number ? std::string(value) : "'" + std::string(value);
+}
+
 void append_csv_value(std::string& out, std::string_view value) {
-  if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += value;
+  const std::string text = spreadsheet_text(value);
+  if (text.find_first_of(",\"\r\n\t") == std::string::npos) {
+    out += text;
     return;
   }
   out += '"';
-  for (const char c : value) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   out += '"';
 }
 
@@ -300,7 +314,8 @@ std::string info_text(const ColumnInfo& column) {
   if (!column.unit.empty()) object.add_text("Units", column.unit);
   std::string levels;
   for (const auto& [value, meaning] : column.levels) {
-    levels += (levels.empty() ? "{" : ",") + json_string(value) + ":" + json_string(meaning);
+    levels += (levels.empty() ? "{" : ",") + json_string(spreadsheet_text(value)) + ":" +
+              json_string(meaning);
   }
   if (!levels.empty()) object.add_raw("Levels", levels + "}");
   if (!column.source.empty()) object.add_text("TermURL", "https://doi.org/" + column.source);

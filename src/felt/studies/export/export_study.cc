@@ -1,18 +1,13 @@
 #include "felt/studies/export/export_study.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
 #include <utility>
 
 #include "felt/studies/export/analysis_scripts.h"
 #include "felt/studies/export/bids_files.h"
 #include "felt/studies/export/data_table.h"
+#include "felt/studies/export/export_folder.h"
 #include "felt/studies/export/report_page.h"
 #include "felt/studies/export/study_report.h"
 #include "felt/studies/export/study_results.h"
@@ -25,70 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kPictureSamples = 150;  // of one trial
-
-tl::unexpected<Error> io_error(const fs::path& path, const std::string& reason) {
-  return fail(ErrorCode::kIo, path.string() + ": " + reason);
-}
-
-/// A folder that gets its name when it is complete. Without commit(), nothing is left behind.
-class FolderInProgress {
- public:
-  static Result<FolderInProgress> create(const std::string& out) {
-    std::error_code error;
-    fs::path target = fs::absolute(out, error).lexically_normal();
-    if (target.filename().empty()) target = target.parent_path();
-    const fs::file_status status = fs::status(target, error);
-    if (fs::exists(status) && !(fs::is_directory(status) && fs::is_empty(target, error))) {
-      return fail(ErrorCode::kInvalidArgument,
-                  out + ": exists already; name a new folder for the export");
-    }
-    fs::create_directories(target.parent_path(), error);
-    const fs::path hidden = target.parent_path() / ("." + target.filename().string() + "." +
-                                                    std::to_string(getpid()) + ".export");
-    if (error || !fs::create_directory(hidden, error)) {
-      return io_error(hidden, error ? error.message() : "exists already");
-    }
-    return FolderInProgress(std::move(target), hidden);
-  }
-  FolderInProgress(FolderInProgress&& other) noexcept
-      : target_(std::move(other.target_)), hidden_(std::exchange(other.hidden_, {})) {}
-  FolderInProgress& operator=(FolderInProgress&&) = delete;
-  ~FolderInProgress() {
-    std::error_code ignored;
-    if (!hidden_.empty()) fs::remove_all(hidden_, ignored);
-  }
-
-  Result<void> write(const std::string& path, std::string_view bytes) const {
-    const fs::path file = hidden_ / path;
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    std::ofstream stream(file, std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) return io_error(target_ / path, std::strerror(errno));
-    return {};
-  }
-  Result<void> copy(const std::string& from, const std::string& path) const {
-    std::error_code error;
-    fs::create_directories((hidden_ / path).parent_path(), error);
-    fs::copy_file(from, hidden_ / path, error);
-    if (error) return io_error(target_ / path, error.message());
-    return {};
-  }
-  Result<void> commit() {
-    std::error_code error;
-    fs::rename(hidden_, target_, error);  // also replaces an empty folder
-    if (error) return io_error(target_, error.message());
-    hidden_.clear();
-    return {};
-  }
-
- private:
-  FolderInProgress(fs::path target, fs::path hidden)
-      : target_(std::move(target)), hidden_(std::move(hidden)) {}
-
-  fs::path target_, hidden_;
-};
 
 /// Keeps some samples in contact for the pictures of the report.
 void keep_ink(std::span<const TrialSample> samples, MeasuredTrial& trial) {
@@ -115,14 +46,15 @@ auto find_planned(const StudySession& session, int number) {
 /// Reads a trial, measures it, and writes its recording and its part of the BIDS data set.
 Result<MeasuredTrial> export_trial(const StudyFolder& folder, const StudyResults& results,
                                    const StudySession& session, std::size_t index,
-                                   const FolderInProgress& out) {
+                                   const ExportFolder& out) {
   const TrialResult& result = session.results[index];
   const auto planned = find_planned(session, result.trial);
   const std::string file = folder.file_of(session.info, result.recording);
   if (planned == session.plan.end()) {
     return invalid_data(file + ": the study has no trial " + std::to_string(result.trial));
   }
-  const Result<FeltRecording> recording = folder.recording(session.info, result);
+  std::string bytes;
+  const Result<FeltRecording> recording = folder.recording(session.info, result, &bytes);
   if (!recording) return tl::unexpected(recording.error());
   const std::vector<TrialSample> samples = trial_samples(*recording);
   const StudyPath path = compared_path(results.files, *planned, samples);
@@ -138,7 +70,7 @@ Result<MeasuredTrial> export_trial(const StudyFolder& folder, const StudyResults
   trial.path = path.points;
   trial.is_closed = path.ends == TrialPathEnds::kClosed;
   keep_ink(samples, trial);
-  if (Result<void> done = out.copy(file, trial.recording); !done) {
+  if (Result<void> done = out.write(trial.recording, bytes); !done) {
     return tl::unexpected(done.error());
   }
   for (const ExportFile& part : bids_run_files(results, trial, *recording, index + 1)) {
@@ -150,7 +82,7 @@ Result<MeasuredTrial> export_trial(const StudyFolder& folder, const StudyResults
 }
 
 Result<void> export_session(const StudyFolder& folder, const StudySession& session,
-                            const FolderInProgress& out, const std::function<bool()>& progress,
+                            const ExportFolder& out, const std::function<bool()>& progress,
                             StudyResults& results) {
   for (std::size_t i = 0; i < session.results.size(); ++i) {
     Result<MeasuredTrial> trial = export_trial(folder, results, session, i, out);
@@ -193,7 +125,7 @@ Result<std::vector<std::string>> export_study(const StudyFolder& folder, const s
                                               const std::function<bool(double)>& progress) {
   const Result<std::vector<StudySession>> sessions = folder.sessions();
   if (!sessions) return tl::unexpected(sessions.error());
-  Result<FolderInProgress> target = FolderInProgress::create(out);
+  Result<ExportFolder> target = ExportFolder::create(out);
   if (!target) return tl::unexpected(target.error());
 
   std::size_t count = 0, done = 0;

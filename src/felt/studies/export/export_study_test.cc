@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "felt/document/drawing.h"
@@ -174,6 +177,42 @@ TEST_F(ExportStudy, LeavesNothingAfterAFailureOrAnInterruption) {
     EXPECT_NE(entry.path().filename(), "out");
   }
   EXPECT_EQ(entries, 2U);  // the study and its results
+}
+
+TEST_F(ExportStudy, TheNextExportRemovesWhatKilledOnesHaveLeft) {
+  const StudyFolder folder = folder_with(1, 1);
+  for (int kill = 0; kill < 3; ++kill) {
+    EXPECT_EXIT(static_cast<void>(export_study(folder, (root_ / "out").string(),
+                                               [](double) {
+                                                 ::kill(::getpid(), SIGKILL);
+                                                 return true;
+                                               })),
+                ::testing::KilledBySignal(SIGKILL), "");
+  }
+  // Of another name, or not of an export: they stay.
+  const std::set<std::string> others = {".out.1x.export", ".out.export", ".other.99999999.export"};
+  for (const std::string& other : others) fs::create_directory(root_ / other);
+  ASSERT_TRUE(export_study(folder, (root_ / "out").string()));
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(root_)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.')) left.insert(name);
+  }
+  EXPECT_EQ(left, others);
+}
+
+TEST_F(ExportStudy, NamesTheReasonWhenAFileCannotBeWritten) {
+  ::rlimit old{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
+  const StudyFolder folder = folder_with(1, 1);
+  const ::rlimit small{100, old.rlim_max};
+  const auto says_why = [&] {
+    ::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const auto done = export_study(folder, (root_ / "out").string());
+    return !done && done.error().message.ends_with("File too large");
+  };
+  EXPECT_EXIT(::_exit(says_why() ? 0 : 1), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
