@@ -23,6 +23,22 @@ double middle_width_mm(std::span<const std::shared_ptr<const Stroke>> strokes) {
   return percentile(widths, 0.5);
 }
 
+// Returns the median of the strokes' tones, where the tone of a stroke is its median along the
+// stroke. Without it the line would get the default tone of its width, which is almost nothing for
+// a thin line of a dry medium.
+double middle_tone(std::span<const std::shared_ptr<const Stroke>> strokes) {
+  constexpr int kTonesPerStroke = 16;
+  std::vector<double> tones;
+  for (const auto& stroke : strokes) {
+    std::vector<double> along;
+    for (int k = 0; k < kTonesPerStroke; ++k) {
+      along.push_back(stroke->tone(stroke->segment_count() * (k + 0.5) / kTonesPerStroke));
+    }
+    tones.push_back(percentile(along, 0.5));
+  }
+  return percentile(tones, 0.5);
+}
+
 // Moves the end of a fitted curve exactly to its start, with its handle, and closes it.
 Result<Stroke> as_ring(const Stroke& open) {
   StrokeData data = open.data();
@@ -76,7 +92,9 @@ Result<Stroke> gathered_stroke(std::span<const std::shared_ptr<const Stroke>> st
   const double median_mm = middle_width_mm(strokes);
   const double width_mm =
       options.width == GatheredWidth::kStrip ? path->strip_mm + median_mm : median_mm;
-  data.widths = {{0.0, width_mm}, {static_cast<double>(stroke->segment_count()), width_mm}};
+  const double tone = middle_tone(strokes);
+  data.widths = {{0.0, width_mm, tone},
+                 {static_cast<double>(stroke->segment_count()), width_mm, tone}};
   data.color = strokes[longest]->color();
   return Stroke::create(std::move(data));
 }

@@ -27,9 +27,9 @@ struct GatherOptions {
 RoughLine rough_line(const Stroke& stroke);
 
 /// Returns one stroke through the middle of the strip of `strokes` (bundle_path), with constant
-/// width. It has the colour and medium of the longest stroke, and is closed if the strip is. Dabs
-/// count only if there is nothing else. Fails with kInvalidArgument if there are no strokes, or if
-/// all are dabs.
+/// width and the median tone of the strokes. It has the colour and medium of the longest stroke,
+/// and is closed if the strip is. Dabs count only if there is nothing else. Fails with
+/// kInvalidArgument if there are no strokes, or if all are dabs.
 Result<Stroke> gathered_stroke(std::span<const std::shared_ptr<const Stroke>> strokes,
                                const GatherOptions& options);
 

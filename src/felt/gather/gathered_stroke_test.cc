@@ -1,6 +1,7 @@
 #include "felt/gather/gathered_stroke.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
@@ -37,6 +38,35 @@ TEST(GatheredStroke, HasTheMedianWidthAndTheLooksOfTheLongest) {
   EXPECT_EQ(stroke.color(), (Rgba{10, 20, 90, 255}));
   EXPECT_EQ(stroke.medium(), "charcoal");
   EXPECT_NEAR(stroke.position(stroke.segment_count() / 2.0).y, 1.0, 0.1);
+}
+
+TEST(GatheredStroke, KeepsTheToneOfTheBundle) {
+  std::vector<std::shared_ptr<const Stroke>> strokes;
+  for (const double tone : {0.2, 0.6, 0.9}) {
+    StrokeData data = stroke_at(tone, 0.8)->data();
+    // The ends taper, as a hand draws them.
+    data.widths = {{0.0, 0.8, 0.0}, {0.2, 0.8, tone}, {0.8, 0.8, tone}, {1.0, 0.8, 0.0}};
+    strokes.push_back(std::make_shared<const Stroke>(Stroke::create(data).value()));
+  }
+  for (const GatheredWidth width : {GatheredWidth::kMedian, GatheredWidth::kStrip}) {
+    const Stroke stroke = gathered_stroke(strokes, {.width = width}).value();
+    for (const WidthKnot& knot : stroke.widths()) EXPECT_NEAR(knot.tone, 0.6, 0.06);
+  }
+}
+
+RC_GTEST_PROP(GatheredStroke, KeepsOneToneOfEveryMedium, ()) {
+  const double tone = *rc::gen::inRange(0, 101) / 100.0;
+  StrokeData data = stroke_at(0.0, 0.7)->data();
+  data.medium = *rc::gen::element<std::string>("pencil", "charcoal", "chalk", "ink-pen", "mine");
+  data.widths = {{0.0, 0.7, tone}, {1.0, 0.7, tone}};
+  std::vector<std::shared_ptr<const Stroke>> strokes;
+  for (int i = 0; i < *rc::gen::inRange(2, 6); ++i) {
+    for (Point& p : data.points) p.y += 0.4;
+    strokes.push_back(std::make_shared<const Stroke>(Stroke::create(data).value()));
+  }
+  const Stroke stroke = gathered_stroke(strokes, {}).value();
+  RC_ASSERT(stroke.tone(0.0) == tone && stroke.tone(stroke.segment_count()) == tone);
+  RC_ASSERT(stroke.medium() == data.medium);
 }
 
 TEST(GatheredStroke, CanBeAsWideAsTheStrip) {
