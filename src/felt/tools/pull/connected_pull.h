@@ -16,8 +16,9 @@
 
 namespace felt {
 
-/// Keeps strokes that share a point (junctions.h) together while one of them is pulled or pushed,
-/// in any mode (R33): adds the changes of the other strokes to the gesture's edit.
+/// Keeps strokes that share a point (junctions.h) together while one of them is pulled (R33;
+/// NibLines does the same for strokes that are pushed): adds the changes of the other strokes to
+/// the gesture's edit.
 ///
 /// If a shared point moves, a brush pulls the other stroke to the new position of that point, while
 /// the ends and corners elsewhere on the pulled stroke stay. Strokes connected to the pulled stroke
@@ -30,7 +31,7 @@ namespace felt {
 /// per control point. Make one object per gesture.
 class ConnectedPull {
  public:
-  static constexpr int kMaxRounds = 4;
+  static constexpr int kMaxRounds = 256;
   /// Maximum number of strokes that follow in one gesture; further strokes do not move. Strokes
   /// that the gesture itself pulls or pushes do not count.
   static constexpr std::size_t kMaxFollowers = 256;

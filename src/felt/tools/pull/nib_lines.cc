@@ -17,12 +17,14 @@ constexpr double kJoinedMm = 1e-9;
 constexpr double kCommittedGapMm = 1e-6;
 /// Added to the radius by each round of a stroke after the first kExactVisits, mm.
 constexpr double kRoundRoomMm = 2e-4;
+/// Largest movement of a shared point in one pull, in radii. A step of the nib is half a radius.
+constexpr double kMaxPullRadii = 4.0;
 
 }  // namespace
 
 bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
   const double wanted = std::ceil(distance(from, to) / (0.5 * radius_mm_));
-  const int steps = static_cast<int>(std::clamp(wanted, 1.0, double{NibPush::kMaxSteps}));
+  const int steps = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * NibPush::kMaxSteps));
   meet(scene, from, to);
   bool moved = false;
   for (int k = 1; k <= steps; ++k) {
@@ -34,7 +36,13 @@ bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
       if (line.push.step(a, b, came_from)) queue(id, line);
     }
     moved = moved || !queue_.empty();
-    weld(b, came_from, &scene);
+    if (weld(b, came_from, &scene)) continue;
+    // The ink cannot be joined under this nib. Each stroke is pushed on its own for now.
+    for (auto& [id, line] : lines_) {
+      line.push.undo();
+      line.push.step(from, to, came_from);
+    }
+    break;
   }
   for (auto& [id, line] : lines_) line.push.settle();
   return moved;
@@ -93,27 +101,45 @@ void NibLines::find_links(StrokeId id, Line& line, const Scene& scene) const {
     if (!j.editable && !is_end) continue;
     const Point here = stroke.position(j.u);
     const Point there = scene.document.find(j.other)->position(j.other_u);
-    line.links.push_back({j.u, j.other, j.other_u, here, there - here, !j.editable});
-    line.pins.push_back(j.u);
+    Line::Link link{j.u, j.other, j.other_u, here, there - here, !j.editable};
+    // An end near a joint or a seam lies on two segments. The nearer place counts.
+    const auto known = std::find_if(line.links.begin(), line.links.end(), [&](const auto& k) {
+      return k.other == j.other && distance(k.start, here) <= 2.0 * kSharedPointMm &&
+             distance(k.start + k.offset, there) <= 2.0 * kSharedPointMm;
+    });
+    if (known == line.links.end()) {
+      line.links.push_back(link);
+    } else if (norm(link.offset) < norm(known->offset)) {
+      *known = link;
+    }
   }
+  for (const Line::Link& link : line.links) line.pins.push_back(link.u);
   std::sort(line.pins.begin(), line.pins.end());
 }
 
-void NibLines::weld(Point p, Vec came_from, const Scene* scene) {
-  for (std::size_t k = 0; k < queue_.size(); ++k) {
+/// Returns false if the strokes move farther and farther instead of coming together.
+bool NibLines::weld(Point p, Vec came_from, const Scene* scene) {
+  bool good = true;
+  for (std::size_t k = 0; good && k < queue_.size(); ++k) {
     const StrokeId id = queue_[k];
     Line& line = lines_.at(id);
     line.waits = false;
     ++line.visits;
     if (scene && !line.has_links) find_links(id, line, *scene);
-    visit(line, p, came_from, scene);
+    good = visit(line, p, came_from, scene);
   }
+  for (const StrokeId id : queue_) lines_.at(id).waits = false;
   queue_.clear();
+  for (auto& [id, line] : lines_) {
+    if (good && line.visits >= kMaxVisits) line.push.clear(p, came_from, 0.0);
+  }
+  return good;
 }
 
 /// Pushes a stroke out from under the nib, holds its ends on locked strokes and pulls the strokes
-/// that share a point with it.
-void NibLines::visit(Line& line, Point p, Vec came_from, const Scene* scene) {
+/// that share a point with it. Returns false if a point would have to move much farther than the
+/// nib.
+bool NibLines::visit(Line& line, Point p, Vec came_from, const Scene* scene) {
   const double room = kRoundRoomMm * std::max(0, line.visits - kExactVisits);
   line.push.clear(p, came_from, room);
   for (const Line::Link& link : line.links) {
@@ -124,15 +150,22 @@ void NibLines::visit(Line& line, Point p, Vec came_from, const Scene* scene) {
     const Point here = line.push.position(link.u);
     if (distance(here, link.start) < kJoinedMm && !lines_.contains(link.other)) continue;
     Line* other = follower(link.other, scene);
-    if (other && pull(*other, link.other_u, here + link.offset)) queue(link.other, *other);
+    if (!other) continue;
+    const Point target = here + link.offset;
+    if (!(distance(other->push.position(link.other_u), target) < kMaxPullRadii * radius_mm_)) {
+      return false;
+    }
+    if (pull(*other, link.other_u, target)) queue(link.other, *other);
   }
+  return true;
 }
 
 /// Moves a shared point of a stroke. Returns true if the ink moved.
 bool NibLines::pull(Line& line, double u, Point target) {
   constexpr double kSameU = 1e-6;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (distance(line.push.position(u), target) <= kJoinedMm) return false;
-  std::pair<double, double> pins{std::nan(""), std::nan("")};
+  std::pair<double, double> pins{kNone, kNone};
   const auto after = std::upper_bound(line.pins.begin(), line.pins.end(), u + kSameU);
   const auto before = std::lower_bound(line.pins.begin(), line.pins.end(), u - kSameU);
   if (after != line.pins.end()) pins.second = *after;
@@ -141,7 +174,7 @@ bool NibLines::pull(Line& line, double u, Point target) {
     if (std::isnan(pins.second) && line.pins.front() < u - kSameU) pins.second = line.pins.front();
     if (std::isnan(pins.first) && line.pins.back() > u + kSameU) pins.first = line.pins.back();
   }
-  return line.push.pull(u, target, pins);
+  return line.push.pull(u, target, pins) || line.push.pull(u, target, {kNone, kNone});
 }
 
 double NibLines::largest_gap_mm() const {
@@ -196,7 +229,7 @@ std::vector<std::pair<StrokeId, StrokePtr>> NibLines::finished(Point pen) const 
     fine.copy_links(lines_.at(id), next, *this);
     fine.queue(id, next);
   }
-  fine.weld(pen, {}, nullptr);
+  if (!fine.weld(pen, {}, nullptr)) return raw;
   for (auto& [id, next] : fine.lines_) next.push.settle();
   if (fine.largest_gap_mm() > std::max(kCommittedGapMm, largest_gap_mm())) return raw;
   for (const auto& [id, next] : fine.lines_) {

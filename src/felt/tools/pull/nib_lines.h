@@ -23,8 +23,10 @@ namespace felt {
 ///   3. Each stroke that was pulled is pushed out from under the nib again, and pulls in turn.
 ///
 /// This ends when nothing moves. Usually one or two rounds are enough. After kExactVisits rounds
-/// each push goes some micrometres farther than the radius, so that the rounds end. Ends that lie
-/// on strokes of locked layers stay. Points that were up to kSharedPointMm apart keep this offset.
+/// each push goes some micrometres farther than the radius, so that the rounds end. If they do not
+/// end, the strokes keep clear of the nib and the points stay slightly apart until the next step.
+/// Ends that lie on ends of strokes of locked layers stay. Points that were up to kSharedPointMm
+/// apart keep this offset.
 ///
 /// Takes time linear in the strokes that move and in their shared points. Edit thread only.
 class NibLines {
@@ -35,7 +37,7 @@ class NibLines {
   /// Number of rounds of a stroke in one step that push it exactly to the radius, and maximum
   /// number of rounds.
   static constexpr int kExactVisits = 4;
-  static constexpr int kMaxVisits = 40;
+  static constexpr int kMaxVisits = 60;
 
   /// A stroke that the nib has touched or that follows another stroke.
   struct Line {
@@ -78,8 +80,8 @@ class NibLines {
   void note_touch(Line& line, Point from, Point to) const;
   Line* follower(StrokeId id, const Scene* scene);
   void find_links(StrokeId id, Line& line, const Scene& scene) const;
-  void weld(Point p, Vec came_from, const Scene* scene);
-  void visit(Line& line, Point p, Vec came_from, const Scene* scene);
+  bool weld(Point p, Vec came_from, const Scene* scene);
+  bool visit(Line& line, Point p, Vec came_from, const Scene* scene);
   void queue(StrokeId id, Line& line);
   void copy_links(const Line& line, Line& to, const NibLines& from) const;
   Line& add(StrokeReplacement place, StrokePtr ink);

@@ -19,6 +19,10 @@ constexpr double kLongestHandle = 1.5;
 /// R27: the distance of the stroke from the nib is at least the radius minus kTouchMm.
 constexpr double kTouchMm = 1e-6;
 
+/// Pins nearer to the pulled point than this move along, and the ink is not cut into shorter
+/// pieces, which could not be compressed.
+constexpr double kShortestPieceMm = 1.0;
+
 /// Added to the radius by each correction after the first kExactCorrections, mm.
 constexpr double kRoomMm = 1e-3;
 
@@ -121,13 +125,19 @@ bool NibPush::settle() {
   Result<Stroke> now = strand_.stroke();
   if (now) {
     stroke_ = std::make_shared<const Stroke>(*std::move(now));
+    settled_.reset();
   } else {
-    strand_ = *std::move(settled_);
-    note_material();
+    undo();
   }
-  settled_.reset();
-  box_ = bounds_of(strand_.points());
   return now.has_value();
+}
+
+void NibPush::undo() {
+  if (!settled_) return;
+  strand_ = *std::move(settled_);
+  settled_.reset();
+  note_material();
+  box_ = bounds_of(strand_.points());
 }
 
 Point NibPush::position(double snapshot_u) const noexcept {
@@ -140,6 +150,8 @@ Point NibPush::position(double snapshot_u) const noexcept {
 void NibPush::cut(double snapshot_u) {
   const StrandPlace at = strand_.locate(snapshot_u);
   if (at.t <= 0.0 || at.t >= 1.0 || strand_.count() >= kMaxSegments) return;
+  const auto [a, b] = split(strand_.segment(at.segment), at.t);
+  if (std::min(control_length(a), control_length(b)) < kShortestPieceMm) return;
   if (strand_.divide(at.segment, at.t)) note_material();
 }
 
@@ -152,6 +164,7 @@ bool NibPush::pull(double u, Point target, std::pair<double, double> pins) {
   const auto pinned = [&](double pin) {
     if (std::isnan(pin)) return kFar;
     const double mm = std::fabs(map_.way(s, map_.length_at(pin)));
+    if (mm < kShortestPieceMm) return kFar;  // moves along
     if (mm < reach) cut(pin);
     return mm;
   };
@@ -279,11 +292,10 @@ NibPush::Influence NibPush::influence_at(int joint, double s_mm, double reach_mm
   // On a closed stroke both sides meet at half its length. The influence must have zero slope
   // there, so a reach of more than half of the length raises the influence everywhere instead.
   const double way = map_.way(s_mm, material_[static_cast<std::size_t>(joint)].s_mm);
-  const bool is_pinned = std::isfinite(pin_before_mm_) || std::isfinite(pin_after_mm_);
-  const double pin = is_pinned ? (way > 0.0 ? pin_after_mm_ : pin_before_mm_) : reach_mm;
+  const double pin = is_pinned() ? (way > 0.0 ? pin_after_mm_ : pin_before_mm_) : reach_mm;
   const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
   const double radius = std::min({reach_mm, half, pin});
-  const double base = is_pinned ? 0.0 : 1.0 - radius / reach_mm;
+  const double base = is_pinned() ? 0.0 : 1.0 - radius / reach_mm;
   const double x = std::min(1.0, std::fabs(way) / radius);
   const double slope = (way > 0.0 ? -6.0 : 6.0) * x * (1.0 - x) / radius;
   return {base + (1.0 - base) * (1.0 - x * x * (3.0 - 2.0 * x)), (1.0 - base) * slope};
@@ -301,7 +313,11 @@ std::array<double, 3> NibPush::weights_at(int joint, const Influence& influence)
   // Both handles of a joint turn by the same angle. The angle is that of the ink at the touch, so
   // it does not depend on how far the handles are stretched by now.
   const double both = before + after;
-  const double turn = both > 0.0 ? influence.slope * material_[j].handles_mm / both : 0.0;
+  // Towards a pin the influence may fall off within less than a handle. Then the handle would move
+  // farther than the ink.
+  const double slope = std::clamp(influence.slope * material_[j].handles_mm, -1.0, 1.0);
+  const double turn =
+      both > 0.0 ? (is_pinned() ? slope : influence.slope * material_[j].handles_mm) / both : 0.0;
   return {influence.weight - turn * before, influence.weight, influence.weight + turn * after};
 }
 
@@ -341,7 +357,8 @@ bool NibPush::displace_within(double reach, const Nearest& at, Point target) {
   EditWeights here;
   std::copy_n(weights_.begin() + static_cast<std::ptrdiff_t>(3 * held), 4, here.w.begin());
   const double gain = here.gain(at.place.t);
-  if (!(gain > 0.1)) return false;
+  // Near a pin the ink would have to move much farther than the point.
+  if (!(gain > (is_pinned() ? 0.7 : 0.1))) return false;
   if (!strand_.shift(first, weights_, (target - at.point) / gain)) return false;
   for (int k = 0; k < count; ++k) strand_.limit_handles((first + k) % n, kLongestHandle);
   return true;

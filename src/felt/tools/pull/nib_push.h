@@ -65,6 +65,8 @@ class NibPush {
   /// Makes stroke() the ink after the last steps and pulls. If that breaks an invariant, undoes
   /// them and returns false.
   bool settle();
+  /// Undoes the steps and pulls since the last settle().
+  void undo();
   /// Returns the position of the point with this parameter of the snapshot.
   [[nodiscard]] Point position(double snapshot_u) const noexcept;
   /// Returns the stroke as pushed so far.
@@ -102,6 +104,10 @@ class NibPush {
 
   [[nodiscard]] std::optional<Nearest> nearest_to(Point p, double within_mm) const;
   void cut(double snapshot_u);
+  [[nodiscard]] bool is_pinned() const noexcept {
+    return pin_before_mm_ < std::numeric_limits<double>::max() ||
+           pin_after_mm_ < std::numeric_limits<double>::max();
+  }
   bool catch_jumped(Point from, Point to);
   bool displace(Nearest at, Point target);
   bool displace_within(double reach, const Nearest& at, Point target);

@@ -36,6 +36,26 @@ double farthest(const Stroke& a, const Stroke& b) {
   return std::sqrt(far);
 }
 
+TEST(SweepPull, R25_HonoursTheWeights) {
+  const StrokePtr stroke = share(straight_stroke({0, 0}, {9, 0}, 1.0, 1.0));
+  for (const WeightKind kind : {WeightKind::kSoft, WeightKind::kPaper, WeightKind::kPrinted}) {
+    SweepPull sweep(stroke, 0.4, kind);
+    ASSERT_TRUE(sweep.step({3.6, 2.0}, 0.5));
+    const double t = sweep.place().t;
+    const EditWeights w = edit_weights(
+        kind, t, {.left_joint = pinned_compliance(t), .right_joint = pinned_compliance(1.0 - t)});
+    const Stroke bent = *sweep.stroke();
+    for (int k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      EXPECT_NEAR(bent.segment(0).p[i].y, w.w[i], 1e-9) << k;
+    }
+    EXPECT_NEAR(sweep.point().y, w.gain(t), 1e-9) << "of half the distance, 1 mm";
+    // The loop of the paper comes to the pen, also with the equation as printed.
+    for (int round = 0; round < 200; ++round) sweep.step({3.6, 2.0}, 0.5);
+    EXPECT_LE(distance(sweep.point(), {3.6, 2.0}), 1e-3);
+  }
+}
+
 TEST(SweepPull, R24_TenThousandTicks) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
