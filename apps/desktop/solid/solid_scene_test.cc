@@ -199,7 +199,10 @@ struct CompareCase {
   std::optional<double> section;
   WireframeChoice wireframe = WireframeChoice::kHide;
   double max_mean = 0.8;
-  int max_clear = 1200;  // the silhouette and the edge of the ink are about as long
+  /// The silhouette and the edge of the ink are about 1200 pixels long, and two wide where they
+  /// slant. OpenGL has other samples (four, in software) than the processor (nine), so such pixels
+  /// differ.
+  int max_clear = 1500;
 };
 
 class OpenGlTest : public ::testing::TestWithParam<CompareCase> {};
