@@ -5,6 +5,8 @@ import { t } from './words.js';
 const kExportDpi = 192, kMaxPixels = 40e6;
 const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
 export const kPictures = ['image/png', 'image/jpeg', 'image/webp'];
+const kMaxPictureBytes = 48e6;  // packed as base64, this is the longest value of an event
+const kMaxNotices = 3;          // that are shown in full; the others are counted
 const kMaxPictureSide = 8192, kPictureShare = 0.8;  // docs/formats/events.md; of the page
 
 export function download(data, name, type) {
@@ -103,17 +105,16 @@ export class Files {
     addEventListener('drop', (event) => {
       event.preventDefault();
       mark(false);
-      const [file] = event.dataTransfer?.files ?? [];
-      if (file) this.load(file, event.shiftKey);
+      this.load_all([...event.dataTransfer?.files ?? []], event.shiftKey);
     });
     addEventListener('paste', (event) => {
-      const [file] = event.clipboardData?.files ?? [];
-      if (file) this.load(file, true);
+      this.load_all([...event.clipboardData?.files ?? []], true);
     });
   }
 
   /** Adds a layer with a picture, in the middle of the page. */
   async add_picture(file) {
+    if (file.size > kMaxPictureBytes) throw new Error(t('it is too large'));
     const bitmap = await createImageBitmap(file).catch(() => { throw new Error(t('it is damaged')); });
     const { width, height } = bitmap;
     if (Math.max(width, height) > kMaxPictureSide || width * height > kMaxPixels) throw new Error(t('it is too large'));
@@ -122,6 +123,7 @@ export class Files {
       const canvas = make('canvas', { width, height });
       canvas.getContext('2d').drawImage(bitmap, 0, 0);
       png = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+      if (!png || png.size > kMaxPictureBytes) throw new Error(t('it is too large'));
     }
     // The autosave keeps pictures in .felt files.
     const loaded = await this.ready(true);
@@ -134,29 +136,47 @@ export class Files {
     return this.page.core.event(event);
   }
 
-  /** Opens a file, or adds it. Pictures are always added. */
+  /** Opens the first file, or adds it, and adds the others. */
+  async load_all(files, adds) {
+    const messages = [];
+    for (const [i, file] of files.entries()) {
+      const message = await this.load(file, adds || i > 0);
+      if (message === null) break;  // the user keeps the drawing
+      if (message) messages.push(message);
+    }
+    if (messages.length > 1) this.page.say(messages.join(' '));
+  }
+
+  /** Opens a file, or adds it. Pictures are always added. Returns what it says; null if the user keeps the drawing. */
   async load(file, adds) {
-    const refuse = (error) => this.page.say(t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, '')));
+    const say = (text) => {
+      this.page.say(text);
+      return text;
+    };
+    const refuse = (error) => say(t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, '')));
+    let said = '';
     try {
       if (file.size > kMaxBytes) return refuse(t('it is too large'));
       if (kPictures.includes(file.type)) {
         const done = await this.add_picture(file);
         this.page.wake();
-        return done.ok ? undefined : refuse(this.page.reason(done));
+        return done.ok ? '' : refuse(this.page.reason(done));
       }
       const bytes = await unpacked(new Uint8Array(await file.arrayBuffer()));
-      if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+      if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return null;
       const done = await this.read(bytes, file.name, adds);
       if (!done.ok) return refuse(this.page.reason(done));
       if (!adds) {
         this.name = file.name.replace(/\.[^.]*$/, '');
         this.page.begun();
       }
-      if (done.notices?.length) this.page.say(done.notices.slice(0, 3).join(' '));
+      const { notices = [] } = done, more = notices.length - kMaxNotices;
+      if (notices.length) said = say(notices.slice(0, kMaxNotices).join(' ') + (more > 0 ? ` ${t('And %1 more.', more)}` : ''));
     } catch (error) {
-      refuse(error.message);
+      said = refuse(error.message);
     }
     this.page.wake();
+    return said;
   }
 
   async read(bytes, name, adds) {

@@ -57,7 +57,8 @@ export class Input {
     on('wheel', this.wheel, { passive: false });
     // Safari's own gestures, and the magnifier of iOS.
     on('gesturestart', (event) => event.preventDefault());
-    on('touchstart', (event) => event.preventDefault(), { passive: false });
+    // While something scrolls, the browser does not let a touch be cancelled.
+    on('touchstart', (event) => { if (event.cancelable) event.preventDefault(); }, { passive: false });
   }
 
   /** Handles an event that was collected before this object was made (early.js). */

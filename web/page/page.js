@@ -30,7 +30,9 @@ const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** Resolves when the script with this name has run. */
 function script(name) {
-  if (globalThis.feltlineEarly?.missing.includes(name)) return Promise.reject(new LoadError(name));
+  const { missing, failed } = globalThis.feltlineEarly ?? {};
+  if (missing?.includes(name)) return Promise.reject(new LoadError(name));
+  if (failed) return Promise.reject(new Error(failed));
   const element = document.querySelector(`script[src="${name}"]`) ?? make('script', { src: name, async: true });
   return new Promise((resolve, reject) => {
     element.addEventListener('load', resolve);
@@ -71,6 +73,10 @@ class Page {
     this.forces = new ForcePanel(this);
     this.sound = new Sound(() => this.core);
     by_id('panels').append(this.options.element, this.layers.element, this.forces.element);
+    for (const [id, name] of [['offer', '--offered'], ['notice', '--said']]) {
+      const show_height = () => document.documentElement.style.setProperty(name, `${by_id(id).offsetHeight && by_id(id).offsetHeight + 8}px`);
+      new ResizeObserver(show_height).observe(by_id(id));
+    }
     this.show_words();
   }
 
@@ -99,6 +105,8 @@ class Page {
     // Without storage, the user must know before the page is closed.
     if (!this.storage) this.say_not_stored();
     else this.watch_storage();
+    // Otherwise a browser may delete the drawing when it needs room. Some ask the user, so there must be a drawing.
+    if (this.storage) this.sheet.addEventListener('pointerup', () => navigator.storage?.persist?.().catch(() => {}), { once: true });
   }
 
   /**
@@ -232,6 +240,9 @@ class Page {
       if (document.visibilityState !== 'hidden') return this.wake();
       this.leave();
       this.input.release_all(true);
+    });
+    addEventListener('beforeunload', (event) => {
+      if (this.core && this.is_lost_by_closing()) event.preventDefault();
     });
     addEventListener('pagehide', () => {
       if (this.core) this.do_waiting(this.core);
@@ -414,15 +425,22 @@ class Page {
       // The next attempt comes even if nothing is drawn.
       setTimeout(() => { if (storage.is_broken) this.store(); }, kRetryMs + 1);
     };
-    storage.restarted = () => { is_said = false; };
+    storage.restarted = () => {
+      is_said = false;
+      if (!this.lasting) return;
+      this.lasting = null;
+      this.end_notice();
+    };
     storage.moved = () => {
       this.guard((core) => core.rebase());
       this.store();
     };
   }
 
+  /** Shows this until the drawing is stored; other messages replace it only for a while. */
   say_not_stored() {
-    this.say(t('This browser does not store the drawing. Save it before you close the page.'));
+    this.lasting = t('This browser does not store the drawing. Save it before you close the page.');
+    this.say(this.lasting);
   }
 
   /** A stored drawing could not be continued. It stays stored, and nothing else is, until the user decides. */
@@ -466,6 +484,12 @@ class Page {
 
   saved() {
     this.is_unsaved = false;
+  }
+
+  /** True if closing the page would lose lines: they are in no file, and the browser does not store them. */
+  is_lost_by_closing() {
+    const is_stored = this.storage && !this.storage.is_broken && !this.is_paused;
+    return !is_stored && Boolean(this.unsaved());
   }
 
   // --- Events
@@ -806,7 +830,13 @@ class Page {
   say(text, stays = false) {
     clearTimeout(this.notice);
     by_id('notice').replaceChildren(make('p', {}, text));
-    if (!stays) this.notice = setTimeout(() => by_id('notice').replaceChildren(), kNoticeMs);
+    if (!stays) this.notice = setTimeout(() => this.end_notice(), kNoticeMs);
+  }
+
+  /** Removes the message; one about a state that lasts comes back. */
+  end_notice() {
+    clearTimeout(this.notice);
+    by_id('notice').replaceChildren(...(this.lasting ? [make('p', {}, this.lasting)] : []));
   }
 
   /** Returns why something was not done. */

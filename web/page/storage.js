@@ -7,12 +7,21 @@
 
 const kDatabase = 'feltline', kStores = ['bases', 'records'];
 const kReloadMs = 300;               // the page before a reload may hold its slot for this time
+const kAnswerMs = 2000;              // a browser that does not answer within this time has no storage
+const kReadMs = 10_000;              // the same for the drawing, which may be large
 const kBeatMs = 3000, kLostMs = 10_000;  // an owner that has not been seen for kLostMs has closed
 
 const done = (request) => new Promise((resolve, reject) => {
   request.onsuccess = () => resolve(request.result);
   request.onerror = () => reject(request.error);
 });
+
+/** Resolves as `promise`, or fails after this time. */
+function within_limit(ms, promise) {
+  let timer;
+  const limit = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('no answer')), ms); });
+  return Promise.race([promise, limit]).finally(() => clearTimeout(timer));
+}
 
 /** Values that last as long as the tab, also over a reload. */
 const of_tab = {
@@ -63,8 +72,7 @@ export class Storage {
   static async open() {
     try {
       const storage = new Storage();
-      await storage.connect();
-      await storage.find_slot();
+      await within_limit(kAnswerMs, storage.connect().then(() => storage.find_slot()));
       return storage;
     } catch {
       return null;
@@ -140,7 +148,11 @@ export class Storage {
   // --- The drawing
 
   /** Returns the drawing of the last visit, { base, page, recorded }, or null. */
-  async load() {
+  load() {
+    return within_limit(kReadMs, this.read());
+  }
+
+  async read() {
     const transaction = this.database.transaction(kStores);
     const [first, keys, records] = await Promise.all([
       done(transaction.objectStore('bases').get(this.slot)),

@@ -66,6 +66,7 @@ const own = {
   ],
   '%1 could not be loaded': ['%1 konnte nicht geladen werden', '%1 kon niet worden geladen'],
   'it is too large': ['Sie ist zu groß', 'het is te groot'],
+  'And %1 more.': ['Und %1 weitere.', 'En nog %1.'],
   'it is damaged': ['Sie ist beschädigt', 'het is beschadigd'],
   'Selection': ['Auswahl', 'Selectie'],
   'Suggestions': ['Vorschläge', 'Suggesties'],

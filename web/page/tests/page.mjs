@@ -469,6 +469,32 @@ const topics = {
     });
   },
 
+  /** Storage that is denied or never answers: the user can draw within seconds, the notice stays, and closing asks. */
+  async silent() {
+    const breaks = {
+      'denied': `indexedDB.open = () => { throw new DOMException('denied', 'SecurityError'); };`,
+      'open never answers': `indexedDB.open = () => ({});`,
+      'locks never answer': `navigator.locks.request = () => new Promise(() => {});`,
+      'read never answers': `IDBObjectStore.prototype.getAll = () => ({});`,
+    };
+    for (const [name, source] of Object.entries(breaks)) {
+      await with_tab({ wait: 'first', prepare: (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source }) }, async (tab) => {
+        await tab.until(() => feltlinePage.core);
+        await tab.frames(3);
+        const asks = () => tab.run(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
+        assert.equal(await asks(), false, `${name}: asks before anything was drawn`);
+        await tab.stroke(wave(200, 200));
+        assert.equal(await strokes(tab), 1, name);
+        await tab.run(() => { feltlinePage.say('something else'); feltlinePage.end_notice(); });
+        assert.match(await tab.run(() => document.getElementById('notice').textContent), /does not store/, name);
+        await tab.frames(3);
+        assert.ok(await asks(), `${name}: the page closes without asking`);
+        await tab.run(() => feltlinePage.saved());
+        assert.equal(await asks(), false, `${name}: asks although the drawing is in a file`);
+      });
+    }
+  },
+
   /** Each tab keeps its drawing, with the browser's locks and without. */
   async tabs() {
     for (const has_locks of [true, false]) {
@@ -962,6 +988,100 @@ const topics = {
       await tab.run(() => feltlinePage.set_theme('dark'));
       assert.equal(await state(() => document.documentElement.dataset.theme), 'dark');
     });
+  },
+
+  /** In every state, each visible control is hit at its centre, by mouse and by finger. */
+  async covered() {
+    const sizes = [[1920, 1080], [1440, 900], [1010, 700], [820, 1180], [844, 390], [390, 844]];
+    const offers = [['ink', false], ['rectangle', true], ['delete', false], ['select', false]].map(([id, applies]) => ({ id, applies, count: 12 }));
+    const states = {
+      start: () => {},
+      selection: (state) => feltlinePage.offers.show({ ...state, selected: 1 }),
+      offers: (state, offers) => feltlinePage.offers.show({ ...state, offers, selected: 1, exact: true, canShowAsDrawn: true }),
+      notice: () => feltlinePage.say('A notice that is long enough for two or three lines. '.repeat(3), true),
+      'notice over offers': (state, offers) => {
+        feltlinePage.offers.show({ ...state, offers, selected: 1 });
+        feltlinePage.say('A notice that is long enough for two or three lines. '.repeat(3), true);
+      },
+      drop: () => document.body.classList.add('drop'),
+      menu: () => feltlinePage.menu.open(),
+      dialog: () => { feltlinePage.show_keys(); },
+    };
+    let count = 0;
+    for (const [width, height] of sizes) {
+      await with_tab({ width, height, mobile: width < 1000 }, async (tab) => {
+        // Each control notes that it was pressed, and does nothing.
+        await tab.run(() => {
+          globalThis.pressed = [];
+          for (const type of ['pointerdown', 'mousedown', 'touchstart', 'click', 'pointerup']) {
+            addEventListener(type, (event) => {
+              event.preventDefault();
+              event.stopImmediatePropagation();
+              if (type === 'pointerdown') pressed.push(event.target.closest('button, select, input, summary')?.dataset.at ?? event.target.id);
+            }, { capture: true, passive: false });
+          }
+        });
+        for (const panel of [null, 'options', 'layers', 'forces']) {
+          for (const theme of ['light', 'dark']) {
+            for (const [name, show] of Object.entries(states)) {
+              const where = `${width} x ${height}, ${panel ?? 'no panel'}, ${theme}, ${name}`;
+              await tab.run(`(panel, theme, offers) => {
+                feltlinePage.set_theme(theme);
+                if (panel && !feltlinePage.shown[panel]) feltlinePage.toggle(panel);
+                (${show})(feltlinePage.core.state(), offers);
+              }`, panel, theme, offers);
+              await tab.frames(3);
+              const controls = await tab.run(() => {
+                const top = document.querySelector('dialog[open]') ?? document.querySelector('.menu');
+                const centre = (one) => {
+                  const box = one.getBoundingClientRect();
+                  return [box.left + box.width / 2, box.top + box.height / 2];
+                };
+                // What is scrolled out of sight is not visible.
+                const is_visible = (one) => {
+                  const [x, y] = centre(one);
+                  if (!one.checkVisibility() || x < 0 || y < 0 || x >= innerWidth || y >= innerHeight) return false;
+                  for (let up = one.parentElement; up && up !== document.body; up = up.parentElement) {
+                    const box = up.getBoundingClientRect();
+                    if (getComputedStyle(up).overflow !== 'visible' && (x < box.left || x > box.right || y < box.top || y > box.bottom)) return false;
+                  }
+                  return true;
+                };
+                const all = [...document.querySelectorAll('button:not(:disabled), select:not(:disabled), input:not(:disabled), summary')];
+                // An open dialog or menu is in front of everything until it is closed.
+                return all.filter((one) => is_visible(one) && (!top || top.contains(one))).map((one, i) => {
+                  one.dataset.at = String(i);
+                  const [x, y] = centre(one), hit = document.elementFromPoint(x, y);
+                  return { x, y, name: one.ariaLabel || one.textContent || one.id, by: one.contains(hit) ? '' : hit?.outerHTML.slice(0, 100) };
+                });
+              });
+              count += controls.length;
+              assert.deepEqual(controls.filter(({ by }) => by), [], `${where}: covered`);
+              for (const { x, y } of controls) {
+                if (width < 1000) {
+                  await tab.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] });
+                  await tab.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+                } else {
+                  await tab.mouse('mousePressed', x, y);
+                  await tab.mouse('mouseReleased', x, y);
+                }
+              }
+              const pressed = await tab.run(() => globalThis.pressed.splice(0));
+              assert.deepEqual(pressed, controls.map((_, i) => String(i)), `${where}: another one was pressed`);
+              await tab.run((panel) => {
+                document.querySelectorAll('dialog').forEach((dialog) => dialog.close());
+                if (feltlinePage.menu.element) feltlinePage.menu.close();
+                document.body.classList.remove('drop');
+                document.getElementById('notice').replaceChildren();
+                feltlinePage.offers.show(feltlinePage.core.state());
+                if (panel && feltlinePage.shown[panel]) feltlinePage.toggle(panel);
+              }, panel);
+            }
+          }
+        }
+      });
+    }
+    console.log(`${count} controls pressed at their centres`);
   },
 
   /** 20,000 random events: no message in the console, and the page still draws. */
