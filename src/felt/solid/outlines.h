@@ -48,8 +48,7 @@ inline constexpr double kMinMeanWidthMm = 0.2;
 ///    union. So overlapping shapes join, and lines across a shape do not divide it.
 ///  * `holes` says what closed lines inside a body are, if they do not touch its outline.
 ///  * A closed line inside another one is no hole if the ink of both touches, on average: it draws
-///  the
-///    outline again. It is left out with a note.
+///    the outline again. It is left out with a note.
 ///  * Loops that are too small, and small loops beside a larger one, are left out with a note.
 ///  * With FaultChoice::kLeaveOut, if areas meet in only one point, the smaller ones are left out
 ///    with a note.
