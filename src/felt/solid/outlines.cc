@@ -12,6 +12,7 @@
 #include "felt/fill/curve_area.h"
 #include "felt/fill/document_map.h"
 #include "felt/fill/fill_map.h"
+#include "felt/solid/line_density.h"
 
 namespace felt {
 namespace outline_search {
@@ -116,6 +117,7 @@ class OutlineFinder {
   void collect();
   void leave_out(const Lobe& lobe);
   void drop_small();
+  void drop_redrawn();
   Result<void> check_pinches(FaultChoice faults);
   void set_depths();
   [[nodiscard]] tl::unexpected<Error> pinch(std::size_t node, const Lobe& a, const Lobe& b) const;
@@ -158,6 +160,34 @@ void OutlineFinder::drop_small() {
     if (small) leave_out(lobe);
     return small;
   });
+}
+
+double middle_width_mm(const Stroke& stroke) {
+  return stroke.width_mm(0.5 * stroke.segment_count());
+}
+
+/// Drops the lines that draw an outline again beside itself: those whose ink touches that of the
+/// line around them, on average. Without this, they would be holes that leave a thin ring.
+void OutlineFinder::drop_redrawn() {
+  set_depths();
+  std::vector<bool> is_redrawn(lobes_.size());
+  for (std::size_t i = 0; i < lobes_.size(); ++i) {
+    if (lobes_[i].depth == 0) continue;
+    const Lobe &inner = lobes_[i], &outer = lobes_[inner.parent];
+    const StrokeId id = main_stroke(map_, inner), around = main_stroke(map_, outer);
+    const StrokePtr one = document_.find(id), other = document_.find(around);
+    if (!one || !other) continue;
+    const double apart_mm =
+        2.0 * (outer.area_mm2 - inner.area_mm2) / (outer.length_mm + inner.length_mm);
+    if (apart_mm >= 0.5 * (middle_width_mm(*one) + middle_width_mm(*other))) continue;
+    is_redrawn[i] = true;
+    char text[64];
+    std::snprintf(text, sizeof text, ", %.2f mm beside it, and makes no hole", apart_mm);
+    notes_.push_back("stroke " + stroke_name(id) + " draws the outline of stroke " +
+                     stroke_name(around) + " again" + text);
+  }
+  std::size_t at = 0;
+  std::erase_if(lobes_, [&](const Lobe&) { return is_redrawn[at++]; });
 }
 
 /// Returns "strokes s1, s2 and s3"; "lines" if there are none, because bridges over gaps meet.
@@ -277,6 +307,7 @@ Result<FoundOutlines> OutlineFinder::find(HoleChoice holes, FaultChoice faults) 
                     first_left_out());
   }
   if (lobes_.empty()) return fail(ErrorCode::kNotFound, "contains no closed outline");
+  drop_redrawn();
   if (Result<void> simple = check_pinches(faults); !simple) return tl::unexpected(simple.error());
   set_depths();
   FoundOutlines found;
@@ -327,6 +358,9 @@ Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm,
   if (lines.empty()) return fail(ErrorCode::kNotFound, "contains no visible strokes");
   if (lines.size() > DocumentMap::kMaxNearStrokes) {
     return fail(ErrorCode::kLimitExceeded, "has more than 100,000 visible strokes");
+  }
+  if (Result<void> sparse = check_line_density(lines); !sparse) {
+    return tl::unexpected(sparse.error());
   }
   FillMap map;
   map.update(lines);

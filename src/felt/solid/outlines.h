@@ -47,12 +47,15 @@ inline constexpr double kMinMeanWidthMm = 0.2;
 ///  * All areas that touch each other along a line are one body: its outline is that of their
 ///    union. So overlapping shapes join, and lines across a shape do not divide it.
 ///  * `holes` says what closed lines inside a body are, if they do not touch its outline.
+///  * A closed line inside another one is no hole if the ink of both touches, on average: it draws
+///    the outline again. It is left out with a note.
 ///  * Loops that are too small, and small loops beside a larger one, are left out with a note.
 ///  * With FaultChoice::kLeaveOut, if areas meet in only one point, the smaller ones are left out
 ///    with a note.
 /// Fails if there is no closed line (kNotFound; the message says where the smallest gap is), if all
 /// are too small, if parts of an outline meet in only one point, as in a figure of eight (the
-/// message names the stroke and the point), or if there are too many strokes (kLimitExceeded).
+/// message names the stroke and the point), or if there are too many strokes or
+/// check_line_density() fails (kLimitExceeded).
 Result<FoundOutlines> find_outlines(const Document& document, double max_gap_mm, HoleChoice holes,
                                     FaultChoice faults = FaultChoice::kRefuse);
 

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "felt/fill/curve_area.h"
 #include "felt/solid/testing/solid_drawings.h"
@@ -97,6 +101,68 @@ TEST(SolidOutlines, LinesInsideAFilledOutlineMayCross) {
   ASSERT_TRUE(filled) << filled.error().message;
   EXPECT_EQ(filled->outlines.size(), 1U);
   EXPECT_TRUE(filled->notes.empty());
+}
+
+/// A circle as a closed stroke of this width.
+StrokePtr wide_circle(double radius_mm, double width_mm) {
+  std::vector<Point> at;
+  for (int i = 0; i < 40; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / 40;
+    at.push_back({100.0 + radius_mm * std::cos(a), 100.0 + radius_mm * std::sin(a)});
+  }
+  StrokeData data = testing::stroke_of(testing::smooth_ring(at), true)->data();
+  for (WidthKnot& knot : data.widths) knot.width_mm = width_mm;
+  return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
+}
+
+TEST(SolidOutlines, AnOutlineThatIsDrawnAgainBesideItselfIsOneOutline) {
+  for (const int passes : {2, 3}) {
+    SolidDrawing drawing;
+    for (int i = 0; i < passes; ++i) drawing.add(wide_circle(30.0 - 0.3 * i, 1.0));
+    drawing.add(wide_circle(10.0, 1.0));  // a true hole
+    const FoundOutlines result = found(drawing);
+    ASSERT_EQ(result.outlines.size(), 1U);
+    EXPECT_EQ(result.outlines[0].loops.size(), 2U);
+    ASSERT_EQ(result.notes.size(), static_cast<std::size_t>(passes - 1));
+    EXPECT_EQ(
+        result.notes[0],
+        "stroke s2 draws the outline of stroke s1 again, 0.30 mm beside it, and makes no hole");
+  }
+  SolidDrawing ring;  // paper is seen between the lines
+  ring.add(wide_circle(30.0, 0.3));
+  ring.add(wide_circle(29.0, 0.3));
+  EXPECT_EQ(found(ring).outlines.at(0).loops.size(), 2U);
+}
+
+TEST(SolidOutlines, NoiseIsRefusedWithTheReason) {
+  Random random(1);
+  // No segment is shorter than a stroke may have.
+  std::vector<Point> noise, smooth;
+  for (int i = 0; i < 60'000; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / 60'000;
+    const double r = 80.0 + (i % 2 == 0 ? 1.0 : -1.0) * random.between(0.5, 1.0);
+    noise.push_back({100.0 + r * std::cos(a), 100.0 + r * std::sin(a)});
+    if (i % 12 != 0) continue;
+    smooth.push_back({100.0 + 80.0 * std::cos(a), 100.0 + 80.0 * std::sin(a)});
+  }
+  // As strokes of 5,000 points: a stroke has a limit.
+  const auto drawing_of = [](const std::vector<Point>& ring) {
+    SolidDrawing drawing;
+    for (std::size_t i = 0; i < ring.size(); i += 5000) {
+      std::vector<Point> part(ring.begin() + static_cast<std::ptrdiff_t>(i),
+                              ring.begin() + static_cast<std::ptrdiff_t>(i + 5000));
+      part.push_back(ring[(i + 5000) % ring.size()]);
+      drawing.polyline(part);
+    }
+    return drawing;
+  };
+  const SolidDrawing rough = drawing_of(noise);
+  const Result<FoundOutlines> result = find_outlines(rough.document, 2.0, HoleChoice::kKeep);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kLimitExceeded);
+  EXPECT_EQ(result.error().message.find("the lines are too dense at ("), 0U)
+      << result.error().message;
+  EXPECT_EQ(found(drawing_of(smooth)).outlines.size(), 1U);
 }
 
 }  // namespace
