@@ -81,5 +81,69 @@ TEST(Contact, AClockThatStandsOrRunsBackwardsDoesNotHoldIt) {
   EXPECT_EQ(pen.at(0.1, 0), Change::kLifted);
 }
 
+/// Lands at a speed, dives for 40 ms, and leaves the surface at another speed, in mm/s.
+Clocked landed(double fall, double leave) {
+  Clocked pen;
+  for (double z = 5.0; z > 0.0; z -= 1e-3 * fall) EXPECT_EQ(pen.at(z), Change::kAir);
+  EXPECT_EQ(pen.at(-1e-3 * fall), Change::kTouched);
+  for (int k = 40; k > 0; --k) EXPECT_EQ(pen.at(-1e-3 * leave * k), Change::kDown);
+  return pen;
+}
+
+TEST(Contact, R64_ABounceThatTheSurfaceThrowsIsNoLift) {
+  for (const double leave : {10.0, 30.0, 55.0}) {
+    SCOPED_TRACE(leave);
+    Clocked pen = landed(60.0, leave);
+    // The hand slows the pen down, so that it is back after 80 ms.
+    for (double t = 1.0; t < 80.0; ++t) {
+      ASSERT_EQ(pen.at(1e-3 * leave * t * (1.0 - t / 80.0) + 1e-6), Change::kGap);
+    }
+    EXPECT_EQ(pen.at(-0.1), Change::kBack);
+  }
+}
+
+TEST(Contact, R64_ALiftAcceleratesAfterTheSurface) {
+  Clocked pen = landed(60.0, 20.0);
+  Change change = Change::kGap;
+  double ms = 0.0;
+  // 3,000 mm/s^2: 2.5 mm are reached after 34 ms, but the speed gives the hand away before.
+  for (; change == Change::kGap; ++ms) change = pen.at(0.02 * ms + 0.5 * 3e-3 * ms * ms);
+  EXPECT_EQ(change, Change::kLifted);
+  EXPECT_LT(ms, 30.0);
+}
+
+TEST(Contact, R64_NoBounceIsFasterThanTheLandingNorFollowsASettledPen) {
+  Clocked fast = landed(20.0, 60.0);
+  Change change = Change::kGap;
+  double ms = 1.0;
+  for (; change == Change::kGap; ++ms) change = fast.at(0.06 * ms);
+  EXPECT_LT(ms, 30.0) << "after at most kLiftNs";
+
+  Clocked settled = landed(60.0, 30.0);
+  for (int k = 0; k < 130; ++k) settled.at(-0.5);
+  int gap = 0;
+  while (settled.at(0.1) == Change::kGap) ++gap;
+  EXPECT_EQ(gap, 25);
+}
+
+TEST(Contact, R64_PressureAndJumpsHaveTheRuleForChatterOnly) {
+  Clocked tablet;
+  for (int k = 0; k < 10; ++k) tablet.at(1.0 - 0.1 * k, 10.0, 0.0);
+  tablet.at(0.0, 10.0, 0.4);
+  tablet.at(0.0, 10.0, 0.0);
+  EXPECT_EQ(tablet.at(0.0, 30.0, 0.0), Change::kLifted);
+
+  Clocked script;
+  script.at(5.0);
+  script.at(-1.0);
+  EXPECT_EQ(script.at(1.0), Change::kLifted);
+
+  Clocked old;
+  old.contact.set_landing(false);
+  for (int k = 0; k < 100; ++k) old.at(5.0 - 0.06 * k);
+  EXPECT_TRUE(old.contact.is_down());
+  EXPECT_EQ(old.at(0.6), Change::kLifted);
+}
+
 }  // namespace
 }  // namespace felt::contact_test

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "felt/geometry/polyline.h"
@@ -106,13 +108,17 @@ TEST(Lasso, R31_TakesHandlesOfALineWhoseInkIsElsewhere) {
   EXPECT_EQ(*lasso.selection().find(id), (Selection::Marks{0, 1, 0, 0}));
 }
 
-TEST(Lasso, TakesWholeLinesUnlessAskedForPoints) {
+TEST(Lasso, R65_TakesPartOfALineThatLeavesTheLoopUnlessAskedForLines) {
   Fixture fixture;
   LassoTool tool;
   Pen pen(tool, fixture);
   const StrokeId id = fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
-  pen.line(arc({30, 0}, 5, 0, 350));
-  EXPECT_TRUE(fixture.selection.is_whole(id)) << "what is inside of the loop is a part of it";
+  pen.line(arc({0, 0}, 25, 0, 355));
+  ASSERT_NE(fixture.selection.find(id), nullptr);
+  EXPECT_EQ(*fixture.selection.find(id), (Selection::Marks{1, 1, 0, 0}));
+  ASSERT_TRUE(tool.set_option("take", std::string("strokes")));
+  pen.line(arc({0, 0}, 25, 0, 355));
+  EXPECT_TRUE(fixture.selection.is_whole(id));
 }
 
 TEST(Lasso, IsNoEditAndNoUndoStep) {
@@ -152,6 +158,59 @@ TEST(Lasso, StrokesTakesWhatIsTouched) {
   lasso.draw(arc({45, 0}, 3, 0, 355));
   EXPECT_TRUE(lasso.selection().is_whole(id));
   EXPECT_EQ(lasso.selection().find(other), nullptr);
+}
+
+TEST(Lasso, R65_PartsTakesALineWholeIfAtMostATailIsOutside) {
+  // A line of 90 mm whose control points are 30 mm apart, looped from its start.
+  for (const double inside_mm : {95.0, 85.0, 82.0, 78.0, 65.0, 35.0}) {
+    Lasso lasso;
+    const StrokeId id = lasso.fixture.add(straight_stroke({0, 0}, {90, 0}, 1, 1));
+    lasso.choose("take", "parts");
+    lasso.choose("mode", "rectangle");
+    lasso.draw(way({-5, -5}, {inside_mm, 5}));
+    SCOPED_TRACE(inside_mm);
+    EXPECT_EQ(lasso.selection().is_whole(id), inside_mm > 81.0);
+    const Selection::Marks* marks = lasso.selection().find(id);
+    ASSERT_TRUE(marks);
+    EXPECT_TRUE(marks->front());
+    EXPECT_EQ(marks->back() != 0, inside_mm > 81.0);
+  }
+}
+
+TEST(Lasso, R65_PartsTakesNoLineWhoseInkIsOutside) {
+  Lasso lasso;
+  // The handles are inside, but the ink passes below.
+  StrokeData arch;
+  arch.points = {{0, 0}, {10, 40}, {20, 40}, {30, 0}};
+  arch.widths = {{0.0, 1.0, 0.5}, {1.0, 1.0, 0.5}};
+  lasso.fixture.add(Stroke::create(arch).value());
+  lasso.choose("take", "parts");
+  lasso.draw(arc({15, 42}, 8, 0, 355));
+  EXPECT_TRUE(lasso.selection().empty());
+  lasso.choose("take", "points");
+  lasso.draw(arc({15, 42}, 8, 0, 355));
+  EXPECT_FALSE(lasso.selection().empty());
+}
+
+RC_GTEST_PROP(LassoProperty, R65_PartsIsBetweenPointsAndStrokes, (std::uint64_t seed)) {
+  const Stroke stroke = random_stroke(seed);
+  testing::RandomStroke random(seed);
+  std::vector<Point> corners;
+  for (int i = random.pick(3, 7); i > 0; --i) {
+    corners.push_back({random.uniform(-2, 22), random.uniform(-2, 22)});
+  }
+  const LassoArea area(corners);
+  const double inside = area.share_inside(stroke);
+  RC_ASSERT(inside >= 0.0 && inside <= 1.0 + 1e-9);
+  const Selection::Marks parts = marks_inside(stroke, area, LassoTake::kParts);
+  const Selection::Marks points = marks_inside(stroke, area, LassoTake::kPoints);
+  const Selection::Marks strokes = marks_inside(stroke, area, LassoTake::kStrokes);
+  if (inside > 0.0) RC_ASSERT(all_marked(strokes));
+  if (inside >= 1.0 - kTailShare) {
+    RC_ASSERT(all_marked(parts));
+  } else {
+    RC_ASSERT(parts == (inside > 0.0 ? points : Selection::Marks(points.size(), 0)));
+  }
 }
 
 TEST(Lasso, ARectangleGoesFromCornerToCorner) {
@@ -308,7 +367,8 @@ TEST(Lasso, LosesNothingInHugeOrWildGestures) {
   testing::RandomStroke random(5);
   for (int gesture = 0; gesture < 30; ++gesture) {
     lasso.choose("mode", gesture % 2 ? "free" : "rectangle");
-    lasso.choose("take", gesture % 3 == 0 ? "points" : (gesture % 3 == 1 ? "strokes" : "on-curve"));
+    constexpr std::array kTakes = {"points", "strokes", "on-curve", "parts"};
+    lasso.choose("take", kTakes[static_cast<std::size_t>(gesture) % kTakes.size()]);
     std::vector<Point> line;
     const double far = std::pow(10.0, random.uniform(0, 8.9));
     for (int i = random.pick(1, 60); i > 0; --i) {

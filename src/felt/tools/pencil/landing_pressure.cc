@@ -61,12 +61,12 @@ std::vector<InkSample> LandingPressure::held() const {
   return samples;
 }
 
-/// Returns the age of the samples from which on the pressure counts as settled: the last two thirds
-/// of kSettleNs, or the last half of a line that is shorter.
+/// Returns the age of the samples from which on the pressure counts as settled: the last half of
+/// kSettleNs, or the last half of a line that is shorter.
 std::int64_t LandingPressure::level_from_ns() const noexcept {
   const std::int64_t last_ns = age_ns(held_.size() - 1);
   const std::int64_t contact_ns = last_ns - (bounce_ns_ - touch_ns_);
-  return last_ns - std::min(2 * kSettleNs / 3, contact_ns / 2);
+  return last_ns - std::min(kSettleNs / 2, contact_ns / 2);
 }
 
 /// Returns the pressure at which the pen settles: the mean of the newest samples. Returns nullopt
@@ -101,7 +101,7 @@ void LandingPressure::correct(std::vector<InkSample>& samples) const {
   while (end > 0 && (pressure_of(samples[end - 1]) > *settled) == is_above) --end;
   for (std::size_t i = 0; i < end; ++i) samples[i].pressure = *settled;
   for (std::size_t i = end; i < samples.size(); ++i) {
-    samples[i].pressure = std::min(pressure_of(samples[i]), kOvershoot * *settled);
+    samples[i].pressure = std::min(pressure_of(samples[i]), *settled);
   }
 }
 

@@ -29,7 +29,7 @@ class LandingPressure {
  public:
   /// Mass and plane of every known device reach the deepest point of an impact in this time.
   static constexpr std::int64_t kPeakNs = 60'000'000;
-  static constexpr std::int64_t kSettleNs = 280'000'000;
+  static constexpr std::int64_t kSettleNs = 350'000'000;
   static constexpr std::int64_t kLongestNs = 1'500'000'000;
   static constexpr std::size_t kMaxHeld = 8192;
   static constexpr double kMinFallMmPerS = 15.0;
