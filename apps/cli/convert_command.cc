@@ -89,45 +89,13 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
   if (Result<void> done = output->finish(); !done) console.error(done.error().message);
 }
 
-/// Prints a notice about hidden layers if the format cannot hide them.
-void note_hidden_layers(const Document& document, Format format, const std::string& output,
-                        Console& console) {
-  // A picture only shows visible layers anyway, so it does not need a notice.
-  const FormatTraits& traits = traits_of(format);
-  if (format != Format::kXopp && (traits.layers || traits.picture)) return;
-  std::size_t strokes = 0;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) strokes += layer.strokes.size();
-  }
-  if (strokes == 0) return;
-  console.notice(output + ": " + std::to_string(strokes) + " strokes of hidden layers " +
-                 (format == Format::kXopp
-                      ? "are visible in the output, because .xopp does not support hidden layers"
-                      : "were left out; --layers all includes them"));
-}
-
-/// Prints notices about fills, pictures, blend modes, groups, timings and edits of the body if the
-/// format has none.
-void note_lost_objects(const Document& document, Format format, const ConvertArguments& args,
-                       Console& console) {
-  const LostObjects lost = lost_objects(document, format, args.compact);
-  struct Loss {
-    std::size_t count;
-    const char *before, *after;
-  };
-  const Loss losses[] = {
-      {lost.fills, "", " fills were left out, because the format has only lines"},
-      {lost.pictures, "", " pictures were left out, because the format has none"},
-      {lost.blends, "the blend modes of ",
-       " layers or groups became normal, because the format has none"},
-      {lost.groups, "", " groups of layers were dissolved, because the format has none"},
-      {lost.timings, "the timings of ", " key drawings were left out, because the format has none"},
-      {lost.body_edits, "", " edits of the body were left out, because the format has none"},
-  };
-  for (const Loss& loss : losses) {
-    if (loss.count == 0) continue;
-    console.notice(args.output + ": " + loss.before + std::to_string(loss.count) + loss.after);
-  }
+/// Prints a notice about each kind of object that the format cannot keep.
+void note_losses(const Drawing& drawing, Format format, const ConvertArguments& args,
+                 Console& console) {
+  const LostObjects lost = lost_objects(drawing, format, args.compact);
+  std::vector<std::string> texts = loss_texts(lost);
+  if (lost.hidden_strokes > 0) texts.front() += "; --layers all includes them";
+  for (const std::string& text : texts) console.notice(args.output + ": " + text);
 }
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
@@ -149,8 +117,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
           })
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
           .and_then([&](DrawingOutput output) {
-            note_hidden_layers(opened->drawing.document, format, args.output, console);
-            note_lost_objects(opened->drawing.document, format, args, console);
+            note_losses(opened->drawing, format, args, console);
             return output.write(std::move(opened->drawing));
           });
   if (!done) console.error(done.error().message);

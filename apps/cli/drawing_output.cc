@@ -9,7 +9,6 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
-#include "felt/formats/line_drawing.h"
 #include "felt/io/drawing_builder.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/picture/png.h"
@@ -162,11 +161,7 @@ Result<void> DrawingOutput::write(Drawing drawing) {
     if (!bytes) return tl::unexpected(with_context(bytes.error(), name));
     return output_.save(*bytes);
   }
-  // Writes lines without a header, as append() does, so that the output of `convert` does not
-  // depend on the kind of input.
-  Result<std::unique_ptr<DrawingParts>> parts = format_ == Format::kNdjson
-                                                    ? line_parts(drawing, LineHeader::kLeftOut)
-                                                    : drawing_parts(drawing, format_, *options);
+  Result<std::unique_ptr<DrawingParts>> parts = drawing_parts(drawing, format_, *options);
   if (!parts) return tl::unexpected(with_context(parts.error(), name));
   if (format_ == Format::kSvg && is_compressed_name(path_)) parts = gzip_parts(*std::move(parts));
   if (auto ok = write_in_order(**parts, name, output_); !ok) return ok;

@@ -7,7 +7,6 @@
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
-#include "felt/formats/line_drawing.h"
 #include "felt/formats/lost_objects.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/io/ndjson/ndjson_parser.h"
@@ -58,7 +57,6 @@ struct WriteArguments {
 
 Result<std::string> file_bytes(const Drawing& drawing, FileFormat format,
                                const WriteArguments& arguments, bool compressed) {
-  if (format == FileFormat::kNdjson) return bytes_of(*line_parts(drawing, LineHeader::kLeftOut));
   WriteOptions options;
   options.dpi = arguments.dpi;
   options.compact = arguments.compact;
@@ -125,31 +123,7 @@ std::vector<std::string> losses(const ReadDrawing& drawing, const std::string& p
                                 const WriteArguments& arguments) {
   const FileFormat format =
       arguments.format.empty() ? value_of(format_of_path(path)) : format_of(arguments.format);
-  const Document& document = drawing.drawing.document;
-  std::vector<std::string> texts;
-  const auto add = [&](std::size_t count, const char* before, const char* after) {
-    if (count > 0) texts.push_back(before + std::to_string(count) + after);
-  };
-  std::size_t hidden = 0;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) hidden += layer.strokes.size();
-  }
-  if (format == FileFormat::kXopp) {
-    add(hidden, "",
-        " strokes of hidden layers are visible in the file, because .xopp does not "
-        "support hidden layers");
-  } else if (!traits_of(format).layers && !traits_of(format).picture) {
-    add(hidden, "", " strokes of hidden layers were left out");
-  }
-  const LostObjects lost = lost_objects(document, format, arguments.compact);
-  add(lost.fills, "", " fills were left out, because the format has only lines");
-  add(lost.pictures, "", " pictures were left out, because the format has none");
-  add(lost.blends, "the blend modes of ",
-      " layers or groups became normal, because the format has none");
-  add(lost.groups, "", " groups of layers were dissolved, because the format has none");
-  add(lost.timings, "the timings of ", " key drawings were left out, because the format has none");
-  add(lost.body_edits, "", " edits of the body were left out, because the format has none");
-  return texts;
+  return loss_texts(lost_objects(drawing.drawing, format, arguments.compact));
 }
 
 /// Raw strokes of a file, and a report of the lines that were skipped.

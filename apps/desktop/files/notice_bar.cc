@@ -10,6 +10,7 @@
 #include <QTreeWidget>
 #include <QUrl>
 #include <algorithm>
+#include <utility>
 
 #include "desktop/engine/text_of.h"
 
@@ -49,6 +50,21 @@ QString lost_text(const LostObjects& lost) {
   if (lost.body_edits > 0) {
     texts += NoticeBar::tr("Left out, because the format has no edits of the body: %1.")
                  .arg(number(lost.body_edits));
+  }
+  const std::pair<std::size_t, QString> others[] = {
+      {lost.guides, NoticeBar::tr("Left out, because the format has no guides: %1.")},
+      {lost.symmetries, NoticeBar::tr("Left out, because the format has no symmetry groups: %1.")},
+      {lost.opacities,
+       NoticeBar::tr("Layers or groups whose opacity became that of each line: %1.")},
+      {lost.layers, NoticeBar::tr("Left out, because the format has no layers: %1.")},
+      {lost.locks, NoticeBar::tr("Locked layers that became unlocked: %1.")},
+      {lost.hidden_strokes, NoticeBar::tr("Lines of hidden layers that were left out: %1.")},
+      {lost.shown_strokes, NoticeBar::tr("Lines of hidden layers that became visible: %1.")},
+      {lost.media, NoticeBar::tr("Lines whose medium became a plain pen: %1.")},
+      {lost.materials, NoticeBar::tr("Left out, because the format has no custom materials: %1.")},
+  };
+  for (const auto& [count, words] : others) {
+    if (count > 0) texts += words.arg(number(count));
   }
   return texts.join(QLatin1Char(' '));
 }

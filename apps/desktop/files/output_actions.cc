@@ -69,9 +69,8 @@ void OutputActions::export_to(const QString& path, const ExportOptions& options)
                          drawing = std::move(drawing)]() -> FileWorker::Answer {
     SwellReport swell;
     const Result<void> done = export_drawing(path, drawing, options, &swell);
-    const LostObjects lost = options.swell
-                                 ? LostObjects()
-                                 : lost_objects(drawing.document, options.format, options.compact);
+    const LostObjects lost =
+        options.swell ? LostObjects() : lost_objects(drawing, options.format, options.compact);
     return
         [this, path, done, lost, swell] { report_exported(path, done, lost, swell_words(swell)); };
   });

@@ -4952,6 +4952,42 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Left out, because the format has no edits of the body: %1.</source>
         <translation>Weggelassen, weil das Format keine Bearbeitungen des Körpers hat: %1.</translation>
     </message>
+    <message>
+        <source>Left out, because the format has no guides: %1.</source>
+        <translation>Weggelassen, weil das Format keine Hilfslinien hat: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no symmetry groups: %1.</source>
+        <translation>Weggelassen, weil das Format keine Symmetriegruppen hat: %1.</translation>
+    </message>
+    <message>
+        <source>Layers or groups whose opacity became that of each line: %1.</source>
+        <translation>Ebenen oder Gruppen, deren Deckkraft auf jede Linie überging: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no layers: %1.</source>
+        <translation>Weggelassen, weil das Format keine Ebenen hat: %1.</translation>
+    </message>
+    <message>
+        <source>Locked layers that became unlocked: %1.</source>
+        <translation>Gesperrte Ebenen, die entsperrt wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Lines of hidden layers that were left out: %1.</source>
+        <translation>Weggelassene Linien ausgeblendeter Ebenen: %1.</translation>
+    </message>
+    <message>
+        <source>Lines of hidden layers that became visible: %1.</source>
+        <translation>Linien ausgeblendeter Ebenen, die sichtbar wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Lines whose medium became a plain pen: %1.</source>
+        <translation>Linien, deren Medium ein einfacher Stift wurde: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no custom materials: %1.</source>
+        <translation>Weggelassen, weil das Format keine eigenen Materialien hat: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OfferPopup</name>

@@ -4952,6 +4952,42 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Left out, because the format has no edits of the body: %1.</source>
         <translation>Weggelaten, omdat het formaat geen bewerkingen van het lichaam heeft: %1.</translation>
     </message>
+    <message>
+        <source>Left out, because the format has no guides: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen hulplijnen heeft: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no symmetry groups: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen symmetriegroepen heeft: %1.</translation>
+    </message>
+    <message>
+        <source>Layers or groups whose opacity became that of each line: %1.</source>
+        <translation>Lagen of groepen waarvan de dekking op elke lijn overging: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no layers: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen lagen heeft: %1.</translation>
+    </message>
+    <message>
+        <source>Locked layers that became unlocked: %1.</source>
+        <translation>Vergrendelde lagen die ontgrendeld werden: %1.</translation>
+    </message>
+    <message>
+        <source>Lines of hidden layers that were left out: %1.</source>
+        <translation>Weggelaten lijnen van verborgen lagen: %1.</translation>
+    </message>
+    <message>
+        <source>Lines of hidden layers that became visible: %1.</source>
+        <translation>Lijnen van verborgen lagen die zichtbaar werden: %1.</translation>
+    </message>
+    <message>
+        <source>Lines whose medium became a plain pen: %1.</source>
+        <translation>Lijnen waarvan het medium een gewone pen werd: %1.</translation>
+    </message>
+    <message>
+        <source>Left out, because the format has no custom materials: %1.</source>
+        <translation>Weggelaten, omdat het formaat geen eigen materialen heeft: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OfferPopup</name>

@@ -131,8 +131,8 @@ class PartsOfCopy final : public DrawingParts {
 /// Returns true if the format cannot show a translucent layer as a whole.
 bool must_fade_strokes(const Drawing& drawing, FileFormat format) {
   const std::span<const Layer> layers = drawing.document.layers();
-  return format == FileFormat::kXopp &&
-         std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
+  const bool has_lines_only = format == FileFormat::kXopp || format == FileFormat::kNdjson;
+  return has_lines_only && std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
            return layer.opacity < 1.0 || (layer.group && layer.group->opacity < 1.0);
          });
 }

@@ -44,7 +44,10 @@ TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
     ASSERT_EQ(bytes.has_value(), row.writes) << row.name << bytes.error().message;
     if (!row.writes) continue;
     EXPECT_EQ(drawing_bytes(Drawing{}, row.format, {.dpi = 10.0}).value(), *bytes);
-    EXPECT_EQ(format_of_bytes(*bytes), row.format) << row.name;
+    // Lines of no stroke are an empty file.
+    if (!bytes->empty()) {
+      EXPECT_EQ(format_of_bytes(*bytes), row.format) << row.name;
+    }
     const auto read = parse_drawing(*bytes, "x" + std::string(row.endings.front()));
     EXPECT_EQ(read.has_value(), row.reads) << row.name;
     if (!read) {

@@ -89,22 +89,15 @@ Result<Imported> import_lines(std::string_view text, const ImportOptions& option
 
 namespace {
 
-/// Part 0 is the header. The other parts are the strokes.
 class LineParts final : public DrawingParts {
  public:
-  LineParts(const Document& document, LineHeader header)
-      : document_(document),
-        ranges_(stroke_ranges(document, LayerChoice::kVisible)),
-        header_(header) {}
+  explicit LineParts(const Document& document)
+      : document_(document), ranges_(stroke_ranges(document, LayerChoice::kVisible)) {}
 
-  [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
+  [[nodiscard]] std::size_t count() const override { return ranges_.size(); }
   Result<void> make(std::size_t i, DrawingPart& out) const override {
     out.clear();
-    if (i == 0) {
-      if (header_ == LineHeader::kWritten) append_header_line(out.bytes);
-      return {};
-    }
-    const StrokeRange& range = ranges_[i - 1];
+    const StrokeRange& range = ranges_[i];
     const Layer& layer = document_.layers()[range.layer];
     for (std::size_t k = range.first; k < range.last; ++k) {
       const std::string name = stroke_name(layer.strokes[k]);
@@ -120,13 +113,12 @@ class LineParts final : public DrawingParts {
  private:
   const Document& document_;
   std::vector<StrokeRange> ranges_;
-  LineHeader header_;
 };
 
 }  // namespace
 
-std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing, LineHeader header) {
-  return std::make_unique<LineParts>(drawing.document, header);
+std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing) {
+  return std::make_unique<LineParts>(drawing.document);
 }
 
 }  // namespace felt

@@ -51,11 +51,8 @@ inline constexpr const char* kMendedNotice =
 /// the lines are events.
 Result<Imported> import_lines(std::string_view text, const ImportOptions& options = {});
 
-/// Whether to write a first line that identifies the file.
-enum class LineHeader { kWritten, kLeftOut };
-
-/// Returns the strokes of visible layers as lines, in parts. Valid as long as `drawing` exists.
-std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing,
-                                         LineHeader header = LineHeader::kWritten);
+/// Returns the strokes of visible layers as lines, in parts, without a header
+/// (docs/formats/ndjson.md). Valid as long as `drawing` exists.
+std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing);
 
 }  // namespace felt

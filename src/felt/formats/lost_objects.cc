@@ -1,33 +1,125 @@
 #include "felt/formats/lost_objects.h"
 
 #include "felt/formats/format_traits.h"
+#include "felt/io/import.h"
 
 namespace felt {
+namespace {
 
-LostObjects lost_objects(const Document& document, FileFormat format, bool compact) {
-  const FormatTraits& traits = traits_of(format);
-  const bool has_fills = format == FileFormat::kFelt || traits.picture;
-  const bool has_pictures = format == FileFormat::kFelt || (traits.picture && !compact);
-  const bool has_blends = has_fills || format == FileFormat::kInkml;
-  const bool has_groups = !traits.layers || compact || has_blends;
-  const bool is_picture = traits.picture && (!traits.layers || compact);
-  const bool has_motion = format == FileFormat::kFelt || is_picture;
+/// The kinds of objects that a format keeps, or that are no loss because it is a picture.
+struct Kept {
+  Kept(FileFormat format, bool compact) {
+    const FormatTraits& traits = traits_of(format);
+    const bool is_picture = traits.picture && (!traits.layers || compact);
+    fills = format == FileFormat::kFelt || traits.picture;
+    pictures = format == FileFormat::kFelt || (traits.picture && !compact);
+    blends = fills || format == FileFormat::kInkml;
+    is_layered_picture = is_picture || blends;
+    motion = format == FileFormat::kFelt || is_picture;
+    media = format != FileFormat::kXopp;
+    materials = media && format != FileFormat::kNdjson;
+  }
+  bool fills, pictures;
+  bool blends;              ///< also the opacity of layers
+  bool is_layered_picture;  ///< groups, locks and names are kept or not seen
+  bool motion;              ///< timings, body edits, guides and symmetry groups
+  bool media, materials;
+};
+
+void add_group(const LayerGroup& group, bool has_layers, LostObjects& lost) {
+  if (has_layers) ++lost.groups;
+  if (group.blend != BlendMode::kNormal) ++lost.blends;
+  if (group.opacity < 1.0) ++lost.opacities;
+}
+
+/// Adds what is lost of the look of a layer in a format that only has lines.
+void add_look(const Layer& layer, bool has_layers, LostObjects& lost) {
+  if (layer.blend != BlendMode::kNormal) ++lost.blends;
+  if (layer.opacity < 1.0) ++lost.opacities;
+  if (has_layers && (layer.own_locked || (layer.group && layer.group->locked))) ++lost.locks;
+}
+
+/// Counts the strokes whose medium is not the one that a reader gives to lines of other programs.
+std::size_t media_of(const Document& document, const Layer& layer) {
+  std::size_t count = 0;
+  for (const StrokeId id : layer.strokes) {
+    if (document.find(id)->medium() != kSolidMedium) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+LostObjects lost_objects(const Drawing& drawing, FileFormat format, bool compact) {
+  const Document& document = drawing.document;
+  const Kept kept(format, compact);
+  const bool has_layers = traits_of(format).layers;
+  const bool is_picture = traits_of(format).picture;
   const LayerGroup* last = nullptr;
   LostObjects lost;
-  if (!has_motion) lost.body_edits = document.body_edits().size();
+  if (!kept.motion) {
+    lost.body_edits = document.body_edits().size();
+    lost.guides = document.guides().size();
+    lost.symmetries = document.symmetries().size();
+  }
+  if (!kept.materials) lost.materials = drawing.materials.size();
+  std::size_t merged = 0;
+  bool is_named = false;
   for (const Layer& layer : document.layers()) {
-    if (!layer.visible && !traits.layers) continue;
-    if (!has_fills) lost.fills += layer.fills.size();
-    if (!has_pictures && layer.picture) ++lost.pictures;
-    if (!has_motion && layer.timing) ++lost.timings;
+    if (!layer.visible && !is_picture) {
+      if (!has_layers) lost.hidden_strokes += layer.strokes.size();
+      if (format == FileFormat::kXopp) lost.shown_strokes += layer.strokes.size();
+    }
+    if (!layer.visible && !has_layers) continue;
+    ++merged;
+    is_named = is_named || layer.name != "Ink";
+    if (!kept.fills) lost.fills += layer.fills.size();
+    if (!kept.pictures && layer.picture) ++lost.pictures;
+    if (!kept.motion && layer.timing) ++lost.timings;
+    if (!kept.media) lost.media += media_of(document, layer);
     const bool begins_group = layer.group && (!last || last->id != layer.group->id);
     last = layer.group.get();
-    if (!has_groups && begins_group) ++lost.groups;
-    if (has_blends) continue;
-    if (layer.blend != BlendMode::kNormal) ++lost.blends;
-    if (begins_group && layer.group->blend != BlendMode::kNormal) ++lost.blends;
+    if (kept.is_layered_picture) continue;
+    add_look(layer, has_layers, lost);
+    if (begins_group) add_group(*layer.group, has_layers, lost);
   }
+  if (!has_layers && !is_picture && (merged > 1 || is_named)) lost.layers = merged;
   return lost;
+}
+
+std::vector<std::string> loss_texts(const LostObjects& lost) {
+  struct Loss {
+    std::size_t count;
+    const char *before, *after;
+  };
+  const Loss losses[] = {
+      {lost.hidden_strokes, "", " strokes of hidden layers were left out"},
+      {lost.shown_strokes, "",
+       " strokes of hidden layers are visible in the output, because .xopp does not support hidden "
+       "layers"},
+      {lost.fills, "", " fills were left out, because the format has only lines"},
+      {lost.pictures, "", " pictures were left out, because the format has none"},
+      {lost.blends, "the blend modes of ",
+       " layers or groups became normal, because the format has none"},
+      {lost.opacities, "the opacity of ",
+       " layers or groups became that of each stroke, because the format has none; strokes show "
+       "through where they cross"},
+      {lost.groups, "", " groups of layers were dissolved, because the format has none"},
+      {lost.layers, "", " layers were left out, because the format has none; their strokes stay"},
+      {lost.locks, "", " locked layers became unlocked, because the format has no locks"},
+      {lost.timings, "the timings of ", " key drawings were left out, because the format has none"},
+      {lost.body_edits, "", " edits of the body were left out, because the format has none"},
+      {lost.guides, "", " guides were left out, because the format has none"},
+      {lost.symmetries, "",
+       " symmetry groups were left out, because the format has none; the strokes stay"},
+      {lost.media, "the media of ", " strokes became a plain pen, because the format has none"},
+      {lost.materials, "", " custom materials were left out, because the format has none"},
+  };
+  std::vector<std::string> texts;
+  for (const Loss& loss : losses) {
+    if (loss.count > 0) texts.push_back(loss.before + std::to_string(loss.count) + loss.after);
+  }
+  return texts;
 }
 
 }  // namespace felt

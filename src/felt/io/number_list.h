@@ -34,6 +34,9 @@ class NumberList {
     return Next::kNumber;
   }
 
+  /// Skips the word at which next() returned kBad.
+  void skip() noexcept { text_.remove_prefix(word_.size()); }
+
   /// Returns the word at which next() stopped.
   [[nodiscard]] std::string_view word() const noexcept { return word_; }
 

@@ -87,6 +87,10 @@ class InkmlReader {
     groups_.push_back({});
     walk(root);
     if (builder_.layer_count() == 0 && felt_.empty()) builder_.add_layer({});
+    if (const int others = input_.other_roots(); others > 0) {
+      notice(root, "ends before the file does; the documents after it (" + std::to_string(others) +
+                       ") were skipped");
+    }
     return Imported{std::move(builder_).build(), std::move(report_)};
   }
 
@@ -320,6 +324,9 @@ class InkmlReader {
       } else if (channel.name == ChannelName::kForce) {
         c.force = i;
         c.min_force = channel.smallest.value_or(0.0);
+        if (channel.is_integer && !channel.largest) {
+          notice(node, "does not define its largest pressure; 32767 was assumed");
+        }
         c.full_force = channel.largest.value_or(channel.is_integer ? kUsualFullPressure : 1.0);
         if (!(c.full_force > c.min_force)) c.force = Columns::kNone;
       } else if (channel.name == ChannelName::kTime) {

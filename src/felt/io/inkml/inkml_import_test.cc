@@ -352,5 +352,29 @@ TEST(InkmlImport, OtherFilesAreErrors) {
   EXPECT_THAT(import_inkml("").error().message, HasSubstr("is not XML"));
 }
 
+TEST(InkmlImport, NamesDocumentsAfterTheFirst) {
+  const std::string one = ink(kMm + "<trace>1 1, 9 9</trace>\n");
+  EXPECT_TRUE(read(one).report.empty());
+  EXPECT_TRUE(read(one + "<!-- end -->\n").report.empty());
+  for (const int others : {1, 2}) {
+    const Imported several = read(others == 1 ? one + one : one + one + one);
+    EXPECT_EQ(several.drawing.document.stroke_count(), 1U);
+    EXPECT_THAT(texts(several.report),
+                Contains(HasSubstr("documents after it (" + std::to_string(others) + ")")));
+  }
+}
+
+TEST(InkmlImport, NamesTheLargestPressureThatItAssumes) {
+  const auto with_channel = [](const std::string& channel) {
+    return read(
+        ink("<traceFormat><channel name=\"X\" type=\"decimal\" units=\"mm\"/><channel "
+            "name=\"Y\" type=\"decimal\" units=\"mm\"/><channel name=\"F\" " +
+            channel + "/></traceFormat><trace>1 1 100, 9 9 900</trace>\n"));
+  };
+  EXPECT_THAT(texts(with_channel("type=\"integer\"").report),
+              Contains(HasSubstr("does not define its largest pressure")));
+  EXPECT_TRUE(with_channel("type=\"integer\" max=\"1023\"").report.empty());
+}
+
 }  // namespace
 }  // namespace felt::inkml_import_test

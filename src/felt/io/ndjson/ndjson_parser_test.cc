@@ -295,9 +295,6 @@ TEST(NdjsonHeader, IsRecognisedAnywhereByItsFirstKey) {
   EXPECT_EQ(parse_raw(R"({"feltline":1,"unit":"mm","by":"me"})").kind, NdjsonKind::kHeader);
   EXPECT_EQ(parse_sketch(R"({"feltline":1})").kind, NdjsonKind::kHeader);
   EXPECT_EQ(parse_raw(R"({"points":[[0,0]],"feltline":1})").kind, NdjsonKind::kStroke);
-  std::string line;
-  append_header_line(line);
-  EXPECT_EQ(parse_sketch(line).kind, NdjsonKind::kHeader);
 }
 
 TEST(NdjsonHeader, RefusesWhatWeDoNotKnow) {

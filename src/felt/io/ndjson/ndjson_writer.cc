@@ -128,9 +128,4 @@ void append_raw_line(std::string& out, std::string_view id, std::span<const InkS
   out += "}\n";
 }
 
-void append_header_line(std::string& out) {
-  out += R"({"feltline":1,"unit":"mm"})"
-         "\n";
-}
-
 }  // namespace felt

@@ -31,7 +31,4 @@ Result<void> check_sketch_numbers(const StrokeData& data);
 /// no sample has one.
 void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples);
 
-/// Appends {"feltline":1,"unit":"mm"}.
-void append_header_line(std::string& out);
-
 }  // namespace felt

@@ -189,6 +189,14 @@ Result<XmlInput> XmlInput::parse(std::string_view bytes, const XmlLimits& limits
   return input;
 }
 
+int XmlInput::other_roots() const {
+  int others = 0;
+  for (pugi::xml_node node = root().next_sibling(); node; node = node.next_sibling()) {
+    if (node.type() == pugi::node_element) ++others;
+  }
+  return others;
+}
+
 std::int64_t XmlInput::line_of(const pugi::xml_node& node) const {
   const std::ptrdiff_t offset = node.offset_debug();
   if (offset < 0 || static_cast<std::size_t>(offset) >= text_.size()) return 0;

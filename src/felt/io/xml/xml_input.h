@@ -33,6 +33,9 @@ class XmlInput {
 
   /// Returns the outermost element.
   [[nodiscard]] pugi::xml_node root() const { return document_->document_element(); }
+  /// Returns the number of elements beside the outermost one: further documents in the same file,
+  /// which a well-formed document does not have.
+  [[nodiscard]] int other_roots() const;
   /// Returns the line of a node, from 1.
   [[nodiscard]] std::int64_t line_of(const pugi::xml_node& node) const;
   /// Returns "trace 'g7'" for messages: the name of the node, and its id if it has one.

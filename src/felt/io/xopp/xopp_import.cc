@@ -87,6 +87,10 @@ class XoppReader {
     }
     finish_page(root);
     if (builder_.layer_count() == 0) builder_.add_layer({});
+    if (const int others = input_.other_roots(); others > 0) {
+      notice(root, "ends before the file does; the documents after it (" + std::to_string(others) +
+                       ") were skipped");
+    }
     return Imported{std::move(builder_).build(), std::move(report_)};
   }
 
@@ -262,21 +266,49 @@ class XoppReader {
       next = Next::kEnd;
     }
     pieces_.clear();
-    double width_pt = 0.0;
-    while (next == Next::kNumber && (next = numbers.next(width_pt)) == Next::kNumber) {
-      pieces_.push_back(width_pt);
-    }
-    if (pieces_.empty() && next == Next::kEnd) {  // MrWriter stores widths as pressures
+    if (next != Next::kEnd) read_pieces(numbers);
+    if (pieces_.empty()) {  // MrWriter stores widths as pressures
       NumberList pressures(node.attribute("pressures").value());
-      while ((next = pressures.next(width_pt)) == Next::kNumber) pieces_.push_back(width_pt);
+      read_pieces(pressures);
     }
-    if (next == Next::kBad) notice(node, "has a width that is not a number");
+    mend_pieces(node);
     if (pieces_.size() + 1 < line_.size()) {
       if (!pieces_.empty()) notice(node, "has too few widths; a single width was used");
       pieces_.clear();
     }
     for (std::size_t i = 0; i < line_.size(); ++i) {
       line_[i].width_mm = kMmPerPoint * (pieces_.empty() ? nominal_pt : width_at(i, nominal_pt));
+    }
+  }
+
+  /// Appends the widths of a list to pieces_. A word that is not a positive number is 0: unknown.
+  void read_pieces(NumberList& list) {
+    double width_pt = 0.0;
+    for (Next next = list.next(width_pt); next != Next::kEnd; next = list.next(width_pt)) {
+      const bool is_known = next == Next::kNumber && width_pt > 0.0;
+      pieces_.push_back(is_known ? width_pt : 0.0);
+      if (next == Next::kBad) list.skip();
+    }
+  }
+
+  /// Gives the pieces without a width the width of the nearest piece before them that has one, or
+  /// after them at the start. If no piece has one, the stroke has a single width.
+  void mend_pieces(const pugi::xml_node& node) {
+    const auto unknown = std::count(pieces_.begin(), pieces_.end(), 0.0);
+    if (unknown == 0) return;
+    const auto known =
+        std::find_if(pieces_.begin(), pieces_.end(), [](double w) { return w > 0.0; });
+    if (known == pieces_.end()) {
+      notice(node, "has no known widths of its pieces; a single width was used");
+      pieces_.clear();
+      return;
+    }
+    notice(node, "has widths that are not positive numbers (" + std::to_string(unknown) +
+                     "); those of the pieces beside them were used");
+    double width_pt = *known;
+    for (double& piece : pieces_) {
+      if (piece > 0.0) width_pt = piece;
+      piece = width_pt;
     }
   }
 

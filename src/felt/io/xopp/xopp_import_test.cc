@@ -178,7 +178,7 @@ TEST(XoppImport, BadNumbersAreNoticedAndTheRestIsKept) {
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1 2\">0 0 9 9 8 8</stroke>"),
               Contains(HasSubstr("has too few widths")));
   EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1 nan 2\">0 0 9 9 8 8</stroke>"),
-              Contains(HasSubstr("has a width that is not a number")));
+              Contains(HasSubstr("has widths that are not positive numbers (1)")));
 }
 
 TEST(XoppImport, NumbersAtTheirLimits) {
@@ -243,6 +243,42 @@ TEST(XoppImport, LinesAreSolidAndOfExactlyTheirColour) {
   EXPECT_EQ(medium->look.rim, 0.0);
   EXPECT_EQ(medium->look.edge, 0.0);
   EXPECT_EQ(s.color(), (Rgba{0xcc, 0, 0, 255}));
+}
+
+/// Returns the ink of a line of four points whose pieces have these widths.
+Imported line_of_widths(const std::string& widths) {
+  return read(page("<stroke tool=\"pen\" color=\"black\" width=\"" + widths +
+                   "\">0 0 100 0 200 0 300 0</stroke>\n"));
+}
+
+TEST(XoppImport, AWidthThatIsNoneIsThatOfThePieceBesideIt) {
+  const double pt = kMmPerPoint;
+  const auto width_at = [](const Imported& d, double u) {
+    return d.drawing.document.find(d.drawing.document.layers()[0].strokes[0])->width_mm(u);
+  };
+  for (const char* bad : {"nan", "-1", "0", "inf", "wide", "1e99"}) {
+    const Imported last = line_of_widths(std::string("9 1 2 ") + bad);
+    ASSERT_EQ(last.report.notices().size(), 1U) << bad;
+    EXPECT_THAT(last.report.notices()[0].what, HasSubstr("not positive numbers (1)"));
+    EXPECT_NEAR(width_at(last, 1.0), 1.5 * pt, 1e-9);
+    EXPECT_NEAR(width_at(last, 3.0), 2.0 * pt, 1e-9);
+    EXPECT_NEAR(width_at(line_of_widths(std::string("9 1 ") + bad + " 3"), 1.0), 1.0 * pt, 1e-9);
+    EXPECT_NEAR(width_at(line_of_widths(std::string("9 ") + bad + " 2 3"), 0.0), 2.0 * pt, 1e-9);
+    const std::string three = std::string(" ") + bad + " " + bad + " " + bad;
+    const Imported none = line_of_widths("9" + three);
+    ASSERT_EQ(none.report.notices().size(), 1U) << bad;
+    EXPECT_THAT(none.report.notices()[0].what, HasSubstr("a single width was used"));
+    EXPECT_NEAR(width_at(none, 1.5), 9.0 * pt, 1e-9);
+  }
+  EXPECT_TRUE(line_of_widths("9 1 2 3").report.empty());
+}
+
+TEST(XoppImport, NamesDocumentsAfterTheFirst) {
+  const std::string one = page("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9 9</stroke>");
+  const std::string two = one + one.substr(one.find("<xournal"));
+  EXPECT_TRUE(read(one).report.empty());
+  ASSERT_EQ(read(two).report.notices().size(), 1U);
+  EXPECT_THAT(read(two).report.notices()[0].what, HasSubstr("documents after it (1)"));
 }
 
 }  // namespace
