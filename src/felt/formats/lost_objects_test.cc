@@ -113,7 +113,7 @@ Drawing visible_part(const Drawing& drawing) {
   return part.document.apply(edit) ? part : drawing;
 }
 
-RC_GTEST_PROP(LostObjects, R65_AreExactlyThoseThatAreNotReadBack, ()) {
+RC_GTEST_PROP(LostObjects, R66_AreExactlyThoseThatAreNotReadBack, ()) {
   const Drawing drawing = drawing_with_everything(*rc::gen::arbitrary<std::uint64_t>());
   const bool has_visible =
       std::any_of(drawing.document.layers().begin(), drawing.document.layers().end(),
