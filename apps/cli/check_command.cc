@@ -1,10 +1,14 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "commands.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/formats/format_traits.h"
+#include "felt/tactile/seen_ink.h"
 #include "felt/tactile/tactile_check.h"
 #include "input.h"
 #include "print.h"
@@ -42,8 +46,59 @@ std::string words_of(const TactileFault& f) {
       return fmt::format("areas of {:.0f} colours, which feel the same", f.measured);
     case TactileRule::kSize:
       return fmt::format("{:.0f} mm long or wide; at most {:.0f} mm (A4)", f.measured, f.limit);
+    case TactileRule::kThinLine:
+      return fmt::format("a line or dot {:.2f} mm wide; at least {:.1f} mm", f.measured, f.limit);
   }
   return {};
+}
+
+/// Names the ink that is not seen, because it is not raised.
+void report_unseen(const std::string& name, const UnseenInk& unseen, Console& console) {
+  constexpr std::size_t kNamed = 5;
+  if (!unseen.strokes.empty()) {
+    std::string names;
+    for (std::size_t i = 0; i < std::min(kNamed, unseen.strokes.size()); ++i) {
+      names += (i == 0 ? "" : ", ") + stroke_name(unseen.strokes[i]);
+    }
+    if (unseen.strokes.size() > kNamed) names += ", ...";
+    console.notice(fmt::format("{}: {} not seen on the paper and not raised: {}", name,
+                               unseen.strokes.size() == 1
+                                   ? std::string("1 line is")
+                                   : fmt::format("{} lines are", unseen.strokes.size()),
+                               names));
+  }
+  if (!unseen.fills.empty()) {
+    console.notice(fmt::format("{}: {} not seen on the paper and not raised", name,
+                               unseen.fills.size() == 1
+                                   ? std::string("1 area is")
+                                   : fmt::format("{} areas are", unseen.fills.size())));
+  }
+}
+
+/// Says how far the drawing must be enlarged, and what remains then.
+void report_enlargement(const std::string& name, const std::vector<TactileFault>& faults,
+                        const Document& document, Rgba paper, Console& console) {
+  const auto by_size = static_cast<std::size_t>(std::count_if(
+      faults.begin(), faults.end(), [](const TactileFault& f) { return goes_with_size(f.rule); }));
+  const double times = tactile_enlargement(faults);
+  if (by_size == 0 || !std::isfinite(times)) return;
+  const std::size_t others = faults.size() - by_size;
+  std::string text = fmt::format("{}: enlarge {:.1f} times: then ", name, times);
+  if (others == 0) {
+    text += by_size == 1 ? "the fault goes" : fmt::format("all {} faults go", by_size);
+  } else {
+    text += fmt::format("{} of {} faults {}, and {} {}", by_size, faults.size(),
+                        by_size == 1 ? "goes" : "go", others, others == 1 ? "remains" : "remain");
+  }
+  const Rect box = seen_bounds(document, paper);
+  const auto [shorter, longer] = std::minmax({times * box.width(), times * box.height()});
+  if (longer > TactileLimits::kLongMm || shorter > TactileLimits::kShortMm) {
+    text += fmt::format(
+        "; the drawing is then {:.0f} x {:.0f} mm, more than A4: leave out details, or print it in "
+        "parts",
+        times * box.width(), times * box.height());
+  }
+  console.notice(text);
 }
 
 void print_faults(const std::string& name, const std::vector<TactileFault>& faults) {
@@ -72,9 +127,13 @@ void run_check(const CheckArguments& args, Console& console) {
   if (!report_notices(input->name(), opened->report, console)) return;
   TactileLimits limits;
   if (args.embossed) limits.gap_mm = TactileLimits::kEmbossedGapMm;
-  const Result<std::vector<TactileFault>> faults = check_tactile(opened->drawing.document, limits);
+  const Document& document = opened->drawing.document;
+  limits.paper = opened->drawing.page.paper;
+  const Result<std::vector<TactileFault>> faults = check_tactile(document, limits);
   if (!faults) return console.error(input->name() + ": " + faults.error().message);
+  report_unseen(input->name(), unseen_ink(document, limits.paper), console);
   args.csv ? print_csv(*faults) : print_faults(input->name(), *faults);
+  report_enlargement(input->name(), *faults, document, limits.paper, console);
   if (!faults->empty()) console.set_failed();
 }
 

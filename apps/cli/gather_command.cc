@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -87,6 +88,11 @@ void run_gather(const GatherArguments& args, Console& console) {
     console.notice(fmt::format("{}: left {} strokes of locked or hidden layers as they are",
                                input->name(), gathered->left_alone));
   }
+  const std::size_t strokes = gathered->groups.size();
+  std::uint32_t lines = 0;
+  for (const StrokeGroup& entry : gathered->groups) lines = std::max(lines, entry.group);
+  console.notice(fmt::format("{}: {} stroke{} became {} line{}", input->name(), strokes,
+                             strokes == 1 ? "" : "s", lines, lines == 1 ? "" : "s"));
   const Result<void> done =
       DrawingOutput::create(args.output, *format, *picture).and_then([&](DrawingOutput output) {
         return output.write(std::move(opened->drawing));

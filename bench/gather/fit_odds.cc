@@ -25,7 +25,7 @@ using Terms = std::array<double, kOddsTerms>;
 std::vector<Example> examples_of(std::span<const LabelledDrawing* const> drawings) {
   std::vector<Example> examples;
   for (const LabelledDrawing* drawing : drawings) {
-    const std::vector<LinePair> pairs = line_pairs(drawing->lines, drawing->diagonal());
+    const std::vector<LinePair> pairs = line_pairs(drawing->lines, drawing->diagonal()).value();
     const double weight = 1.0 / std::sqrt(static_cast<double>(pairs.size()));
     for (const LinePair& pair : pairs) {
       examples.push_back({pair, drawing->labels[pair.a] == drawing->labels[pair.b], weight});

@@ -16,7 +16,9 @@ run 1 "$feltline" check --tactile bad.ndjson
 has out ",23.5: gap: 5.8 mm between lines, for 60 mm"
 has out "small-shape: a shape of "
 lines out 2
-is_empty err
+lines err 1
+has err "bad.ndjson: enlarge "
+has err " times: then all 2 faults go"
 run 1 "$feltline" check --tactile --embossed bad.ndjson
 lines out 1
 
@@ -28,6 +30,24 @@ run 1 "$feltline" check --tactile - <bad.ndjson
 has out "small-shape"
 run 0 "$feltline" check --tactile --csv good.ndjson
 lines out 1
+
+# Ink that is not seen is not checked, thin lines are.
+cat >faint.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">
+<rect width="500" height="500" fill="#fff"/>
+<path d="M20 20H80" stroke="#fff" stroke-width="1"/>
+<path d="M20 23H80" stroke="#000" stroke-opacity="0.02" stroke-width="1"/>
+<path d="M20 26H80" stroke="#000" stroke-width="1"/>
+</svg>
+END
+run 0 "$feltline" check --tactile faint.svg
+has out "faint.svg: no faults"
+has err "2 lines are not seen on the paper and not raised"
+has err "1 area is not seen on the paper and not raised"
+sed 's/#000" stroke-width="1"/#000" stroke-width="0.05"/' faint.svg >thin.svg
+run 1 "$feltline" check --tactile thin.svg
+has out "thin-line: a line or dot 0.05 mm wide; at least 0.5 mm"
+has err "enlarge 10.0 times: then the fault goes; the drawing is then 600 x 0 mm, more than A4"
 
 # Errors name the file.
 run 1 "$feltline" check --tactile absent.svg

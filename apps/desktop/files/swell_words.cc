@@ -23,6 +23,10 @@ QString swell_words(const SwellReport& report) {
   add(QT_TRANSLATE_NOOP("SwellWords", "Lines made black: %1."), report.recolored);
   add(QT_TRANSLATE_NOOP("SwellWords", "Areas with a texture: %1."), report.textures);
   add(QT_TRANSLATE_NOOP("SwellWords", "Areas too narrow for a texture: %1."), report.outlines);
+  add(QT_TRANSLATE_NOOP("SwellWords", "Lines left out, because they are not seen: %1."),
+      report.unseen_lines);
+  add(QT_TRANSLATE_NOOP("SwellWords", "Areas left out, because they are not seen: %1."),
+      report.unseen_areas);
   add(QT_TRANSLATE_NOOP("SwellWords", "Pictures left out: %1."), report.pictures);
   add(QT_TRANSLATE_NOOP("SwellWords",
                         "Faults that a fingertip would notice: %1. The panel “Tactile check” "

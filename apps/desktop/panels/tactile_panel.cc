@@ -40,6 +40,8 @@ QString tactile_rule_name(TactileRule rule) {
       return TactilePanel::tr("Area colours");
     case TactileRule::kSize:
       return TactilePanel::tr("Size");
+    case TactileRule::kThinLine:
+      return TactilePanel::tr("Thin line");
   }
   return {};
 }
@@ -53,6 +55,7 @@ QString tactile_fault_text(const TactileFault& f) {
     case TactileRule::kShortSide:
       return TactilePanel::tr("%1 mm long; at least %2 mm").arg(mm(f.measured), mm(f.limit));
     case TactileRule::kNarrowArea:
+    case TactileRule::kThinLine:
       return TactilePanel::tr("%1 mm wide; at least %2 mm").arg(mm(f.measured), mm(f.limit));
     case TactileRule::kLineStyles:
       return TactilePanel::tr("%1 different widths; at most %2")
@@ -104,6 +107,7 @@ TactilePanel::TactilePanel(Studio& studio, QWidget* parent)
   connect(&studio_, &Studio::edited, this, &TactilePanel::wait);
   connect(&studio_, &Studio::opened, this, &TactilePanel::wait);
   connect(&studio_, &Studio::layer_changed, this, &TactilePanel::wait);
+  connect(&studio_, &Studio::page_changed, this, &TactilePanel::wait);
   connect(&studio_, &Studio::event_applied, this, [this](const Event& event) {
     if (std::holds_alternative<UseView>(event.what)) wait();
   });
@@ -133,7 +137,8 @@ void TactilePanel::start() {
   waits_ = false;
   runs_ = true;
   summary_->setText(tr("Checking…"));
-  const TactileLimits limits{.gap_mm = print_->currentData().toDouble()};
+  const TactileLimits limits{.gap_mm = print_->currentData().toDouble(),
+                             .paper = studio_.page().paper};
   QThreadPool::globalInstance()->start(
       [asked = QPointer(this), limits, document = studio_.session().seen()] {
         auto faults = check_tactile(document, limits);
@@ -169,7 +174,10 @@ void TactilePanel::show_faults() {
     const QString name = tr("%1 %2").arg(i + 1).arg(tactile_rule_name(fault.rule));
     list_->addItem(tr("%1: %2").arg(name, tactile_fault_text(fault)));
     marks.rings.push_back({fault.at, kRingMm, Overlay::Role::kCut});
-    marks.labels.push_back({fault.at, name.toStdString()});
+    // One label for each rule: hundreds of them would hide the drawing. The faults come rule by
+    // rule.
+    const bool is_first = i == 0 || faults_[i - 1].rule != fault.rule;
+    if (is_first) marks.labels.push_back({fault.at, name.toStdString()});
   }
   // Someone who corrects one fault after another stays at the same place of the list.
   list_->setCurrentRow(std::min(row, list_->count() - 1));

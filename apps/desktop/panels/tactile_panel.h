@@ -32,7 +32,8 @@ class TactilePanel : public QWidget {
   [[nodiscard]] const std::vector<TactileFault>& faults() const noexcept { return faults_; }
 
  Q_SIGNALS:
-  /// The marks for the canvas changed: a ring and a label for each fault.
+  /// The marks for the canvas changed: a ring for each fault, a label for the first of each
+  /// rule.
   void marks_changed(const felt::Overlay& marks);
   /// The user chose a fault at this position.
   void wants_position(felt::Point at);

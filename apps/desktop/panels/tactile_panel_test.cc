@@ -70,6 +70,28 @@ TEST_F(TactilePanelTest, LayersOutOfViewAreNotChecked) {
   EXPECT_EQ(list().count(), 0);
 }
 
+TEST_F(TactilePanelTest, LinesInTheColourOfThePaperAreNotChecked) {
+  add_line(20);
+  add_line(26);
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(list().count(), 1);
+  Page page = studio_.page();
+  page.paper = studio_.session().seen().find(panel_.faults()[0].stroke)->color();
+  studio_.set_page(page);
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(list().count(), 0);
+}
+
+TEST_F(TactilePanelTest, OnlyTheFirstFaultOfARuleHasALabel) {
+  for (const double y : {20.0, 26.0, 32.0}) add_line(y);
+  panel_.set_on(true);
+  ASSERT_TRUE(waits());
+  EXPECT_EQ(marks_.rings.size(), 2U);
+  ASSERT_EQ(marks_.labels.size(), 1U);
+  EXPECT_EQ(marks_.labels[0].text, "1 Gap");
+}
+
 TEST_F(TactilePanelTest, AClickGoesToTheFault) {
   add_line(20);
   add_line(26);

@@ -2105,6 +2105,14 @@
         <translation>Für ein Muster zu schmale Flächen: %1.</translation>
     </message>
     <message>
+        <source>Lines left out, because they are not seen: %1.</source>
+        <translation>Weggelassene Linien, weil man sie nicht sieht: %1.</translation>
+    </message>
+    <message>
+        <source>Areas left out, because they are not seen: %1.</source>
+        <translation>Weggelassene Flächen, weil man sie nicht sieht: %1.</translation>
+    </message>
+    <message>
         <source>Pictures left out: %1.</source>
         <translation>Weggelassene Bilder: %1.</translation>
     </message>
@@ -6232,6 +6240,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Size</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Thin line</source>
+        <translation>Dünne Linie</translation>
     </message>
     <message>
         <source>%1 mm between lines, for %2 mm; at least %3 mm</source>

@@ -2105,6 +2105,14 @@
         <translation>Vlakken die te smal zijn voor een patroon: %1.</translation>
     </message>
     <message>
+        <source>Lines left out, because they are not seen: %1.</source>
+        <translation>Weggelaten lijnen, omdat ze niet te zien zijn: %1.</translation>
+    </message>
+    <message>
+        <source>Areas left out, because they are not seen: %1.</source>
+        <translation>Weggelaten vlakken, omdat ze niet te zien zijn: %1.</translation>
+    </message>
+    <message>
         <source>Pictures left out: %1.</source>
         <translation>Weggelaten afbeeldingen: %1.</translation>
     </message>
@@ -6232,6 +6240,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Size</source>
         <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Thin line</source>
+        <translation>Dunne lijn</translation>
     </message>
     <message>
         <source>%1 mm between lines, for %2 mm; at least %3 mm</source>

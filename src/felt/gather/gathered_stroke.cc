@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "felt/gather/bundle_path.h"
+#include "felt/gather/copied_lines.h"
 #include "felt/gather/percentile.h"
 #include "felt/geometry/polyline.h"
+#include "felt/geometry/rect.h"
 #include "felt/stroke/edit/join.h"
 #include "felt/stroke/fit/ink_fitter.h"
 
@@ -48,6 +50,25 @@ Result<Stroke> as_ring(const Stroke& open) {
   return Stroke::create(std::move(data)).and_then([](const Stroke& met) { return closed(met); });
 }
 
+// Copies in a large bundle cost time and hardly move its middle.
+std::vector<RoughLine> without_copies(std::vector<RoughLine> lines) {
+  constexpr std::size_t kFewLines = 100;
+  constexpr double kCopyOfDiagonal = 1e-3;
+  if (lines.size() <= kFewLines) return lines;
+  Rect box;
+  for (const RoughLine& line : lines) {
+    for (const Point p : line) box.extend(p);
+  }
+  const double tolerance_mm = kCopyOfDiagonal * std::hypot(box.width(), box.height());
+  if (!(tolerance_mm > 0.0)) return lines;
+  const std::vector<std::uint32_t> copy_of = copied_lines(lines, tolerance_mm);
+  std::vector<RoughLine> different;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (copy_of[i] == i) different.push_back(std::move(lines[i]));
+  }
+  return different;
+}
+
 }  // namespace
 
 RoughLine rough_line(const Stroke& stroke) {
@@ -73,7 +94,7 @@ Result<Stroke> gathered_stroke(std::span<const std::shared_ptr<const Stroke>> st
     longest_mm = length_mm;
     longest = lines.size() - 1;
   }
-  const Result<BundlePath> path = bundle_path(lines);
+  const Result<BundlePath> path = bundle_path(without_copies(std::move(lines)));
   if (!path) return tl::unexpected(path.error());
   InkFitOptions fit;
   fit.curve.tolerance_mm = options.tolerance_mm;

@@ -9,9 +9,10 @@
 namespace felt {
 namespace {
 
-constexpr double kStepShare = 0.0075;  // of the scale
-constexpr double kReachShare = 0.06;   // of the scale
-constexpr double kSmallest = 0.0005;   // of the scale: smaller gaps are those of copies
+constexpr double kStepShare = 0.0075;                    // of the scale
+constexpr double kReachShare = 0.06;                     // of the scale
+constexpr std::uint64_t kMaxSectionTests = 400'000'000;  // some seconds
+constexpr double kSmallest = 0.0005;  // of the scale: smaller gaps are those of copies
 
 /// What the sections of one line say about another line.
 struct OneSided {
@@ -43,16 +44,25 @@ void add_side(std::span<const SectionHit> side, std::vector<GapHit>& hits, std::
 class PairMeter {
  public:
   PairMeter(std::span<const RoughLine> lines, double scale_mm)
-      : scale_mm_(scale_mm),
-        grid_(lines, {.step_mm = kStepShare * scale_mm, .reach_mm = kReachShare * scale_mm}),
-        sides_(lines.size()) {
-    for (std::uint32_t i = 0; i < lines.size(); ++i) measure(i);
+      : scale_mm_(scale_mm), grid_(lines, pair_sections(scale_mm)), sides_(lines.size()) {}
+
+  /// Fails if the lines are too dense.
+  [[nodiscard]] Result<std::vector<LinePair>> run() {
+    const LineGrid::Crowd crowd = grid_.crowd();
+    if (crowd.tests > kMaxSectionTests) {
+      return fail(ErrorCode::kUnsupported,
+                  "too many lines lie on each other near " +
+                      std::to_string(std::lround(crowd.densest.x)) + "," +
+                      std::to_string(std::lround(crowd.densest.y)) + " mm: comparing them takes " +
+                      std::to_string(crowd.tests) + " tests, but at most 400000000 are allowed");
+    }
+    for (std::uint32_t i = 0; i < sides_.size(); ++i) measure(i);
     usual_gap_mm_ = percentile(nearest_mm_, 0.5);
+    return pairs();
   }
 
-  [[nodiscard]] std::vector<LinePair> pairs() const;
-
  private:
+  [[nodiscard]] std::vector<LinePair> pairs() const;
   void measure(std::uint32_t line);
   [[nodiscard]] const OneSided* find(std::uint32_t line, std::uint32_t other) const;
   [[nodiscard]] LinePair pair(std::uint32_t a, std::uint32_t b, const OneSided& ab,
@@ -143,8 +153,12 @@ std::vector<LinePair> PairMeter::pairs() const {
 
 }  // namespace
 
-std::vector<LinePair> line_pairs(std::span<const RoughLine> lines, double scale_mm) {
-  return PairMeter(lines, scale_mm).pairs();
+SectionOptions pair_sections(double scale_mm) {
+  return {.step_mm = kStepShare * scale_mm, .reach_mm = kReachShare * scale_mm};
+}
+
+Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm) {
+  return PairMeter(lines, scale_mm).run();
 }
 
 std::array<double, kOddsTerms> odds_terms(

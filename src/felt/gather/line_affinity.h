@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/gather/line_sections.h"
 
 namespace felt {
@@ -26,9 +27,13 @@ struct LinePair {
   friend bool operator==(const LinePair&, const LinePair&) = default;
 };
 
+/// Returns the sections with which line_pairs measures a drawing of this scale.
+SectionOptions pair_sections(double scale_mm);
+
 /// Returns all pairs of lines that lie beside each other within 6 % of `scale_mm`, sorted by a and
-/// b. Requires points in range and scale_mm > 0.
-std::vector<LinePair> line_pairs(std::span<const RoughLine> lines, double scale_mm);
+/// b. Requires points in range and scale_mm > 0. Fails with kUnsupported and the position if so
+/// many lines lie on each other that the comparison would take more than 400 million tests.
+Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm);
 
 /// Returns the logarithm of the odds that both lines of a pair belong to the same strip: positive
 /// if they probably do.

@@ -7,6 +7,7 @@
 #include <queue>
 #include <string>
 
+#include "felt/gather/copied_lines.h"
 #include "felt/gather/line_affinity.h"
 #include "felt/geometry/rect.h"
 
@@ -14,9 +15,10 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kMaxRoughLines = 200'000;
-constexpr double kMaxOdds = 8.0;  // one pair must not decide alone
-constexpr double kAgainst = 3.0;  // weight of evidence against, because wrong groups are
-                                  // worse than missing lines
+constexpr double kCopyShare = 0.0005;  // of the scale: copies do not differ by more
+constexpr double kMaxOdds = 8.0;       // one pair must not decide alone
+constexpr double kAgainst = 3.0;       // weight of evidence against, because wrong groups are
+                                       // worse than missing lines
 constexpr double kBias = -0.15;
 
 /// The evidence between two groups.
@@ -98,6 +100,25 @@ void renumber(std::vector<std::uint32_t>& groups) {
   }
 }
 
+Result<std::vector<std::uint32_t>> groups_at_scale(std::span<const RoughLine> lines,
+                                                   const GroupOptions& options, double scale_mm) {
+  const std::vector<std::uint32_t> copy_of = copied_lines(lines, kCopyShare * scale_mm);
+  std::vector<std::uint32_t> index_of(lines.size(), 0);
+  std::vector<RoughLine> unique;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (copy_of[i] != i) continue;
+    index_of[i] = static_cast<std::uint32_t>(unique.size());
+    unique.push_back(lines[i]);
+  }
+  const Result<std::vector<LinePair>> pairs = line_pairs(unique, scale_mm);
+  if (!pairs) return tl::unexpected(pairs.error());
+  std::vector<std::uint32_t> groups = GroupMerger(unique.size(), *pairs, options.leniency).run();
+  std::vector<std::uint32_t> result(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) result[i] = groups[index_of[copy_of[i]]];
+  renumber(result);
+  return result;
+}
+
 }  // namespace
 
 Result<std::vector<std::uint32_t>> line_groups(std::span<const RoughLine> lines,
@@ -123,10 +144,7 @@ Result<std::vector<std::uint32_t>> line_groups(std::span<const RoughLine> lines,
     std::iota(alone.begin(), alone.end(), 0U);
     return alone;
   }
-  std::vector<std::uint32_t> groups =
-      GroupMerger(lines.size(), line_pairs(lines, scale_mm), options.leniency).run();
-  renumber(groups);
-  return groups;
+  return groups_at_scale(lines, options, scale_mm);
 }
 
 }  // namespace felt

@@ -79,6 +79,24 @@ TEST(LineGroups, LargeCoordinatesAreFine) {
   EXPECT_EQ(line_groups(lines).value(), (Groups{0, 0, 0, 1, 1, 1}));
 }
 
+TEST(LineGroups, CopiesCostNothing) {
+  std::vector<RoughLine> lines(50'000, RoughLine{{0, 0}, {50, 7}, {100, 0}});
+  lines.push_back({{0, 50}, {100, 50}});
+  Groups expected(lines.size(), 0);
+  expected.back() = 1;
+  EXPECT_EQ(line_groups(lines).value(), expected);
+}
+
+TEST(LineGroups, RefusesACrowdThatWouldTakeTooLongWithItsPlace) {
+  const std::vector<RoughLine> lines =
+      jittered_copies(straight({500, 300}, {500.5, 300}), 20'000, 0.4, 5);
+  const auto groups = line_groups(lines);
+  ASSERT_FALSE(groups);
+  EXPECT_EQ(groups.error().code, ErrorCode::kUnsupported);
+  EXPECT_NE(groups.error().message.find("near 500,300 mm"), std::string::npos)
+      << groups.error().message;
+}
+
 // Returns true if both partitions are equal apart from the numbers of the groups.
 bool same_partition(const Groups& a, const Groups& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {

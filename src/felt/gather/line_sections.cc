@@ -88,6 +88,20 @@ void LineGrid::fill_cells() {
   for_all([&](std::size_t cell, Piece piece) { pieces_[next[cell]++] = piece; });
 }
 
+LineGrid::Crowd LineGrid::crowd() const noexcept {
+  Crowd crowd;
+  std::size_t most = 0;
+  for (std::size_t c = 0; c + 1 < begins_.size(); ++c) {
+    const std::size_t count = begins_[c + 1] - begins_[c];
+    crowd.tests += 2 * static_cast<std::uint64_t>(count) * count;
+    if (count <= most) continue;
+    most = count;
+    const Piece piece = pieces_[begins_[c]];
+    crowd.densest = lines_[piece.line][piece.index];
+  }
+  return crowd;
+}
+
 void LineGrid::test_cell(const Ray& ray, int cell, std::vector<SectionHit>& hits) const {
   const auto c = static_cast<std::size_t>(cell);
   for (std::uint32_t n = begins_[c]; n < begins_[c + 1]; ++n) {
@@ -136,6 +150,8 @@ void LineGrid::collect(const Ray& ray, std::vector<SectionHit>& hits) const {
   }
   std::sort(hits.begin(), hits.end(), nearer);
   hits.erase(std::unique(hits.begin(), hits.end(), same_crossing), hits.end());
+  // One cell may hold more lines than the rest of the section needs.
+  if (hits.size() > options_.max_hits) hits.resize(options_.max_hits);
 }
 
 void LineGrid::sections(std::uint32_t i,

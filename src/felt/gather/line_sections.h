@@ -42,8 +42,8 @@ struct SectionOptions {
   double reach_mm = 8.0;  ///< length of a section to each side; > 0
   /// Smallest absolute cosine of a hit: lines at larger angles belong to no strip.
   double min_cosine = 0.866;
-  /// A section ends when it has so many hits on one side, because the lines in between connect
-  /// those that are farther away. This bounds the work in dense drawings.
+  /// A section keeps the nearest hits on each side, at most so many, because the lines in between
+  /// connect those that are farther away. This bounds the work in dense drawings.
   std::size_t max_hits = 16;
   /// A line crosses its own sections if the arc length in between exceeds this; in mm.
   double own_mm = 1e300;
@@ -62,6 +62,15 @@ class LineGrid {
 
   /// Returns the resampled points of line i; empty if the line has no length.
   [[nodiscard]] std::span<const Point> points(std::uint32_t i) const noexcept { return lines_[i]; }
+
+  /// How much work the sections of all lines take.
+  struct Crowd {
+    std::uint64_t tests = 0;  ///< tests of a piece against a section, within the section's cell
+    Point densest;            ///< a point in the cell that holds the most pieces
+  };
+  /// Returns the work of sections(), before it is done. Takes time proportional to the cells.
+  [[nodiscard]] Crowd crowd() const noexcept;
+
   [[nodiscard]] double length_mm(std::uint32_t i) const noexcept { return lengths_[i]; }
 
  private:

@@ -37,6 +37,12 @@ Rect box_of(std::span<const RoughLine> lines) {
 
 using ContactTable = std::vector<std::map<std::uint32_t, Contacts>>;  // of each line
 
+// In a large bundle the nearest lines connect those that are farther away.
+std::size_t kept_hits(std::size_t lines) {
+  constexpr std::size_t kMaxHits = 64, kMinHits = 4, kHitsOfAll = 64 * 100;
+  return std::clamp(kHitsOfAll / std::max<std::size_t>(lines, 1), kMinHits, kMaxHits);
+}
+
 /// Finds the positions of all lines.
 class StripSolver {
  public:
@@ -45,7 +51,7 @@ class StripSolver {
         diagonal_mm_(std::hypot(box_.width(), box_.height())),
         grid_(lines, {.step_mm = kStripStepShare * diagonal_mm_,
                       .reach_mm = kStripReachShare * diagonal_mm_,
-                      .max_hits = 64,
+                      .max_hits = kept_hits(lines.size()),
                       .own_mm = kOwnShare * diagonal_mm_}),
         placed_(lines.size(), 0),
         sign_(lines.size(), 1.0),

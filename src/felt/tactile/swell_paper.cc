@@ -12,6 +12,7 @@
 #include "felt/tactile/area_texture.h"
 #include "felt/tactile/inner_circle.h"
 #include "felt/tactile/line_widths.h"
+#include "felt/tactile/seen_ink.h"
 #include "felt/tactile/touch_lines.h"
 
 namespace felt {
@@ -139,7 +140,8 @@ void add_texture(EditBuilder& edit, LayerId layer, const std::vector<TextureLine
 }
 
 /// Replaces areas by textures and lines along their edges.
-Result<void> change_areas(Document& document, const TouchLines& ink, SwellReport& report) {
+Result<void> change_areas(Document& document, const TouchLines& ink,
+                          const std::vector<FillId>& unseen, SwellReport& report) {
   const std::vector<SwellArea> areas = areas_of(document);
   double widest_half = 0.0;
   for (const TouchPoint& p : ink.points) widest_half = std::max(widest_half, p.half_mm);
@@ -149,6 +151,10 @@ Result<void> change_areas(Document& document, const TouchLines& ink, SwellReport
   EditBuilder edit(document);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const SwellArea& area = areas[i];
+    if (std::find(unseen.begin(), unseen.end(), area.id) != unseen.end()) {
+      edit.remove_fill(area.id);
+      continue;
+    }
     const auto known = std::find(colors.begin(), colors.end(), area.fill->color);
     const auto kind = static_cast<std::size_t>(known - colors.begin());
     if (known == colors.end()) colors.push_back(area.fill->color);
@@ -174,6 +180,19 @@ Result<void> change_areas(Document& document, const TouchLines& ink, SwellReport
   report.area_colors = colors.size();
   FELT_CHECK(document.apply(std::move(edit).build("Swell paper")).has_value());
   return {};
+}
+
+/// Leaves out the strokes that are not seen on the paper, and returns the areas that are not.
+std::vector<FillId> remove_unseen(Document& document, Rgba paper, SwellReport& report) {
+  UnseenInk unseen = unseen_ink(document, paper);
+  report.unseen_lines = unseen.strokes.size();
+  report.unseen_areas = unseen.fills.size();
+  if (!unseen.strokes.empty()) {
+    EditBuilder edit(document);
+    for (const StrokeId id : unseen.strokes) edit.remove(id);
+    FELT_CHECK(document.apply(std::move(edit).build("Swell paper")).has_value());
+  }
+  return std::move(unseen.fills);
 }
 
 /// Leaves out hidden layers with all that they contain, and pictures.
@@ -229,6 +248,14 @@ std::vector<std::string> SwellReport::sentences() const {
                   " colours, and some of them share one of the " +
                   std::to_string(SwellRules::kTextures) + " textures");
   }
+  if (unseen_lines > 0) {
+    all.push_back("left out " + counted(unseen_lines, "line that is", "lines that are") +
+                  " not seen on the paper");
+  }
+  if (unseen_areas > 0) {
+    all.push_back("left out " + counted(unseen_areas, "area that is", "areas that are") +
+                  " not seen on the paper");
+  }
   if (pictures > 0) all.push_back("left out " + counted(pictures, "picture", "pictures"));
   if (faults > 0) {
     all.push_back(counted(faults, "fault is", "faults are") +
@@ -240,16 +267,18 @@ std::vector<std::string> SwellReport::sentences() const {
 Result<Drawing> prepare_for_swell_paper(const Drawing& drawing, SwellReport& report) {
   report = {};
   // Refuses drawings that would take too long, before anything is computed.
-  const Result<std::vector<TactileFault>> before = check_tactile(drawing.document);
+  const Result<std::vector<TactileFault>> before =
+      check_tactile(drawing.document, {.paper = drawing.page.paper});
   if (!before) return tl::unexpected(before.error());
   Drawing swell = drawing;
   swell.page.paper = {255, 255, 255, 0};
   swell.page.surface.clear();
   swell.materials.clear();
   swell.extras = nullptr;
+  const std::vector<FillId> unseen = remove_unseen(swell.document, drawing.page.paper, report);
   keep_visible(swell.document, report);
   change_lines(swell.document, report);
-  const Result<std::vector<TactileFault>> faults = check_tactile(swell.document);
+  const Result<std::vector<TactileFault>> faults = check_tactile(swell.document);  // on white
   if (!faults) return tl::unexpected(faults.error());
   report.faults = static_cast<std::size_t>(
       std::count_if(faults->begin(), faults->end(), [](const TactileFault& f) {
@@ -257,7 +286,7 @@ Result<Drawing> prepare_for_swell_paper(const Drawing& drawing, SwellReport& rep
       }));
   TouchLines ink;
   for (const SwellLine& line : lines_of(swell.document)) ink.add(line.id, *line.stroke);
-  if (Result<void> done = change_areas(swell.document, ink, report); !done) {
+  if (Result<void> done = change_areas(swell.document, ink, unseen, report); !done) {
     return tl::unexpected(done.error());
   }
   return swell;

@@ -43,6 +43,8 @@ struct SwellReport {
   std::size_t outlines = 0;       ///< areas that are too narrow for a texture
   std::size_t area_colors = 0;    ///< of the areas; more than kTextures share textures
   std::size_t pictures = 0;       ///< pictures that were left out
+  std::size_t unseen_lines = 0;   ///< lines that are not seen on the paper and were left out
+  std::size_t unseen_areas = 0;   ///< the same for areas
   std::size_t faults = 0;         ///< faults of the lines (check_tactile) that are left
 
   /// Returns what was changed, one sentence of plain English for each kind of change.
@@ -52,7 +54,9 @@ struct SwellReport {
 /// Returns a drawing that can be printed on swell paper at true size: only black, opaque lines on
 /// white paper.
 ///
-///   * Hidden layers, pictures and the surface are left out, and all layers are opaque.
+///   * Hidden layers, pictures and the surface are left out, and so is ink that is not seen on the
+///     paper of the drawing (is_seen); all layers are opaque. Unseen areas still cover what lies
+///     below them.
 ///   * Each line has one width. Lines whose mean widths differ by less than
 ///     TactileLimits::kStyleMm have the same width, at least SwellRules::kLineMm; there are at
 ///     most TactileLimits::kLineStyles widths, kStyleMm apart. Dots keep their size if it is at

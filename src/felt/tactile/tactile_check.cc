@@ -6,6 +6,7 @@
 
 #include "felt/tactile/inner_circle.h"
 #include "felt/tactile/line_gaps.h"
+#include "felt/tactile/seen_ink.h"
 #include "felt/tactile/touch_lines.h"
 
 namespace felt {
@@ -16,22 +17,37 @@ constexpr double kToleranceMm = 0.05;
 /// A shape whose lines are shorter than this, in widths of its lines, is a dot.
 constexpr double kDotWidths = 1.0;
 
+/// The shortest line that cannot be a dot: files write dots as lines of almost no length.
+constexpr double kSmallDotMm = 0.1;
+
+/// Files round widths.
+constexpr double kWidthToleranceMm = 0.01;
+
 Point middle_of(const Rect& box) noexcept {
   return {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
 }
 
-/// The visible strokes and fills of a document.
+/// The strokes and fills of a document that are seen on the paper.
 struct VisibleParts {
   std::vector<std::pair<StrokeId, StrokePtr>> strokes;
   std::vector<FillPtr> fills;
 };
 
-VisibleParts visible_parts(const Document& document) {
+VisibleParts visible_parts(const Document& document, Rgba paper) {
   VisibleParts parts;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) parts.strokes.emplace_back(id, document.find(id));
-    for (const FillId id : layer.fills) parts.fills.push_back(document.find_fill(id));
+    const double opacity = layer_opacity(layer);
+    for (const StrokeId id : layer.strokes) {
+      StrokePtr stroke = document.find(id);
+      if (is_seen(stroke->color(), opacity, paper)) {
+        parts.strokes.emplace_back(id, std::move(stroke));
+      }
+    }
+    for (const FillId id : layer.fills) {
+      FillPtr fill = document.find_fill(id);
+      if (is_seen(fill->color, opacity, paper)) parts.fills.push_back(std::move(fill));
+    }
   }
   return parts;
 }
@@ -66,7 +82,8 @@ bool is_dot(const TouchLines& lines, const std::vector<std::uint32_t>& shape) {
   });
 }
 
-/// Adds a fault for each side between two corners of a closed line.
+/// Adds a fault for each side between two corners of a closed line. Corners within one width of the
+/// line are one corner: files imitate pointed corners by short pieces.
 void add_short_sides(const TouchLine& line, std::span<const TouchPoint> points,
                      const Stroke& stroke, std::vector<TactileFault>& faults) {
   if (!stroke.closed()) return;
@@ -83,7 +100,7 @@ void add_short_sides(const TouchLine& line, std::span<const TouchPoint> points,
     const bool is_last = i + 1 == at.size();
     const TouchPoint &from = *at[i], &to = *at[is_last ? 0 : i + 1];
     const double side = (is_last ? line.length_mm : 0.0) + to.along_mm - from.along_mm;
-    if (side < TactileLimits::kShapeMm) {
+    if (side > line.mean_width_mm && side < TactileLimits::kShapeMm) {
       faults.push_back({TactileRule::kShortSide,
                         lerp(from.at, to.at, 0.5),
                         side,
@@ -180,17 +197,37 @@ void add_whole_faults(const VisibleParts& parts, const TouchLines& lines,
   }
 }
 
+void add_thin_lines(const TouchLines& lines, std::vector<TactileFault>& faults) {
+  for (const TouchLine& line : lines.lines) {
+    const bool is_dot = line.length_mm <= kDotWidths * std::max(line.mean_width_mm, kSmallDotMm);
+    const double limit = is_dot ? TactileLimits::kDotMm : TactileLimits::kLineMm;
+    if (line.mean_width_mm >= limit - kWidthToleranceMm) continue;
+    const Point at = lines.points[line.first + line.count / 2].at;
+    faults.push_back({TactileRule::kThinLine, at, line.mean_width_mm, limit, 0.0, line.stroke, {}});
+  }
+}
+
 }  // namespace
+
+double tactile_enlargement(const std::vector<TactileFault>& faults) noexcept {
+  double needed = 1.0;
+  for (const TactileFault& f : faults) {
+    if (goes_with_size(f.rule)) needed = std::max(needed, f.limit / f.measured);
+  }
+  constexpr double kRounding = 1e-9;  // 2.2 stays 2.2
+  return std::ceil(10.0 * (needed - kRounding)) / 10.0;
+}
 
 Result<std::vector<TactileFault>> check_tactile(const Document& document,
                                                 const TactileLimits& limits) {
-  const VisibleParts parts = visible_parts(document);
+  const VisibleParts parts = visible_parts(document, limits.paper);
   const Result<TouchLines> lines = touch_lines_of(parts);
   if (!lines) return tl::unexpected(lines.error());
   std::vector<TactileFault> faults = find_line_gaps(*lines, limits.gap_mm);
   add_shape_faults(parts, *lines, faults);
   add_area_faults(parts, faults);
   add_whole_faults(parts, *lines, faults);
+  add_thin_lines(*lines, faults);
   return faults;
 }
 

@@ -24,11 +24,13 @@ enum class TactileRule : std::uint8_t {
   kLineStyles,  ///< there are at most five widths of lines [2]
   kAreaStyles,  ///< areas do not differ only by their colour
   kSize,        ///< the drawing fits on A4; hands lose their way on a larger one [3]
+  kThinLine,    ///< a line is at least kLineMm wide, a dot kDotMm: thinner ones do not rise
 };
 
 /// The names of the rules, as the command line and tables write them.
-inline constexpr std::array<std::string_view, 7> kTactileRuleNames{
-    "gap", "small-shape", "short-side", "narrow-area", "line-styles", "area-styles", "size"};
+inline constexpr std::array<std::string_view, 8> kTactileRuleNames{
+    "gap",         "small-shape", "short-side", "narrow-area",
+    "line-styles", "area-styles", "size",       "thin-line"};
 
 /// What is wrong at one position of a drawing.
 struct TactileFault {
@@ -47,10 +49,16 @@ struct TactileLimits {
   /// Distance between the edges of two lines. 6.4 mm (1/4 in) is needed on swell paper, whose lines
   /// have soft edges; 3.2 mm (1/8 in) is the minimum for any method [1] [2].
   double gap_mm = 6.4;
+  /// The colour of the paper: ink that is not seen on it (is_seen) is not checked.
+  Rgba paper{255, 255, 255, 255};
 
   static constexpr double kEmbossedGapMm = 3.2;
   static constexpr double kShapeMm = 12.7;
   static constexpr double kAreaMm = 6.4;
+  /// The mean width of a line: half of that of the thin pen for swell paper. Feltline's own choice.
+  static constexpr double kLineMm = 0.5;
+  /// The width of a dot: about that of braille, 1.44 mm.
+  static constexpr double kDotMm = 1.4;
   static constexpr std::size_t kLineStyles = 5;
   /// Widths that differ by less are one style, mm: Feltline's own choice.
   static constexpr double kStyleMm = 0.5;
@@ -61,13 +69,24 @@ struct TactileLimits {
 /// The longest total length of the lines that can be checked: 100 m. More than an A4 page can hold.
 inline constexpr double kMaxTactileMm = 100'000.0;
 
-/// Checks the visible layers of a document, without their pictures. Lines that touch or cross are
+/// Returns how many times a drawing must be enlarged, with the widths of its lines, so that its
+/// faults by size go (all but kLineStyles, kAreaStyles and kSize), rounded up to tenths; 1 if there
+/// are none. Infinity if one of them measures 0.
+double tactile_enlargement(const std::vector<TactileFault>& faults) noexcept;
+
+/// Returns true for the rules whose faults go if the drawing is enlarged.
+constexpr bool goes_with_size(TactileRule rule) noexcept {
+  return rule != TactileRule::kLineStyles && rule != TactileRule::kAreaStyles &&
+         rule != TactileRule::kSize;
+}
+
+/// Checks the visible layers of a document, without their pictures and without ink that is not seen
+/// on the paper. Lines that touch or cross are
 /// joined: near a junction they may be closer than the limit, unless they leave it at an angle of
 /// less than about 29 degrees, because then a fingertip feels one broad line. Returns the faults in
 /// the order of the rules, and for one rule in the order of the strokes. Fails if the lines are
 /// longer than kMaxTactileMm. Takes time proportional to the number of pairs of points within the
-/// gap: 0.5 s for 20 m of hatching
-/// with lines 2 mm apart.
+/// gap: 0.5 s for 20 m of hatching with lines 2 mm apart.
 Result<std::vector<TactileFault>> check_tactile(const Document& document,
                                                 const TactileLimits& limits = {});
 

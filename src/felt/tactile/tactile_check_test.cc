@@ -9,6 +9,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/geometry/affine.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/tactile/seen_ink.h"
 
 namespace felt::tactile_check_test {
 namespace {
@@ -167,6 +168,10 @@ std::vector<TactileCase> hand_made_cases() {
        Drawn().line(square).line(rectangle({15, 15}, 40, 40)),
        {kGap}},
       {"small square", Drawn().line(rectangle({20, 20}, 8, 8)), {kSmallShape}},
+      {"square with pointed corners of two short pieces",
+       Drawn().line({{20, 20}, {80, 20}, {80.7, 19.3}, {81, 20}, {81, 70}, {20, 70}, {20, 20}},
+                    2.0),
+       {}},
       {"long box with short sides",
        Drawn().line(rectangle({20, 20}, 40, 10)),
        {kShortSide, kShortSide}},
@@ -234,6 +239,54 @@ TEST(TactileCheck, AFaultSaysWhereAndHowMuch) {
   EXPECT_NEAR(f.length_mm, 20.0 + 2.0 * 6.0, 2.0);  // until 6.4 mm beyond the ends, obliquely
   EXPECT_EQ(f.stroke, drawn.document().layers()[0].strokes[0]);
   EXPECT_EQ(f.other, drawn.document().layers()[0].strokes[1]);
+}
+
+TEST(TactileCheck, WhatIsNotSeenOnThePaperIsNotChecked) {
+  const std::vector<Point> page = rectangle({0, 0}, 400, 500), narrow = rectangle({20, 20}, 30, 2);
+  const Document white = Drawn().fill(page, {255, 255, 255, 255}).document();
+  EXPECT_TRUE(check_tactile(white).value().empty());
+  EXPECT_EQ(unseen_ink(white, {255, 255, 255, 255}).fills.size(), 1U);
+  EXPECT_FALSE(check_tactile(white, {.paper = {200, 180, 140, 255}}).value().empty());
+  EXPECT_TRUE(check_tactile(Drawn().fill(narrow, {0, 0, 0, 5}).document()).value().empty());
+  EXPECT_TRUE(check_tactile(Drawn().fill(narrow, {250, 250, 255, 255}).document()).value().empty());
+  EXPECT_EQ(check_tactile(Drawn().fill(narrow, {255, 255, 0, 255}).document()).value().size(), 1U);
+}
+
+TEST(TactileCheck, SeenInkDependsOnOpacityAndPaper) {
+  const Rgba white{255, 255, 255, 255}, black{0, 0, 0, 255}, clear{0, 0, 0, 0};
+  EXPECT_TRUE(is_seen(black, 1.0, white));
+  EXPECT_FALSE(is_seen(black, 0.02, white));
+  EXPECT_FALSE(is_seen(white, 1.0, white));
+  EXPECT_FALSE(is_seen(white, 1.0, clear));
+  EXPECT_TRUE(is_seen(white, 1.0, black));
+  EXPECT_FALSE(is_seen(black, 1.0, black));
+}
+
+TEST(TactileCheck, ThinLinesAndDotsAreNamed) {
+  for (const double width_mm : {0.05, 0.1, 0.4}) {
+    const auto faults = check_tactile(Drawn().line({{20, 20}, {80, 20}}, width_mm).document());
+    ASSERT_EQ(rules_of(*faults), std::vector{TactileRule::kThinLine}) << width_mm;
+    EXPECT_NEAR(faults->front().measured, width_mm, 1e-9);
+  }
+  const auto dot = check_tactile(Drawn().line({{20, 20}, {20.06, 20}}, 0.3).document());
+  EXPECT_EQ(rules_of(*dot), std::vector{TactileRule::kThinLine});
+  EXPECT_EQ(dot->front().limit, TactileLimits::kDotMm);
+}
+
+TEST(TactileCheck, TheEnlargementIsTheSmallestWithoutFaultsBySize) {
+  const auto drawing = [](double scale) {
+    return Drawn()
+        .line({{20 * scale, 20 * scale}, {80 * scale, 20 * scale}}, scale)
+        .line({{20 * scale, 24 * scale}, {80 * scale, 24 * scale}}, scale)
+        .line({{20 * scale, 60 * scale}, {20 * scale + 7 * scale, 60 * scale}}, scale)
+        .document();
+  };
+  const auto faults = check_tactile(drawing(1.0)).value();
+  const double times = tactile_enlargement(faults);
+  EXPECT_DOUBLE_EQ(times, 2.2);  // 6.4 / 3 mm = 2.13
+  EXPECT_TRUE(check_tactile(drawing(times)).value().empty());
+  EXPECT_FALSE(check_tactile(drawing(times - 0.1)).value().empty());
+  EXPECT_EQ(tactile_enlargement({}), 1.0);
 }
 
 TEST(TactileCheck, HiddenLayersAndDrawingsOfKilometres) {
