@@ -3,15 +3,17 @@
 // must give the drawing. Exits with 77 if the server cannot run on this machine.
 #include <QCoreApplication>
 #include <QFile>
-#include <QPoint>
+#include <QPointF>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QThread>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <set>
+#include <optional>
+#include <span>
 #include <thread>
 
 #include "tests/desktop/inputtest_pen.h"
@@ -98,22 +100,17 @@ bool is_lifted(const std::vector<PenEvent>& poses) {
   return poses.empty() || poses.back().pressure.value_or(0.0) == 0.0;
 }
 
-/// Returns place `i` of a spiral around the middle of the screen, in whole pixels, because the X11
-/// plugin of Qt rounds the places of a mouse.
-QPoint spiral_px(int i) {
-  const double radius = 20.0 + 80.0 * i / kMousePlaces, angle = 0.035 * i;
-  return {int(std::lround(XServer::kWidth / 2 + radius * std::cos(angle))),
-          int(std::lround(XServer::kHeight / 2 + radius * std::sin(angle)))};
+/// Returns place `i` of a zigzag that turns at every place.
+QPointF zigzag_px(int i) {
+  return {XServer::kWidth / 2 + (i % 2 == 0 ? -20.5 : 20.5), XServer::kHeight / 2 + 0.15 * i};
 }
 
-/// Draws the spiral with the mouse, one place per millisecond. The process `id` is stopped for a
-/// while after every 150 places, the longest time for 250.
+/// Draws the zigzag with the mouse, one place per millisecond. The process `id` is stopped three
+/// times meanwhile, for 30, 90 and 250 places.
 bool draw_by_mouse(InputtestPen& mouse, pid_t id) {
-  const auto x = [](int i) {
-    return (spiral_px(i).x() + 0.5) / XServer::kWidth * InputtestPen::kMaxPlace;
-  };
+  const auto x = [](int i) { return zigzag_px(i).x() / XServer::kWidth * InputtestPen::kMaxPlace; };
   const auto y = [](int i) {
-    return (spiral_px(i).y() + 0.5) / XServer::kHeight * InputtestPen::kMaxPlace;
+    return zigzag_px(i).y() / XServer::kHeight * InputtestPen::kMaxPlace;
   };
   bool ok = mouse.move(x(0), y(0), 0.0) && mouse.sync();
   QThread::msleep(300);
@@ -132,26 +129,30 @@ bool draw_by_mouse(InputtestPen& mouse, pid_t id) {
   return ok && mouse.press(false, x(kMousePlaces - 1), y(kMousePlaces - 1), 0.0) && mouse.sync();
 }
 
-/// Returns how many places of the spiral occur among the poses in contact, in this order. The first
-/// and the last pose give the scale.
-int count_spiral(const std::vector<PenEvent>& all) {
-  std::vector<Point> poses;
-  for (const PenEvent& pose : all) {
-    if (pose.position.z < 0.0) poses.push_back({pose.position.x, pose.position.y});
+/// Returns the number of places of the zigzag among the poses in contact: one more than the turns
+/// of x. Poses between two places, which the program interpolates, add no turn, and neither do
+/// steps of a pixel by which the server rounds. Each lost place removes two turns.
+int count_zigzag(std::span<const PenEvent> poses) {
+  std::vector<double> places;
+  for (const PenEvent& pose : poses) {
+    if (in_contact(sample_of(0, pose))) places.push_back(pose.position.x);
   }
-  if (poses.size() < 2) return 0;
-  const QPointF first = spiral_px(0), way = spiral_px(kMousePlaces - 1) - first;
-  const double mm_per_px = norm(poses.back() - poses.front()) / std::hypot(way.x(), way.y());
-  auto at = poses.begin();
-  int count = 0;
-  for (int i = 0; i < kMousePlaces; ++i) {
-    const QPointF px = spiral_px(i) - first;
-    const Point wanted = poses.front() + mm_per_px * Vec{px.x(), px.y()};
-    const auto found = std::find_if(
-        at, poses.end(), [&](const Point& pose) { return norm(pose - wanted) < 0.05 * mm_per_px; });
-    if (found == poses.end()) continue;
-    at = found;
-    ++count;
+  if (places.empty()) return 0;
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  const double turn_mm = 0.25 * (*high - *low);
+  int count = 1;
+  double farthest = places.front();  // in the current direction
+  int direction = 0;
+  for (const double x : places) {
+    const bool turns =
+        direction == 0 ? std::fabs(x - farthest) > turn_mm : direction * (farthest - x) > turn_mm;
+    if (turns) {
+      ++count;
+      direction = x > farthest ? 1 : -1;
+      farthest = x;
+    } else if (direction != 0 && direction * (x - farthest) > 0.0) {
+      farthest = x;
+    }
   }
   return count;
 }
@@ -168,8 +169,8 @@ std::string try_mouse(const XServer& server, const QProcess& program, const QStr
   wait_until([&] {
     const auto so_far = poses_of(recording);
     if (!so_far || so_far->size() <= before->size()) return false;
-    seen = count_spiral({so_far->begin() + std::ptrdiff_t(before->size()), so_far->end()});
-    return seen == kMousePlaces && so_far->back().position.z >= 0.0;
+    seen = count_zigzag(std::span(*so_far).subspan(before->size()));
+    return seen == kMousePlaces && is_lifted(*so_far);
   });
   std::fprintf(stderr, "%d of %d places of the mouse are poses\n", seen, kMousePlaces);
   return seen == kMousePlaces ? std::string() : "places of the mouse were lost";

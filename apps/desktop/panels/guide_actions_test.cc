@@ -9,7 +9,6 @@
 namespace felt::desktop::guide_actions_test {
 namespace {
 
-using testing::draw_lines;
 using testing::still;
 
 TEST(GuideActions, TheSwitchShowsWhetherTheGuidesAreShownAlsoIfAStrokeRefusesIt) {
@@ -32,11 +31,23 @@ TEST(GuideActions, TheSwitchShowsWhetherTheGuidesAreShownAlsoIfAStrokeRefusesIt)
   EXPECT_TRUE(show->isChecked()) << "nothing has changed";
 }
 
+/// Draws a line with the pen and the current tool.
+void draw(Studio& studio) {
+  for (int i = 0; i <= 41; ++i) {
+    studio.point({.time_ns = studio.now_ns(),
+                  .position = {20.0 + 0.5 * i, 30.0 + 0.25 * i},
+                  .touching = i > 0 && i < 41,
+                  .pressure = 0.5});
+    studio.advance(8'000'000);
+  }
+  studio.advance(1'000'000'000);
+}
+
 // A guide from the menu is there once. What is drawn next is a line along it, not another guide.
 TEST(GuideActions, AfterAGuideIsAddedOneDrawsWithTheToolOfBefore) {
   for (const char* kind : {"ruler", "line", "parallels", "ellipse", "perspective", "grid",
                            "isometric_grid", "symmetry"}) {
-    Studio studio{still()};
+    Studio studio({.device = QStringLiteral("tablet"), .live = false});
     QWidget window;
     Actions actions{&window};
     add_guide_actions(actions, studio);
@@ -46,7 +57,7 @@ TEST(GuideActions, AfterAGuideIsAddedOneDrawsWithTheToolOfBefore) {
     add->trigger();
     ASSERT_EQ(studio.session().document().guides().size(), 1U) << kind;
     EXPECT_EQ(studio.session().tool().info().id, tool) << kind;
-    draw_lines(studio, 1);
+    draw(studio);
     EXPECT_EQ(studio.session().document().guides().size(), 1U) << kind;
     EXPECT_EQ(studio.session().document().stroke_count(), std::string(kind) == "symmetry" ? 2U : 1U)
         << kind;
