@@ -46,7 +46,8 @@ TEST_F(FitAndSave, WhatIsSavedIsReadBackInItsOrder) {
     const auto& back = read->drawing.document.layers()[0].strokes;
     ASSERT_EQ(back.size(), 3u) << name;
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_NEAR(read->drawing.document.find(back[i])->bounds().y0, strokes[i].bounds().y0, 0.01) << name;
+      EXPECT_NEAR(read->drawing.document.find(back[i])->bounds().y0, strokes[i].bounds().y0, 0.01)
+          << name;
     }
   }
 }

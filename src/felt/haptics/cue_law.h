@@ -98,9 +98,10 @@ enum class CueEvent : std::uint8_t {
 /// * It sends at most one cue every kMinApartNs; single cues of one kind are at least kSameApartNs
 ///   apart. A cue that could not be sent within kStaleNs is dropped. If two cues wait, only the
 ///   more important one is sent.
-/// * Contact has the same hysteresis as ink, except while a pen lands: a pen counts as lifted when it
-///   is 0.5 mm above the surface or has been off the surface for 25 ms. So a pen that chatters on the surface counts as
-///   touching once.
+/// * Contact has the same hysteresis as ink, except while a pen lands: a pen counts as lifted when
+/// it
+///   is 0.5 mm above the surface or has been off the surface for 25 ms. So a pen that chatters on
+///   the surface counts as touching once.
 /// * Humming starts at an intensity of 0.06 and ends below 0.03. It follows changes within some 15
 ///   ms. Its cue is sent again when the intensity has changed by 0.08, or every kSayAgainNs. A
 ///   single cue interrupts the humming for kSingleNs.
