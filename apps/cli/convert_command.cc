@@ -105,8 +105,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   if (!report_notices(input.name(), opened->report, console)) return;
   // A drawing written by Feltline may be empty. For other files, keeps an older output instead of
   // replacing it by an empty file.
-  if (opened->drawing.document.stroke_count() == 0 && opened->drawing.document.fill_count() == 0 &&
-      !opened->is_exact) {
+  if (is_blank(opened->drawing.document) && !opened->is_exact) {
     return console.error(input.name() + ": contains no strokes");
   }
   const Result<void> done =

@@ -94,7 +94,7 @@ bool summarize_whole(const Input& input, Console& console, FileSummary& summary)
     for (const StrokeId id : layer.strokes) summary.add(*document.find(id));
   }
   summary.is_sketch = true;
-  if (summary.strokes == 0 && document.fill_count() == 0 && !opened->is_exact)
+  if (is_blank(document) && !opened->is_exact)
     console.error(input.name() + ": contains no strokes");
   summary.opened = *std::move(opened);
   return true;

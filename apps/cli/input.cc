@@ -40,6 +40,12 @@ bool is_stream(const std::string& path) {
 
 }  // namespace
 
+bool is_blank(const Document& document) noexcept {
+  if (document.stroke_count() > 0 || document.fill_count() > 0) return false;
+  return std::none_of(document.layers().begin(), document.layers().end(),
+                      [](const Layer& layer) { return layer.picture != nullptr; });
+}
+
 std::string input_name(const std::string& path) {
   return path == "-" ? "stdin" : path;
 }

@@ -57,6 +57,9 @@ class Input {
   bool is_quickdraw_ = false;
 };
 
+/// Returns true if a drawing contains neither strokes nor fills nor pictures.
+bool is_blank(const Document& document) noexcept;
+
 /// Returns "stdin" for "-", and otherwise the path.
 std::string input_name(const std::string& path);
 

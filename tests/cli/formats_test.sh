@@ -238,6 +238,21 @@ run 1 "$feltline" convert fitted_ids.ndjson -o converted_ids.svg
 has err "feltline: fitted_ids.ndjson:1: XML cannot contain the character U+1"
 same converted_ids.svg ids.svg
 
+# A drawing of a picture alone is a drawing, also if the name of the file has a query.
+run 0 "$feltline" render a.ndjson -o alone.png --page 30x20 --dpi 50.8
+for name in alone.png 'alone.png?x=1' 'alone.png#x'; do
+  echo '<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="20mm" viewBox="0 0 30 20">' \
+    "<image href='$name' width='30' height='20'/></svg>" >alone.svg
+  run 0 "$feltline" convert alone.svg -o alone.felt --strict
+  run 0 "$feltline" info alone.svg --strict
+  run 0 "$feltline" convert alone.felt -o again.svg
+  has again.svg '<image '
+done
+echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M1 1h9" fill="none"/></svg>' >blank.svg
+run 1 "$feltline" convert blank.svg -o blank.felt
+has err "path has neither a line nor a fill that shows and was skipped"
+has err "blank.svg: contains no strokes"
+
 # The output of info.
 run 0 "$feltline" info in.ndjson --json
 has out '{"kind":"raw","strokes":20,"samples":800,"longest_stroke":40,"with_pressure":20,"with_time":20,'

@@ -13,9 +13,8 @@ namespace felt {
 /// The filled area of a shape.
 struct SvgArea {
   Fill fill;  ///< without its colour
-  /// True if the shape is filled by the non-zero rule and is too complex to convert it (more than
-  /// about 10,000 edges above each other). Then the even-odd rule can show holes where it covers an
-  /// area twice.
+  /// True if the shape is filled by the non-zero rule and is too complex to convert it. Then
+  /// the even-odd rule can show holes where it covers an area twice.
   bool may_lack_parts = false;
 };
 

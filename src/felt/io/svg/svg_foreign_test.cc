@@ -193,7 +193,7 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
   for (const char* expected :
        {"line 2: text 'title' is not a stroke and was skipped (and 2 more like it)",
         "line 4: image was skipped: it names no picture",
-        "line 5: script was skipped: animation is not", "line 6: g has a filter",
+        "line 5: script was skipped: scripts are not", "line 6: g has a filter",
         "line 6: g has a mask", "line 6: g has a clip path", "line 7: path has markers",
         "it is in another file", "the element it refers to is not in the file",
         "is hidden in the file", "mean colour of its stops",

@@ -23,7 +23,7 @@ namespace {
 constexpr double kChordMm = 0.001;
 constexpr double kCellMm = 1.0 / 2048.0;
 constexpr double kMaxCells = 268'435'456.0;            ///< 2^28, so that cross products fit 64 bits
-constexpr std::int64_t kMaxComparisons = 300'000'000;  ///< about a second
+constexpr std::int64_t kMaxComparisons = 300'000'000;  ///< between edges
 constexpr std::size_t kMaxEdges = 2'000'000;
 constexpr int kMaxSteps = 4096;  ///< for each curve
 constexpr int kMaxRounds = 24;

@@ -87,7 +87,8 @@ Result<std::shared_ptr<const PictureData>> SvgPictures::load_new(std::string_vie
       return skipped("it is at another address, which is not opened");
     }
     if (href.size() > 4096) return skipped("the name of its file is too long");
-    return load_file(without_percents(href));
+    // A query or a fragment is not a part of the name. A file with such a name is written as %3F.
+    return load_file(without_percents(href.substr(0, href.find_first_of("?#"))));
   }
   return data_of_uri(href.substr(5)).and_then([this](std::string bytes) {
     return decoded(std::move(bytes));

@@ -204,8 +204,15 @@ TEST(SvgImages, OtherFilesAreBelowTheFolder) {
   EXPECT_TRUE(is_read("a%20b.png"));
   EXPECT_TRUE(is_read("sub/b.png"));
   EXPECT_TRUE(is_read("./sub/b.png"));
-  for (const std::string bad : {"../out.png", "sub/../../out.png", "link.png", ".hidden.png",
-                                "none.png", "sub", "%2e%2e/out.png", "//host/a.png"}) {
+  // A query and a fragment are not a part of the name.
+  EXPECT_TRUE(is_read("sub/b.png?x=1"));
+  EXPECT_TRUE(is_read("sub/b.png#x"));
+  EXPECT_TRUE(is_read("a%20b.png?x=1#y/../z"));
+  ASSERT_TRUE(write_file(inside + "c?d#e.png", png));
+  EXPECT_TRUE(is_read("c%3Fd%23e.png"));
+  for (const std::string bad :
+       {"../out.png", "sub/../../out.png", "link.png", ".hidden.png", "none.png", "sub", "?x=1",
+        "sub/b.png%3Fx=1", "%2e%2e/out.png", "//host/a.png"}) {
     EXPECT_FALSE(is_read(bad)) << bad;
   }
   EXPECT_FALSE(is_read(folder + "/out.png"));

@@ -84,6 +84,9 @@ Result<void> SvgWalker::begin() {
   units.view_height = box ? box->height() : root.height_mm.value_or(0.0) / kSvgMmPerPx;
   units.root_width = units.view_width;
   units.root_height = units.view_height;
+  if (root.width_mm && root.height_mm) {
+    root_size_px_ = Vec{*root.width_mm / kSvgMmPerPx, *root.height_mm / kSvgMmPerPx};
+  }
   place_page(box, root, e.state);
   sink_.root(root);
   if (!resolve(e)) return {};

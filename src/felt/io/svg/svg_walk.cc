@@ -26,9 +26,9 @@ constexpr std::array<std::string_view, 28> kSilent{
     "stop",      "style",          "symbol",
     "title",     "view",           "linearGradientStop",
     "solidColor"};
-constexpr std::array<std::string_view, 9> kAnimations{
-    "animate", "animateColor", "animateMotion", "animateTransform", "discard",
-    "handler", "script",       "set",           "listener"};
+constexpr std::array<std::string_view, 6> kAnimations{
+    "animate", "animateColor", "animateMotion", "animateTransform", "discard", "set"};
+constexpr std::array<std::string_view, 3> kScripts{"handler", "listener", "script"};
 
 /// Number of bytes that are subtracted from the budget for `use` for each node and each attribute.
 constexpr std::int64_t kNodeBytes = 16;
@@ -133,6 +133,7 @@ void SvgWalker::visit(const pugi::xml_node& node, const Frame& from) {
   if (is_one_of(e.name, kSilent) && !is_target) return;
   if (is_one_of(e.name, kAnimations))
     return notice(node, "was skipped: animation is not supported");
+  if (is_one_of(e.name, kScripts)) return notice(node, "was skipped: scripts are not run");
   if (!passes_conditions(node)) return;
   if (resolve(e)) dispatch(e, from);
 }
@@ -221,10 +222,20 @@ void SvgWalker::apply_transform(Element& e) {
   text += e.declared[SvgProperty::kTransform];
   if (!text.empty()) {
     if (const std::optional<Affine> m = svg_transform(text)) {
-      const Vec origin = svg_transform_origin(e.declared[SvgProperty::kTransformOrigin], s.units);
+      // The root is a box on the page: it turns about its middle, and lengths are pixels of the
+      // page.
+      const bool is_root = root_size_px_ && e.node == document_.root();
+      SvgUnits units = s.units;
+      if (is_root) units.view_width = root_size_px_->x;
+      if (is_root) units.view_height = root_size_px_->y;
+      std::string_view origin_text = e.declared[SvgProperty::kTransformOrigin];
+      if (is_root && origin_text.empty()) origin_text = "center";
+      const Vec origin = svg_transform_origin(origin_text, units);
       const Affine moved =
           origin == Vec{} ? *m : then(then(translation(-1.0 * origin), *m), translation(origin));
-      s.to_mm = then(moved, s.to_mm);
+      s.to_mm = is_root ? then(s.to_mm,
+                               then(then(scaling(1.0 / kSvgMmPerPx), moved), scaling(kSvgMmPerPx)))
+                        : then(moved, s.to_mm);
     } else {
       notice(e.node, "has an invalid transform, which was ignored");
     }
@@ -382,6 +393,8 @@ void SvgWalker::visit_shape(Element& e) {
     if (++children > kMaxOfShape) break;
     if (is_one_of(document_.svg_name(child, e.state.default_is_svg), kAnimations)) {
       notice(child, "was skipped: animation is not supported");
+    } else if (is_one_of(document_.svg_name(child, e.state.default_is_svg), kScripts)) {
+      notice(child, "was skipped: scripts are not run");
     }
   }
   if (is_paper(e)) {

@@ -96,6 +96,7 @@ class SvgWalker {
   std::size_t segments_left_;
   std::int64_t repeats_left_, repeat_bytes_left_;
   std::size_t layers_ = 0;
+  std::optional<Vec> root_size_px_;  ///< if the file gives it
   std::size_t groups_ = 0;
   std::size_t blended_groups_ = 0;
   std::size_t current_layer_ = 0;

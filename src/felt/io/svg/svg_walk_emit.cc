@@ -153,6 +153,31 @@ double path_length_scale(const char* path_length, std::span<const SvgContour> co
   return length > 0.0 ? length / *written : 1.0;
 }
 
+/// Returns true if a shape is an upright rectangle, drawn once or several times, or has no extent.
+/// Without paint, icons contain such shapes as their frame.
+bool is_frame(std::span<const SvgContour> contours) {
+  Rect box;
+  for (const SvgContour& c : contours) {
+    for (const Point& p : c.points) box.extend(p);
+  }
+  const double size = std::max(box.width(), box.height());
+  if (contours.empty() || !(size > 0.0)) return true;
+  const auto same = [size](double a, double b) { return std::fabs(a - b) <= 1e-3 * size; };
+  std::array<bool, 4> corners{};
+  for (const SvgContour& c : contours) {
+    if (contours.size() == 1 && c.points.front() != c.points.back()) return false;
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      const Point p = c.points[i];
+      const bool on_x = same(p.x, box.x0) || same(p.x, box.x1);
+      const bool on_y = same(p.y, box.y0) || same(p.y, box.y1);
+      // Control points lie on a side between the corners.
+      if (i % 3 == 0 ? !(on_x && on_y) : !(on_x || on_y)) return false;
+      if (i % 3 == 0) corners[(same(p.x, box.x1) ? 1 : 0) + (same(p.y, box.y1) ? 2 : 0)] = true;
+    }
+  }
+  return corners == std::array{true, true, true, true};
+}
+
 }  // namespace
 
 std::optional<Rgba> SvgWalker::paint_color(const SvgPaint& paint, const Element& e,
@@ -201,13 +226,18 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.closed = document_.ours(e.node, "closed");
   v.joints = document_.ours(e.node, "joints");
   SvgScan effects(document_.inkscape(e.node, "path-effect"));
-  while (!effects.empty() && !v.has_effect) {
+  bool has_other = false;
+  while (!effects.empty()) {
     const std::string_view one = svg_trimmed(effects.until(';'));
     if (one.empty() || one.front() != '#') continue;
     const pugi::xml_node effect = document_.find(one.substr(1));
+    if (!effect || svg_same_word(effect.attribute("is_visible").value(), "false")) continue;
     const std::string_view kind = effect.attribute("effect").value();
-    v.has_pattern = v.has_pattern || kind == "skeletal";
-    if (kind != "powerstroke") continue;
+    v.has_pattern = v.has_pattern || (kind == "skeletal" && !v.has_effect);
+    if (kind != "powerstroke" || v.has_effect) {
+      has_other = true;
+      continue;
+    }
     v.has_effect = true;
     v.offset_points = effect.attribute("offset_points").value();
     v.interpolator = effect.attribute("interpolator_type").value();
@@ -216,7 +246,8 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
     v.start_cap = effect.attribute("start_linecap_type").value();
     v.end_cap = effect.attribute("end_linecap_type").value();
   }
-  if (!v.has_effect && !v.is_ours) return std::nullopt;
+  // Other effects change the line that the widths belong to. Then `d` shows the result.
+  if (!v.is_ours && (!v.has_effect || has_other)) return std::nullopt;
   return v;
 }
 
@@ -272,7 +303,14 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
   if (!shape.pieces.empty() && !shape.fill && style.fill.kind == SvgPaint::Kind::kColor) {
     shape.fill = SvgFill{svg_faded(style.fill.color, style.fill_opacity * e.state.opacity), true};
   }
-  if (!shape.fill && !shape.line && !is_ink) return;
+  if (!shape.fill && !shape.line && !is_ink) {
+    // A frame whose line is switched off by its width alone was drawn as a line.
+    const bool is_thin = style.stroke.kind != SvgPaint::Kind::kNone && !(style.stroke_width > 0.0);
+    if (!style.has_marker && (is_thin || !is_frame(shape.contours))) {
+      notice(e.node, "has neither a line nor a fill that shows and was skipped");
+    }
+    return;
+  }
   if (shape.fill && shape.line && style.reorders_paint) {
     notice(e.node, "paints its line below its fill, which was ignored");
   }
