@@ -8,6 +8,7 @@
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
 #include "felt/formats/lost_objects.h"
+#include "felt/io/drawing_parts.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/io/ndjson/ndjson_writer.h"

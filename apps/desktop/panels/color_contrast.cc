@@ -10,7 +10,7 @@ namespace {
 
 // Above that of black ink on the blackboard, 2.0, which people reported as hard to see.
 constexpr double kHiddenContrast = 2.25;
-constexpr int kHiddenStep = 64;
+constexpr int kHiddenStep = 72;
 
 double luminance_of(Rgba color) {
   const auto linear = [](std::uint8_t part) {
