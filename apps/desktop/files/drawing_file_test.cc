@@ -46,8 +46,15 @@ TEST(DrawingFile, OtherFormatsHoldTheVisibleStrokes) {
       const QString path = folder.filePath(QString::fromUtf8(name));
       ASSERT_TRUE(write_drawing(path, drawing));
       const Drawing back = read_drawing(path).value();
-      EXPECT_EQ(felt::testing::by_value(visible_strokes(back.document)), strokes)
-          << name << " seed " << seed;
+      const auto found = felt::testing::by_value(visible_strokes(back.document));
+      ASSERT_EQ(found.size(), strokes.size()) << name << " seed " << seed;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].data().points, strokes[i].data().points) << name << " seed " << seed;
+        // Lines of JSON have no layers, so their opacity is in the colours of the strokes.
+        if (name[2] != 'n') {
+          EXPECT_EQ(found[i], strokes[i]) << name << " seed " << seed;
+        }
+      }
       EXPECT_TRUE(name[2] == 'n' || back.page == drawing.page) << name;
     }
   }

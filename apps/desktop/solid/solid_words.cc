@@ -38,6 +38,10 @@ constexpr const char* kSentences[] = {
                       "contains no closed outline: there is a gap of %1 mm at (%2, %3) mm, at the "
                       "end of stroke %4"),
     QT_TRANSLATE_NOOP("SolidWords", "contains no closed outline"),
+    QT_TRANSLATE_NOOP(
+        "SolidWords",
+        "the lines are too dense at (%1, %2) mm to find an outline: %3 mm of line within "
+        "%4 mm, but at most %5 mm can be; smooth the line"),
     QT_TRANSLATE_NOOP("SolidWords", "contains no visible strokes"),
     QT_TRANSLATE_NOOP("SolidWords", "has more than 100,000 visible strokes"),
     QT_TRANSLATE_NOOP("SolidWords", "an option for solids is out of range"),

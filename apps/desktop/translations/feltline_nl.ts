@@ -1827,6 +1827,10 @@
         <translation>er is geen gesloten omtrek</translation>
     </message>
     <message>
+        <source>the lines are too dense at (%1, %2) mm to find an outline: %3 mm of line within %4 mm, but at most %5 mm can be; smooth the line</source>
+        <translation>de lijnen zijn bij (%1, %2) mm te dicht om een omtrek te vinden: %3 mm lijn binnen %4 mm, hoogstens mogelijk is %5 mm; maak de lijn vloeiend</translation>
+    </message>
+    <message>
         <source>contains no visible strokes</source>
         <translation>er zijn geen zichtbare streken</translation>
     </message>
