@@ -27,6 +27,10 @@ constexpr const char* kSentences[] = {
         "left out: edit %1 of the body, the smoothing that begins at (%2, %3) mm: %4"),
     QT_TRANSLATE_NOOP("SolidWords", "left out the smaller part: %1"),
     QT_TRANSLATE_NOOP("SolidWords", "left out: %1"),
+    QT_TRANSLATE_NOOP(
+        "SolidWords",
+        "stroke %1 draws the outline of stroke %2 again, %3 mm beside it, and makes no "
+        "hole"),
     QT_TRANSLATE_NOOP("SolidWords", "left out %1 small closed line, %2"),
     QT_TRANSLATE_NOOP("SolidWords", "left out %1 small closed lines, the largest %2"),
     QT_TRANSLATE_NOOP("SolidWords",

@@ -1827,6 +1827,10 @@
         <translation>es gibt keinen geschlossenen Umriss</translation>
     </message>
     <message>
+        <source>stroke %1 draws the outline of stroke %2 again, %3 mm beside it, and makes no hole</source>
+        <translation>Strich %1 zeichnet den Umriss von Strich %2 noch einmal, %3 mm daneben, und macht kein Loch</translation>
+    </message>
+    <message>
         <source>the lines are too dense at (%1, %2) mm to find an outline: %3 mm of line within %4 mm, but at most %5 mm can be; smooth the line</source>
         <translation>die Linien sind bei (%1, %2) mm zu dicht, um einen Umriss zu finden: %3 mm Linie innerhalb von %4 mm, höchstens möglich sind %5 mm; glätten Sie die Linie</translation>
     </message>

@@ -1827,6 +1827,10 @@
         <translation>er is geen gesloten omtrek</translation>
     </message>
     <message>
+        <source>stroke %1 draws the outline of stroke %2 again, %3 mm beside it, and makes no hole</source>
+        <translation>streek %1 tekent de omtrek van streek %2 nog eens, %3 mm ernaast, en maakt geen gat</translation>
+    </message>
+    <message>
         <source>the lines are too dense at (%1, %2) mm to find an outline: %3 mm of line within %4 mm, but at most %5 mm can be; smooth the line</source>
         <translation>de lijnen zijn bij (%1, %2) mm te dicht om een omtrek te vinden: %3 mm lijn binnen %4 mm, hoogstens mogelijk is %5 mm; maak de lijn vloeiend</translation>
     </message>
