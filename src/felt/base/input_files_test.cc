@@ -9,6 +9,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt::input_files_test {
 namespace {
@@ -22,8 +23,7 @@ constexpr std::size_t kMaxBytes = 1000;
 class InputFiles : public ::testing::Test {
  protected:
   InputFiles() {
-    std::string name = (fs::temp_directory_path() / "felt-inputs-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
+    fs::create_directory(folder_);
     EXPECT_TRUE(write_file(path("in"), "input"));
   }
   ~InputFiles() override { fs::remove_all(folder_); }
@@ -38,7 +38,7 @@ class InputFiles : public ::testing::Test {
     EXPECT_EXIT(::_exit(check() ? 0 : 1), ::testing::ExitedWithCode(0), "") << what;
   }
 
-  fs::path folder_;
+  fs::path folder_ = scratch_path("inputs");
 };
 
 TEST_F(InputFiles, NoOutputReplacesAFileThatWasReadUnderAnyName) {

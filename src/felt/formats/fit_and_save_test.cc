@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "felt/formats/drawing_reader.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt::fit_and_save_test {
 namespace {
@@ -24,16 +24,13 @@ std::vector<InkSample> wave(double y_mm) {
 
 class FitAndSave : public ::testing::Test {
  protected:
-  FitAndSave() {
-    std::string name = (std::filesystem::temp_directory_path() / "felt-save-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
+  FitAndSave() { std::filesystem::create_directory(folder_); }
   ~FitAndSave() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string file(const std::string& name) const {
     return (folder_ / name).string();
   }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder_ = scratch_path("save");
 };
 
 TEST_F(FitAndSave, WhatIsSavedIsReadBackInItsOrder) {

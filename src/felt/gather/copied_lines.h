@@ -9,7 +9,7 @@
 namespace felt {
 
 /// Finds lines that are copies of each other, in either direction, and returns for each line the
-/// index of the copy that stands for it: its own index if there is no other. Copies have their
+/// index of the copy that represents it. A line without copies represents itself. Copies have their
 /// lengths, ends and seven points in between in the same cells of a grid of `tolerance_mm` > 0, so
 /// copies never differ by more than that at these points, but two lines that are as near may still
 /// count as different. Lines without length have no copies. Which lines are copies does not depend

@@ -47,8 +47,8 @@ inline constexpr double kMinMeanWidthMm = 0.2;
 ///  * All areas that touch each other along a line are one body: its outline is that of their
 ///    union. So overlapping shapes join, and lines across a shape do not divide it.
 ///  * `holes` says what closed lines inside a body are, if they do not touch its outline.
-///  * A closed line inside another one is no hole if the ink of both touches, on average: it draws
-///    the outline again. It is left out with a note.
+///  * A closed line inside another one redraws its outline instead of making a hole if the ink of
+///    both touches, on average. It is left out with a note.
 ///  * Loops that are too small, and small loops beside a larger one, are left out with a note.
 ///  * With FaultChoice::kLeaveOut, if areas meet in only one point, the smaller ones are left out
 ///    with a note.

@@ -67,7 +67,7 @@ SolidCamera solid_camera(double turn_deg, double rise_deg) noexcept;
 /// Paints a solid as matt bodies in the light of a lamp at the upper left of the camera, on white.
 /// Every body has its shown_color(), with the ink of `paint` on its front unless that is null.
 /// Parallel projection; the picture is filled. Works in software, with a depth buffer and nine
-/// samples for each pixel. Fails if the size is out of range or there is no body.
+/// samples for each pixel. Fails if the size is out of range or `solid` is empty.
 Result<Image> paint_solid(const Solid& solid, const SolidView& view,
                           const FrontPaint* paint = nullptr);
 

@@ -26,7 +26,7 @@ struct UnseenInk {
 };
 
 /// Finds the unseen ink: white lines on white paper, lines of 2 % opacity. Ink on a fill of another
-/// colour counts as on the paper, because a hole in a raised area is no line.
+/// colour is compared with the paper, because a gap in a raised area cannot be felt as a line.
 UnseenInk unseen_ink(const Document& document, Rgba paper);
 
 /// Returns the bounds of the ink of visible layers that is seen on the paper, mm; empty if there is
