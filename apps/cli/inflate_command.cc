@@ -57,10 +57,11 @@ void add_options(CLI::App& command, InflateArguments& args) {
                      "Also, or only, make a film in which the solid turns once: a .webm or .gif;\n"
                      "needs ffmpeg");
   command
-      .add_option("--triangles", args.options.triangles,
-                  "About how many triangles the solid gets; narrow parts can need more")
-      ->check(CLI::Range(InflateOptions::kMinTriangles, InflateOptions::kMaxTriangles))
-      ->capture_default_str();
+      .add_option(
+          "--triangles", args.options.triangles,
+          "About how many triangles the solid gets; narrow parts can need more. Default: as many\n"
+          "as it needs to look smooth at 1,200 pixels")
+      ->check(CLI::Range(InflateOptions::kMinTriangles, InflateOptions::kMaxTriangles));
   command
       .add_option("--thickness", args.options.thickness,
                   "Factor of the thickness; with 1 a disc becomes a ball")

@@ -41,13 +41,14 @@ watertight ring.obj 0
 [ "$(head -c 4 ring.glb)" = glTF ] || fail "no glb"
 [ "$(head -c 2 ring.3mf)" = PK ] || fail "no 3mf"
 faces=$(($(($(wc -c <ring.stl) - 84)) / 50))
-{ [ $faces -gt 4000 ] && [ $faces -lt 16000 ]; } || fail "$faces triangles"
+# As many as its two outlines need at 1,200 pixels: 10,560.
+{ [ $faces -gt 9500 ] && [ $faces -lt 11600 ]; } || fail "$faces triangles"
 
 # Options.
 run 0 "$feltline" inflate ring.svg -o disc.obj --fill-holes
 watertight disc.obj 2
 run 0 "$feltline" inflate ring.svg -o few.stl --triangles 1000
-[ "$(wc -c <few.stl)" -lt 400000 ] || fail "more than 8,000 triangles"
+[ "$(wc -c <few.stl)" -lt 90000 ] || fail "more than 1,800 triangles"
 run 0 "$feltline" inflate ring.svg --png ring.png
 [ "$(head -c 4 ring.png | tail -c 3)" = PNG ] || fail "no picture"
 run 0 "$feltline" inflate ring.svg -o both.stl --png both.png
@@ -99,7 +100,8 @@ run 0 "$feltline" replay edits.ndjson --on ring.svg -o edited.felt
 run 0 "$feltline" inflate edited.felt -o edited.obj --fill-holes
 has err "edit 3 of the body, the cut that begins at (0.00, 0.00) mm: the stroke does not touch a body"
 watertight edited.obj 2
-awk '$1 == "v" && $2 < -0.02 { exit 1 }' edited.obj || fail "the left half is still there"
+# The stroke is moved off the points of the body, here by 0.0014 mm (docs/design/solids.md#edits-of-the-body).
+awk '$1 == "v" && $2 < -0.002 { exit 1 }' edited.obj || fail "the left half is still there"
 run 0 "$feltline" inflate edited.felt -o edited.glb --fill-holes
 grep -q COLOR_0 edited.glb || fail "nothing is painted"
 grep -q "painted line\|paint on the body" err && fail "the paint is in the .glb"

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -17,6 +19,8 @@ constexpr int kMaxPasses = 10, kMaxFlipPasses = 2;
 /// The normals at the ends of an inner edge may differ by this factor more than those of the facets
 /// beside an edge of the border, which differ by twice the turn to the next point inside.
 constexpr double kInnerTurn = 2.0;
+/// If there are too many triangles, the normals may turn farther by this factor.
+constexpr double kCoarserTurn = 1.2;
 /// Edges whose projection to the plane is shorter than this share of the shortest edge stay.
 constexpr double kMinFlatShare = 0.1;
 using Corners = std::array<std::uint32_t, 3>;
@@ -77,7 +81,8 @@ class Division {
   Division(const PlaneMesh& mesh, const std::vector<std::uint8_t>& on_border,
            const SquaredHeights& squares, const SurfaceSpec& spec);
 
-  FineSurface run();
+  /// Returns the surface, or nullopt if it would have too many triangles.
+  std::optional<FineSurface> run();
 
  private:
   /// An edge of a triangle, and the point that divides it.
@@ -115,7 +120,7 @@ Division::Division(const PlaneMesh& mesh, const std::vector<std::uint8_t>& on_bo
     : polynomials_(mesh, squares),
       spec_(spec),
       min_cosine_(std::cos(spec.max_turn_rad)),
-      min_inner_cosine_(std::cos(kInnerTurn * spec.max_turn_rad)),
+      min_inner_cosine_(std::cos(std::min(kInnerTurn * spec.max_turn_rad, std::numbers::pi))),
       on_border_(on_border) {
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     nodes_.push_back({mesh.points[i], squares.at_points[i]});
@@ -294,9 +299,11 @@ bool Division::divide_once() {
   return true;
 }
 
-FineSurface Division::run() {
-  for (int pass = 0; pass < kMaxPasses && divide_once(); ++pass)
+std::optional<FineSurface> Division::run() {
+  for (int pass = 0; pass < kMaxPasses && divide_once(); ++pass) {
+    if (parts_.size() > spec_.max_triangles) return std::nullopt;
     flip_once(FlipChoice::kWithinWhole);
+  }
   for (int pass = 0; pass < kMaxFlipPasses && flip_once(FlipChoice::kAll); ++pass) {
   }
   FineSurface surface;
@@ -323,7 +330,15 @@ FineSurface Division::run() {
 
 FineSurface fine_surface(const PlaneMesh& mesh, const std::vector<std::uint8_t>& on_border,
                          const SquaredHeights& squares, const SurfaceSpec& spec) {
-  return surface_division::Division(mesh, on_border, squares, spec).run();
+  using namespace surface_division;
+  SurfaceSpec tried = spec;
+  while (tried.max_turn_rad < std::numbers::pi) {
+    std::optional<FineSurface> surface = Division(mesh, on_border, squares, tried).run();
+    if (surface) return *std::move(surface);
+    tried.max_turn_rad *= kCoarserTurn;
+  }
+  tried.max_turn_rad = std::numbers::pi;  // divides nothing
+  return Division(mesh, on_border, squares, tried).run().value();
 }
 
 }  // namespace felt

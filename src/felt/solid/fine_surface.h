@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "felt/solid/heights.h"
@@ -11,6 +13,8 @@ namespace felt {
 struct SurfaceSpec {
   double max_turn_rad = 0.1;  ///< how far the normal turns along an edge
   double min_edge_mm = 0.1;   ///< edges that are shorter than twice this are not divided
+  /// If the surface would have more triangles, the normal may turn farther.
+  std::size_t max_triangles = std::numeric_limits<std::size_t>::max();
 };
 
 /// A triangle mesh with the half of the thickness at each point.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,7 @@ using testing::SolidDrawing;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-Solid inflated(const SolidDrawing& drawing, int triangles = 5000) {
+Solid inflated(const SolidDrawing& drawing, std::optional<int> triangles = {}) {
   Result<InflatedDrawing> result = inflate(drawing.document, {.triangles = triangles});
   FELT_CHECK(result.has_value());
   return result->solid;
@@ -39,6 +40,18 @@ SolidDrawing ellipse(double a, double b) {
   SolidDrawing drawing;
   drawing.add(testing::stroke_of(testing::smooth_ring(at), true));
   return drawing;
+}
+
+TEST(FineSurface, KeepsTheNumberOfTrianglesIfThereIsOne) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolidDrawing drawing = ellipse(20.0 + 2.0 * static_cast<double>(seed), 20.0);
+    for (const int wanted : {2000, 5000, 20000}) {
+      const auto count = static_cast<double>(triangle_count(inflated(drawing, wanted)));
+      EXPECT_GT(count, 0.6 * wanted);
+      EXPECT_LT(count, 1.2 * wanted);
+    }
+  }
 }
 
 /// Returns the angles in degrees between the facets at both sides of the edges for which `counts`

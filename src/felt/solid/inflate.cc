@@ -56,9 +56,9 @@ double area_inside(const Curves& curves) {
 constexpr double kTriangleArea = 0.2, kTrianglesPerBorderEdge = 1.2;
 /// The edges of the border are shorter than the others, because the surface is steep there.
 constexpr double kBorderShare = 0.5;
-/// The mesh has this share of the wanted triangles; its two sides and the fine surface make about
-/// the rest.
-constexpr double kCoarseShare = 0.25;
+/// Each side of the coarse mesh has this share of the triangles. If a number was asked for, less is
+/// left to the fine surface, because on an even body it divides all triangles or none.
+constexpr double kCoarseShare = 0.25, kCoarseShareOfNumber = 0.4;
 
 /// Returns the longest side of a triangle for about `count` triangles: the positive solution e of
 /// count = area / 0.2 e^2 + 1.2 length / 0.5 e.
@@ -66,6 +66,12 @@ double edge_for(double count, double area_mm2, double length_mm) {
   const double linear = kTrianglesPerBorderEdge * length_mm / kBorderShare;
   const double constant = area_mm2 / kTriangleArea;
   return (linear + std::sqrt(linear * linear + 4.0 * count * constant)) / (2.0 * count);
+}
+
+/// Returns about how many triangles have sides of at most `edge_mm`: the inverse of edge_for().
+double count_for(double edge_mm, double area_mm2, double length_mm) {
+  return area_mm2 / (kTriangleArea * edge_mm * edge_mm) +
+         kTrianglesPerBorderEdge * length_mm / (kBorderShare * edge_mm);
 }
 
 double length_of(const Curves& curves) {
@@ -76,18 +82,32 @@ double length_of(const Curves& curves) {
   return length;
 }
 
-/// A surface of this many triangles has the figures of kOutlinePx and kTurnDeg.
-constexpr double kUsualTriangles = 5000.0;
+/// Without a number of triangles, the coarse mesh is that of this number, and the figures below
+/// decide what is added to it. With a number, they become larger or smaller by its ratio to this.
+constexpr int kUsualTriangles = 5000;
 /// The border is within 1/5 of a pixel of the outline if the body is this many pixels large.
 constexpr double kOutlinePx = 1200.0, kOutlineShareOfPx = 0.18;
 /// How far the normals of the surface turn along an edge.
 constexpr double kTurnDeg = 8.0;
 
-/// Returns how fine the surface of a body is.
-SurfaceSpec surface_spec_of(const RingSpec& ring, const InflateOptions& options) {
-  const double fineness = std::sqrt(kUsualTriangles / options.triangles);
-  return {.max_turn_rad = std::clamp(fineness * kTurnDeg, 1.0, 45.0) * std::numbers::pi / 180.0,
-          .min_edge_mm = 0.75 * ring.min_edge_mm};
+/// Returns the ratio of the usual number of triangles to that of the options.
+double coarseness_of(const InflateOptions& options) {
+  return double{kUsualTriangles} / options.triangles.value_or(kUsualTriangles);
+}
+
+/// Returns how far the normals of the surface may turn along an edge.
+double max_turn_rad(const InflateOptions& options) {
+  const double turn_deg = std::sqrt(coarseness_of(options)) * kTurnDeg;
+  return std::clamp(turn_deg, 1.0, 45.0) * std::numbers::pi / 180.0;
+}
+
+/// Returns how fine the front of a body is that has this share of all triangles.
+SurfaceSpec surface_spec_of(const RingSpec& ring, const InflateOptions& options, double share) {
+  SurfaceSpec spec{.max_turn_rad = max_turn_rad(options), .min_edge_mm = 0.75 * ring.min_edge_mm};
+  if (options.triangles) {
+    spec.max_triangles = static_cast<std::size_t>(0.5 * share * *options.triangles);
+  }
+  return spec;
 }
 
 /// Returns the lengths for a body, so that all bodies together have about the given number of
@@ -98,13 +118,14 @@ RingSpec spec_of(const Curves& curves, const OutlineSize& whole, const InflateOp
   for (const Cubic& c : curves.front()) box.extend(control_bounds(c));
   const double extent = std::max(box.width(), box.height());
   RingSpec spec;
-  spec.edge_mm =
-      std::min(edge_for(kCoarseShare * options.triangles, whole.area_mm2, whole.length_mm),
-               edge_for(kMinFrontTriangles, area_inside(curves), length_of(curves)));
-  const double px_mm = extent / kOutlinePx * (kUsualTriangles / options.triangles);
+  const double count = options.triangles ? kCoarseShareOfNumber * *options.triangles
+                                         : kCoarseShare * kUsualTriangles;
+  spec.edge_mm = std::min(edge_for(count, whole.area_mm2, whole.length_mm),
+                          edge_for(kMinFrontTriangles, area_inside(curves), length_of(curves)));
+  const double px_mm = extent / kOutlinePx * coarseness_of(options);
   spec.tolerance_mm = std::min({0.02 * spec.edge_mm, 0.05, kOutlineShareOfPx * px_mm});
   spec.min_edge_mm = 2.0 * px_mm;
-  spec.max_turn_rad = surface_spec_of(spec, options).max_turn_rad;
+  spec.max_turn_rad = max_turn_rad(options);
   spec.tip_mm = std::max(0.01 * spec.edge_mm, 1e-4 * extent);
   return spec;
 }
@@ -139,6 +160,7 @@ class Inflation {
   InflateOptions options_;
   Curves curves_;
   RingSpec spec_;
+  double share_ = 1.0;  // of all triangles, as of the area and the outlines
   std::vector<Ring> rings_;
 };
 
@@ -177,13 +199,14 @@ Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
                     frame.centre + v.x * frame.x_axis + v.y * perp(frame.x_axis));
   }
   // Narrow parts need triangles as small as they are narrow.
-  const auto max_points = static_cast<std::size_t>(20 * options_.triangles) + 400'000;
+  const auto max_points =
+      static_cast<std::size_t>(20 * options_.triangles.value_or(kUsualTriangles)) + 400'000;
   const Result<PlaneMesh> mesh =
       fill_plane(sector->points, sector->edges, spec_.edge_mm, max_points);
   if (!mesh) {
     return tl::unexpected(with_context(mesh.error(), "stroke " + stroke_name(outline_.stroke)));
   }
-  return unfolded(*mesh, axes.count, surface_spec_of(spec_, options_), options_.thickness,
+  return unfolded(*mesh, axes.count, surface_spec_of(spec_, options_, share_), options_.thickness,
                   frame.centre, frame.x_axis)
       .and_then([&](SolidBody body) { return checked(std::move(body)); });
 }
@@ -191,6 +214,8 @@ Result<SolidBody> Inflation::body_from(const MirrorAxes& axes) const {
 Result<SolidBody> Inflation::run(const OutlineSize& whole) {
   curves_ = in_body_frame(outline_, origin_);
   spec_ = spec_of(curves_, whole, options_);
+  const double all = count_for(spec_.edge_mm, whole.area_mm2, whole.length_mm);
+  share_ = std::min(1.0, count_for(spec_.edge_mm, area_inside(curves_), length_of(curves_)) / all);
   for (const auto& curve : curves_) {
     rings_.push_back(fine_ring(curve, spec_));
     if (rings_.back().empty()) return error_at("is too narrow", curve.front().p[0]);
@@ -205,10 +230,11 @@ Result<SolidBody> Inflation::run(const OutlineSize& whole) {
 }
 
 Result<void> check_options(const InflateOptions& options) {
-  const bool sound = options.triangles >= InflateOptions::kMinTriangles &&
-                     options.triangles <= InflateOptions::kMaxTriangles &&
-                     options.max_gap_mm >= 0.0 && options.max_gap_mm <= 32.0 &&
-                     options.thickness >= 0.05 && options.thickness <= 20.0;
+  const int triangles = options.triangles.value_or(kUsualTriangles);
+  const bool sound = triangles >= InflateOptions::kMinTriangles &&
+                     triangles <= InflateOptions::kMaxTriangles && options.max_gap_mm >= 0.0 &&
+                     options.max_gap_mm <= 32.0 && options.thickness >= 0.05 &&
+                     options.thickness <= 20.0;
   if (sound) return {};
   return fail(ErrorCode::kInvalidArgument, "an option for solids is out of range");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct InflateOptions {
   static constexpr int kMaxTriangles = 1'000'000;
 
   /// About how many triangles all bodies have together; kMinTriangles to kMaxTriangles. Narrow
-  /// parts and fine details can need more.
-  int triangles = 5000;
+  /// parts can need more. If absent, each body has as many as it needs to look smooth in a picture
+  /// in which it is 1,200 pixels large.
+  std::optional<int> triangles{};
   double max_gap_mm = 2.0;  ///< gaps of the outline up to this size are closed, in mm; 0..32
   double thickness = 1.0;   ///< factor of the height; 0.05..20
   HoleChoice holes = HoleChoice::kKeep;
@@ -55,8 +57,8 @@ struct OutlineSize {
 OutlineSize size_of(const SolidOutline& outline) noexcept;
 
 /// Inflates one outline. `origin` is the point of the page at x = y = 0 of the body. `whole` is the
-/// size of all outlines that get `options.triangles` triangles together: that of this outline, if
-/// it is the only one. Fails like inflate().
+/// size of all outlines that share `options.triangles`: that of this outline, if it is the only
+/// one. Fails like inflate().
 Result<SolidBody> inflate_outline(const SolidOutline& outline, Point origin,
                                   const OutlineSize& whole, const InflateOptions& options);
 

@@ -64,7 +64,9 @@ Result<Half> half_of(PlaneMesh mesh, int axes, const SurfaceSpec& spec) {
   half.mesh = without_chords(std::move(mesh), is_axis, half.on_border);
   const Result<SquaredHeights> squares = squared_heights(half.mesh, half.on_border);
   if (!squares) return tl::unexpected(squares.error());
-  FineSurface fine = fine_surface(half.mesh, half.on_border, *squares, spec);
+  SurfaceSpec of_sector = spec;
+  of_sector.max_triangles /= static_cast<std::size_t>(std::max(1, 2 * axes));
+  FineSurface fine = fine_surface(half.mesh, half.on_border, *squares, of_sector);
   half.mesh = std::move(fine.mesh);
   half.on_border = std::move(fine.on_border);
   half.heights = std::move(fine.heights);

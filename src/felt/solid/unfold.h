@@ -11,8 +11,8 @@ namespace felt {
 Vec unit_at(double angle_rad) noexcept;
 
 /// Makes a closed surface of the mesh of a sector with the given number of mirror axes (Sector):
-/// divides chords, computes the heights, divides the triangles as `spec` says, multiplies the
-/// heights by `thickness`, mirrors the sector 2
+/// divides chords, computes the heights, divides the triangles as `spec` says (its number of
+/// triangles is that of all sectors), multiplies the heights by `thickness`, mirrors the sector 2
 /// `axes` - 1 times and joins the copies along the axes, adds the back, and moves the result so
 /// that (0, 0) becomes `centre` and the direction +x becomes `x_axis`.
 Result<SolidBody> unfolded(PlaneMesh mesh, int axes, const SurfaceSpec& spec, double thickness,
