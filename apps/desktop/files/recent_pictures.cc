@@ -30,6 +30,15 @@ QString picture_name(const QString& path) {
   return QString::fromLatin1(hash.toHex()) + QStringLiteral(".png");
 }
 
+/// Makes the folder, in which only the user can read: the drawings may be private. Also closes a
+/// folder of earlier versions, and with it the pictures in it. Returns false if that is not
+/// possible.
+bool make_private(const QDir& folder) {
+  return folder.mkpath(QStringLiteral(".")) &&
+         QFile::setPermissions(folder.path(),
+                               QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+}
+
 /// Draws menus with the icons of one size.
 class LargeIcons : public QProxyStyle {
  public:
@@ -58,7 +67,7 @@ void write_recent_picture(const QString& path, const Drawing& drawing) {
   painter.drawRect(QRect(corner, page.size()).intersected(picture.rect()).adjusted(0, 0, -1, -1));
   painter.end();
   const QDir folder = picture_folder();
-  if (folder.mkpath(QStringLiteral("."))) picture.save(folder.filePath(picture_name(path)), "PNG");
+  if (make_private(folder)) picture.save(folder.filePath(picture_name(path)), "PNG");
 }
 
 QIcon recent_picture(const QString& path) {
@@ -71,6 +80,7 @@ void keep_recent_pictures(const QStringList& paths) {
   QSet<QString> kept;
   for (const QString& path : paths) kept.insert(picture_name(path));
   QDir folder = picture_folder();
+  if (folder.exists()) make_private(folder);
   const QStringList names = folder.entryList({QStringLiteral("*.png")}, QDir::Files);
   for (const QString& name : names) {
     if (!kept.contains(name)) folder.remove(name);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QImage>
+#include <QStandardPaths>
 #include <memory>
 #include <utility>
 
@@ -32,6 +34,24 @@ TEST(RecentPictures, ShowTheInkAndGoWithTheirFiles) {
   EXPECT_FALSE(recent_picture(two).isNull());
   keep_recent_pictures({});
   EXPECT_TRUE(recent_picture(two).isNull());
+}
+
+TEST(RecentPictures, OnlyTheUserCanReadThem) {
+  StudioFixture fixture;
+  fixture.draw(1, 1);
+  const QString path = fixture.at("private.felt");
+  const QString folder =
+      QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/recent");
+  const auto others = QFile::ReadGroup | QFile::ExeGroup | QFile::ReadOther | QFile::ExeOther;
+  write_recent_picture(path, fixture.files->drawing());
+  EXPECT_EQ(QFile::permissions(folder) & others, QFile::Permissions());
+  ASSERT_TRUE(QFile::setPermissions(folder, QFile::permissions(folder) | others));  // as it was
+  keep_recent_pictures({path});
+  EXPECT_EQ(QFile::permissions(folder) & others, QFile::Permissions());
+  EXPECT_FALSE(recent_picture(path).isNull());
+  ASSERT_TRUE(QFile::setPermissions(folder, QFile::permissions(folder) | others));
+  write_recent_picture(path, fixture.files->drawing());
+  EXPECT_EQ(QFile::permissions(folder) & others, QFile::Permissions());
 }
 
 TEST(RecentPictures, R57_ShowTheStyleOfAMediumInTheDrawing) {
