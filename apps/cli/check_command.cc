@@ -98,7 +98,7 @@ void report_enlargement(const std::string& name, const std::vector<TactileFault>
         "parts",
         times * box.width(), times * box.height());
   }
-  console.notice(text);
+  console.summary(text);
 }
 
 void print_faults(const std::string& name, const std::vector<TactileFault>& faults) {

@@ -55,6 +55,10 @@ void Console::error(const std::string& message) {
 
 void Console::notice(const std::string& message) {
   if (strict_) return error(message);
+  summary(message);
+}
+
+void Console::summary(const std::string& message) {
   if (!shows_notices_) return;
   end_progress();
   say("feltline: {}\n", printable(message));

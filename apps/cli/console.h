@@ -32,6 +32,8 @@ class Console {
   /// Prints "feltline: message". Used if a part of a file is not supported and the rest is
   /// processed. This counts as a failure only with --strict.
   void notice(const std::string& message);
+  /// Prints "feltline: message", unless --quiet: a result or advice, which is no failure.
+  void summary(const std::string& message);
   /// Reports a record that could not be read from a file or written to the output. Prints
   /// "feltline: name:line: what", without the line if it is 0. If messages about the same file
   /// differ only in numbers and names, they are of one kind. The first kShownOfAKind messages of

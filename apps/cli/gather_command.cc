@@ -91,7 +91,7 @@ void run_gather(const GatherArguments& args, Console& console) {
   const std::size_t strokes = gathered->groups.size();
   std::uint32_t lines = 0;
   for (const StrokeGroup& entry : gathered->groups) lines = std::max(lines, entry.group);
-  console.notice(fmt::format("{}: {} stroke{} became {} line{}", input->name(), strokes,
+  console.summary(fmt::format("{}: {} stroke{} became {} line{}", input->name(), strokes,
                              strokes == 1 ? "" : "s", lines, lines == 1 ? "" : "s"));
   const Result<void> done =
       DrawingOutput::create(args.output, *format, *picture).and_then([&](DrawingOutput output) {

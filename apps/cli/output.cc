@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "felt/base/check.h"
+#include "felt/base/input_files.h"
 
 namespace felt::cli {
 namespace {
@@ -20,14 +21,10 @@ bool is_written_directly(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// Throws a UsageError if the error says that an input would be overwritten.
-void throw_if_input(const Error& error) {
-  if (error.code == ErrorCode::kInvalidArgument) throw UsageError(error.message);
-}
-
+/// Creates a file. Throws a UsageError if that would overwrite an input.
 Result<AtomicFile> create_file(const std::string& path) {
   Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file && !path.empty()) throw_if_input(file.error());
+  if (!file && input_file_at(path)) throw UsageError(file.error().message);
   return file;
 }
 
@@ -87,9 +84,7 @@ Result<void> Output::overwrite(std::string_view bytes) {
 
 Result<void> Output::commit() {
   if (!file_) return {};
-  Result<void> done = file_->commit();
-  if (!done) throw_if_input(done.error());
-  return done;
+  return file_->commit();
 }
 
 Result<void> Output::write_all(std::string_view bytes) {
@@ -99,9 +94,7 @@ Result<void> Output::write_all(std::string_view bytes) {
 
 Result<void> Output::save(std::string_view bytes) {
   if (Result<void> written = write(bytes); !written || !file_) return written;
-  Result<void> done = file_->commit_verified(bytes);
-  if (!done) throw_if_input(done.error());
-  return done;
+  return file_->commit_verified(bytes);
 }
 
 }  // namespace felt::cli

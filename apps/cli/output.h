@@ -12,7 +12,7 @@ namespace felt::cli {
 /// An output on the command line. A file gets its name only when it is complete (commit()); until
 /// then, and after a failure, the previous file of that name stays. Stdout ("-") and special files
 /// (a pipe, /dev/null) are written immediately. A file that the program has read is never replaced:
-/// create(), commit() and save() then throw a UsageError.
+/// create() then throws a UsageError, and commit() and save() fail.
 class Output {
  public:
   /// Creates the output. Fails if the path cannot be written or is a folder. Messages start with

@@ -116,7 +116,7 @@ Result<void> write_here(const PlannedFix& fix) {
   std::error_code error;
   std::filesystem::create_directories(std::filesystem::path(fix.path).parent_path(), error);
   if (error) return fail(ErrorCode::kIo, fix.path + ": " + error.message());
-  if (Result<void> done = write_file(fix.path, fix.content); !done) return done;
+  if (Result<void> done = save_file(fix.path, fix.content); !done) return done;
   if (chmod(fix.path.c_str(), kEverybodyReads) != 0) {
     return fail(ErrorCode::kIo, fix.path + ": " + std::strerror(errno));
   }

@@ -51,6 +51,10 @@ done
 run 2 "$feltline" fit in.ndjson --medium charcoal --surface relief.png -o relief.png
 has err "would overwrite the input"
 same relief.png sketch.png
+printf '{"t_ms":0,"event":"pen","x":10,"y":10,"z":-1}\n{"t_ms":9,"event":"pen","x":20,"y":10,"z":5}\n' >pen.ndjson
+run 1 "$feltline" replay pen.ndjson --surface relief.png --plot relief.png -o replayed.ndjson
+has err "would overwrite the input"
+same relief.png sketch.png
 run 0 "$feltline" convert shows.svg -o shown.png
 run 0 "$feltline" convert shows.svg -o shown.png
 rm hard.png

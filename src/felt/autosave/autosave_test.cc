@@ -196,6 +196,34 @@ TEST(LiveInk, ABounceAfterARingIsNoNewTouch) {
   EXPECT_TRUE(is_saved());
 }
 
+/// A pen that lands is thrown back for longer than LiveInk::kNoEditNs. The line goes on, so it
+/// stays saved.
+TEST(LiveInk, ALongBounceOfALandingPenKeepsTheLine) {
+  LiveInk live;
+  live.clear();
+  std::int64_t time_ns = 0;
+  const auto add = [&](double z) {
+    PenSample sample;
+    sample.time_ns = time_ns += 1'000'000;
+    sample.position = {10.0 + 1e-9 * static_cast<double>(time_ns), 10.0, z};
+    live.add_loop_sample(sample);
+    live.event_applied({sample.time_ns, PenEvent{sample.position, {}, 0, {}}}, false);
+  };
+  for (double z = 6.0; z > -1.0; z -= 0.075) add(z);
+  for (double z = -1.0; z < 0.0; z += 0.03) add(z);
+  EXPECT_FALSE(live.take_changes().chunks.empty());
+  for (double t = 0.0; t < 0.3; t += 0.001) {
+    add(30.0 * t - 100.0 * t * t);  // at most 2.25 mm high
+    EXPECT_FALSE(live.take_changes().clear) << t;
+  }
+  for (int i = 0; i < 50; ++i) add(-0.5);
+  const LiveInk::Changes after = live.take_changes();
+  EXPECT_FALSE(after.clear);
+  EXPECT_FALSE(after.chunks.empty());
+  for (int i = 0; i < 300; ++i) add(5.0);  // lifted, and no edit came of it
+  EXPECT_TRUE(live.take_changes().clear);
+}
+
 /// The edit thread resumes after it hung. Its late events are samples that the autosave already has
 /// from the haptic loop.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {

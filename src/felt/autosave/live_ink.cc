@@ -119,7 +119,7 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
   }
   const bool touches = contact_.update(sample) == Contact::Change::kTouched;
   if (touches && !open_) open();
-  if (in_contact(sample)) last_contact_ns_ = event.time_ns;
+  if (contact_.is_down()) last_contact_ns_ = event.time_ns;
   // The rest of a contact whose gesture has ended draws nothing and must not be saved as another
   // gesture, not even if the overhang has started the next stretch already.
   has_ended_ = has_ended_ && contact_.is_down();

@@ -247,7 +247,7 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {
-  auto file = AtomicFile::create_for_save(path);
+  auto file = AtomicFile::create(path);
   if (!file) return tl::unexpected<Error>(std::move(file.error()));
   if (auto ok = file->write(bytes); !ok) return ok;
   return file->commit();

@@ -80,10 +80,10 @@ class AtomicFile {
   int old_fd_ = -1;  ///< the existing file; locked, so that no process removes it as a leftover
 };
 
-/// Writes a complete file, or writes to stdout if the path is "-".
+/// Writes a complete file, or writes to stdout if the path is "-". Fails like AtomicFile::create().
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
-/// Writes a complete file like write_file(), and verifies it. Success means that `bytes` are on the
+/// Writes a complete file that the program itself keeps (create_for_save()), and verifies it. Success means that `bytes` are on the
 /// disk under this name.
 ///  * The new file is reopened and compared with `bytes` before and after the rename. The
 ///    comparison reads from the disk, not from the page cache, if the system allows it.

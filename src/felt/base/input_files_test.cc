@@ -86,11 +86,11 @@ TEST_F(InputFiles, FilesThatTheProgramKeepsMayBeSavedAgain) {
   expect(
       [this] {
         protect_input_files();
-        return read_file(path("in"), kMaxBytes) && save_file(path("in"), "saved") &&
-               write_file(path("in"), "written");
+        return read_file(path("in"), kMaxBytes) && !write_file(path("in"), "written") &&
+               save_file(path("in"), "saved");
       },
       "save_file");
-  EXPECT_EQ(read_file(path("in"), kMaxBytes).value(), "written");
+  EXPECT_EQ(read_file(path("in"), kMaxBytes).value(), "saved");
 }
 
 TEST_F(InputFiles, NothingIsProtectedUnlessAsked) {

@@ -380,7 +380,7 @@ Result<void> save_device_profile(const std::string& folder, const DeviceProfile&
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return fail(ErrorCode::kIo, folder + ": " + error.message());
-  return write_file(path, text);
+  return save_file(path, text);
 }
 
 }  // namespace felt

@@ -91,17 +91,23 @@ Result<FeltRecording> last_recording(std::string_view bytes) {
   return read_recording(*drawing, all->size() - 1);
 }
 
-/// Returns false if the recording starts with another value of an option of the trial's condition,
-/// or with another guide. A recording without events, of another program, may be of any trial.
+/// Returns false if another value of an option of the trial's condition, or another guide, is in
+/// effect when the pen first touches the surface. Before that, hover samples may lie between the
+/// events that set up the trial. A recording without events, of another program, may be of any
+/// trial.
 bool may_be_of(const FeltRecording& recording, const StudyFiles& files, const SessionInfo& info,
                int trial) {
   const auto plan = plan_trials(files.study, info.participant, info.session);
   if (!plan || trial < 1 || static_cast<std::size_t>(trial) > plan->size()) return false;
   if (recording.events.empty()) return true;
+  const auto landed = std::find_if(
+      recording.samples.begin(), recording.samples.end(),
+      [](const RecordedSample& s) { return in_contact(sample_of(s.time_ns, s.pen)); });
+  const auto hover_samples = static_cast<std::size_t>(landed - recording.samples.begin());
   GuideLine guide;
   std::map<std::string, OptionValue> options;
   for (const RecordedEvent& recorded : recording.events) {
-    if (recorded.before_sample > 0) break;
+    if (recorded.before_sample > hover_samples) break;
     if (const auto* set = std::get_if<SetOption>(&recorded.event.what))
       options[set->id] = set->value;
     if (const auto* use = std::get_if<UseGuide>(&recorded.event.what)) guide = use->line;

@@ -242,10 +242,15 @@ TEST_F(StudyFolderTest, AnOlderRecordingHasTheOptionsOfItsCondition) {
   for (int trial = 1; trial <= 4; ++trial) {
     const PlannedTrial& planned = session.plan[static_cast<std::size_t>(trial - 1)];
     FeltRecording recording;
-    recording.samples.emplace_back();
     for (const Event& event : setup_events(made.files(), planned, Capabilities())) {
-      recording.events.push_back({0, event});
+      // A live pen hovers while the trial is set up.
+      recording.samples.push_back({static_cast<std::int64_t>(recording.samples.size()),
+                                   PenEvent{{0, 0, 5}, {}, 0, {}},
+                                   {}});
+      recording.events.push_back({recording.samples.size(), event});
     }
+    recording.samples.push_back(
+        {static_cast<std::int64_t>(recording.samples.size()), PenEvent{{0, 0, -1}, {}, 0, {}}, {}});
     Drawing drawing;
     ASSERT_TRUE(add_recording(drawing, recording));
     ASSERT_TRUE(made.add_trial(session, result_of(trial, 1), drawing));

@@ -57,7 +57,8 @@ END
     tried_with() { echo "$1"; node check.mjs "./out/$2"; tried=$((tried + 1)); }
     if command -v esbuild >/dev/null; then
       esbuild entry.mjs --bundle --platform=browser --format=esm --log-level=warning --outfile=out/esbuild.mjs
-      ! grep -q 'node:' out/esbuild.mjs && tried_with esbuild esbuild.mjs
+      if grep -q 'node:' out/esbuild.mjs; then echo "the bundle names a module of Node"; exit 1; fi
+      tried_with esbuild esbuild.mjs
     fi
     if [ -d "$bundlers/webpack" ]; then
       cat >webpack.mjs <<END
@@ -67,7 +68,8 @@ webpack({ mode: 'production', target: 'web', entry: './entry.mjs', context: '$fo
         (error, stats) => { if (error || stats.hasErrors() || stats.hasWarnings()) {
           console.error(error ?? stats.toString()); process.exit(1); } });
 END
-      node webpack.mjs && tried_with webpack webpack.js
+      node webpack.mjs
+      tried_with webpack webpack.js
     fi
     if [ -d "$bundlers/vite" ]; then
       cat >vite.mjs <<END
@@ -75,7 +77,8 @@ import { build } from '$bundlers/vite/dist/node/index.js';
 await build({ root: '$folder', logLevel: 'warn', configFile: false, build: { outDir: 'out', emptyOutDir: false,
   lib: { entry: 'entry.mjs', formats: ['es'], fileName: () => 'vite.mjs' } } });
 END
-      node vite.mjs && tried_with vite vite.mjs
+      node vite.mjs
+      tried_with vite vite.mjs
     fi
     if [ -d "$bundlers/rollup" ]; then
       cat >rollup.mjs <<END
@@ -85,7 +88,8 @@ const bundle = await rollup({ input: 'entry.mjs', plugins: [resolve({ browser: t
                               onwarn(warning) { throw new Error(warning.message); } });
 await bundle.write({ file: 'out/rollup.mjs', format: 'es' });
 END
-      node rollup.mjs && tried_with rollup rollup.mjs
+      node rollup.mjs
+      tried_with rollup rollup.mjs
     fi
     [ "$tried" -gt 0 ] || { echo "skipped: no bundler is installed (./dev test -L web)"; exit 77; }
     echo "$tried bundlers: passed" ;;

@@ -31,31 +31,31 @@ constexpr int kMaxRounds = 24;
 constexpr std::int64_t kMaxSlabs = 1024;
 
 /// A point of the grid. Points are ordered by y, then by x.
-struct GridPoint {
+struct SnappedPoint {
   std::int64_t y = 0, x = 0;
 
-  friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
+  friend auto operator<=>(const SnappedPoint&, const SnappedPoint&) = default;
 };
 
-GridPoint operator+(GridPoint a, GridPoint b) {
+SnappedPoint operator+(SnappedPoint a, SnappedPoint b) {
   return {a.y + b.y, a.x + b.x};
 }
 
-GridPoint operator-(GridPoint a, GridPoint b) {
+SnappedPoint operator-(SnappedPoint a, SnappedPoint b) {
   return {a.y - b.y, a.x - b.x};
 }
 
-std::int64_t grid_cross(GridPoint a, GridPoint b) {
+std::int64_t grid_cross(SnappedPoint a, SnappedPoint b) {
   return a.x * b.y - a.y * b.x;
 }
 
-std::int64_t grid_dot(GridPoint a, GridPoint b) {
+std::int64_t grid_dot(SnappedPoint a, SnappedPoint b) {
   return a.x * b.x + a.y * b.y;
 }
 
 /// A straight part of the boundary. Requires a < b.
 struct GridEdge {
-  GridPoint a, b;
+  SnappedPoint a, b;
   std::size_t curve = 0;      ///< the curve that it is a part of
   double at_a = 0, at_b = 0;  ///< the parameters of its ends on that curve
   int turns = 0;              ///< how often the boundary runs from a to b, less from b to a
@@ -64,12 +64,12 @@ struct GridEdge {
 
 struct GridSplit {
   std::size_t edge = 0;
-  GridPoint at;
+  SnappedPoint at;
 };
 
 /// Returns true if a point that is not an end lies on the edge, within the rounding of the grid.
-bool is_on(const GridEdge& e, GridPoint p) {
-  const GridPoint d = e.b - e.a;
+bool is_on(const GridEdge& e, SnappedPoint p) {
+  const SnappedPoint d = e.b - e.a;
   const std::int64_t length2 = grid_dot(d, d), along = grid_dot(d, p - e.a);
   if (along <= 0 || along >= length2) return false;
   const auto aside = static_cast<double>(grid_cross(d, p - e.a));
@@ -115,15 +115,15 @@ class NonzeroArea {
   }
 
  private:
-  [[nodiscard]] GridPoint grid_point(Point p) const {
+  [[nodiscard]] SnappedPoint grid_point(Point p) const {
     return {std::llround((p.y - bounds_.y0) / cell_mm_),
             std::llround((p.x - bounds_.x0) / cell_mm_)};
   }
 
   /// Returns the point of a curve that was rounded to this point, or the point itself.
-  [[nodiscard]] Point place(GridPoint p) const {
+  [[nodiscard]] Point place(SnappedPoint p) const {
     const auto found = std::lower_bound(places_.begin(), places_.end(), p,
-                                        [](const auto& q, GridPoint v) { return q.first < v; });
+                                        [](const auto& q, SnappedPoint v) { return q.first < v; });
     if (found != places_.end() && found->first == p) return found->second;
     return {bounds_.x0 + cell_mm_ * static_cast<double>(p.x),
             bounds_.y0 + cell_mm_ * static_cast<double>(p.y)};
@@ -132,13 +132,13 @@ class NonzeroArea {
   void add_curve(std::size_t index) {
     const Cubic& c = curves_[index];
     const int steps = flatness(c) == 0.0 ? 1 : std::min(flatten_steps(c, 1.0, kChordMm), kMaxSteps);
-    GridPoint from = grid_point(c.p[0]);
+    SnappedPoint from = grid_point(c.p[0]);
     places_.emplace_back(from, c.p[0]);
     double at = 0.0;
     for (int i = 1; i <= steps; ++i) {
       const double next = double(i) / steps;
       const Point p = evaluate(c, next);
-      const GridPoint to = grid_point(p);
+      const SnappedPoint to = grid_point(p);
       if (i < steps && to == from) continue;
       places_.emplace_back(to, p);
       add_edge({from, to, index, at, next, 1, true});
@@ -203,21 +203,21 @@ class NonzeroArea {
   void compare(std::size_t i, std::size_t k) {
     const GridEdge &e = edges_[i], &f = edges_[k];
     const std::size_t before = splits_.size();
-    for (const GridPoint p : {f.a, f.b}) {
+    for (const SnappedPoint p : {f.a, f.b}) {
       if (is_on(e, p)) splits_.push_back({i, p});
     }
-    for (const GridPoint p : {e.a, e.b}) {
+    for (const SnappedPoint p : {e.a, e.b}) {
       if (is_on(f, p)) splits_.push_back({k, p});
     }
     if (splits_.size() > before) return;
     const auto sign = [](std::int64_t v) { return v > 0 ? 1 : v < 0 ? -1 : 0; };
-    const GridPoint d = e.b - e.a, g = f.b - f.a;
+    const SnappedPoint d = e.b - e.a, g = f.b - f.a;
     const std::int64_t c = grid_cross(g, e.a - f.a);
     if (sign(grid_cross(d, f.a - e.a)) * sign(grid_cross(d, f.b - e.a)) >= 0) return;
     if (sign(c) * sign(grid_cross(g, e.b - f.a)) >= 0) return;
     const double t = static_cast<double>(c) / static_cast<double>(grid_cross(d, g));
-    const GridPoint at{e.a.y + std::llround(t * static_cast<double>(d.y)),
-                       e.a.x + std::llround(t * static_cast<double>(d.x))};
+    const SnappedPoint at{e.a.y + std::llround(t * static_cast<double>(d.y)),
+                          e.a.x + std::llround(t * static_cast<double>(d.x))};
     if (at != e.a && at != e.b) splits_.push_back({i, at});
     if (at != f.a && at != f.b) splits_.push_back({k, at});
   }
@@ -288,7 +288,7 @@ class NonzeroArea {
   /// from there to +x meets. The ray is turned by less than any angle of the grid, towards -y, so
   /// that it never runs along an edge.
   [[nodiscard]] int turns_right_of(std::size_t index, const std::vector<std::size_t>& near) const {
-    const GridPoint middle2 = edges_[index].a + edges_[index].b;
+    const SnappedPoint middle2 = edges_[index].a + edges_[index].b;
     int turns = 0;
     for (const std::size_t k : near) {
       const GridEdge& f = edges_[k];
@@ -313,7 +313,7 @@ class NonzeroArea {
 
   /// Returns the unused edge at a point that continues an edge best: on its curve, or else next to
   /// it in the file.
-  [[nodiscard]] std::optional<std::size_t> next_edge(GridPoint at, std::size_t from) const {
+  [[nodiscard]] std::optional<std::size_t> next_edge(SnappedPoint at, std::size_t from) const {
     std::optional<std::size_t> best;
     std::size_t best_step = 0;
     for (auto end = std::lower_bound(ends_.begin(), ends_.end(), std::pair(at, std::size_t{0}));
@@ -332,9 +332,9 @@ class NonzeroArea {
   /// every point, so it always closes.
   FillLoop chain(std::size_t first) {
     const bool is_forward = edges_[first].turns > 0;
-    const GridPoint begin = is_forward ? edges_[first].a : edges_[first].b;
+    const SnappedPoint begin = is_forward ? edges_[first].a : edges_[first].b;
     FillLoop loop{{place(begin)}, {}};
-    GridPoint at = begin;
+    SnappedPoint at = begin;
     std::size_t curve = edges_[first].curve;
     double from = is_forward ? edges_[first].at_a : edges_[first].at_b, to = from;
     for (std::optional<std::size_t> next = first; next;) {
@@ -357,20 +357,20 @@ class NonzeroArea {
     return loop;
   }
 
-  void append(FillLoop& loop, const Cubic& part, GridPoint end) const {
+  void append(FillLoop& loop, const Cubic& part, SnappedPoint end) const {
     loop.points.insert(loop.points.end(), {part.p[1], part.p[2], place(end)});
   }
 
   std::vector<Cubic> curves_;
   Rect bounds_;
   double cell_mm_ = kCellMm;
-  std::vector<std::pair<GridPoint, Point>> places_;
+  std::vector<std::pair<SnappedPoint, Point>> places_;
   std::vector<GridEdge> edges_;
   std::vector<GridSplit> splits_;
   std::int64_t comparisons_left_ = kMaxComparisons;
   bool is_complete_ = false;  ///< false if there are too many edges, or the bounds overflow
   bool is_changed_ = false;
-  std::vector<std::pair<GridPoint, std::size_t>> ends_;
+  std::vector<std::pair<SnappedPoint, std::size_t>> ends_;
   std::vector<bool> is_used_;
 };
 
