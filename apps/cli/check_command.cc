@@ -61,14 +61,14 @@ void report_unseen(const std::string& name, const UnseenInk& unseen, Console& co
       names += (i == 0 ? "" : ", ") + stroke_name(unseen.strokes[i]);
     }
     if (unseen.strokes.size() > kNamed) names += ", ...";
-    console.notice(fmt::format("{}: {} not seen on the paper and not raised: {}", name,
-                               unseen.strokes.size() == 1
-                                   ? std::string("1 line is")
-                                   : fmt::format("{} lines are", unseen.strokes.size()),
-                               names));
+    console.notice(
+        fmt::format("{}: {} too faint to see on this paper and will not be raised: {}", name,
+                    unseen.strokes.size() == 1 ? std::string("1 line is")
+                                               : fmt::format("{} lines are", unseen.strokes.size()),
+                    names));
   }
   if (!unseen.fills.empty()) {
-    console.notice(fmt::format("{}: {} not seen on the paper and not raised", name,
+    console.notice(fmt::format("{}: {} too faint to see on this paper and will not be raised", name,
                                unseen.fills.size() == 1
                                    ? std::string("1 area is")
                                    : fmt::format("{} areas are", unseen.fills.size())));
@@ -79,7 +79,7 @@ void report_unseen(const std::string& name, const UnseenInk& unseen, Console& co
 void report_enlargement(const std::string& name, const std::vector<TactileFault>& faults,
                         const Document& document, Rgba paper, Console& console) {
   const auto by_size = static_cast<std::size_t>(std::count_if(
-      faults.begin(), faults.end(), [](const TactileFault& f) { return goes_with_size(f.rule); }));
+      faults.begin(), faults.end(), [](const TactileFault& f) { return depends_on_size(f.rule); }));
   const double times = tactile_enlargement(faults);
   if (by_size == 0 || !std::isfinite(times)) return;
   const std::size_t others = faults.size() - by_size;

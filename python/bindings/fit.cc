@@ -261,14 +261,19 @@ InkFitOptions options_of(const FitArguments& arguments) {
 }
 
 void bind_fit(py::module_& module) {
-  module.def("fit", [](const py::object& points, double tolerance, double mm_per_unit, bool refine,
-                       bool filter, const py::object& steady, const std::string& scheme,
-                       int shared_samples, const std::optional<std::string>& medium,
-                       std::optional<double> min_width, std::optional<double> max_width) {
-    const FitArguments arguments{tolerance, filter,    scheme,   shared_samples,
-                                 medium,    min_width, max_width};
-    return fit(points, arguments, mm_per_unit, refine, steady);
-  });
+  module.def(
+      "fit",
+      [](const py::object& points, double tolerance, double mm_per_unit, bool refine, bool filter,
+         const py::object& steady, const std::string& scheme, int shared_samples,
+         const std::optional<std::string>& medium, std::optional<double> min_width,
+         std::optional<double> max_width) {
+        const FitArguments arguments{tolerance, filter,    scheme,   shared_samples,
+                                     medium,    min_width, max_width};
+        return fit(points, arguments, mm_per_unit, refine, steady);
+      },
+      py::arg("points"), py::kw_only(), py::arg("tolerance"), py::arg("mm_per_unit"),
+      py::arg("refine"), py::arg("filter"), py::arg("steady"), py::arg("scheme"),
+      py::arg("shared_samples"), py::arg("medium"), py::arg("min_width"), py::arg("max_width"));
   bind_fitter(module);
 }
 

@@ -1,5 +1,6 @@
 """Reading and writing drawings, raw strokes and recordings."""
 
+import io
 import os
 import warnings
 
@@ -19,6 +20,19 @@ def _stream_name(stream):
     """Returns the name of an open file, or "" if it has none."""
     name = getattr(stream, "name", "")
     return os.fsdecode(name) if isinstance(name, (str, bytes, os.PathLike)) else ""
+
+
+def _write_all(stream, data):
+    """Writes all bytes, also to an unbuffered file, which may accept only some of them at a time."""
+    if not isinstance(stream, io.RawIOBase):
+        stream.write(data)
+        return
+    rest = memoryview(data)
+    while rest:
+        written = stream.write(rest)
+        if written is None:
+            raise BlockingIOError("the file accepts no bytes now")
+        rest = rest[written:]
 
 
 def _warn(texts, name):
@@ -90,7 +104,8 @@ def write(path, drawing, *, format=None, dpi=300.0, compact=False, pictures=Fals
     """Writes a drawing, a stroke, or an iterable of strokes, completely or not at all.
 
     The ending of `path` decides the format, unless `format` names one. If writing fails, an
-    existing file is unchanged. `path` may be an open binary file if `format` is given. For each kind of content that the format cannot hold, there is one
+    existing file is unchanged. `path` may be an open binary file if `format` is given; it may be left incomplete if
+    writing fails. For each kind of content that the format cannot hold, there is one
     FormatWarning with its number. `dpi` is for .png; `compact` makes a small .svg for web pages;
     `pictures` includes all pictures of layers.
 
@@ -105,7 +120,7 @@ def write(path, drawing, *, format=None, dpi=300.0, compact=False, pictures=Fals
     losses = _feltline.losses(drawing, name, arguments)
     _warn(losses, name or "data")  # first: if warnings are errors, the old file stays
     if is_stream:
-        path.write(_feltline.to_bytes(drawing, arguments))
+        _write_all(path, _feltline.to_bytes(drawing, arguments))
     else:
         _feltline.write(name, drawing, arguments)
 

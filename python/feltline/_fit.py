@@ -27,5 +27,7 @@ def fit(points, tolerance=0.15, *, mm_per_unit=1.0, refine=True, filter=False, s
     >>> feltline.fit([[0, 0], [10, 5], [20, 0]], tolerance=0.1)
     <feltline.Stroke: 1 segment, 0 corners, ink-pen>
     """
-    return _feltline.fit(points, tolerance, mm_per_unit, refine, filter, steady, scheme,
-                         shared_samples, medium, min_width, max_width)
+    return _feltline.fit(points, tolerance=tolerance, mm_per_unit=mm_per_unit, refine=refine,
+                         filter=filter, steady=steady, scheme=scheme,
+                         shared_samples=shared_samples, medium=medium, min_width=min_width,
+                         max_width=max_width)

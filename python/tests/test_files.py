@@ -83,6 +83,19 @@ class Files(FilesCase):
                 self.assertEqual(feltline.read(file), feltline.read(path))
                 stream.seek(0)
                 self.assertEqual(feltline.read(stream).strokes, feltline.read(path).strokes)
+        class Slow(io.RawIOBase):
+            data = b""
+
+            def writable(self):
+                return True
+
+            def write(self, part):
+                self.data += bytes(part[:1000])
+                return min(1000, len(part))
+
+        slow = Slow()
+        feltline.write(slow, drawing, format="felt")
+        self.assertEqual(slow.data, feltline.to_bytes(drawing, "felt"))
         with self.assertRaisesRegex(ValueError, "format: is needed"):
             feltline.write(io.BytesIO(), drawing)
         with self.assertRaises(feltline.DataError):
@@ -122,7 +135,7 @@ class Files(FilesCase):
     def test_what_a_format_cannot_hold_is_a_counted_warning(self):
         hidden = feltline.Drawing([feltline.Layer("a", [feltline.fit([[0, 0], [9, 9]])], False),
                                    feltline.Layer("b", [feltline.fit([[5, 0], [9, 9]])])])
-        with self.assertWarnsRegex(feltline.FormatWarning, "1 strokes of hidden layers were left"):
+        with self.assertWarnsRegex(feltline.FormatWarning, "1 stroke of hidden layers was left"):
             feltline.write(self.file("a.ndjson"), hidden)
         with warnings.catch_warnings():
             warnings.simplefilter("error")

@@ -42,8 +42,8 @@ cat >faint.svg <<'END'
 END
 run 0 "$feltline" check --tactile faint.svg
 has out "faint.svg: no faults"
-has err "2 lines are not seen on the paper and not raised"
-has err "1 area is not seen on the paper and not raised"
+has err "2 lines are too faint to see on this paper and will not be raised"
+has err "1 area is too faint to see on this paper and will not be raised"
 sed 's/#000" stroke-width="1"/#000" stroke-width="0.05"/' faint.svg >thin.svg
 run 1 "$feltline" check --tactile thin.svg
 has out "thin-line: a line or dot 0.05 mm wide; at least 0.5 mm"

@@ -76,15 +76,15 @@ printf '%s\n' '{"t_ms":0,"event":"layer","do":"add"}' '{"t_ms":0,"event":"layer"
 run 0 "$feltline" replay hide.ndjson --on a.felt -o hidden.felt
 run 0 "$feltline" convert hidden.felt -o seen.ndjson
 has err "seen.ndjson: 20 strokes of hidden layers were left out; --layers all includes them"
-has err "seen.ndjson: 1 layers were left out, because the format has none; their strokes stay"
+has err "seen.ndjson: the name of 1 layer was left out, because the format has none"
 lines err 2
 lines seen.ndjson 1
 run 0 "$feltline" convert hidden.felt -o seen.xopp
 has err "seen.xopp: 20 strokes of hidden layers are visible in the output, because .xopp does not support hidden layers"
-has err "seen.xopp: the media of 1 strokes became a plain pen, because the format has none"
+has err "seen.xopp: the medium of 1 stroke became a plain pen, because the format has none"
 lines err 2
 run 0 "$feltline" convert hidden.felt -o all.ndjson --layers all
-has err "all.ndjson: 2 layers were left out, because the format has none; their strokes stay"
+has err "all.ndjson: 2 layers became one list of strokes, because the format has none"
 lines err 1
 for command in "hidden.felt -o hidden.svg" "a.felt -o a.xopp"; do
   # shellcheck disable=SC2086  # must be split into words
@@ -150,9 +150,9 @@ has out "body edits      1"
 has out "'Ink', 3 in-betweens, hold 2"
 for ending in ndjson xopp inkml svg; do
   run 0 "$feltline" convert body.felt -o "body.$ending"
-  has err "body.$ending: the timings of 1 key drawings were left out, because the format has none"
-  has err "body.$ending: 1 edits of the body were left out, because the format has none"
-  has err "body.$ending: 1 guides were left out, because the format has none"
+  has err "body.$ending: the timing of 1 key drawing was left out, because the format has none"
+  has err "body.$ending: 1 edit of the body was left out, because the format has none"
+  has err "body.$ending: 1 guide was left out, because the format has none"
 done
 run 0 "$feltline" convert fills.felt -o fills.pdf
 [ ! -s err ] || fail "a notice about fills that a PDF has: $(cat err)"

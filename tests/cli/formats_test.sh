@@ -142,7 +142,7 @@ run 0 "$feltline" info blended_back.felt
 has out "layer 2         1 strokes, 'Layer 2', multiply, in group 1"
 run 0 "$feltline" convert blended.felt -o blended.xopp
 has err "the blend modes of 2 layers or groups became normal, because the format has none"
-has err "1 groups of layers were dissolved, because the format has none"
+has err "1 group of layers was dissolved, because the format has none"
 run 0 "$feltline" convert blended.felt -o blended.png --dpi 24 --paper '#f0e0c0'
 run 0 "$feltline" convert blended.felt -o blended.pdf --paper '#f0e0c0'
 run 0 "$feltline" convert blended.felt -o paper.svg --paper '#f0e0c0'

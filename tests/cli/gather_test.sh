@@ -15,6 +15,9 @@ bundle() {
 { bundle 20 4; bundle 60 3; bundle 100 1; } >rough.ndjson
 run 0 "$feltline" gather --all rough.ndjson -o clean.ndjson --groups groups.csv
 has err "8 strokes became 3 lines"
+lines err 1
+run 0 "$feltline" gather --strict --all rough.ndjson -o strict.ndjson
+same strict.ndjson clean.ndjson
 lines clean.ndjson 3
 cat >wanted.csv <<'END'
 stroke,group

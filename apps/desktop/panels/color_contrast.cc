@@ -8,7 +8,7 @@
 namespace felt::desktop {
 namespace {
 
-// Above that of black ink on the blackboard, 2.0, which people reported as hard to see.
+// Above that of black ink on the blackboard, 2.1.
 constexpr double kHiddenContrast = 2.25;
 constexpr int kHiddenStep = 72;
 

@@ -29,8 +29,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("SolidWords", "left out: %1"),
     QT_TRANSLATE_NOOP(
         "SolidWords",
-        "stroke %1 draws the outline of stroke %2 again, %3 mm beside it, and makes no "
-        "hole"),
+        "stroke %1 retraces the outline of stroke %2 at a distance of %3 mm; it was not "
+        "treated as a hole"),
     QT_TRANSLATE_NOOP("SolidWords", "left out %1 small closed line, %2"),
     QT_TRANSLATE_NOOP("SolidWords", "left out %1 small closed lines, the largest %2"),
     QT_TRANSLATE_NOOP("SolidWords",

@@ -1827,7 +1827,7 @@
         <translation>es gibt keinen geschlossenen Umriss</translation>
     </message>
     <message>
-        <source>stroke %1 draws the outline of stroke %2 again, %3 mm beside it, and makes no hole</source>
+        <source>stroke %1 retraces the outline of stroke %2 at a distance of %3 mm; it was not treated as a hole</source>
         <translation>Strich %1 zeichnet den Umriss von Strich %2 noch einmal, %3 mm daneben, und macht kein Loch</translation>
     </message>
     <message>

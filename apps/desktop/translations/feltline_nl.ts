@@ -1827,7 +1827,7 @@
         <translation>er is geen gesloten omtrek</translation>
     </message>
     <message>
-        <source>stroke %1 draws the outline of stroke %2 again, %3 mm beside it, and makes no hole</source>
+        <source>stroke %1 retraces the outline of stroke %2 at a distance of %3 mm; it was not treated as a hole</source>
         <translation>streek %1 tekent de omtrek van streek %2 nog eens, %3 mm ernaast, en maakt geen gat</translation>
     </message>
     <message>

@@ -34,7 +34,7 @@ int turn_over_all(QWidget& top) {
   int count = 0;
   for (QWidget* control : top.findChildren<QWidget*>()) {
     const QVariant before = value_of(*control);
-    if (!before.isValid() || !control->isVisible() || control->window() != &top) continue;
+    if (!before.isValid() || !control->isVisible() || control->window() != top.window()) continue;
     ++count;
     for (const bool has_focus : {false, true}) {
       has_focus ? control->setFocus(Qt::MouseFocusReason) : control->clearFocus();
@@ -70,20 +70,14 @@ TEST(Wheel, ChangesNoValueInAnyDialogOrPanel) {
   MainWindow window(StudioOptions{.device = QStringLiteral("tablet"), .live = false});
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  int count = 0;
   for (QDockWidget* panel : window.findChildren<QDockWidget*>()) {
     panel->show();
     panel->raise();
     QApplication::processEvents();
-    turn_over_all(*panel->widget());
-    for (QWidget* control : panel->findChildren<QWidget*>()) {
-      const QVariant before = value_of(*control);
-      if (!before.isValid()) continue;
-      QWheelEvent wheel({3, 3}, control->mapToGlobal(QPointF(3, 3)), {}, {0, 120}, Qt::NoButton,
-                        Qt::NoModifier, Qt::NoScrollPhase, false);
-      QApplication::sendEvent(control, &wheel);
-      EXPECT_EQ(value_of(*control), before) << control->accessibleName().toStdString();
-    }
+    count += turn_over_all(*panel->widget());
   }
+  EXPECT_GT(count, 8);
   window.material_editor().show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window.material_editor()));
   EXPECT_GT(turn_over_all(window.material_editor()), 3);

@@ -90,34 +90,46 @@ LostObjects lost_objects(const Drawing& drawing, FileFormat format, bool compact
 std::vector<std::string> loss_texts(const LostObjects& lost) {
   struct Loss {
     std::size_t count;
-    const char *before, *after;
+    const char *of_one, *of_many;  // "#" stands for the number
+    const char* reason;
   };
+  const char* const none = ", because the format has none";
   const Loss losses[] = {
-      {lost.hidden_strokes, "", " strokes of hidden layers were left out"},
-      {lost.shown_strokes, "",
-       " strokes of hidden layers are visible in the output, because .xopp does not support hidden "
-       "layers"},
-      {lost.fills, "", " fills were left out, because the format has only lines"},
-      {lost.pictures, "", " pictures were left out, because the format has none"},
-      {lost.blends, "the blend modes of ",
-       " layers or groups became normal, because the format has none"},
-      {lost.opacities, "the opacity of ",
-       " layers or groups became that of each stroke, because the format has none; strokes show "
-       "through where they cross"},
-      {lost.groups, "", " groups of layers were dissolved, because the format has none"},
-      {lost.layers, "", " layers were left out, because the format has none; their strokes stay"},
-      {lost.locks, "", " locked layers became unlocked, because the format has no locks"},
-      {lost.timings, "the timings of ", " key drawings were left out, because the format has none"},
-      {lost.body_edits, "", " edits of the body were left out, because the format has none"},
-      {lost.guides, "", " guides were left out, because the format has none"},
-      {lost.symmetries, "",
-       " symmetry groups were left out, because the format has none; the strokes stay"},
-      {lost.media, "the media of ", " strokes became a plain pen, because the format has none"},
-      {lost.materials, "", " custom materials were left out, because the format has none"},
+      {lost.hidden_strokes, "# stroke of hidden layers was left out",
+       "# strokes of hidden layers were left out", ""},
+      {lost.shown_strokes, "# stroke of hidden layers is visible in the output",
+       "# strokes of hidden layers are visible in the output",
+       ", because .xopp does not support hidden layers"},
+      {lost.fills, "# fill was left out", "# fills were left out",
+       ", because the format has only lines"},
+      {lost.pictures, "# picture was left out", "# pictures were left out", none},
+      {lost.blends, "the blend mode of # layer or group became normal",
+       "the blend modes of # layers or groups became normal", none},
+      {lost.opacities, "the opacity of # layer or group became that of each stroke",
+       "the opacity of # layers or groups became that of each stroke",
+       ", because the format has none; strokes show through where they cross"},
+      {lost.groups, "# group of layers was dissolved", "# groups of layers were dissolved", none},
+      {lost.layers, "the name of # layer was left out", "# layers became one list of strokes",
+       none},
+      {lost.locks, "# locked layer became unlocked", "# locked layers became unlocked",
+       ", because the format has no locks"},
+      {lost.timings, "the timing of # key drawing was left out",
+       "the timings of # key drawings were left out", none},
+      {lost.body_edits, "# edit of the body was left out", "# edits of the body were left out",
+       none},
+      {lost.guides, "# guide was left out", "# guides were left out", none},
+      {lost.symmetries, "# symmetry group was dissolved", "# symmetry groups were dissolved",
+       ", because the format has none; the strokes stay"},
+      {lost.media, "the medium of # stroke became a plain pen",
+       "the media of # strokes became a plain pen", none},
+      {lost.materials, "# custom material was left out", "# custom materials were left out", none},
   };
   std::vector<std::string> texts;
   for (const Loss& loss : losses) {
-    if (loss.count > 0) texts.push_back(loss.before + std::to_string(loss.count) + loss.after);
+    if (loss.count == 0) continue;
+    std::string text = loss.count == 1 ? loss.of_one : loss.of_many;
+    text.replace(text.find('#'), 1, std::to_string(loss.count));
+    texts.push_back(text + loss.reason);
   }
   return texts;
 }

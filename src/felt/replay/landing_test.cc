@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "felt/document/visible_strokes.h"
 #include "felt/geometry/cubic.h"
 #include "felt/replay/replay_machine.h"
+#include "felt/tools/tool.h"
 
 namespace felt::landing_test {
 namespace {
@@ -28,6 +30,7 @@ struct Lines {
   double rest_ms = 400.0;  // above the surface, between two lines
   double hold_ms = 0.0;    // on the surface, for a dot
   double apart_mm = 9.0;   // between neighbours
+  std::uint32_t buttons = 0;
 };
 
 /// Draws the lines with a simulated device and hand, and returns the ink.
@@ -40,6 +43,7 @@ std::vector<StrokePtr> draw(std::string_view device, const SimulatedHand& hand,
   const auto aim = [&](double x, double z) {
     HandEvent event;
     event.target = {x, y, z};
+    event.buttons = lines.buttons;
     EXPECT_TRUE(machine.add({ns_of(ms), event}));
   };
   aim(20.0, lines.hover_mm);
@@ -104,6 +108,22 @@ TEST(Landing, R64_APenThatLandsIn80MillisecondsDrawsOneLineWithoutABlob) {
   }
 }
 
+TEST(Landing, R64_AStraightLineHasNoBlobEither) {
+  for (const char* device : {"premium", "touch", "omega"}) {
+    for (const double length_mm : {10.0, 40.0}) {  // the short line ends before the pen has settled
+      SCOPED_TRACE(std::string(device) + ", " + std::to_string(length_mm));
+      const std::vector<StrokePtr> ink =
+          draw(device, *find_hand("typical"),
+               {.length_mm = length_mm, .rest_ms = 1500.0, .buttons = kFirstModifier});
+      ASSERT_EQ(ink.size(), 2u);
+      for (const StrokePtr& line : ink) {
+        EXPECT_EQ(line->segment_count(), 1);
+        EXPECT_LE(blob_of(*line), 1.2);
+      }
+    }
+  }
+}
+
 // If a hand cannot press against the friction of the device, its pen stays in the air.
 RC_GTEST_PROP(LandingProperty, R64_DrawsOneLineForAnyDeviceHandTimeAndSpeed, ()) {
   const auto devices = stylus_presets();
@@ -128,7 +148,8 @@ TEST(Landing, R64_LinesAndDotsThatTheHandLiftsBetweenStaySeparate) {
     for (const SimulatedHand& hand : simulated_hands()) {
       // A hand that cannot carry the arm along draws no separate dots with any rule.
       const double natural_hz =
-          std::sqrt(hand.stiffness_n_per_m / (hand.mass_kg + device.mechanics.mass_kg)) / 6.28;
+          std::sqrt(hand.stiffness_n_per_m / (hand.mass_kg + device.mechanics.mass_kg)) /
+          (2.0 * std::numbers::pi);
       if (natural_hz < 4.0 || !presses(device, hand, 2.0)) continue;
       SCOPED_TRACE(std::string(device.name) + ", " + std::string(hand.name));
       // Hatching of 8 mm with four strokes a second, dots, and dots on one spot.

@@ -29,7 +29,8 @@ namespace felt {
 class LeapFilter {
  public:
   static constexpr std::int64_t kSteadyNs = 100'000'000;
-  static constexpr double kLiftMm = 1.0;  ///< above the surface: more than a bounce (Contact)
+  static constexpr double kLiftMm =
+      1.0;  ///< above the surface: more than noise and the bounce of a tip
 
   explicit LeapFilter(const SafetyLimits& limits) noexcept
       : clock_(limits), leaps_(limits), steady_(limits) {}

@@ -15,19 +15,21 @@
 namespace felt {
 namespace body_cutting {
 
-/// Distance of the points on the stroke, in edges of the body: at most this. It is a power of
-/// sqrt(2), so that a stroke that is drawn again gets the same points.
+/// Largest distance of the points on the stroke, in edges of the body.
 constexpr double kStepInEdges = 0.75;
-/// In steps: parts of the body that reach less far beyond the stroke are not cut off, and the
-/// stroke is moved by as much if points of the body lie on it (half of the length below which
-/// body_boolean.h removes edges).
-constexpr double kToleranceInSteps = 3e-3, kClearanceInSteps = 5e-4;
+/// The unit, in steps, by which the stroke is moved if points of the body lie on it: half of the
+/// length below which body_boolean.h removes edges.
+constexpr double kClearanceInSteps = 5e-4;
+/// Parts of the body that reach less far beyond the stroke, in steps, are not cut off: more than
+/// the stroke is moved, so that the same stroke cuts nothing the second time.
+constexpr double kToleranceInSteps = (kMaxClearanceSteps + 1) * kClearanceInSteps;
 constexpr int kMaxLevels = 40;
 /// Components with a smaller share of the volume are crumbs of rounding.
 constexpr double kCrumbShare = 1e-6;
 
-/// Returns the distance of the points on a stroke across a body. Each edge counts with the area of
-/// its triangles: the small triangles at earlier cuts make the next one no finer.
+/// Returns the distance of the points on a stroke across a body, rounded down to a power of
+/// sqrt(2), so that a stroke that is drawn again gets the same points. Each edge counts with the
+/// area of its triangles: the small triangles at earlier cuts make the next one no finer.
 double step_for(const SolidBody& body) {
   double sum = 0.0, areas = 0.0;
   for (const auto& [a, b, c] : body.triangles) {
@@ -96,11 +98,11 @@ Result<std::optional<std::vector<SolidBody>>> cut_body(const SolidBody& body,
   if (!region) return tl::unexpected(region.error());
   if (!*region) return Parts();
   switch (cut_effect(body, frame, **region, kToleranceInSteps * step_mm)) {
-    case CutEffect::kNothingGoes:
+    case CutEffect::kRemovesNothing:
       return Parts(std::vector{body});
-    case CutEffect::kAllGoes:
+    case CutEffect::kRemovesAll:
       return invalid_data("nothing of the body would remain");
-    case CutEffect::kPartGoes:
+    case CutEffect::kRemovesPart:
       move_off_points(body, frame, kClearanceInSteps * step_mm, **region);
   }
   const Result<SolidBody> prism = prism_of(**region, frame, body, step_mm);

@@ -13,7 +13,6 @@
 namespace felt {
 namespace cut_clearances {
 
-constexpr int kMaxSteps = 8;
 constexpr double kClearSteps = 0.25;
 
 /// The stroke of a region, with boxes around runs of its segments.
@@ -86,9 +85,10 @@ class Sides {
   Rect box_;
 };
 
-/// Returns true if an edge of the body, whose ends are not inside the region, passes through it.
-/// Such a part of the body is narrower than a triangle.
-bool passes_through(const CutRegion& region, const Sides& sides, Point a, Point b) {
+/// Returns true if an edge of the body, both ends of which are on the other side or on the stroke,
+/// passes through the inside of the region, or through its outside. Such a part of the body is
+/// narrower than a triangle.
+bool passes_through(const CutRegion& region, const Sides& sides, bool inside, Point a, Point b) {
   std::vector<double> at;
   const Vec along = b - a;
   for (std::size_t i = 0; i + 1 < region.stroke_points; ++i) {
@@ -102,7 +102,7 @@ bool passes_through(const CutRegion& region, const Sides& sides, Point a, Point 
   std::sort(at.begin(), at.end());
   for (std::size_t i = 1; i < at.size(); ++i) {
     const Point p = lerp(a, b, 0.5 * (at[i - 1] + at[i]));
-    if (sides.is_inside(p) && !sides.is_on_stroke(p)) return true;
+    if (sides.is_inside(p) == inside && !sides.is_on_stroke(p)) return true;
   }
   return false;
 }
@@ -120,7 +120,7 @@ CutEffect cut_effect(const SolidBody& body, const ViewFrame& frame, const CutReg
     if (sides.is_on_stroke(p)) continue;
     (sides.is_inside(p) ? goes : stays) = true;
   }
-  if (goes) return stays ? CutEffect::kPartGoes : CutEffect::kAllGoes;
+  if (goes && stays) return CutEffect::kRemovesPart;
   Rect box;
   for (std::size_t i = 0; i < region.stroke_points; ++i) box.extend(region.ring[i]);
   for (const SolidBody::Triangle& t : body.triangles) {
@@ -130,12 +130,12 @@ CutEffect cut_effect(const SolidBody& body, const ViewFrame& frame, const CutReg
       const Point b = frame.to_picture(body.points[t[(k + 1) % 3]]);
       Rect of_edge;
       of_edge.extend(a), of_edge.extend(b);
-      if (of_edge.intersects(box) && passes_through(region, sides, a, b)) {
-        return CutEffect::kPartGoes;
+      if (of_edge.intersects(box) && passes_through(region, sides, !goes, a, b)) {
+        return CutEffect::kRemovesPart;
       }
     }
   }
-  return CutEffect::kNothingGoes;
+  return goes ? CutEffect::kRemovesAll : CutEffect::kRemovesNothing;
 }
 
 void move_off_points(const SolidBody& body, const ViewFrame& frame, double step_mm,
@@ -143,7 +143,7 @@ void move_off_points(const SolidBody& body, const ViewFrame& frame, double step_
   using namespace cut_clearances;
   const double clear_mm = kClearSteps * step_mm;
   const CutRegion old = region;
-  const StrokeSearch stroke(old, (kMaxSteps + 1) * step_mm);
+  const StrokeSearch stroke(old, (kMaxClearanceSteps + 1) * step_mm);
   std::vector<std::optional<StrokeSearch::Near>> near;
   std::vector<double> distances;
   bool is_clear = true;
@@ -166,7 +166,7 @@ void move_off_points(const SolidBody& body, const ViewFrame& frame, double step_
   }
   const double sign = facing_left < 0.0 ? -1.0 : 1.0;
   std::pair<std::size_t, int> best{distances.size() + 1, 1};  // points in the way, steps
-  for (int steps = 1; steps <= kMaxSteps && best.first > 0; ++steps) {
+  for (int steps = 1; steps <= kMaxClearanceSteps && best.first > 0; ++steps) {
     const auto in_way = std::count_if(distances.begin(), distances.end(), [&](double d) {
       return std::fabs(d - sign * steps * step_mm) <= clear_mm;
     });

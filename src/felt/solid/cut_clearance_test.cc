@@ -43,12 +43,12 @@ TEST(CutClearance, SaysWhatGoes) {
   const SolidBody ball = testing::ball(20.0);
   const ViewFrame frame = view_frame({0, 0, -1});
   const CutRegion half = region_of(ball, frame, {{0.5, -30}, {0.5, 30}});
-  EXPECT_EQ(cut_effect(ball, frame, half, kStepMm), CutEffect::kPartGoes);
-  EXPECT_EQ(cut_effect(ball, frame, half, 100.0), CutEffect::kNothingGoes);
+  EXPECT_EQ(cut_effect(ball, frame, half, kStepMm), CutEffect::kRemovesPart);
+  EXPECT_EQ(cut_effect(ball, frame, half, 100.0), CutEffect::kRemovesNothing);
   const CutRegion all{{{21, -30}, {21, 30}, {-30, 30}, {-30, -30}}, 2};
-  EXPECT_EQ(cut_effect(ball, frame, all, kStepMm), CutEffect::kAllGoes);
+  EXPECT_EQ(cut_effect(ball, frame, all, kStepMm), CutEffect::kRemovesAll);
   const CutRegion beside{{{21, 30}, {21, -30}, {30, -30}, {30, 30}}, 2};
-  EXPECT_EQ(cut_effect(ball, frame, beside, kStepMm), CutEffect::kNothingGoes);
+  EXPECT_EQ(cut_effect(ball, frame, beside, kStepMm), CutEffect::kRemovesNothing);
 }
 
 // A triangle of the body can be wider than what a stroke cuts off: no corner is in the region then.
@@ -58,7 +58,7 @@ TEST(CutClearance, APartWithoutAPointOfTheBodyCounts) {
   body.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 3}};
   const ViewFrame frame = view_frame({0, 0, -1});
   const CutRegion between{{{-1, 20}, {-1, -0.05}, {1, -0.05}, {1, 20}}, 4};
-  EXPECT_EQ(cut_effect(body, frame, between, kStepMm), CutEffect::kPartGoes);
+  EXPECT_EQ(cut_effect(body, frame, between, kStepMm), CutEffect::kRemovesPart);
 }
 
 RC_GTEST_PROP(CutClearance, NoPointIsOnAMovedStroke, ()) {

@@ -337,7 +337,9 @@ FineSurface fine_surface(const PlaneMesh& mesh, const std::vector<std::uint8_t>&
     if (surface) return *std::move(surface);
     tried.max_turn_rad *= kCoarserTurn;
   }
-  tried.max_turn_rad = std::numbers::pi;  // divides nothing
+  // Divides nothing but, if rounding says so, edges between opposite normals.
+  tried.max_turn_rad = std::numbers::pi;
+  tried.max_triangles = std::numeric_limits<std::size_t>::max();
   return Division(mesh, on_border, squares, tried).run().value();
 }
 

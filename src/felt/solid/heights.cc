@@ -115,6 +115,9 @@ Result<SquaredHeights> squared_heights(const PlaneMesh& mesh,
     return fail(ErrorCode::kInvalidData, "the heights of the body cannot be computed");
   }
   const Eigen::VectorXd solved = factors.solve(load);
+  if (!solved.allFinite()) {
+    return fail(ErrorCode::kInvalidData, "the heights of the body cannot be computed");
+  }
   const auto value = [&](std::size_t node) {
     return nodes.unknown[node] == kOnBorder ? 0.0 : solved[nodes.unknown[node]];
   };

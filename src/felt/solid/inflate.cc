@@ -104,9 +104,8 @@ double max_turn_rad(const InflateOptions& options) {
 /// Returns how fine the front of a body is that has this share of all triangles.
 SurfaceSpec surface_spec_of(const RingSpec& ring, const InflateOptions& options, double share) {
   SurfaceSpec spec{.max_turn_rad = max_turn_rad(options), .min_edge_mm = 0.75 * ring.min_edge_mm};
-  if (options.triangles) {
-    spec.max_triangles = static_cast<std::size_t>(0.5 * share * *options.triangles);
-  }
+  const int most = options.triangles.value_or(InflateOptions::kMaxTriangles);
+  spec.max_triangles = static_cast<std::size_t>(0.5 * share * most);
   return spec;
 }
 

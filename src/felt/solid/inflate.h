@@ -18,7 +18,7 @@ struct InflateOptions {
 
   /// About how many triangles all bodies have together; kMinTriangles to kMaxTriangles. Narrow
   /// parts can need more. If absent, each body has as many as it needs to look smooth in a picture
-  /// in which it is 1,200 pixels large.
+  /// in which it is 1,200 pixels large, but all have at most about kMaxTriangles.
   std::optional<int> triangles{};
   double max_gap_mm = 2.0;  ///< gaps of the outline up to this size are closed, in mm; 0..32
   double thickness = 1.0;   ///< factor of the height; 0.05..20

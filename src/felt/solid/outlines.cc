@@ -181,10 +181,11 @@ void OutlineFinder::drop_redrawn() {
         2.0 * (outer.area_mm2 - inner.area_mm2) / (outer.length_mm + inner.length_mm);
     if (apart_mm >= 0.5 * (middle_width_mm(*one) + middle_width_mm(*other))) continue;
     is_redrawn[i] = true;
-    char text[64];
-    std::snprintf(text, sizeof text, ", %.2f mm beside it, and makes no hole", apart_mm);
-    notes_.push_back("stroke " + stroke_name(id) + " draws the outline of stroke " +
-                     stroke_name(around) + " again" + text);
+    char text[80];
+    std::snprintf(text, sizeof text, " at a distance of %.2f mm; it was not treated as a hole",
+                  apart_mm);
+    notes_.push_back("stroke " + stroke_name(id) + " retraces the outline of stroke " +
+                     stroke_name(around) + text);
   }
   std::size_t at = 0;
   std::erase_if(lobes_, [&](const Lobe&) { return is_redrawn[at++]; });
@@ -336,7 +337,7 @@ Error no_outline(FillMap& map, double max_gap_mm) {
         if (!widest || bridge.length_mm > widest->length_mm) widest = &bridge;
       }
       if (!widest) continue;
-      char text[64];
+      char text[80];
       std::snprintf(text, sizeof text, ": there is a gap of %.2f mm at ", widest->length_mm);
       error.message += text + place_text(widest->from.point) + ", at the end of stroke " +
                        stroke_name(widest->from.stroke);

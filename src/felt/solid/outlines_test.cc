@@ -124,9 +124,9 @@ TEST(SolidOutlines, AnOutlineThatIsDrawnAgainBesideItselfIsOneOutline) {
     ASSERT_EQ(result.outlines.size(), 1U);
     EXPECT_EQ(result.outlines[0].loops.size(), 2U);
     ASSERT_EQ(result.notes.size(), static_cast<std::size_t>(passes - 1));
-    EXPECT_EQ(
-        result.notes[0],
-        "stroke s2 draws the outline of stroke s1 again, 0.30 mm beside it, and makes no hole");
+    EXPECT_EQ(result.notes[0],
+              "stroke s2 retraces the outline of stroke s1 at a distance of 0.30 mm; it was not "
+              "treated as a hole");
   }
   SolidDrawing ring;  // paper is seen between the lines
   ring.add(wide_circle(30.0, 0.3));

@@ -100,9 +100,9 @@ bool may_be_of(const FeltRecording& recording, const StudyFiles& files, const Se
   const auto plan = plan_trials(files.study, info.participant, info.session);
   if (!plan || trial < 1 || static_cast<std::size_t>(trial) > plan->size()) return false;
   if (recording.events.empty()) return true;
-  const auto landed = std::find_if(
-      recording.samples.begin(), recording.samples.end(),
-      [](const RecordedSample& s) { return in_contact(sample_of(s.time_ns, s.pen)); });
+  const auto landed =
+      std::find_if(recording.samples.begin(), recording.samples.end(),
+                   [](const RecordedSample& s) { return in_contact(sample_of(s.time_ns, s.pen)); });
   const auto hover_samples = static_cast<std::size_t>(landed - recording.samples.begin());
   GuideLine guide;
   std::map<std::string, OptionValue> options;
@@ -323,8 +323,9 @@ Result<FeltRecording> StudyFolder::recording(const SessionInfo& info, const Tria
                            ? may_be_of(*recording, files_, info, result.trial)
                            : result.fingerprint == fingerprint_of(*text);
   if (!belongs) {
-    return invalid_data(file + ": is not the recording of trial " + std::to_string(result.trial) +
-                        ", or was changed after the trial");
+    return invalid_data(
+        file + ": is not the recording of trial " + std::to_string(result.trial) +
+        ", or was changed after the trial; restore the original file from a backup");
   }
   if (bytes) *bytes = *std::move(text);
   return recording;

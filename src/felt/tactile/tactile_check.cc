@@ -212,7 +212,7 @@ void add_thin_lines(const TouchLines& lines, std::vector<TactileFault>& faults) 
 double tactile_enlargement(const std::vector<TactileFault>& faults) noexcept {
   double needed = 1.0;
   for (const TactileFault& f : faults) {
-    if (goes_with_size(f.rule)) needed = std::max(needed, f.limit / f.measured);
+    if (depends_on_size(f.rule)) needed = std::max(needed, f.limit / f.measured);
   }
   constexpr double kRounding = 1e-9;  // 2.2 stays 2.2
   return std::ceil(10.0 * (needed - kRounding)) / 10.0;

@@ -69,13 +69,13 @@ struct TactileLimits {
 /// The longest total length of the lines that can be checked: 100 m. More than an A4 page can hold.
 inline constexpr double kMaxTactileMm = 100'000.0;
 
-/// Returns how many times a drawing must be enlarged, with the widths of its lines, so that its
-/// faults by size go (all but kLineStyles, kAreaStyles and kSize), rounded up to tenths; 1 if there
-/// are none. Infinity if one of them measures 0.
+/// Returns the factor by which a drawing, with the widths of its lines, must be enlarged to remove
+/// all faults that depend on size (all but kLineStyles, kAreaStyles and kSize), rounded up to
+/// tenths; 1 if there are none. Infinity if one of them measures 0.
 double tactile_enlargement(const std::vector<TactileFault>& faults) noexcept;
 
-/// Returns true for the rules whose faults go if the drawing is enlarged.
-constexpr bool goes_with_size(TactileRule rule) noexcept {
+/// Returns true for the rules whose faults can be removed by enlarging the drawing.
+constexpr bool depends_on_size(TactileRule rule) noexcept {
   return rule != TactileRule::kLineStyles && rule != TactileRule::kAreaStyles &&
          rule != TactileRule::kSize;
 }

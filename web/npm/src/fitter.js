@@ -1,5 +1,5 @@
 // Fitting: fitStroke() for whole strokes and StrokeFitter while the pen draws.
-import { FeltlineError, check, currentCore, inputView, outputView, run, trim } from './module.js';
+import { FeltlineError, check, currentCore, inputView, isInUse, outputView, run, trim } from './module.js';
 import { COLUMNS, isPoint, readerOf, writePoint } from './points.js';
 import { checkNumber, jointsOf, outputForm, segmentsOf, takeStroke } from './strokes.js';
 
@@ -109,9 +109,9 @@ export function fitStroke(points, options = {}) {
 // collector does not see the memory of wasm and so is in no hurry. A StrokeFitter keeps its points; if its fitter went to
 // another one, it gets a new one and pushes the points again, which gives the same curve.
 
-/** Returns the loan of a core that was not used for the longest time, or a new one if there are few. */
+/** Returns the loan of a core that nobody uses or that was not used for the longest time, or a new one if there are few. */
 function freeLoan(core) {
-  const index = core.loans.findIndex((loan) => loan.owner === null);
+  const index = core.loans.findIndex((loan) => !isInUse(loan));
   if (index >= 0) return core.loans.splice(index, 1)[0];
   return core.loans.length < core.maxLoans ? { handle: 0, values: null, owner: null } : core.loans.shift();
 }
@@ -126,7 +126,7 @@ function lend(core, values, owner) {
     loan.values = values;
   }
   core.exports.fitter_begin(loan.handle);
-  loan.owner = owner;
+  loan.owner = new WeakRef(owner);
   core.loans.push(loan);
   return loan;
 }
@@ -187,7 +187,7 @@ export class StrokeFitter {
   /** Runs work(exports, handle, core). */
   #run(work) {
     if (this.#state === 'freed') throw new FeltlineError('this StrokeFitter was freed');
-    if (this.#loan?.owner !== this || !this.#core.alive) this.#borrow();
+    if (this.#loan?.owner?.deref() !== this || !this.#core.alive) this.#borrow();
     return run(this.#core, (wasm) => work(wasm, this.#loan.handle, this.#core));
   }
 
@@ -203,9 +203,9 @@ export class StrokeFitter {
   }
 
   begin() {
+    if (this.#state !== 'freed') this.#state = 'drawing';
+    this.#rows.length = 0;  // first, so that a borrowed fitter gets none of them
     this.#run((wasm, handle) => wasm.fitter_begin(handle));
-    this.#rows.length = 0;
-    this.#state = 'drawing';
   }
 
   push(...args) {
@@ -277,7 +277,7 @@ export class StrokeFitter {
     if (this.#state === 'freed') return;
     this.#state = 'freed';
     this.#rows.length = 0;
-    if (this.#loan?.owner === this) this.#loan.owner = null;
+    if (this.#loan?.owner?.deref() === this) this.#loan.owner = null;
     trim(this.#core);
   }
 }

@@ -75,9 +75,12 @@ export function run(core, work) {
   }
 }
 
+/** Returns true if a StrokeFitter that is still in use has this loan (fitter.js). */
+export const isInUse = (loan) => Boolean(loan.owner?.deref());
+
 /** Gives back a large memory after a call, unless a StrokeFitter still uses it. */
 export function trim(core) {
-  if (core.loans.every((loan) => loan.owner === null) && core === current && core.exports.memory.buffer.byteLength > KEPT_BYTES) {
+  if (!core.loans.some(isInUse) && core === current && core.exports.memory.buffer.byteLength > KEPT_BYTES) {
     current = null;
   }
 }

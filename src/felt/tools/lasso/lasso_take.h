@@ -12,8 +12,9 @@ namespace felt {
 /// Which parts of strokes a lasso selects.
 ///
 /// kParts is for people who see ink and not control points: a stroke that lies inside, or leaves
-/// the area by at most kTailShare of its length, is selected whole; any other stroke of which ink
-/// is inside is selected by its control points inside, like kPoints.
+/// the area by at most kTailShare of its length, is selected whole. If more of a stroke is outside,
+/// only its control points inside are selected, like kPoints; a stroke whose ink is all outside is
+/// not selected.
 enum class LassoTake : std::uint8_t {
   kParts,
   kStrokes,  ///< each whole stroke that is at least partly inside

@@ -98,6 +98,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
   color_ = scene.color;
   snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
   path_.begin();
+  path_widths_ = WidthMap(fitted_.width_map);
   shapes_.begin(pen_point_, sample.time_ns);
   return move(sample, scene);
 }
@@ -141,17 +142,17 @@ ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
   const bool landed = !landing_.is_landing();
   const std::span<const InkSample> known = landing_.push(ink, in_contact(sample));
   add_landed(known);
-  if (!landed && !known.empty()) straight_.begin(straight_.start(), fitted_.width_map);
-  if (!landed) {
-    for (const InkSample& sample_of_line : known) straight_.push(sample_of_line);
+  if (landed || known.empty()) {
+    straight_.push(pen_);
+  } else {
+    restart_straight(known);
   }
-  straight_.push(pen_);
   hold_.update(sample);
   // A sample during a bounce draws ink but does not snap.
   const Point tip = steady_ ? steady_->tip() : pen_point_;
   if (in_contact(sample)) snap_.update(tip, sample.time_ns, settings_.snap, scene);
   if (!settings_.gestures.any()) return {};
-  path_.push(ink.position, wet_.ink());
+  path_.push(ink.position, landing_.is_landing() ? path_widths_.push(pen_) : wet_.ink());
   if (settings_.gestures.shapes && !hold_.is_meant()) {
     shapes_.update(pen_point_, pen_.pressure, sample.time_ns, path_.points());
   }
@@ -173,8 +174,13 @@ std::optional<Stroke> PencilTool::straight_line(InkConnections& to) const {
   return straight_.stroke(from, end, fitted_);
 }
 
+/// Draws the straight line again with pressures without the impact of the landing.
+void PencilTool::restart_straight(std::span<const InkSample> samples) {
+  straight_.begin(straight_.start(), fitted_.width_map);
+  for (const InkSample& sample : samples) straight_.push(sample);
+}
+
 std::optional<Stroke> PencilTool::free_line() {
-  add_landed(landing_.end());
   std::vector<Stabiliser::Step> rest;
   stabiliser_.finish(rest);
   for (const Stabiliser::Step& step : rest) {
@@ -264,6 +270,9 @@ ToolResult PencilTool::end(const Scene& scene) {
   ToolResult result;
   InkConnections to = connections(scene);
   std::optional<Stroke> drawn;
+  const std::span<const InkSample> landed = landing_.end();
+  if (!landed.empty()) restart_straight(landed);
+  add_landed(landed);
   if (hold_.is_meant()) drawn = straight_line(to);
   const bool is_free = !drawn;
   if (is_free) drawn = free_line();

@@ -68,6 +68,7 @@ class PencilTool final : public GestureTool {
 
  private:
   void make_fitter(const Scene& scene);
+  void restart_straight(std::span<const InkSample> samples);
   [[nodiscard]] std::optional<Stroke> straight_line(InkConnections& to) const;
   void begin_steady();
   void add_ink(const InkSample& ink);
@@ -111,8 +112,9 @@ class PencilTool final : public GestureTool {
   bool near_ = false;
 
   WetInk wet_;
-  DrawnPath path_;    // only if a gesture is on
-  ShapeHold shapes_;  // only if shapes are on
+  DrawnPath path_;        // only if a gesture is on
+  WidthMap path_widths_;  // of the path while the pen lands, when the wet ink has no widths yet
+  ShapeHold shapes_;      // only if shapes are on
 };
 
 std::unique_ptr<Tool> make_pencil();

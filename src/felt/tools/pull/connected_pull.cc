@@ -163,7 +163,8 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
   std::set<StrokeId> known;
   for (const StrokeChange& c : edit.changes) known.insert(c.id);
   std::size_t begin = 0;
-  for (int round = 0; round < kMaxRounds && begin < edit.changes.size(); ++round) {
+  // Ends, because each round adds followers, and their number is limited.
+  while (begin < edit.changes.size()) {
     std::map<StrokeId, std::vector<Pull>> pulls;
     const std::size_t end = edit.changes.size();
     for (; begin < end; ++begin) {

@@ -31,9 +31,8 @@ namespace felt {
 /// per control point. Make one object per gesture.
 class ConnectedPull {
  public:
-  static constexpr int kMaxRounds = 256;
   /// Maximum number of strokes that follow in one gesture; further strokes do not move. Strokes
-  /// that the gesture itself pulls or pushes do not count.
+  /// that the gesture itself pulls do not count.
   static constexpr std::size_t kMaxFollowers = 256;
 
   /// Numbers of preparations since construction, for tests.

@@ -94,7 +94,7 @@ NibLines::Line* NibLines::follower(StrokeId id, const Scene* scene) {
 
 void NibLines::find_links(StrokeId id, Line& line, const Scene& scene) const {
   line.has_links = true;
-  const Stroke& stroke = *line.place.before();
+  const Stroke& stroke = *line.replacement.before();
   const double n = stroke.segment_count();
   for (const Junction& j : junctions_of(scene.document, scene.index, id, stroke)) {
     const bool is_end = !stroke.closed() && (j.u <= 0.0 || j.u >= n);
@@ -170,16 +170,17 @@ bool NibLines::pull(Line& line, double u, Point target) {
   const auto before = std::lower_bound(line.pins.begin(), line.pins.end(), u - kSameU);
   if (after != line.pins.end()) pins.second = *after;
   if (before != line.pins.begin()) pins.first = *(before - 1);
-  if (line.place.before()->closed() && !line.pins.empty()) {
+  if (line.replacement.before()->closed() && !line.pins.empty()) {
     if (std::isnan(pins.second) && line.pins.front() < u - kSameU) pins.second = line.pins.front();
     if (std::isnan(pins.first) && line.pins.back() > u + kSameU) pins.first = line.pins.back();
   }
   return line.push.pull(u, target, pins) || line.push.pull(u, target, {kNone, kNone});
 }
 
-double NibLines::largest_gap_mm() const {
+double NibLines::largest_gap_mm(const std::vector<StrokeId>& ids) const {
   double largest = 0.0;
-  for (const auto& [id, line] : lines_) {
+  for (const StrokeId id : ids) {
+    const Line& line = lines_.at(id);
     for (const Line::Link& link : line.links) {
       const auto other = lines_.find(link.other);
       if (link.held || other == lines_.end()) continue;
@@ -194,7 +195,7 @@ double NibLines::largest_gap_mm() const {
 /// parameters. Points that have not moved stay.
 void NibLines::copy_links(const Line& line, Line& to, const NibLines& from) const {
   const auto refitted_u = [](const Line& a, const Line& b, double u) {
-    const Stroke &before = *a.place.before(), &after = *b.push.stroke();
+    const Stroke &before = *a.replacement.before(), &after = *b.push.stroke();
     if (!before.closed() && u <= 0.0) return 0.0;
     if (!before.closed() && u >= before.segment_count()) return 1.0 * after.segment_count();
     return nearest_u(after, a.push.position(u));
@@ -215,15 +216,50 @@ void NibLines::copy_links(const Line& line, Line& to, const NibLines& from) cons
   std::sort(to.pins.begin(), to.pins.end());
 }
 
-std::vector<std::pair<StrokeId, StrokePtr>> NibLines::finished(Point pen) const {
-  std::vector<std::pair<StrokeId, StrokePtr>> raw, done;
-  NibLines fine(radius_mm_);
+/// Returns the ids of the strokes that have moved, in groups of strokes that share points.
+std::vector<std::vector<StrokeId>> NibLines::moved_groups() const {
+  std::map<StrokeId, StrokeId> parents;  // a forest: each tree is a group
+  const auto root = [&](StrokeId id) {
+    while (parents.at(id) != id) id = parents.at(id);
+    return id;
+  };
   for (const auto& [id, line] : lines_) {
-    if (line.push.stroke() == line.place.before()) continue;
-    raw.emplace_back(id, line.push.stroke());
+    if (line.push.stroke() != line.replacement.before()) parents.emplace(id, id);
+  }
+  for (const auto& [id, self] : parents) {
+    for (const Line::Link& link : lines_.at(id).links) {
+      if (parents.contains(link.other)) parents[root(id)] = root(link.other);
+    }
+  }
+  std::map<StrokeId, std::vector<StrokeId>> groups;
+  for (const auto& [id, parent] : parents) groups[root(id)].push_back(id);
+  std::vector<std::vector<StrokeId>> result;
+  for (auto& [id, ids] : groups) result.push_back(std::move(ids));
+  return result;
+}
+
+std::vector<std::pair<StrokeId, StrokePtr>> NibLines::finished(Point pen) const {
+  std::vector<std::pair<StrokeId, StrokePtr>> all;
+  for (const std::vector<StrokeId>& ids : moved_groups()) {
+    for (auto& [id, stroke] : finished_group(ids, pen)) all.emplace_back(id, std::move(stroke));
+  }
+  std::sort(all.begin(), all.end(),
+            [](const auto& one, const auto& two) { return one.first < two.first; });
+  return all;
+}
+
+/// Refits the strokes of a group, or returns them as they are if one of them cannot be refitted or
+/// would leave its place.
+std::vector<std::pair<StrokeId, StrokePtr>> NibLines::finished_group(
+    const std::vector<StrokeId>& ids, Point pen) const {
+  std::vector<std::pair<StrokeId, StrokePtr>> raw, done;
+  for (const StrokeId id : ids) raw.emplace_back(id, lines_.at(id).push.stroke());
+  NibLines fine(radius_mm_);
+  for (const StrokeId id : ids) {
+    const Line& line = lines_.at(id);
     Result<Stroke> refitted = line.push.finished(pen);
     if (!refitted) return raw;
-    fine.add(line.place, std::make_shared<const Stroke>(*std::move(refitted)));
+    fine.add(line.replacement, std::make_shared<const Stroke>(*std::move(refitted)));
   }
   for (auto& [id, next] : fine.lines_) {
     fine.copy_links(lines_.at(id), next, *this);
@@ -231,7 +267,7 @@ std::vector<std::pair<StrokeId, StrokePtr>> NibLines::finished(Point pen) const 
   }
   if (!fine.weld(pen, {}, nullptr)) return raw;
   for (auto& [id, next] : fine.lines_) next.push.settle();
-  if (fine.largest_gap_mm() > std::max(kCommittedGapMm, largest_gap_mm())) return raw;
+  if (fine.largest_gap_mm(ids) > std::max(kCommittedGapMm, largest_gap_mm(ids))) return raw;
   for (const auto& [id, next] : fine.lines_) {
     const double within = radius_mm_ - kCommittedGapMm;
     if (next.push.under(pen, within) && !lines_.at(id).push.under(pen, within)) return raw;

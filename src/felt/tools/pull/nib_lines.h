@@ -25,10 +25,12 @@ namespace felt {
 /// This ends when nothing moves. Usually one or two rounds are enough. After kExactVisits rounds
 /// each push goes some micrometres farther than the radius, so that the rounds end. If they do not
 /// end, the strokes keep clear of the nib and the points stay slightly apart until the next step.
-/// Ends that lie on ends of strokes of locked layers stay. Points that were up to kSharedPointMm
-/// apart keep this offset.
+/// If the strokes move farther and farther apart, each is pushed on its own in this movement, and
+/// shared points may be apart by its length until the next one. Ends that lie on ends of strokes of
+/// locked layers stay. Points that were up to kSharedPointMm apart keep this offset.
 ///
-/// Takes time linear in the strokes that move and in their shared points. Edit thread only.
+/// Takes time linear in the strokes that move, and quadratic in the shared points of one stroke.
+/// Edit thread only.
 class NibLines {
  public:
   /// Maximum number of strokes that move without having been touched by the nib. Connections to
@@ -42,9 +44,9 @@ class NibLines {
   /// A stroke that the nib has touched or that follows another stroke.
   struct Line {
     Line(StrokeReplacement stroke, StrokePtr ink, double radius_mm)
-        : place(std::move(stroke)), push(std::move(ink), radius_mm) {}
+        : replacement(std::move(stroke)), push(std::move(ink), radius_mm) {}
 
-    StrokeReplacement place;
+    StrokeReplacement replacement;
     NibPush push;
     bool touched = false;     ///< by the nib
     double carried_mm = 0.0;  ///< displacement at the first touch
@@ -86,7 +88,10 @@ class NibLines {
   void copy_links(const Line& line, Line& to, const NibLines& from) const;
   Line& add(StrokeReplacement place, StrokePtr ink);
   static bool pull(Line& line, double u, Point target);
-  [[nodiscard]] double largest_gap_mm() const;
+  [[nodiscard]] std::vector<std::vector<StrokeId>> moved_groups() const;
+  [[nodiscard]] std::vector<std::pair<StrokeId, StrokePtr>> finished_group(
+      const std::vector<StrokeId>& ids, Point pen) const;
+  [[nodiscard]] double largest_gap_mm(const std::vector<StrokeId>& ids) const;
 
   double radius_mm_;
   Lines lines_;

@@ -28,14 +28,14 @@ class PushGesture final : public PullGesture {
     last_ = now;
     if (!moved) return std::nullopt;
     Edit edit{.label = kPushLabel, .changes = {}};
-    for (const auto& [id, line] : lines_.lines()) add(line.place, line.push.stroke(), edit);
+    for (const auto& [id, line] : lines_.lines()) add(line.replacement, line.push.stroke(), edit);
     return edit;
   }
 
   Edit end(const Scene& /*scene*/) override {
     Edit edit{.label = kPushLabel, .changes = {}};
     for (auto& [id, stroke] : lines_.finished(last_)) {
-      add(lines_.lines().at(id).place, std::move(stroke), edit);
+      add(lines_.lines().at(id).replacement, std::move(stroke), edit);
     }
     return edit;
   }
