@@ -131,37 +131,12 @@ function lend(core, values, owner) {
   return loan;
 }
 
-/** The points of one stroke: COLUMNS numbers each, in an array that grows. */
-class Rows {
-  #numbers = new Float64Array(0);
-  length = 0;
-
-  append(rows) {
-    const needed = this.length + rows.length;
-    if (needed > this.#numbers.length) {
-      const larger = new Float64Array(Math.max(2 * this.#numbers.length, needed, 16 * COLUMNS));
-      larger.set(this.#numbers.subarray(0, this.length));
-      this.#numbers = larger;
-    }
-    this.#numbers.set(rows, this.length);
-    this.length = needed;
-  }
-
-  /** Calls use(rows) for pieces of the points. */
-  forPieces(use) {
-    for (let from = 0; from < this.length; from += PIECE * COLUMNS) {
-      const rows = this.#numbers.subarray(from, Math.min(this.length, from + PIECE * COLUMNS));
-      use(rows);
-    }
-  }
-}
-
 export class StrokeFitter {
   #core = null;
   #loan = null;
   #settings;
   #row = new Float64Array(COLUMNS);
-  #rows = new Rows();
+  #rows = [];  // the numbers of all points, COLUMNS each
   #state = 'drawing';
 
   constructor(options = {}) {
@@ -178,7 +153,9 @@ export class StrokeFitter {
     if (before) this.#core.maxLoans = Math.min(1 << 16, 2 * this.#core.maxLoans);
     run(this.#core, (wasm) => {
       const { handle } = this.#loan;
-      this.#rows.forPieces((rows) => pushRows(this.#core, handle, rows));
+      for (let from = 0; from < this.#rows.length; from += PIECE * COLUMNS) {
+        pushRows(this.#core, handle, this.#rows.slice(from, from + PIECE * COLUMNS));
+      }
       if (this.#state !== 'drawing') wasm.fitter_end(handle);
       if (this.#state === 'refined') wasm.fitter_refine(handle);
     });
@@ -194,7 +171,7 @@ export class StrokeFitter {
   /** Adds points in mm. */
   #push(rows) {
     this.#run((_, handle, core) => pushRows(core, handle, rows));
-    this.#rows.append(rows);
+    this.#rows.push(...rows);
   }
 
   #pushRow() {
