@@ -92,7 +92,7 @@ void run_gather(const GatherArguments& args, Console& console) {
   std::uint32_t lines = 0;
   for (const StrokeGroup& entry : gathered->groups) lines = std::max(lines, entry.group);
   console.summary(fmt::format("{}: {} stroke{} became {} line{}", input->name(), strokes,
-                             strokes == 1 ? "" : "s", lines, lines == 1 ? "" : "s"));
+                              strokes == 1 ? "" : "s", lines, lines == 1 ? "" : "s"));
   const Result<void> done =
       DrawingOutput::create(args.output, *format, *picture).and_then([&](DrawingOutput output) {
         return output.write(std::move(opened->drawing));

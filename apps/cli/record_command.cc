@@ -230,7 +230,8 @@ void run_record(const RecordArguments& args, Console& console) {
     console.error(written.error().message);
   } else {
     copy.remove();
-    console.summary(fmt::format("{} strokes in {}", session.document().stroke_count(), args.output));
+    console.summary(
+        fmt::format("{} strokes in {}", session.document().stroke_count(), args.output));
   }
   if (run.hangs()) end_at_once();
 }

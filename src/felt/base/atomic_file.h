@@ -83,8 +83,8 @@ class AtomicFile {
 /// Writes a complete file, or writes to stdout if the path is "-". Fails like AtomicFile::create().
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
-/// Writes a complete file that the program itself keeps (create_for_save()), and verifies it. Success means that `bytes` are on the
-/// disk under this name.
+/// Writes a complete file that the program itself keeps (create_for_save()), and verifies it.
+/// Success means that `bytes` are on the disk under this name.
 ///  * The new file is reopened and compared with `bytes` before and after the rename. The
 ///    comparison reads from the disk, not from the page cache, if the system allows it.
 ///  * Until the second comparison has succeeded, the old file is kept under a hidden name. If the

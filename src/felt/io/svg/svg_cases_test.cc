@@ -150,12 +150,23 @@ TEST(SvgUnpainted, ShapesAreCounted) {
       "<path style='fill:none;stroke:#000' d='M10 40H90'/>");
   EXPECT_EQ(strokes(drawing).size(), 1U);
   EXPECT_EQ(drawing.drawing.document.fill_count(), 0U);
-  std::size_t count = 0;
+  std::int64_t count = 0;
   for (const ImportNotice& n : drawing.report.notices()) {
     if (n.what.find("neither a line nor a fill") != std::string::npos) count += n.count;
   }
-  EXPECT_EQ(count, 5U) << notice_lines(drawing);
+  EXPECT_EQ(count, 5) << notice_lines(drawing);
   EXPECT_THAT(notice_lines(drawing), HasSubstr("line 2: path has neither a line nor a fill"));
+}
+
+// A frame may leave only an edge of a shape. Such a fill would be lost when its file is read again.
+TEST(SvgUnpainted, FillOfWhichOnlyAnEdgeIsInItsFrameIsNamed) {
+  const Imported drawing = read(
+      "<svg width='9' height='9'>"
+      "<rect y='9' width='9' height='9'/><rect x='-9' width='9' height='9'/>"
+      "<path d='M9 0h9v9z'/></svg>");
+  EXPECT_EQ(drawing.drawing.document.fill_count(), 0U);
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("rect is outside the frame"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("path is outside the frame"));
 }
 
 TEST(SvgUnpainted, FrameWithALineOfNoWidthIsCounted) {

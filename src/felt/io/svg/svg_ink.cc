@@ -23,6 +23,7 @@ namespace {
 
 /// Notice for ink that is farther from (0, 0) than files can store.
 constexpr const char* kFar = "extends beyond 1e9 mm and was skipped";
+constexpr const char* kOutsideFrame = "is outside the frame that shows it and was skipped";
 
 Rect bounds_mm(const SvgShape& shape) {
   Rect box;
@@ -33,19 +34,26 @@ Rect bounds_mm(const SvgShape& shape) {
 }
 
 /// Returns true if all points lie on one straight line, so that a fill shows nothing.
-bool is_flat(const SvgContour& c) {
-  const Point a = c.points.front();
+bool is_flat(const std::vector<Point>& points) {
+  const Point a = points.front();
   Vec longest;
-  for (const Point& p : c.points) {
+  for (const Point& p : points) {
     if (norm_squared(p - a) > norm_squared(longest)) longest = p - a;
   }
   const double size = norm_squared(longest);
-  return std::all_of(c.points.begin(), c.points.end(),
+  return std::all_of(points.begin(), points.end(),
                      [&](Point p) { return std::fabs(cross(longest, p - a)) <= 1e-12 * size; });
 }
 
+/// Returns true if no loop covers an area. `loops` are contours or loops of a fill.
+template <class Loops>
+bool are_flat(const Loops& loops) {
+  return std::all_of(loops.begin(), loops.end(),
+                     [](const auto& loop) { return is_flat(loop.points); });
+}
+
 bool shows_filling(const SvgShape& shape) {
-  return shape.fill && !std::all_of(shape.contours.begin(), shape.contours.end(), is_flat);
+  return shape.fill && !are_flat(shape.contours);
 }
 
 bool is_far(const Rect& r) {
@@ -146,7 +154,7 @@ bool SvgInk::outside_frame(SvgShape& shape) {
     return false;
   }
   if (shape.frame->misses(box)) {
-    say(shape, "is outside the frame that shows it and was skipped");
+    say(shape, kOutsideFrame);
     return true;
   }
   if (shape.line || shape.variable_width) {
@@ -339,7 +347,10 @@ void SvgInk::add_fill(const SvgShape& shape) {
     return say(shape, "has no extent after its transform and was skipped");
   SvgArea area = svg_area(shape.contours, shape.to_mm, shape.fill->even_odd);
   if (shape.frame) clip_fill(area.fill, *shape.frame);
-  if (area.fill.loops.empty()) return;
+  if (are_flat(area.fill.loops)) {
+    if (shape.frame && !shape.line) say(shape, kOutsideFrame);
+    return;
+  }
   const Rect box = fill_bounds(area.fill);
   if (is_far(box)) return say(shape, kFar);
   area.fill.color = shape.fill->color;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kLongestDotMm = 0.5;
 constexpr double kOvershoot = 1.1;  // of an impact; less is the hand's
+constexpr double kDip = 0.9;        // of the level, likewise
 
 double pressure_of(const InkSample& sample) {
   return sample.pressure.value_or(0.0);
@@ -96,12 +97,19 @@ bool LandingPressure::is_impact(double level) const noexcept {
 void LandingPressure::correct(std::vector<InkSample>& samples) const {
   const std::optional<double> settled = level();
   if (!settled || !is_impact(*settled)) return;
+  const double newest = pressure_of(samples.back());
+  const bool is_above = newest > *settled;
+  // After an impact, the pressure may dip and come back to the level without passing through it.
+  const double least = newest >= kDip * *settled ? kDip * *settled : 0.0;
+  const double floor = least > 0.0 ? std::min(newest, *settled) : 0.0;
+  const auto is_settled = [&](double pressure) {
+    return (pressure > *settled) == is_above && pressure >= least;
+  };
   std::size_t end = samples.size();
-  const bool is_above = end > 0 && pressure_of(samples[end - 1]) > *settled;
-  while (end > 0 && (pressure_of(samples[end - 1]) > *settled) == is_above) --end;
+  while (end > 0 && is_settled(pressure_of(samples[end - 1]))) --end;
   for (std::size_t i = 0; i < end; ++i) samples[i].pressure = *settled;
   for (std::size_t i = end; i < samples.size(); ++i) {
-    samples[i].pressure = std::min(pressure_of(samples[i]), *settled);
+    samples[i].pressure = std::clamp(pressure_of(samples[i]), floor, *settled);
   }
 }
 
