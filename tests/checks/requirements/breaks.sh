@@ -1,9 +1,10 @@
 # Shared by plant_breaks.sh and check_breaks.sh, which source this file.
 # shellcheck shell=bash
 
-# The last requirement: they are R1 to R57.
-# shellcheck disable=SC2034  # used by the scripts that source this file
-readonly requirements=57
+# Prints the numbers of all requirements.
+requirements() {
+  sed -nE 's/^\| R([0-9]+) .*/\1/p' "$(dirname "${BASH_SOURCE[0]}")/../../../docs/requirements.md"
+}
 
 command -v patch >/dev/null || { echo "the program 'patch' is missing (./dev setup test installs it)" >&2; exit 2; }
 

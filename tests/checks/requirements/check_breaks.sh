@@ -18,7 +18,7 @@ complain() {
 
 find_missing() {
   local n
-  for ((n = 1; n <= requirements; n++)); do
+  for n in $(requirements); do
     compgen -G "$here/R${n}_*.patch" >/dev/null && continue
     grep -qE "^\| R$n \|" "$here/README.md" ||
       complain "R$n: no break is planted, and README.md gives no reason"
@@ -39,6 +39,16 @@ list_tests() {
 }
 tests=$(list_tests)
 
+# The names are read once, because the files are large.
+ctests=''
+targets=''
+if [[ -n $build ]]; then
+  ctests=$(find "$build" -name CTestTestfile.cmake -exec grep -hE '^add_test' {} +)
+fi
+if [[ -f $build/build.ninja ]]; then
+  targets=$(grep -oE '^build (bin/)?[A-Za-z0-9_.]+:|LINKER__[A-Za-z0-9_]+' "$build/build.ninja" | sort -u)
+fi
+
 # has_test PATTERN: true if a test matches one pattern of a gtest filter. An instance (A/Suite.Name/3)
 # counts as its test.
 has_test() {
@@ -54,7 +64,7 @@ check_test() { # FILE TEST
   if [[ $test == ctest:* ]]; then
     test=${test#ctest:}
     test=${test# }
-    [[ -z $build ]] || grep -rqF --include=CTestTestfile.cmake "$test" "$build" ||
+    [[ -z $build ]] || grep -qF "$test" <<<"$ctests" ||
       complain "$file: there is no ctest \"$test\""
     return
   fi
@@ -72,8 +82,8 @@ for path in "$here"/R*.patch; do
   [[ -n $(header Breaks "$path") ]] || complain "$file: no \"Breaks:\" in its header"
   target=$(header Target "$path")
   [[ -n $target ]] || complain "$file: no \"Target:\" in its header"
-  if [[ -n $target && $target != all && -f $build/build.ninja ]]; then
-    grep -qE "^build (bin/)?$target:|^build .*LINKER__${target}_" "$build/build.ninja" ||
+  if [[ -n $target && $target != all && -n $targets ]]; then
+    grep -qE "^build (bin/)?$target:|^LINKER__${target}_" <<<"$targets" ||
       complain "$file: there is no target \"$target\""
   fi
   test=$(header Test "$path")
