@@ -166,7 +166,7 @@ TEST(SvgUnpainted, FillOfWhichOnlyAnEdgeIsInItsFrameIsNamed) {
       "<path d='M9 0h9v9z'/></svg>");
   EXPECT_EQ(drawing.drawing.document.fill_count(), 0U);
   EXPECT_THAT(notice_lines(drawing), HasSubstr("rect is outside the frame"));
-  EXPECT_THAT(notice_lines(drawing), HasSubstr("path is outside the frame"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("(and 2 more like it)"));
 }
 
 TEST(SvgUnpainted, FrameWithALineOfNoWidthIsCounted) {
