@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/gather/hatching_finder.h"
 #include "felt/gather/odds_weights.h"
 #include "felt/gather/percentile.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kStepShare = 0.0075;                    // of the scale
 constexpr double kReachShare = 0.06;                     // of the scale
+constexpr double kHatchingReach = 1.5;                   // of the reach of pairs
 constexpr std::uint64_t kMaxSectionTests = 400'000'000;  // some seconds
 constexpr double kSmallest = 0.0005;  // of the scale: smaller gaps are those of copies
 
@@ -28,10 +30,12 @@ struct GapHit {
 };
 
 // Appends the widest gap up to the nearest crossing of each line on one side.
-void add_side(std::span<const SectionHit> side, std::vector<GapHit>& hits, std::size_t first) {
+void add_side(std::span<const SectionHit> side, double reach_mm, std::vector<GapHit>& hits,
+              std::size_t first) {
   double previous = 0.0, widest = 0.0;
   for (const SectionHit& hit : side) {
     const double offset = std::fabs(hit.offset_mm);
+    if (offset > reach_mm) break;
     widest = std::max(widest, offset - previous);
     previous = offset;
     const auto same = [&](const GapHit& h) { return h.other == hit.line; };
@@ -44,7 +48,10 @@ void add_side(std::span<const SectionHit> side, std::vector<GapHit>& hits, std::
 class PairMeter {
  public:
   PairMeter(std::span<const RoughLine> lines, double scale_mm)
-      : scale_mm_(scale_mm), grid_(lines, pair_sections(scale_mm)), sides_(lines.size()) {}
+      : scale_mm_(scale_mm),
+        grid_(lines, pair_sections(scale_mm)),
+        sides_(lines.size()),
+        hatchings_(lines.size()) {}
 
   /// Fails if the lines are too dense.
   [[nodiscard]] Result<std::vector<LinePair>> run() {
@@ -58,6 +65,7 @@ class PairMeter {
     }
     for (std::uint32_t i = 0; i < sides_.size(); ++i) measure(i);
     usual_gap_mm_ = percentile(nearest_mm_, 0.5);
+    hatchings_of_ = hatchings_.hatchings();
     return pairs();
   }
 
@@ -76,20 +84,25 @@ class PairMeter {
   std::vector<std::vector<OneSided>> sides_;  // of each line, sorted by `other`
   std::vector<double> nearest_mm_;            // from each section to the nearest other line
   double usual_gap_mm_ = 0.0;
+  HatchingFinder hatchings_;
+  std::vector<HatchingFinder::Numbers> hatchings_of_;  // of each line
 };
 
 void PairMeter::measure(std::uint32_t line) {
   std::vector<GapHit> hits;
+  const double reach_mm = kReachShare * scale_mm_;
   grid_.sections(line, [&](const LineSection& section) {
     // A line that crosses on both sides counts on the nearer one.
+    hatchings_.add(section);
     const std::size_t first = hits.size();
     const bool above_first = section.below.empty() ||
                              (!section.above.empty() &&
                               section.above.front().offset_mm < -section.below.front().offset_mm);
-    add_side(above_first ? section.above : section.below, hits, first);
+    add_side(above_first ? section.above : section.below, reach_mm, hits, first);
     if (hits.size() > first) nearest_mm_.push_back(hits[first].gap_mm);
-    add_side(above_first ? section.below : section.above, hits, first);
+    add_side(above_first ? section.below : section.above, reach_mm, hits, first);
   });
+  hatchings_.end_line(line, grid_.points(line));
   std::stable_sort(hits.begin(), hits.end(),
                    [](const GapHit& a, const GapHit& b) { return a.other < b.other; });
   std::vector<double> gaps;
@@ -122,6 +135,7 @@ LinePair PairMeter::pair(std::uint32_t a, std::uint32_t b, const OneSided& ab,
   const double gap = relative(mean(ab.gap, ba.gap));
   const double share_a = share(a, ab), share_b = share(b, ba);
   LinePair pair{.a = a, .b = b};
+  pair.in_hatching = share_hatching(hatchings_of_[a], hatchings_of_[b]);
   pair.overlap = std::max(share_a * grid_.length_mm(a), share_b * grid_.length_mm(b)) / scale_mm_;
   pair.features = {std::log(gap),
                    std::log(relative(mean(ab.wide_gap, ba.wide_gap))),
@@ -154,7 +168,7 @@ std::vector<LinePair> PairMeter::pairs() const {
 }  // namespace
 
 SectionOptions pair_sections(double scale_mm) {
-  return {.step_mm = kStepShare * scale_mm, .reach_mm = kReachShare * scale_mm};
+  return {.step_mm = kStepShare * scale_mm, .reach_mm = kHatchingReach * kReachShare * scale_mm};
 }
 
 Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm) {

@@ -22,7 +22,8 @@ struct LinePair {
   /// that lies beside the other, for the line with the smaller share; the logarithm of the length
   /// beside each other relative to the gap.
   std::array<double, kFeatures> features{};
-  double overlap = 0.0;  ///< length over which both lie beside each other
+  double overlap = 0.0;      ///< length over which both lie beside each other
+  bool in_hatching = false;  ///< both are lines of one hatching (HatchingFinder)
 
   friend bool operator==(const LinePair&, const LinePair&) = default;
 };

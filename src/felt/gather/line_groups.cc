@@ -20,6 +20,7 @@ constexpr double kMaxOdds = 8.0;       // one pair must not decide alone
 constexpr double kAgainst = 3.0;       // weight of evidence against, because wrong groups are
                                        // worse than missing lines
 constexpr double kBias = -0.15;
+constexpr double kVeto = -1e9;  // evidence against a pair that nothing outweighs
 
 /// The evidence between two groups.
 struct Candidate {
@@ -35,11 +36,15 @@ struct Candidate {
 /// Merges groups, the strongest evidence first.
 class GroupMerger {
  public:
-  GroupMerger(std::size_t lines, std::span<const LinePair> pairs, double leniency)
+  GroupMerger(std::size_t lines, std::span<const LinePair> pairs, const GroupOptions& options)
       : links_(lines), parent_(lines) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const LinePair& pair : pairs) {
-      double odds = std::clamp(log_odds(pair) - kBias + leniency, -kMaxOdds, kMaxOdds);
+      if (pair.in_hatching && options.keeps_hatchings) {
+        link(pair.a, pair.b, kVeto);
+        continue;
+      }
+      double odds = std::clamp(log_odds(pair) - kBias + options.leniency, -kMaxOdds, kMaxOdds);
       if (odds < 0.0) odds *= kAgainst;
       // Longer overlaps say more, but not in proportion: neighbouring sections are not independent.
       link(pair.a, pair.b, odds * std::sqrt(std::max(pair.overlap, 1e-4)));
@@ -112,7 +117,7 @@ Result<std::vector<std::uint32_t>> groups_at_scale(std::span<const RoughLine> li
   }
   const Result<std::vector<LinePair>> pairs = line_pairs(unique, scale_mm);
   if (!pairs) return tl::unexpected(pairs.error());
-  std::vector<std::uint32_t> groups = GroupMerger(unique.size(), *pairs, options.leniency).run();
+  std::vector<std::uint32_t> groups = GroupMerger(unique.size(), *pairs, options).run();
   std::vector<std::uint32_t> result(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) result[i] = groups[index_of[copy_of[i]]];
   renumber(result);

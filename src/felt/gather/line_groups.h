@@ -15,6 +15,9 @@ struct GroupOptions {
   double scale_mm = 0.0;
   /// Added to the evidence for each pair: positive values make larger groups.
   double leniency = 0.0;
+  /// Keeps the lines of hatchings (HatchingFinder) apart. Switch it off for lines that the user has
+  /// chosen to gather.
+  bool keeps_hatchings = true;
 };
 
 /// Finds the rough lines that a person drew as one line, and returns the group of each line: groups
@@ -26,7 +29,8 @@ struct GroupOptions {
 /// together (log_odds). Groups grow greedily by the pair of groups with the largest sum, until no
 /// sum is positive: greedy additive edge contraction (Keuper et al., "Efficient Decomposition of
 /// Image and Mesh Graphs by Lifted Multicuts", ICCV 2015, doi:10.1109/ICCV.2015.204). Negative
-/// evidence keeps neighbouring strips apart even if single lines of both touch.
+/// evidence keeps neighbouring strips apart even if single lines of both touch. Lines of a hatching
+/// (HatchingFinder) never belong together.
 ///
 /// Fails with kInvalidArgument if a coordinate is not finite or exceeds kMaxCoordinateMm, or if
 /// there are more than 200,000 lines, and with kUnsupported and the position if so many lines lie

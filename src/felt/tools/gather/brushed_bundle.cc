@@ -151,8 +151,10 @@ BrushedBundle brushed_bundle(const BrushPath& brush) {
   for (const auto& [layer, parts] : parts_by_layer(brush)) {
     std::vector<RoughLine> lines;
     for (const BundlePart& part : parts) lines.push_back(part.line);
-    Result<std::vector<std::uint32_t>> groups = line_groups(
-        lines, {.scale_mm = kScaleRadii * brush.radius_mm(), .leniency = kBrushLeniency});
+    Result<std::vector<std::uint32_t>> groups =
+        line_groups(lines, {.scale_mm = kScaleRadii * brush.radius_mm(),
+                            .leniency = kBrushLeniency,
+                            .keeps_hatchings = false});
     if (!groups) continue;
     std::map<std::uint32_t, double> along_mm;
     for (std::size_t i = 0; i < parts.size(); ++i) along_mm[(*groups)[i]] += parts[i].along_mm;
