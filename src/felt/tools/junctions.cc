@@ -53,7 +53,7 @@ class Search {
     const Point end = tip_point(stroke_, tip);
     Rect area;
     area.extend(end);
-    index_.for_each_segment_in(area.inflated(kSharedPointMm), [&](StrokeId id, int segment) {
+    const auto visit = [&](StrokeId id, int segment) {
       if (id == id_) return;
       const StrokePtr other = document_.find(id);
       const auto near =
@@ -64,8 +64,10 @@ class Search {
                                     distance(end, tip_point(*other, StrokeTip::kEnd)));
         if (gap <= kSharedPointMm) return;  // find_ends_on() has already added it
       }
-      add({end_u(stroke_, tip), id, segment + near->t, end, true});
-    });
+      const bool is_locked = document_.layer(document_.layer_of(id))->locked;
+      add({end_u(stroke_, tip), id, segment + near->t, end, !is_locked});
+    };
+    index_.for_each_segment_in(area.inflated(kSharedPointMm), visit, StrokeReach::kVisible);
   }
 
   /// Adds a junction unless it is already known, because a point at a joint is found on both of its

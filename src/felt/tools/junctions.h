@@ -23,9 +23,9 @@ inline constexpr double kSharedPointMm = 0.02;
 
 /// Returns the points that a stroke of the document shares with other strokes on visible layers:
 /// the ends of other strokes that lie on its curve, and its own ends that lie on the curves of
-/// other strokes. If the other stroke is on a locked layer, only its ends on the curve of this
-/// stroke are found. The result is sorted by `other`, then by `other_u`. Takes time linear in the
-/// number of segments of the stroke and in the amount of ink near them.
+/// other strokes, which may be on locked layers. The result is sorted by `other`, then by
+/// `other_u`. Takes time linear in the number of segments of the stroke and in the amount of ink
+/// near them.
 std::vector<Junction> junctions_of(const Document& document, const StrokeIndex& index, StrokeId id,
                                    const Stroke& stroke);
 

@@ -50,5 +50,25 @@ TEST(Junctions, HiddenLayersDoNotCountAndLockedOnesAreNotEditable) {
   }
 }
 
+TEST(Junctions, EndsOnTheMiddleOfALockedLineAreFoundFromBothLines) {
+  Fixture fixture;
+  fixture.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
+  const StrokeId post = fixture.add(straight_stroke({20, 30}, {20, 0}, 1, 1));
+  fixture.layer = LayerId{2};
+  const StrokeId base = fixture.add(straight_stroke({0, 0}, {40, 0}, 1, 1));
+  fixture.apply({"Lock", {}, {{{2}, LayerState{"Other"}, LayerState{"Other", true, true}, 1, 1}}});
+  const auto of_post =
+      junctions_of(fixture.document, fixture.index, post, *fixture.document.find(post));
+  ASSERT_EQ(of_post.size(), 1u);
+  EXPECT_EQ(of_post[0].other, base);
+  EXPECT_EQ(of_post[0].u, 1.0);
+  EXPECT_NEAR(of_post[0].other_u, 0.5, 1e-9);
+  EXPECT_FALSE(of_post[0].editable);
+  const auto of_base =
+      junctions_of(fixture.document, fixture.index, base, *fixture.document.find(base));
+  ASSERT_EQ(of_base.size(), 1u);
+  EXPECT_TRUE(of_base[0].editable);
+}
+
 }  // namespace
 }  // namespace felt::junctions_test

@@ -26,8 +26,8 @@ namespace felt {
 /// each push goes some micrometres farther than the radius, so that the rounds end. If they do not
 /// end, the strokes keep clear of the nib and the points stay slightly apart until the next step.
 /// If the strokes move farther and farther apart, each is pushed on its own in this movement, and
-/// shared points may be apart by its length until the next one. Ends that lie on ends of strokes of
-/// locked layers stay. Points that were up to kSharedPointMm apart keep this offset.
+/// shared points may be apart by its length until the next one. Ends that lie on strokes of locked
+/// layers stay. Points that were up to kSharedPointMm apart keep this offset.
 ///
 /// Takes time linear in the strokes that move, and quadratic in the shared points of one stroke.
 /// Edit thread only.
