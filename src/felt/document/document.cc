@@ -5,6 +5,7 @@
 #include <set>
 
 #include "felt/base/check.h"
+#include "felt/document/layer_plan.h"
 #include "felt/document/reorder.h"
 
 namespace felt {
@@ -67,7 +68,8 @@ Result<void> check_ids(const std::vector<Change>& changes) {
 /// carry_out() cannot fail.
 class Document::Plan {
  public:
-  Plan(Document& document, const Edit& edit) : document_(document), edit_(edit) {}
+  Plan(Document& document, const Edit& edit)
+      : document_(document), edit_(edit), layers_(document.layers_, edit.layers) {}
 
   /// Checks everything that can be wrong with the edit.
   Result<void> prepare() {
@@ -86,7 +88,7 @@ class Document::Plan {
           return check_count(edit_.body_edits, document_.body_edits_, kMaxBodyEdits, "body edits");
         })
         .and_then([&] { return check_unplaced(edit_.symmetries, document_.symmetries_); })
-        .and_then([&] { return prepare_layers(); })
+        .and_then([&] { return layers_.prepare(); })
         .and_then([&] { return prepare_objects(edit_.changes, document_.strokes_, orders_); })
         .and_then([&] { return prepare_objects(edit_.fills, document_.fills_, fill_orders_); })
         .and_then([&] { return check_removed_layers(orders_, "strokes"); })
@@ -95,10 +97,12 @@ class Document::Plan {
 
   /// Changes the document. Requires that prepare() succeeded.
   void carry_out() {
-    for (const LayerChange& c : edit_.layers) change_layer(c);
-    for (auto& [id, order] : orders_) order.apply_to(layer(id)->strokes);
-    for (auto& [id, order] : fill_orders_) order.apply_to(layer(id)->fills);
-    if (!edit_.layers.empty()) arrange_layers();
+    layers_.carry_out(document_.layers_);
+    for (const LayerChange& c : edit_.layers) {
+      document_.last_layer_id_ = std::max(document_.last_layer_id_, c.id.value);
+    }
+    reorder_objects(orders_, &Layer::strokes);
+    reorder_objects(fill_orders_, &Layer::fills);
     for (const StrokeChange& c : edit_.changes) change_object(c, document_.strokes_);
     for (const FillChange& c : edit_.fills) change_object(c, document_.fills_);
     for (const GuideChange& c : edit_.guides) change_unplaced(c, document_.guides_);
@@ -108,7 +112,12 @@ class Document::Plan {
   }
 
  private:
-  Layer* layer(LayerId id) { return const_cast<Layer*>(document_.layer(id)); }
+  template <class Id>
+  void reorder_objects(const Orders<Id>& orders, std::vector<Id> Layer::*list) {
+    for (const auto& [id, order] : orders) {
+      if (Layer* layer = document_.layers_.find(id)) order.apply_to(layer->*list);
+    }
+  }
 
   /// Checks the changes of objects that are in no layer.
   template <class Change, class Table>
@@ -136,75 +145,6 @@ class Document::Plan {
     return misfit("a drawing has at most " + std::to_string(limit) + " " + objects);
   }
 
-  /// Checks that the document has a layer as it was before a change.
-  [[nodiscard]] Result<void> check_layer(const LayerChange& c) const {
-    const Layer* present = document_.layer(c.id);
-    if (!c.before) {
-      return present ? Result<void>(misfit(name_of(c.id) + " already exists")) : Result<void>();
-    }
-    if (!present) return misfit(name_of(c.id) + " does not exist");
-    const auto& all = document_.layers_;
-    if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
-      return misfit(name_of(c.id) + " is not at index " + std::to_string(c.before_index));
-    }
-    if (present->state() != *c.before)
-      return misfit(name_of(c.id) + " has changed in the meantime");
-    return {};
-  }
-
-  Result<void> prepare_layers() {
-    Moves<LayerId> moves;
-    for (const LayerChange& c : edit_.layers) {
-      if (Result<void> fits = check_layer(c); !fits) return fits;
-      if (c.before) moves.remove(c.before_index);
-      if (c.after) moves.add(c.after_index, c.id);
-    }
-    std::vector<LayerId> ids;
-    for (const Layer& l : document_.layers_) ids.push_back(l.id);
-    return moves.reorder<LayerId>(ids)
-        .map([&](const Reordered<LayerId>& order) {
-          order.apply_to(ids);
-          layer_order_ = std::move(ids);
-        })
-        .and_then([&]() -> Result<void> {
-          if (layer_order_.empty()) return misfit("no layer would be left");
-          return check_groups();
-        });
-  }
-
-  /// Checks that the layers of every group are neighbours and have equal groups after the edit.
-  [[nodiscard]] Result<void> check_groups() const {
-    if (edit_.layers.empty()) return {};
-    std::map<LayerId, LayerGroupPtr> groups;
-    for (const Layer& l : document_.layers_) groups[l.id] = l.group;
-    for (const LayerChange& c : edit_.layers) {
-      if (c.after) groups[c.id] = c.after->group;
-    }
-    std::set<GroupId> done;
-    LayerGroupPtr last;
-    for (const LayerId id : layer_order_) {
-      const LayerGroupPtr& group = groups[id];
-      if (!same_group(group, last)) {
-        if (last) done.insert(last->id);
-        last = group;
-      }
-      if (!group) continue;
-      if (Result<void> fits = check_group(group, last, done); !fits) return fits;
-    }
-    return {};
-  }
-
-  /// Checks the group of a layer; `last` is the group of the lowest layer of its block, and `done`
-  /// are the groups below.
-  static Result<void> check_group(const LayerGroupPtr& group, const LayerGroupPtr& last,
-                                  const std::set<GroupId>& done) {
-    const std::string name = "group " + std::to_string(group->id.value);
-    if (!group->id) return misfit("a group without an id");
-    if (done.contains(group->id)) return misfit("the layers of " + name + " are not neighbours");
-    if (!equal_groups(group, last)) return misfit("the layers of " + name + " differ in it");
-    return {};
-  }
-
   template <class Change, class Id>
   static void note_moves(const Change& c, std::map<LayerId, Moves<Id>>& moves) {
     if (c.before && c.after && c.before_place == c.after_place) {
@@ -222,7 +162,7 @@ class Document::Plan {
     std::map<LayerId, Moves<Id>> moves;
     for (const Change& c : changes) {
       if (auto ok = check_before(c, table); !ok) return ok;
-      if (c.after && !is_kept(c.after_place.layer)) {
+      if (c.after && !layers_.is_kept(c.after_place.layer)) {
         return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " does not exist");
       }
       note_moves(c, moves);
@@ -259,11 +199,6 @@ class Document::Plan {
     return {};
   }
 
-  /// Returns true if the layer exists after the edit.
-  [[nodiscard]] bool is_kept(LayerId id) const {
-    return std::find(layer_order_.begin(), layer_order_.end(), id) != layer_order_.end();
-  }
-
   template <class Id>
   [[nodiscard]] Result<void> check_removed_layers(const Orders<Id>& orders,
                                                   const char* objects) const {
@@ -278,45 +213,6 @@ class Document::Plan {
       }
     }
     return {};
-  }
-
-  void change_layer(const LayerChange& c) {
-    if (!c.before) document_.layers_.push_back({.id = c.id, .name = {}, .strokes = {}});
-    if (c.after) {
-      Layer* l = layer(c.id);
-      l->name = c.after->name;
-      l->visible = is_visible(*c.after);
-      l->locked = is_locked(*c.after);
-      l->own_visible = c.after->visible;
-      l->own_locked = c.after->locked;
-      l->group = c.after->group;
-      l->opacity = c.after->opacity;
-      l->picture = c.after->picture;
-      l->blend = c.after->blend;
-      l->timing = c.after->timing;
-    }
-    document_.last_layer_id_ = std::max(document_.last_layer_id_, c.id.value);
-  }
-
-  void arrange_layers() {
-    std::vector<Layer>& layers = document_.layers_;
-    const auto is_in_place = [](const Layer& l, LayerId id) { return l.id == id; };
-    if (std::equal(layers.begin(), layers.end(), layer_order_.begin(), layer_order_.end(),
-                   is_in_place)) {
-      return;
-    }
-    // Sorts by id first, because with a linear search for each layer, n new layers would take n^3
-    // steps.
-    std::sort(layers.begin(), layers.end(),
-              [](const Layer& a, const Layer& b) { return a.id < b.id; });
-    std::vector<Layer> arranged;
-    arranged.reserve(layer_order_.size());
-    for (const LayerId id : layer_order_) {
-      const auto found = std::lower_bound(layers.begin(), layers.end(), id,
-                                          [](const Layer& l, LayerId x) { return l.id < x; });
-      arranged.push_back(std::move(*found));
-    }
-    layers = std::move(arranged);
   }
 
   template <class Change, class Table>
@@ -359,16 +255,17 @@ class Document::Plan {
 
   Document& document_;
   const Edit& edit_;
-  std::vector<LayerId> layer_order_;
+  LayerPlan layers_;
   Orders<StrokeId> orders_;
   Orders<FillId> fill_orders_;
 };
 
-Document::Document() : layers_{{.id = {1}, .name = "Ink", .strokes = {}}} {}
+Document::Document() : layers_(Layer{.id = {1}, .name = "Ink", .strokes = {}}) {}
 
 Result<void> Document::apply(const Edit& edit) {
   Plan plan(*this, edit);
   if (auto ok = plan.prepare(); !ok) {
+    if (edit.label.empty()) return ok;
     return tl::unexpected(
         with_context(ok.error(), "the edit '" + edit.label + "' does not match the document"));
   }
@@ -433,28 +330,26 @@ StrokePlace Document::fill_place(FillId id) const {
   return {in, index_in(layer(in)->fills, id)};
 }
 
-const Layer* Document::layer(LayerId id) const noexcept {
-  const auto found =
-      std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == id; });
-  return found == layers_.end() ? nullptr : &*found;
-}
-
 GroupId Document::new_group_id() const {
   constexpr std::uint64_t kLargest = std::uint64_t{1} << 53;  // that files may have
+  std::uint64_t largest = 0;
+  for (const Layer& l : layers()) {
+    if (l.group) largest = std::max(largest, l.group->id.value);
+  }
+  if (largest < kLargest) return {largest + 1};
   std::set<GroupId> taken;
-  for (const Layer& l : layers_) {
+  for (const Layer& l : layers()) {
     if (l.group) taken.insert(l.group->id);
   }
-  GroupId id{taken.empty() ? 1 : taken.rbegin()->value + 1};
-  if (id.value > kLargest) id = {1};
+  GroupId id{1};
   while (taken.contains(id)) ++id.value;
   return id;
 }
 
 LayerGroupPtr Document::group(GroupId id) const noexcept {
-  const auto found = std::find_if(layers_.begin(), layers_.end(),
+  const auto found = std::find_if(layers().begin(), layers().end(),
                                   [id](const Layer& l) { return l.group && l.group->id == id; });
-  return found == layers_.end() ? nullptr : found->group;
+  return found == layers().end() ? nullptr : found->group;
 }
 
 void Document::reserve_ids(StrokeId stroke, LayerId layer) noexcept {
@@ -466,8 +361,8 @@ bool operator==(const Document& a, const Document& b) {
   const auto equal = [](const auto& x, const auto& y) {
     return x.first == y.first && (x.second == y.second || *x.second == *y.second);
   };
-  return a.layers_ == b.layers_ && equal_tables(a.strokes_, b.strokes_) &&
-         equal_tables(a.fills_, b.fills_) &&
+  return std::equal(a.layers().begin(), a.layers().end(), b.layers().begin(), b.layers().end()) &&
+         equal_tables(a.strokes_, b.strokes_) && equal_tables(a.fills_, b.fills_) &&
          (a.shows_guides_ == b.shows_guides_ || a.guides_.empty()) &&
          std::equal(a.guides_.begin(), a.guides_.end(), b.guides_.begin(), b.guides_.end(),
                     equal) &&

@@ -150,7 +150,7 @@ TEST(Fill, AnEditThatDoesNotFitChangesNothing) {
   edit.fills = {{id, shared(1), nullptr, {{1}, 1}, {}}};
   EXPECT_THAT(error(edit), HasSubstr("fill 1 is not at index 1 of layer 1"));
   edit.fills = {{{2}, nullptr, shared(2), {}, {{1}, 2}}};
-  EXPECT_THAT(error(edit), HasSubstr("layer 1: index 2 is beyond the end"));
+  EXPECT_THAT(error(edit), HasSubstr("layer 1: place 3 of 2 is beyond the end"));
   edit.fills = {};
   edit.layers = {{{1}, d.layers()[0].state(), {}, 0, 0}, {{2}, {}, LayerState{"New"}, 0, 0}};
   EXPECT_THAT(error(edit), HasSubstr("layer 1 cannot be removed: 1 fills are on it"));

@@ -56,9 +56,8 @@ class Moves {
       const std::size_t index = added_[i].index;
       if (index >= size || (i > 0 && added_[i - 1].index == index)) {
         return fail(ErrorCode::kInvalidArgument,
-                    "index " + std::to_string(index) +
-                        (index >= size ? " is beyond the end, " : " is used twice, of ") +
-                        std::to_string(size));
+                    "place " + std::to_string(index + 1) + " of " + std::to_string(size) +
+                        (index >= size ? " is beyond the end" : " is used twice"));
       }
     }
     return merge(old, size);

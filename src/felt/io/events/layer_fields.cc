@@ -10,8 +10,6 @@
 namespace felt::json {
 namespace {
 
-constexpr std::size_t kMaxIds = 10'000;  // a file has no more layers
-
 /// Reads the number of a layer, a guide or another thing, which is at least 1.
 Result<void> parse_id(Value& value, const std::string& key, const std::string& thing,
                       std::uint64_t& out) {
@@ -47,7 +45,7 @@ Result<void> parse_layer_number(Value& value, std::vector<LayerId>& out) {
   if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(id.value) || !id) {
     return bad(excerpt(token) + " is not a layer, which is a whole number, at least 1");
   }
-  if (out.size() == kMaxIds) return bad("has more than 10000 layers");
+  if (out.size() == kMaxLayers) return bad("has more than 10000 layers");
   out.push_back(id);
   return {};
 }
