@@ -145,6 +145,22 @@ TEST(FeltExtras, PlacesOfLayersHaveNoGapsAndAreNotTakenTwice) {
   }
 }
 
+TEST(FeltExtras, PlacesOfStrokesThatContradictEachOtherAreDamageAndNotAnEdit) {
+  const std::string plain = felt_bytes(three_strokes()).value();
+  for (const auto& [change, reason] :
+       std::vector<std::pair<std::string, std::string>>{{"place = 0", "is used twice"},
+                                                        {"place = place + 5", "is beyond the end"},
+                                                        {"layer = 9", "layer 9 does not exist"}}) {
+    Sqlite db(plain);
+    db.run("UPDATE stroke SET " + change);
+    const Result<Drawing> refused = parse_felt(db.bytes());
+    ASSERT_FALSE(refused) << change;
+    EXPECT_EQ(refused.error().message.substr(0, 12), "is damaged: ") << refused.error().message;
+    EXPECT_THAT(refused.error().message, HasSubstr(reason)) << change;
+    EXPECT_EQ(refused.error().message.find("edit"), std::string::npos) << refused.error().message;
+  }
+}
+
 TEST(FeltExtras, NothingThatCouldActIsTaken) {
   const std::string plain = felt_bytes(three_strokes()).value();
   const auto message = [&](const std::string& sql) {

@@ -21,6 +21,9 @@ constexpr std::size_t kHeaderBytes = 100;
 constexpr std::size_t kWriteVersionAt = 18, kReadVersionAt = 19;
 constexpr const char* kDamaged = "is damaged or incomplete";
 constexpr std::size_t kUserVersionAt = 60, kApplicationIdAt = 68;
+constexpr std::size_t kSizeOfPageAt = 16, kChangesAt = 24, kPagesAt = 28, kPagesValidForAt = 92;
+/// A file that is this many times as long as its header says is not read.
+constexpr std::uint64_t kMaxExcess = 2;
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t at) noexcept {
   std::uint32_t value = 0;
@@ -33,6 +36,18 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) noexcept {
 tl::unexpected<Error> too_large() {
   return fail(ErrorCode::kLimitExceeded,
               "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
+}
+
+/// Fails if a file is far longer than its header says
+/// (https://www.sqlite.org/fileformat2.html#1.3), because SQLite would examine every page of it.
+Result<void> check_length(std::string_view bytes) {
+  if (big_endian(bytes, kChangesAt) != big_endian(bytes, kPagesValidForAt)) return {};
+  const std::uint32_t size = big_endian(bytes, kSizeOfPageAt) >> 16;
+  const std::uint64_t page_bytes = size == 1 ? 65'536 : size;
+  const std::uint64_t stated = page_bytes * big_endian(bytes, kPagesAt);
+  if (stated == 0 || bytes.size() / kMaxExcess <= stated) return {};
+  return invalid_data(std::string(kDamaged) + ": it is " + std::to_string(bytes.size()) +
+                      " bytes long, but contains a drawing of " + std::to_string(stated));
 }
 
 /// Checks the first bytes of a file before SQLite reads it.
@@ -57,7 +72,7 @@ Result<void> check_header(std::string_view bytes) {
   if (bytes[kWriteVersionAt] != 1 || bytes[kReadVersionAt] != 1) {
     return invalid_data("was changed by another program, which did not close it");
   }
-  return {};
+  return check_length(bytes);
 }
 
 /// Parses a file. If the file has extras, they need the bytes: they keep `keep`, which owns the

@@ -141,6 +141,15 @@ TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
   }
 }
 
+TEST_F(FeltFileTest, ZerosAfterADrawingAreNotLookedAt) {
+  const Drawing drawing = random_drawing(11);
+  std::string bytes = felt_bytes(drawing).value();
+  bytes.resize(4 * bytes.size());
+  const Result<Drawing> read = parse_felt(bytes);
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("bytes long, but contains a drawing of"));
+}
+
 TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
   ASSERT_TRUE(write_felt(path("a.felt"), random_drawing(1)));
   Drawing drawing = random_drawing(2);

@@ -263,8 +263,7 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
   Drawing drawing;
   const Result<Head> head = read_drawing_row(database, drawing);
   if (!head) return tl::unexpected(head.error());
-  Edit edit;
-  edit.label = "Open";
+  Edit edit;  // without a label, because errors must name the file and not an edit
   Result<void> done = read_layers(database, drawing.document, edit);
   const auto then = [&](bool has_table, Result<void> (*read)(const Database&, Edit&)) {
     if (done && has_table) done = read(database, edit);
@@ -280,7 +279,10 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
   then(schema.has_symmetries, read_symmetries);
   then(schema.has_body_edits, read_body_edits);
   if (done) {
-    done = drawing.document.apply(edit).and_then([&] { return read_page(database, drawing); });
+    done = drawing.document.apply(edit);
+    // Each row is valid, but they do not make a drawing.
+    if (!done) done = invalid_data("is damaged: " + done.error().message);
+    if (done) done = read_page(database, drawing);
   }
   if (done && schema.has_materials) done = read_materials(database, drawing);
   if (!done) return tl::unexpected(done.error());

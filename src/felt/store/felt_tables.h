@@ -10,7 +10,6 @@
 
 namespace felt {
 
-inline constexpr std::size_t kMaxLayers = 10'000;
 inline constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
 
 /// Returns true if `value` may be the id of a layer or stroke.
