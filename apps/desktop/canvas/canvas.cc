@@ -318,6 +318,7 @@ void Canvas::refresh() {
   if (s.shows_first_minute != shows_first_minute()) {
     s.shows_first_minute = !s.shows_first_minute;
     take_status();
+    Q_EMIT first_hints_changed();
   }
   if (!dirty.isEmpty()) update(whole_pixels(dirty, dpr_));
   if (!s.place.isActive()) s.place.start();

@@ -67,6 +67,10 @@ class Canvas : public QWidget {
   void center_on(Point at);
   /// Hides the hints for a new user, which otherwise appear while the drawing is empty.
   void hide_first_hints();
+  /// Returns true while the hints for a new user are shown.
+  [[nodiscard]] bool shows_first_hints() const;
+  /// Returns the rectangle of these hints.
+  [[nodiscard]] QRect first_hints_area() const;
   /// Sets the name of the right mouse button's action, which the hint shows; "" if the button has
   /// no action.
   void set_right_button(const QString& what);
@@ -90,6 +94,8 @@ class Canvas : public QWidget {
   void view_changed();
   void hint_changed();
   void place_changed();
+  /// The hints for a new user appeared or disappeared.
+  void first_hints_changed();
   /// The user clicked with the right button, or pressed a button with the role kPopup, at this
   /// pixel.
   void popup_wanted(QPointF px);

@@ -162,6 +162,14 @@ bool Canvas::shows_first_minute() const {
          !session.gesture_in_progress() && shown_->overlay.ink.empty() && !shown_->wet.is_drying();
 }
 
+bool Canvas::shows_first_hints() const {
+  return shown_->shows_first_minute;
+}
+
+QRect Canvas::first_hints_area() const {
+  return shown_->first_minute.area(size(), font());
+}
+
 void Canvas::hide_first_hints() {
   has_first_hints_ = false;
   refresh_soon();

@@ -20,7 +20,7 @@ struct DeviceMessage {
   std::vector<Button> buttons = {};
 };
 
-/// Shows a message with its buttons above the canvas. The button "Details" shows the vendor's own
+/// Shows a message with its buttons over the canvas. The button "Details" shows the vendor's own
 /// message. A new message replaces the previous one.
 class DeviceNotice : public MessageBar {
   Q_OBJECT

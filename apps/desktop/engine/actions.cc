@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "desktop/engine/key_setting_keys.h"
 #include "desktop/engine/settings.h"
 
 namespace felt::desktop {
@@ -19,11 +20,23 @@ QString former_name(QString name) {
   return name.replace(QLatin1String("feel.surface_"), QLatin1String("feel.sheet_"));
 }
 
+/// Returns true for a letter, digit or sign, with or without Shift.
+bool is_single_character(const QKeySequence& keys) {
+  if (keys.count() != 1) return false;
+  constexpr int kFirstNamedKey = 0x01000000;  // below it, the keys are Unicode characters
+  const QKeyCombination key = keys[0];
+  return !(key.keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) &&
+         key.key() > Qt::Key_Space && key.key() < kFirstNamedKey;
+}
+
 }  // namespace
 
 Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   // Every window has its own table, but a key that is set in one window applies to all.
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
+    if (key == key_keys::kSingleCharacters) {
+      for (QAction* action : actions_) take_keys(action);
+    }
     if (!key.startsWith(kShortcutPrefix)) return;
     if (QAction* action = find(key.mid(kShortcutPrefix.size()))) take_keys(action);
   });
@@ -36,6 +49,9 @@ void Actions::take_keys(QAction* action) {
   QList<QKeySequence> keys = defaults_[name];
   if (chosen.isValid()) keys = QKeySequence::listFromString(chosen.toString());
   keys.removeAll(QKeySequence());  // an empty text is read as an empty sequence
+  if (!Settings::the().flag(key_keys::kSingleCharacters, true)) {
+    keys.removeIf([](const QKeySequence& key) { return is_single_character(key); });
+  }
   action->setShortcuts(keys);
   const QString tip = action->statusTip();
   const QString shown = action->shortcut().toString(QKeySequence::NativeText);

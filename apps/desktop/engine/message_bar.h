@@ -9,10 +9,10 @@ class QToolButton;
 
 namespace felt::desktop {
 
-/// A message above the canvas that does not block work. It has an icon, one or two lines of text,
-/// the widgets of a subclass beside the text, a close button, and details that a button "Details"
-/// shows below. Escape also closes the bar. The bar does not get the focus; screen readers announce
-/// the message. Without a message, the bar is hidden.
+/// A message over the upper edge of the canvas that does not block work. It has an icon, one or two
+/// lines of text, the widgets of a subclass beside the text, a close button, and details that a
+/// button "Details" shows below. Escape also closes the bar. The bar does not get the focus; screen
+/// readers announce the message. Without a message, the bar is hidden.
 class MessageBar : public QFrame {
   Q_OBJECT
 

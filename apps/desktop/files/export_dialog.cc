@@ -39,12 +39,15 @@ constexpr int kCheck = 8;  // size of the chequered squares that show transparen
 // that were drawn last, because they are on top.
 constexpr std::size_t kMaxPreviewStrokes = 5000;
 
-/// Returns the formats for export: all that can be written except .felt, which is for saving.
+/// Returns the formats for export: all that can be written except .felt, which is for saving. The
+/// first one is for sharing: every program shows it.
 std::vector<const FormatTraits*> export_formats() {
   std::vector<const FormatTraits*> rows;
   for (const FormatTraits& row : format_table()) {
     if (row.writes && row.format != FileFormat::kFelt) rows.push_back(&row);
   }
+  std::stable_partition(rows.begin(), rows.end(),
+                        [](const FormatTraits* row) { return row->format == FileFormat::kPng; });
   return rows;
 }
 

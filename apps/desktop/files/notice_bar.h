@@ -11,7 +11,7 @@ class QTreeWidget;
 
 namespace felt::desktop {
 
-/// Shows which parts of a file are not supported: one line above the canvas, and under "Details" a
+/// Shows which parts of a file are not supported: one line over the canvas, and under "Details" a
 /// list of these parts and their positions. The report of another file replaces the present one.
 class NoticeBar : public MessageBar {
   Q_OBJECT

@@ -64,6 +64,8 @@ TEST(Export, ForSwellPaperOnlyBlackIsWrittenAndTheChangesAreCounted) {
   EXPECT_TRUE(swell_words({}).isEmpty());
   ExportDialog dialog(drawing, {}, nullptr);
   auto* format = dialog.findChildren<QComboBox*>().front();
+  EXPECT_EQ(format->itemData(0).toString(), QStringLiteral("png")) << "most often wanted";
+  EXPECT_GE(format->count(), 5);
   for (QCheckBox* box : dialog.findChildren<QCheckBox*>()) {
     if (box->text().remove(QLatin1Char('&')) != QStringLiteral("For swell paper")) continue;
     format->setCurrentIndex(format->findData(QStringLiteral("png")));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "desktop/materials/medium_picture.h"
+#include "desktop/panels/swatch_view.h"
 
 namespace felt::desktop {
 
@@ -11,7 +12,7 @@ MediaPictures::MediaPictures(Studio& studio, QWidget* window)
     : QObject(window), studio_(studio), window_(window) {
   maker_.setMaxThreadCount(1);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id == QLatin1String("surface.material")) make();
+    if (id == QLatin1String("surface.material") || id == QLatin1String("ink.color")) make();
   });
   connect(&studio_, &Studio::materials_changed, this, &MediaPictures::make);
   connect(&studio_, &Studio::opened, this, &MediaPictures::make);
@@ -29,10 +30,11 @@ QImage MediaPictures::of(const std::string& id) const {
 
 void MediaPictures::make() {
   const std::uint64_t round = ++round_;
+  QColor ink = qcolor(studio_.session().ink_color());
+  ink.setAlpha(255);
   std::vector<MediumPicture> wanted;
   for (const Medium& medium : studio_.materials().media()) {
     if (!medium.draws) continue;
-    const QColor ink(QRgb(0xFF000000U | medium.color_rgb));
     wanted.push_back({.medium = medium,
                       .surface = studio_.session().surface(),
                       .size = kSize,

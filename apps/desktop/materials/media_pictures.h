@@ -14,8 +14,8 @@
 namespace felt::desktop {
 
 /// Makes a picture of each medium for drawing: a stroke from light to strong pressure on the
-/// current surface. When the surface or a medium changes, another thread makes new pictures; the
-/// old pictures are used until the new ones are ready.
+/// current surface, in the colour of the ink. When one of these or a medium changes, another thread
+/// makes new pictures; the old pictures are used until the new ones are ready.
 class MediaPictures : public QObject {
   Q_OBJECT
 

@@ -14,7 +14,7 @@
 #include <array>
 #include <utility>
 
-#include "desktop/engine/text_of.h"
+#include "desktop/panels/layers_model.h"
 #include "desktop/panels/onion_skin.h"
 #include "felt/motion/key_layers.h"
 
@@ -88,6 +88,32 @@ void MotionPanel::add_actions(Actions& actions) {
               [this] { Q_EMIT wants_export(); });
 }
 
+/// Returns the buttons of the commands for key drawings.
+QGridLayout* MotionPanel::make_buttons(const Actions& actions) {
+  auto* grid = new QGridLayout;
+  grid->setContentsMargins(6, 2, 6, 6);
+  const std::array<std::pair<const char*, QString>, 6> buttons{
+      {{"layer.add_key", tr("New key")},
+       {"view.onion_skin", tr("Onion skin")},
+       {"view.correct_matches", tr("Matches")},
+       {"layer.same_timing", tr("Same for all")},
+       {"view.play", tr("Play")},
+       {"file.animation", tr("Export…")}}};
+  int at = 0;
+  for (const auto& [name, label] : buttons) {
+    auto* button = new QToolButton(this);
+    QAction* action = actions.find(QString::fromLatin1(name));
+    // Shorter than in the menu. A text of the button itself would be lost when the action changes.
+    action->setIconText(label);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    grid->addWidget(button, at / 3, at % 3);
+    ++at;
+  }
+  return grid;
+}
+
 void MotionPanel::build(const Actions& actions) {
   list_->setAccessibleName(tr("Key drawings"));
   list_->setFrameShape(QFrame::NoFrame);
@@ -109,30 +135,11 @@ void MotionPanel::build(const Actions& actions) {
   form->addRow(tr("&Hold:"), hold_);
   form->addRow(tr("&Speed:"), ease_);
   form->addRow(length_);
-  auto* grid = new QGridLayout;
-  grid->setContentsMargins(6, 2, 6, 6);
-  const std::array<std::pair<const char*, QString>, 6> buttons{
-      {{"layer.add_key", tr("New key")},
-       {"view.onion_skin", tr("Onion skin")},
-       {"view.correct_matches", tr("Matches")},
-       {"layer.same_timing", tr("Same for all")},
-       {"view.play", tr("Play")},
-       {"file.animation", tr("Export…")}}};
-  int at = 0;
-  for (const auto& [name, label] : buttons) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(actions.find(QString::fromLatin1(name)));
-    button->setText(label);  // shorter than in the menu
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    grid->addWidget(button, at / 3, at % 3);
-    ++at;
-  }
   auto* lines = new QVBoxLayout(this);
   lines->setContentsMargins(0, 0, 0, 0);
   lines->addWidget(list_, 1);
   lines->addLayout(form);
-  lines->addLayout(grid);
+  lines->addLayout(make_buttons(actions));
   const auto change = [this](TimingEvent event) {
     event.layers = {studio_.session().layer()};
     studio_.apply(std::move(event));
@@ -217,17 +224,36 @@ void MotionPanel::on_edit(const Edit& edit) {
   }
 }
 
+/// Adds the current layer to the list if it will be a key drawing as soon as something is drawn on
+/// it, so that a new key drawing is in the list at once. Returns its index.
+std::optional<std::size_t> MotionPanel::add_begun_key() {
+  const Document& document = studio_.session().document();
+  const LayerId current = studio_.session().layer();
+  const Layer* layer = document.layer(current);
+  const bool is_empty = layer && layer->strokes.empty() && layer->fills.empty() && !layer->picture;
+  if (keys_.empty() || !is_empty || layer->locked) return std::nullopt;
+  std::size_t index = 0;
+  for (const Layer& below : document.layers()) {
+    if (below.id == current) break;
+    if (index < keys_.size() && keys_[index] == below.id) ++index;
+  }
+  keys_.insert(keys_.begin() + static_cast<std::ptrdiff_t>(index), current);
+  return index;
+}
+
 void MotionPanel::show_keys() {
   const Document& document = studio_.session().document();
   keys_ = key_layers(document);
+  const std::optional<std::size_t> begun = add_begun_key();
   const QSignalBlocker quiet(list_);
   while (list_->count() > static_cast<int>(keys_.size())) delete list_->takeItem(0);
   while (list_->count() < static_cast<int>(keys_.size())) list_->addItem(QString());
   int current = -1;
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     const int row = static_cast<int>(i);
+    const QString name = LayersModel::shown_name(*document.layer(keys_[i]));
     list_->item(row)->setText(
-        tr("%1: %2").arg(QLocale().toString(row + 1), text_of(document.layer(keys_[i])->name)));
+        (i == begun ? tr("%1: %2 (empty)") : tr("%1: %2")).arg(QLocale().toString(row + 1), name));
     if (keys_[i] == studio_.session().layer()) current = row;
   }
   list_->setCurrentRow(current);
@@ -249,7 +275,7 @@ void MotionPanel::show_timing() {
 }
 
 void MotionPanel::show_length() {
-  if (keys_.size() < 2) {
+  if (key_layers(studio_.session().document()).size() < 2) {
     length_->setText(tr("Draw the second key drawing on a layer of its own."));
     return;
   }

@@ -10,6 +10,7 @@
 #include "felt/document/key_timing.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QListWidget;
 class QSpinBox;
@@ -48,12 +49,14 @@ class MotionPanel : public QWidget {
  private:
   void add_actions(Actions& actions);
   void build(const Actions& actions);
+  QGridLayout* make_buttons(const Actions& actions);
   void add_ease(const QString& name, const EaseCurve& ease);
   void on_edit(const Edit& edit);
   [[nodiscard]] KeyTiming timing() const;
   /// Gives the timing of the current layer to all key drawings.
   void use_timing_for_all();
   void show_keys();
+  std::optional<std::size_t> add_begun_key();
   void show_timing();
   void show_length();
   void show_onion();

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 
 #include "desktop/panels/onion_skin.h"
 #include "desktop/panels/testing/panels_fixture.h"
@@ -155,6 +156,41 @@ TEST_F(MotionPanelTest, ANewKeyDrawingIsOneStepOfUndo) {
   EXPECT_EQ(studio_.session().history().undo_count(), steps + 1);
   const Layer* added = document().layer(studio_.session().layer());
   EXPECT_EQ(timing_or_default(added->timing).between, 5);
+}
+
+TEST_F(MotionPanelTest, ANewKeyDrawingIsInTheListAtOnce) {
+  list().setCurrentRow(0);
+  action("layer.add_key").trigger();  // above the lowest
+  ASSERT_EQ(list().count(), 4);
+  EXPECT_EQ(list().currentRow(), 1);
+  EXPECT_TRUE(list().item(1)->text().contains(QStringLiteral("empty")));
+  EXPECT_EQ(key_layers(document()).size(), 3u) << "it is a key drawing once it has ink";
+  add_line(80);
+  EXPECT_EQ(list().count(), 4);
+  EXPECT_EQ(list().currentRow(), 1);
+  EXPECT_FALSE(list().item(1)->text().contains(QStringLiteral("empty")));
+  action("layer.add_key").trigger();
+  list().setCurrentRow(0);
+  EXPECT_EQ(list().count(), 4) << "an empty layer that is not in use is no key drawing";
+}
+
+// The short label of the button stays when its command changes; a longer one would widen the panel.
+TEST_F(MotionPanelTest, TheButtonsKeepTheirTexts) {
+  const auto texts = [this] {
+    QStringList all;
+    for (const QToolButton* button : panel_.findChildren<QToolButton*>()) all << button->text();
+    return all;
+  };
+  const QStringList before = texts();
+  EXPECT_TRUE(before.contains(QStringLiteral("Matches")));
+  const int width = panel_.minimumSizeHint().width();
+  for (const char* name : {"view.correct_matches", "view.onion_skin"}) {
+    action(name).setChecked(true);
+    action(name).setEnabled(false);
+    action(name).setEnabled(true);
+    EXPECT_EQ(texts(), before) << name;
+    EXPECT_EQ(panel_.minimumSizeHint().width(), width) << name;
+  }
 }
 
 TEST_F(MotionPanelTest, TheTimingIsThatOfTheCurrentKeyDrawing) {

@@ -4,6 +4,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QEvent>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPalette>
@@ -17,7 +18,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr std::size_t kMaxButtons = 3;  // if an option has more choices, they are a list
+constexpr std::size_t kMaxButtons = 4;  // if an option has more choices, they are a list
+constexpr int kMaxInLine = 3;           // four buttons are two lines of two
 constexpr int kLineGapPx = 2;
 constexpr int kResetIconPx = 14;
 constexpr int kResetPx = 18;  // size of the button, which must not be higher than the name beside
@@ -188,9 +190,11 @@ void OptionRow::make_buttons() {
   add_name(nullptr);
   auto* box = new QWidget(this);
   box->setAccessibleName(label_);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(0);
+  const int count = static_cast<int>(spec_.choices.size());
+  const int columns = count > kMaxInLine ? (count + 1) / 2 : count;
   auto* group = new QButtonGroup(box);
   for (const std::string_view choice : spec_.choices) {
     auto* button = new ChoiceButton(box);
@@ -200,7 +204,8 @@ void OptionRow::make_buttons() {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     dress(button, tr("%1: %2").arg(label_, button->text()));
     group->addButton(button);
-    row->addWidget(button);
+    const int at = static_cast<int>(buttons_.size());
+    grid->addWidget(button, at / columns, at % columns);
     buttons_.push_back(button);
     connect(button, &QToolButton::clicked, this,
             [this, choice] { Q_EMIT chosen(std::string(choice)); });

@@ -15,8 +15,8 @@
 
 namespace felt::desktop {
 
-/// Shows one option of a tool as a control: a slider and a number, a check box, two or three
-/// buttons side by side, or a list if there are more choices. The option's help is the tool tip. If
+/// Shows one option of a tool as a control: a slider and a number, a check box, two to four
+/// buttons, or a list if there are more choices. The option's help is the tool tip. If
 /// the value differs from the default, a button restores the default. The row shows the value that
 /// show_value() sets, and emits `chosen` with the value that the user chooses.
 class OptionRow : public QWidget {

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "desktop/engine/settings.h"
 #include "desktop/engine/tool_texts.h"
@@ -131,6 +133,39 @@ TEST(OptionsPanel, SetsEveryOptionOfEveryToolByItsControls) {
       EveryRow(studio, *row).check();
     }
   }
+}
+
+// Everything that can be chosen is seen where one loops, and no label is cut off.
+TEST(OptionsPanel, FourChoicesAreTwoLinesOfButtons) {
+  Settings::the().set(QStringLiteral("panels/more_options"), true);
+  Studio studio(still());
+  OptionsPanel panel(studio);
+  panel.resize(panel.minimumSizeHint().width(), 700);
+  panel.show();
+  int rows = 0;
+  for (const auto& tool : studio.session().tools()) {
+    const ToolInfo& info = tool->info();
+    ASSERT_TRUE(studio.apply(SelectTool{std::string(info.id)}));
+    for (const OptionSpec& spec : info.options) {
+      if (spec.choices.size() != 4) continue;
+      SCOPED_TRACE(id_of(studio, spec));
+      OptionRow* row = panel.row(spec.id);
+      row->show();
+      QApplication::processEvents();
+      EXPECT_EQ(row->findChild<QComboBox*>(), nullptr);
+      std::map<int, int> in_line;  // buttons by their height in the panel
+      for (const QToolButton* button : row->findChildren<QToolButton*>()) {
+        if (!button->isCheckable()) continue;
+        ++in_line[button->y()];
+        EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
+      }
+      EXPECT_EQ(in_line.size(), 2U);
+      for (const auto& [y, count] : in_line) EXPECT_EQ(count, 2) << y;
+      ++rows;
+    }
+  }
+  EXPECT_GE(rows, 3) << "what a lasso takes, and what snaps";
+  Settings::the().reset(QStringLiteral("panels/more_options"));
 }
 
 TEST(OptionsPanel, FollowsWhatOthersSetAndAnotherDrawing) {

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>felt::desktop::ExampleButton</name>
+    <message>
+        <source>Show the sample cat</source>
+        <translation>Beispielkatze zeigen</translation>
+    </message>
+    <message>
+        <source>Opens a drawing to pull, erase and colour</source>
+        <translation>Öffnet eine Zeichnung zum Ziehen, Radieren und Färben</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::MatchView</name>
     <message>
         <source>Matches of two key drawings</source>
@@ -5512,6 +5523,17 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     </message>
 </context>
 <context>
+    <name>felt::desktop::PullHint</name>
+    <message>
+        <source>Choose the tool %1 and pull this line</source>
+        <translation>Das Werkzeug %1 wählen und an dieser Linie ziehen</translation>
+    </message>
+    <message>
+        <source>Hold %1 and pull this line</source>
+        <translation>%1 halten und an dieser Linie ziehen</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::QuestionScreen</name>
     <message>
         <source>Your opinion on this session</source>
@@ -5885,6 +5907,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>%1 belongs to “%2”.</source>
         <translation>%1 ist bereits „%2“ zugewiesen.</translation>
+    </message>
+    <message>
+        <source>&amp;Letters, digits and signs alone are keys</source>
+        <translation>&amp;Buchstaben, Ziffern und Zeichen allein sind Tasten</translation>
+    </message>
+    <message>
+        <source>Switch this off if speech input or accidental presses trigger commands</source>
+        <translation>Ausschalten, wenn Spracheingabe oder versehentliches Drücken Befehle auslöst</translation>
     </message>
 </context>
 <context>
@@ -8491,6 +8521,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Another curve</source>
         <translation>Andere Kurve</translation>
+    </message>
+    <message>
+        <source>%1: %2 (empty)</source>
+        <translation>%1: %2 (leer)</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nl_NL" sourcelanguage="en">
 <context>
+    <name>felt::desktop::ExampleButton</name>
+    <message>
+        <source>Show the sample cat</source>
+        <translation>Voorbeeldkat tonen</translation>
+    </message>
+    <message>
+        <source>Opens a drawing to pull, erase and colour</source>
+        <translation>Opent een tekening om te trekken, te gummen en te kleuren</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::MatchView</name>
     <message>
         <source>Matches of two key drawings</source>
@@ -5512,6 +5523,17 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     </message>
 </context>
 <context>
+    <name>felt::desktop::PullHint</name>
+    <message>
+        <source>Choose the tool %1 and pull this line</source>
+        <translation>Kies het gereedschap %1 en trek aan deze lijn</translation>
+    </message>
+    <message>
+        <source>Hold %1 and pull this line</source>
+        <translation>Houd %1 ingedrukt en trek aan deze lijn</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::QuestionScreen</name>
     <message>
         <source>Your opinion on this session</source>
@@ -5885,6 +5907,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>%1 belongs to “%2”.</source>
         <translation>%1 is al toegewezen aan ‘%2’.</translation>
+    </message>
+    <message>
+        <source>&amp;Letters, digits and signs alone are keys</source>
+        <translation>&amp;Letters, cijfers en tekens alleen zijn toetsen</translation>
+    </message>
+    <message>
+        <source>Switch this off if speech input or accidental presses trigger commands</source>
+        <translation>Zet dit uit als spraakinvoer of per ongeluk drukken opdrachten start</translation>
     </message>
 </context>
 <context>
@@ -8491,6 +8521,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Another curve</source>
         <translation>Andere curve</translation>
+    </message>
+    <message>
+        <source>%1: %2 (empty)</source>
+        <translation>%1: %2 (leeg)</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
-// Chooses a colour in the well of the top bar and draws on, as a user does: the line must be drawn.
+// Chooses a colour in the well of the top bar and draws on, as a user does: the line must be drawn,
+// and nothing may move the page under the pen.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -6,8 +7,9 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWindow>
-#include <cmath>
+#include <functional>
 
+#include "desktop/engine/message_bar.h"
 #include "desktop/panels/colors_panel.h"
 #include "desktop/panels/swatch_view.h"
 #include "desktop/window/main_window.h"
@@ -43,22 +45,31 @@ class FirstPress : public ::testing::Test {
     mouse(QEvent::MouseButtonPress, on, at);
     mouse(QEvent::MouseButtonRelease, on, at);
   }
-  /// Draws a line of ten places on the page.
-  void draw() {
+  /// Draws a line of ten places on the page. Calls `halfway` in the middle of it.
+  void draw(const std::function<void()>& halfway = [] {}) {
     const QWidget& page = window_.canvas();
+    const CanvasView& view = window_.canvas().view();
+    from_mm_ = view.to_mm(kFrom);
+    to_mm_ = view.to_mm(kTo);
+    px_per_mm_ = view.px_per_mm();
     mouse(QEvent::MouseButtonPress, page, kFrom);
-    for (int i = 1; i <= 10; ++i) mouse(QEvent::MouseMove, page, kFrom + (kTo - kFrom) * i / 10);
+    for (int i = 1; i <= 10; ++i) {
+      mouse(QEvent::MouseMove, page, kFrom + (kTo - kFrom) * i / 10);
+      if (i == 5) halfway();
+    }
     mouse(QEvent::MouseButtonRelease, page, kTo);
     window_.studio().advance(1'000'000'000);
   }
+  /// Expects one line with the ends that the page showed when the line began.
   void expect_whole_line() {
     const Document& document = window_.studio().session().document();
     ASSERT_EQ(document.stroke_count(), 1U);
-    const CanvasView& view = window_.canvas().view();
-    const Point from = view.to_mm(kFrom), to = view.to_mm(kTo);
-    const double length_mm = norm(to - from);
-    const Rect box = document.find(document.layers().front().strokes.front())->bounds();
-    EXPECT_NEAR(std::hypot(box.x1 - box.x0, box.y1 - box.y0), length_mm, 0.1 * length_mm);
+    const StrokePtr line = document.find(document.layers().front().strokes.front());
+    const double px = 1.0 / px_per_mm_;
+    EXPECT_LT(distance(line->position(0.0), from_mm_), 2.0 * px);
+    EXPECT_LT(distance(line->position(line->segment_count()), to_mm_), 2.0 * px);
+    EXPECT_EQ(window_.canvas().view().to_mm(kFrom), from_mm_) << "the page has moved";
+    EXPECT_EQ(window_.canvas().view().to_mm(kTo), to_mm_) << "the page has moved";
   }
   ColorsPanel& open_well() {
     auto* well = window_.findChild<QToolButton*>(QStringLiteral("top_color"));
@@ -70,6 +81,8 @@ class FirstPress : public ::testing::Test {
   }
 
   MainWindow window_{StudioOptions{.device = QStringLiteral("tablet"), .live = false}};
+  Point from_mm_, to_mm_;
+  double px_per_mm_ = 1.0;
 };
 
 TEST_F(FirstPress, AfterASwatchDraws) {
@@ -83,6 +96,36 @@ TEST_F(FirstPress, AfterASwatchDraws) {
   EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << "the menu stays open";
   draw();
   expect_whole_line();
+}
+
+TEST_F(FirstPress, AMessageDuringALineLeavesThePageInPlace) {
+  const QList<MessageBar*> bars = window_.findChildren<MessageBar*>();
+  ASSERT_EQ(bars.size(), 3) << "the device, the file, the colour";
+  const QRect before = window_.canvas().geometry();
+  draw([&] {
+    for (MessageBar* bar : bars) bar->show();
+    QApplication::processEvents();
+    for (const MessageBar* bar : bars) {
+      EXPECT_TRUE(bar->isVisible());
+      EXPECT_GT(bar->height(), 0);
+      EXPECT_EQ(bar->width(), window_.canvas().width());
+    }
+  });
+  expect_whole_line();
+  for (MessageBar* bar : bars) bar->hide();
+  QApplication::processEvents();
+  EXPECT_EQ(window_.canvas().geometry(), before);
+  EXPECT_EQ(window_.childAt(window_.canvas().mapTo(&window_, QPoint(20, 5))), &window_.canvas())
+      << "a closed message lies over the page";
+}
+
+TEST_F(FirstPress, AMessageTakesItsOwnClicks) {
+  MessageBar* bar = window_.findChild<MessageBar*>(QStringLiteral("color_notice"));
+  bar->show();
+  QApplication::processEvents();
+  click(*bar, QPoint(3, 3));
+  window_.studio().advance(1'000'000'000);
+  EXPECT_EQ(window_.studio().session().document().stroke_count(), 0U);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QMenuBar>
 #include <QScreen>
@@ -40,6 +41,7 @@
 #include "desktop/window/color_notice.h"
 #include "desktop/window/drawing_looks.h"
 #include "desktop/window/eyedropper.h"
+#include "desktop/window/first_steps.h"
 #include "desktop/window/menus.h"
 #include "desktop/window/motion_window.h"
 #include "desktop/window/offer_popup.h"
@@ -150,20 +152,25 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   canvas_->setFocus();
 }
 
-/// Returns the canvas with the messages about the device, unsupported content and the colour above
-/// it.
+/// Returns the canvas with the messages about the device, unsupported content and the colour over
+/// its upper edge. The messages lie over the canvas, because a canvas of another size would show
+/// the page elsewhere, also under a pen that draws.
 QWidget* MainWindow::canvas_with_notices() {
   auto* middle = new QWidget(this);
-  auto* column = new QVBoxLayout(middle);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* both = new QGridLayout(middle);
+  both->setContentsMargins(0, 0, 0, 0);
+  both->addWidget(canvas_, 0, 0);
+  auto* column = new QVBoxLayout;
   column->setSpacing(0);
+  both->addLayout(column, 0, 0, Qt::AlignTop);
   auto* notices = new NoticeBar(middle);
   device_notice_ = new DeviceNotice(middle);
-  column->addWidget(device_notice_);
-  column->addWidget(notices);
-  column->addWidget(new ColorNotice(*studio_, middle));
+  for (QWidget* notice : {static_cast<QWidget*>(device_notice_), static_cast<QWidget*>(notices),
+                          static_cast<QWidget*>(new ColorNotice(*studio_, middle))}) {
+    column->addWidget(notice);
+    notice->raise();
+  }
   care_ = new DeviceCare(*studio_, *device_notice_, this);
-  column->addWidget(canvas_, 1);
   connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
   connect(files_, &FileActions::drawing_changed, notices, &NoticeBar::forget_report);
   connect(files_, &FileActions::exported, notices, &NoticeBar::show_written);
@@ -237,6 +244,8 @@ void MainWindow::make_panels() {
   add_panel(QStringLiteral("forces"), tr("Forces"),
             scrolled(new ForcePanel(*studio_), tr("Forces")));
   make_solid_panel();
+  new PullHint(*actions_, *canvas_);
+  new ExampleButton(*actions_->find(QStringLiteral("help.example_cat")), *canvas_);
 }
 
 /// Adds the solid view, if this program is built with solids.

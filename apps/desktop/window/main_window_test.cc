@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
@@ -12,6 +13,7 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
@@ -419,6 +421,60 @@ TEST(MainWindow, TabHidesThePanelsWhileTheCanvasHasTheFocus) {
   field->setFocus();
   QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
   EXPECT_FALSE(hide->isChecked()) << "elsewhere it goes to the next control";
+}
+
+TEST(MainWindow, SingleCharactersCanBeSwitchedOffAsKeys) {
+  MainWindow window(still());
+  const auto keys = [&window] {
+    QMap<QString, int> count;  // of keys, by their number of characters: "P", "Ctrl+P"
+    for (const QAction* action : window.actions().all()) {
+      for (const QKeySequence& key : action->shortcuts()) {
+        ++count[key.toString().size() == 1 ? QStringLiteral("single") : QStringLiteral("other")];
+      }
+    }
+    return count;
+  };
+  const QMap<QString, int> before = keys();
+  EXPECT_GT(before[QStringLiteral("single")], 15);
+  Preferences preferences(window);
+  ASSERT_TRUE(preferences.show_page(QStringLiteral("shortcuts")));
+  auto* letters = preferences.findChild<QCheckBox*>(QStringLiteral("single_characters"));
+  ASSERT_TRUE(letters);
+  EXPECT_TRUE(letters->isChecked());
+  letters->click();
+  EXPECT_EQ(keys().value(QStringLiteral("single")), 0);
+  EXPECT_GE(keys().value(QStringLiteral("other")), 40) << "Ctrl+Z, F9 and Tab stay";
+  EXPECT_FALSE(window.actions().find(QStringLiteral("tool.pull"))->toolTip().contains(u'('));
+  MainWindow later(still());
+  EXPECT_TRUE(later.actions().find(QStringLiteral("tool.pull"))->shortcuts().isEmpty());
+  letters->click();
+  EXPECT_EQ(keys(), before);
+}
+
+TEST(MainWindow, AMessageEndsWithItsReason) {
+  const auto window = shown_window();
+  Studio& studio = window->studio();
+  const auto shown = [&] { return window->statusBar()->currentMessage(); };
+  const auto refuse = [&] {
+    Q_EMIT studio.refused(QStringLiteral("The smallest size is 0.05 mm."));
+    EXPECT_FALSE(shown().isEmpty());
+    studio.advance(40'000'000);
+    EXPECT_FALSE(shown().isEmpty()) << "it stays while the user does nothing";
+  };
+  refuse();
+  studio.apply(SetOption{"pencil.max_width_mm", 2.0});
+  EXPECT_TRUE(shown().isEmpty()) << "the size has grown";
+  refuse();
+  studio.apply(SelectTool{"connect"});
+  studio.advance(40'000'000);
+  EXPECT_TRUE(shown().isEmpty()) << "another tool";
+  refuse();
+  studio.apply(SelectTool{"pencil"});
+  window->statusBar()->showMessage(QStringLiteral("Erases the ink under it"));
+  touch(*window, true);
+  EXPECT_TRUE(shown().isEmpty()) << "the user draws";
+  touch(*window, false);
+  studio.set_modified(false);
 }
 
 TEST(MainWindow, TheMenuKnowsWhichPanelsAreSeenFromTheStart) {

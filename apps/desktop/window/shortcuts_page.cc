@@ -1,9 +1,12 @@
 #include "desktop/window/shortcuts_page.h"
 
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QHeaderView>
 #include <QMessageBox>
 
+#include "desktop/engine/key_setting_keys.h"
+#include "desktop/engine/settings.h"
 #include "desktop/window/menus.h"
 
 namespace felt::desktop {
@@ -53,6 +56,7 @@ ShortcutsPage::ShortcutsPage(Actions& actions, QWidget* parent)
   clash->addWidget(take_);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(make_switch());
   all->addWidget(search_);
   all->addWidget(list_, 1);
   all->addLayout(row);
@@ -76,6 +80,17 @@ ShortcutsPage::ShortcutsPage(Actions& actions, QWidget* parent)
   connect(&actions_, &Actions::keys_changed, this, &ShortcutsPage::refresh);
   refresh();
   show_current();
+}
+
+/// Returns the switch for all keys that are a single character.
+QWidget* ShortcutsPage::make_switch() {
+  auto* letters = new QCheckBox(tr("&Letters, digits and signs alone are keys"), this);
+  letters->setObjectName(QStringLiteral("single_characters"));
+  letters->setToolTip(tr("Switch this off if speech input or accidental presses trigger commands"));
+  letters->setChecked(Settings::the().flag(key_keys::kSingleCharacters, true));
+  connect(letters, &QCheckBox::toggled, this,
+          [](bool on) { Settings::the().set(key_keys::kSingleCharacters, on); });
+  return letters;
 }
 
 void ShortcutsPage::make_list() {

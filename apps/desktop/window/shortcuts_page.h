@@ -29,6 +29,7 @@ class ShortcutsPage : public QWidget {
   void take_over();
 
  private:
+  QWidget* make_switch();
   void make_list();
   void refresh();
   void show_current();

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QUrl>
 #include <cmath>
+#include <utility>
 
 #include "desktop/engine/device_words.h"
 #include "desktop/window/reading_speech.h"
@@ -47,8 +48,17 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   connect(&studio, &Studio::modified_changed, this, &StatusLine::show_saved);
   connect(&studio, &Studio::opened, this, &StatusLine::show_saved);
   connect(&canvas, &Canvas::view_changed, this, &StatusLine::show_view);
-  connect(&studio, &Studio::refused, this,
-          [this](const QString& why) { showMessage(why, kRefusedMs); });
+  connect(&studio, &Studio::refused, this, [this](const QString& why) {
+    showMessage(why, kRefusedMs);
+    is_message_new_ = true;
+  });
+  // A message ends when its reason does: when the user changes an option or the tool, or draws.
+  connect(&studio, &Studio::option_changed, this, &StatusLine::end_message);
+  connect(&studio, &Studio::tool_changed, this, &StatusLine::end_message);
+  connect(&studio, &Studio::shown, this, [this] { is_message_new_ = false; });
+  connect(&studio, &Studio::sampled, this, [this](const PenSample& sample) {
+    if (!std::exchange(is_pen_down_, in_contact(sample)) && is_pen_down_) end_message();
+  });
   connect(new ReadingSpeech(studio, canvas), &ReadingSpeech::spoken, this,
           &StatusLine::show_reading);
   show_tool();
@@ -69,6 +79,11 @@ QLabel* StatusLine::field(const QString& name, const QString& widest) {
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 20);
   addPermanentWidget(label);
   return label;
+}
+
+/// Ends the present message, unless it was caused by what the user is doing now.
+void StatusLine::end_message() {
+  if (!is_message_new_) clearMessage();
 }
 
 void StatusLine::show_reading(const QString& words) {

@@ -11,7 +11,8 @@ namespace felt::desktop {
 /// The status bar. The left part describes the current tool's effect and modifiers. The right part
 /// shows the pen position, zoom, rotation, pressure and device, and whether and where the drawing
 /// is saved.
-/// Messages of Studio::refused are shown for some seconds, without moving the focus.
+/// Messages of Studio::refused are shown for some seconds, or until the user does something else,
+/// without moving the focus.
 class StatusLine : public QStatusBar {
   Q_OBJECT
 
@@ -35,12 +36,15 @@ class StatusLine : public QStatusBar {
   void show_saved();
   QLabel* field(const QString& name, const QString& widest);
   void elide_hint();
+  void end_message();
 
   Studio& studio_;
   Canvas& canvas_;
   QString hint_text_;
   QString reading_;
   QString file_;
+  bool is_message_new_ = false;  // the studio has not shown its state since the message
+  bool is_pen_down_ = false;
   QLabel* hint_;
   QLabel* place_;
   QLabel* pressure_;

@@ -44,12 +44,33 @@ class DeskStyle final : public QProxyStyle {
     painter.restore();
   }
 
+  static bool is_dark(const QPalette& palette) {
+    return palette.color(QPalette::Window).lightness() < 128;
+  }
+
+  /// Draws the border of a check box or radio button. Fusion's own border is darker than the
+  /// window, so that an empty box cannot be seen on a dark one.
+  static void draw_indicator_border(PrimitiveElement element, const QStyleOption& option,
+                                    QPainter& painter) {
+    const bool is_round = element == PE_IndicatorRadioButton;
+    if (element != PE_IndicatorCheckBox && !is_round) return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(option.palette.color(QPalette::PlaceholderText), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    const QRectF box = QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    const double radius = is_round ? 0.5 * box.width() : 2.0;
+    painter.drawRoundedRect(box, radius, radius);
+    painter.restore();
+  }
+
   DeskStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     if (element != PE_FrameFocusRect) {
       QProxyStyle::drawPrimitive(element, option, painter, widget);
+      if (is_dark(option->palette)) draw_indicator_border(element, *option, *painter);
       return;
     }
     painter->save();

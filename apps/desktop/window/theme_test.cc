@@ -4,6 +4,9 @@
 
 #include <QApplication>
 #include <QImage>
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOptionButton>
 #include <cmath>
 #include <string>
 
@@ -33,6 +36,30 @@ double contrast(const QColor& a, const QColor& b) {
 TEST(Theme, ContrastIsThatOfWcag) {
   EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-9);
   EXPECT_NEAR(contrast(QColor(0x76, 0x76, 0x76), Qt::white), 4.54, 0.01);
+}
+
+TEST(Theme, EmptyBoxesAreSeenInBothThemes) {
+  for (const Theme theme : {Theme::kLight, Theme::kDark}) {
+    apply_theme(theme);
+    for (const auto element : {QStyle::PE_IndicatorCheckBox, QStyle::PE_IndicatorRadioButton}) {
+      QStyleOptionButton option;
+      option.palette = palette_of(theme);
+      option.rect = {4, 4, 14, 14};
+      option.state = QStyle::State_Enabled | QStyle::State_Off;
+      const QColor window = option.palette.color(QPalette::Window);
+      QImage image(22, 22, QImage::Format_RGB32);
+      image.fill(window);
+      QPainter painter(&image);
+      QApplication::style()->drawPrimitive(element, &option, &painter, nullptr);
+      painter.end();
+      double best = 1.0;
+      for (int x = 3; x < 8; ++x) {
+        best = std::max(best, contrast(image.pixelColor(x, 11), window));
+      }
+      EXPECT_GE(best, theme == Theme::kDark ? 3.0 : 1.2) << int(theme) << ", " << element;
+    }
+  }
+  apply_theme(Theme::kSystem);
 }
 
 TEST(Theme, TextCanBeReadInBothThemes) {

@@ -15,6 +15,9 @@ inline const QString kLayout = QStringLiteral("window/layout");
 /// True if Feltline opens the last drawing (kLastFile) when it starts.
 inline const QString kReopenLast = QStringLiteral("window/reopen_last");
 
+/// True after the user has pulled a line: then PullHint is not needed any more.
+inline const QString kHasPulled = QStringLiteral("window/has_pulled");
+
 /// The path of the drawing that was opened or saved last.
 inline const QString kLastFile = QStringLiteral("window/last_file");
 
