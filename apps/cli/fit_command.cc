@@ -185,15 +185,43 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   return plan;
 }
 
+/// Collects the faults of the samples of one input after the other, and prints them with their
+/// numbers.
+class FaultNotices {
+ public:
+  explicit FaultNotices(Console& console) : console_(console) {}
+
+  void add(const FitOutput& fitted) {
+    if (fitted.name != name_) print();
+    name_ = fitted.name;
+    for (const ImportNotice& fault : fitted.faults) {
+      report_.add(fault.line, fault.element, fault.what);
+    }
+  }
+  void print() {
+    for (const ImportNotice& notice : report_.notices()) {
+      console_.notice(name_ + ": " + notice_text(notice));
+    }
+    report_ = {};
+  }
+
+ private:
+  Console& console_;
+  std::string name_;
+  ImportReport report_;
+};
+
 /// Fits all inputs and writes them to `output`; without an output, only counts them. Returns false
 /// if writing failed.
 bool fit_all(const FitArguments& args, const FitPlan& plan, DrawingOutput* output, Console& console,
              FitStats& stats) {
   FitSource source(args.inputs, plan.settings);
+  FaultNotices faults(console);
   bool written = true;
   OrderedPipeline<FitItem, FitOutput> pipeline(plan.jobs);
   const auto take = [&](const FitOutput& fitted) {
     for (const std::string& notice : fitted.notices) console.notice(notice);
+    faults.add(fitted);
     for (const FitError& e : fitted.errors) console.record_error(fitted.name, e.line, e.what);
     stats.add(fitted.stats);
     const Result<void> appended = output ? output->append(fitted.sketch) : Result<void>();
@@ -205,6 +233,7 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, DrawingOutput* outpu
                [&source](FitItem& item) { return source.next(item); }, take);
   console.end_progress();
   console.end_records();
+  faults.print();
   return written;
 }
 

@@ -33,6 +33,7 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
   output.sketch.clear();
   output.errors.clear();
   output.notices.clear();
+  output.faults.clear();
   output.stats = {};
   for (std::size_t i = 0; i < item.lines.size(); ++i) {
     const NdjsonLine line = item.lines.line(i);
@@ -73,7 +74,7 @@ Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, Fit
     if (!kind) return tl::unexpected(kind.error());
     if (*kind == NdjsonKind::kHeader) return {};
     if (raw_.id.empty()) raw_.id = fmt::format("s{}", record);
-    return process_raw(record, output);
+    return process_raw(line, record, output);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kLimitExceeded, "not enough memory for this stroke; skipped");
   }
@@ -91,7 +92,7 @@ Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t rec
     raw_.id = fmt::format("{}.{}", key, i + 1);
     raw_.samples = std::move(drawing.strokes[i]);
     restore_simplified(raw_.samples);
-    if (Result<void> done = process_raw(number, output); !done) {
+    if (Result<void> done = process_raw(line, number, output); !done) {
       return tl::unexpected(with_context(done.error(), fmt::format("drawing[{}]", i)));
     }
     number += kNumberStep;
@@ -100,15 +101,25 @@ Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t rec
 }
 
 // Fits and encodes the stroke in raw_.
-Result<void> FitWorker::process_raw(std::int64_t number, FitOutput& output) {
+Result<void> FitWorker::process_raw(const NdjsonLine& line, std::int64_t number,
+                                    FitOutput& output) {
   if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
+  bool has_no_clock = false;
   if (steady_) {
+    has_no_clock = drop_bad_times(raw_.samples);
     steady_->begin();
     for (const InkSample& sample : raw_.samples) steady_->push(sample);
     raw_.samples = steady_->smoothed();
   }
   Result<Stroke> stroke = fit(raw_.samples, output.stats);
   if (!stroke) return tl::unexpected(stroke.error());
+  SampleFaults faults = fitter_.faults();
+  faults.has_no_clock = faults.has_no_clock || has_no_clock;
+  faults.needs_times = faults.needs_times || steady_.has_value();
+  for (std::string& clause : fault_clauses(faults)) {
+    output.faults.push_back(
+        {line.number(), name_with_faults("stroke '" + raw_.id + "'", faults), std::move(clause)});
+  }
   if (!settings_.format) return {};
   return encode({raw_.id, *std::move(stroke)}, number, *settings_.format, output.sketch);
 }

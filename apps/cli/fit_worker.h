@@ -51,6 +51,8 @@ struct FitOutput {
   EncodedStrokes sketch;
   std::vector<FitError> errors;      ///< in the order of the lines
   std::vector<std::string> notices;  ///< complete messages
+  /// The faults of samples, in the order of the lines; equal ones are not yet counted.
+  std::vector<ImportNotice> faults;
   FitStats stats;
 };
 
@@ -70,7 +72,7 @@ class FitWorker {
  private:
   Result<void> process(const NdjsonLine& line, std::int64_t record, FitOutput& output);
   Result<void> process_drawing(const NdjsonLine& line, std::int64_t record, FitOutput& output);
-  Result<void> process_raw(std::int64_t number, FitOutput& output);
+  Result<void> process_raw(const NdjsonLine& line, std::int64_t number, FitOutput& output);
   void process_whole(const FitItem& item, const Imported& imported, FitOutput& output);
   Result<void> scale_to_mm();
 

@@ -9,13 +9,14 @@ namespace {
 
 constexpr std::size_t kSketchBatchBytes = std::size_t{64} << 10;
 
-/// Adds one line to a piece. Skips a header.
+/// Adds one line to a piece, and the faults of its samples to `report`. Skips a header.
 Result<void> add_line(LineStrokes& strokes, const NdjsonLine& line, std::int64_t number,
-                      Format format, EncodedStrokes& piece) {
+                      Format format, EncodedStrokes& piece, ImportReport& report) {
   Result<std::optional<NamedStroke>> stroke = strokes.read(line);
   if (!stroke) return tl::unexpected(stroke.error());
   if (!*stroke) return {};
   if ((*stroke)->id.empty()) (*stroke)->id = fmt::format("s{}", number);
+  report.add_faults(line.number(), (*stroke)->id, strokes.faults());
   return encode(**stroke, number, format, piece);
 }
 
@@ -29,12 +30,13 @@ bool for_each_piece(const Input& input, Format format, Console& console,
   EncodedStrokes piece;
   std::int64_t records = 0;
   std::int64_t mended = 0;
+  ImportReport report;
   Result<bool> more = reader.fill(batch, kSketchBatchBytes);
   for (; more && *more; more = reader.fill(batch, kSketchBatchBytes)) {
     piece.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
-      const Result<void> added = add_line(strokes, line, ++records, format, piece);
+      const Result<void> added = add_line(strokes, line, ++records, format, piece, report);
       mended += added && strokes.was_mended() ? 1 : 0;
       if (added) continue;
       console.record_error(input.name(), line.number(), added.error().message);
@@ -47,6 +49,9 @@ bool for_each_piece(const Input& input, Format format, Console& console,
   if (mended > 0) {
     console.notice(
         fmt::format("{}: {} of {} lines: {}", input.name(), mended, records, kMendedNotice));
+  }
+  for (const ImportNotice& notice : report.notices()) {
+    console.notice(input.name() + ": " + notice_text(notice));
   }
   if (!more) console.error(input.name() + ": " + more.error().message);
   if (more && records == 0) console.error(input.name() + ": contains no strokes");

@@ -66,10 +66,7 @@ InkSample sample_of_row(const Rows& rows, std::size_t row, const char* name, dou
   InkSample sample;
   sample.position = {coordinate(rows, row, 0, name, mm_per_unit),
                      coordinate(rows, row, 1, name, mm_per_unit)};
-  // Drivers slightly exceed their own range, but a pressure outside 0..1 has no meaning.
-  if (const auto pressure = known(rows, row, 2, "pressure", name)) {
-    sample.pressure = std::clamp(*pressure, 0.0, 1.0);
-  }
+  sample.pressure = known(rows, row, 2, "pressure", name);
   if (const auto time_ms = known(rows, row, 3, "t_ms", name)) {
     if (std::fabs(*time_ms) > limits::kMaxTimeMs) {
       bad_number(name, row, "t_ms", *time_ms, "beyond 9e12 ms");

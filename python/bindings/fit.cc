@@ -95,9 +95,19 @@ InkFitter& fitter_of(const FitArguments& arguments) {
   return kept->fitter;
 }
 
+/// Calls a function without the GIL. Every function of LiveFit is called in this way, so a thread
+/// never waits for its mutex while it holds the GIL.
+template <class Call>
+auto without_gil(Call call) {
+  const py::gil_scoped_release release;
+  return call();
+}
+
 Result<Stroke> fitted(InkFitter& fitter, std::vector<InkSample> samples,
-                      const std::optional<Shake>& shake, bool refine) {
+                      const std::optional<Shake>& shake, bool refine, SampleFaults& faults) {
+  bool has_no_clock = false;
   if (shake) {
+    has_no_clock = drop_bad_times(samples);
     SteadyLine steady(*shake);
     steady.begin();
     for (const InkSample& sample : samples) steady.push(sample);
@@ -107,7 +117,19 @@ Result<Stroke> fitted(InkFitter& fitter, std::vector<InkSample> samples,
   for (const InkSample& sample : samples) fitter.push(sample);
   fitter.end();
   if (refine) fitter.refine();
+  faults = fitter.faults();
+  faults.has_no_clock = faults.has_no_clock || has_no_clock;
+  faults.needs_times = faults.needs_times || shake.has_value();
   return fitter.stroke();
+}
+
+/// Warns of what is wrong with the samples of a stroke, at the caller `level` frames above.
+void warn_of(const SampleFaults& faults, int level) {
+  for (const std::string& clause : fault_clauses(faults)) {
+    py::module_::import("warnings")
+        .attr("warn")(name_with_faults("the stroke", faults) + " " + clause,
+                      py::module_::import("feltline._types").attr("FormatWarning"), level);
+  }
 }
 
 SharedStroke fit(const py::object& points, const FitArguments& arguments, double mm_per_unit,
@@ -117,8 +139,11 @@ SharedStroke fit(const py::object& points, const FitArguments& arguments, double
   std::vector<InkSample> samples = samples_of(points, "points", mm_per_unit);
   // Last, because converting an object may run Python code, which may call this function.
   InkFitter& fitter = fitter_of(arguments);
-  const py::gil_scoped_release release;
-  return share(value_of(fitted(fitter, std::move(samples), shake, refine)));
+  SampleFaults faults;
+  const SharedStroke stroke = without_gil(
+      [&] { return share(value_of(fitted(fitter, std::move(samples), shake, refine, faults))); });
+  warn_of(faults, 2);  // the function of Python that called this one is in between
+  return stroke;
 }
 
 /// A stroke in progress. Its functions may be called by several threads, one after the other.
@@ -148,6 +173,10 @@ class LiveFit {
     ended_ = true;
     return fitter_.stroke();
   }
+  SampleFaults faults() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return fitter_.faults();
+  }
   std::vector<Cubic> frozen(int first) {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<Cubic> segments;
@@ -172,14 +201,6 @@ class LiveFit {
   bool refine_;
   bool ended_ = false;
 };
-
-/// Calls a function without the GIL. Every function of LiveFit is called in this way, so a thread
-/// never waits for its mutex while it holds the GIL.
-template <class Call>
-auto without_gil(Call call) {
-  const py::gil_scoped_release release;
-  return call();
-}
 
 void push(LiveFit& fit, const py::object& points) {
   const std::vector<InkSample> samples = one_or_more_samples(points, "points");
@@ -221,7 +242,11 @@ True
            "Adds one sample (x, y, pressure, t_ms, tilt_deg) or an array of samples, as for fit().")
       .def(
           "end",
-          [](LiveFit& fit) { return share(value_of(without_gil([&] { return fit.end(); }))); },
+          [](LiveFit& fit) {
+            SharedStroke stroke = share(value_of(without_gil([&] { return fit.end(); })));
+            warn_of(without_gil([&] { return fit.faults(); }), 1);
+            return stroke;
+          },
           "Completes the stroke and returns it.")
       .def(
           "frozen_from",

@@ -22,6 +22,8 @@ def fit(points, tolerance=0.15, *, mm_per_unit=1.0, refine=True, filter=False, s
     min_width       width in mm without pressure (0.3, or the medium's)
     max_width       width in mm at full pressure (2, or the medium's)
 
+    Warns (FormatWarning) of pressures outside 0 to 1, which count as 0 or 1, and of times that are
+    not milliseconds, for example seconds or all equal; they are ignored.
     Raises ValueError or TypeError if the array is empty or has a wrong shape, type or number.
 
     >>> feltline.fit([[0, 0], [10, 5], [20, 0]], tolerance=0.1)

@@ -26,7 +26,7 @@ class FileError(Error, OSError):
 
 
 class FormatWarning(UserWarning):
-    """Content of a file was skipped or changed, or cannot be written in a format."""
+    """Content of a file or of samples was skipped or changed, or cannot be written in a format."""
 
 
 class Nearest(NamedTuple):

@@ -31,7 +31,7 @@ def random_points(random, columns=5):
     steps = random.normal(0, random.choice([0.02, 0.5, 4]), (count, 2))
     points = np.empty((count, 5))
     points[:, :2] = np.cumsum(steps, axis=0) + random.uniform(-50, 250, 2)
-    points[:, 2] = np.clip(random.normal(0.5, 0.3, count), -0.1, 1.1)
+    points[:, 2] = np.clip(random.normal(0.5, 0.3, count), -0.04, 1.04)
     points[:, 3] = np.cumsum(random.integers(0, 20, count)) + random.choice([0, 0.125])
     points[:, 4] = np.round(random.uniform(0, 90, count), 1)
     for column in (2, 3, 4):

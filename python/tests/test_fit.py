@@ -393,6 +393,32 @@ class Stroke(unittest.TestCase):
         self.assertEqual(stroke.position(float("nan")), (0, 0))
         self.assertEqual(stroke.position(99), (10, 0))
 
+    def test_raw_pressures_and_times_that_are_none_warn(self):
+        steps = np.arange(40.0)
+        rows = np.column_stack([2 * steps, steps % 3, 0.5 + 0.4 * np.sin(0.15 * steps), 8 * steps])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            reference = feltline.fit(rows).widths[:, 1].max()
+        for column, factor, text in ((2, 1023, "40 of 40 pressures"), (3, 0.001, "not milliseconds"),
+                                     (3, 0, "not milliseconds"), (3, -1, "not milliseconds")):
+            raw = rows.copy()
+            raw[:, column] *= factor
+            with self.subTest(text, factor=factor):
+                with self.assertWarnsRegex(feltline.FormatWarning, text) as seen:
+                    stroke = feltline.fit(raw)
+                self.assertEqual(seen.filename, __file__)
+                fitter = feltline.Fitter()
+                fitter.push(raw)
+                with self.assertWarnsRegex(feltline.FormatWarning, text) as seen:
+                    self.assertEqual(fitter.end(), stroke)
+                self.assertEqual(seen.filename, __file__)
+                if column == 3:
+                    self.assertAlmostEqual(stroke.widths[:, 1].max(), reference, delta=0.1 * reference)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    with self.assertRaises(feltline.FormatWarning):
+                        feltline.fit(raw)
+
     def test_an_object_without_its_constructor_raises_type_error(self):
         needs = "without its constructor"
         for kind in (feltline.Stroke, feltline.Drawing, feltline.Fitter, feltline.Recording):

@@ -130,3 +130,35 @@ echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0]],"joints":[],"width
 run 1 "$feltline" convert k.ndjson -o -
 has err "feltline: k.ndjson:1: "
 finish
+
+# Raw pressures, and times that are none, are named once with their number, and keep what they can.
+points() {
+  awk -v p="$1" -v t="$2" 'BEGIN { for (i = 0; i < 40; ++i) printf "%s[%d,%g,%g,%d]", i ? "," : "",
+    2 * i, 30 + 8 * sin(0.3 * i), p * (0.5 + 0.4 * sin(0.15 * i)), t * i }'
+}
+for kind in "1 8" "1 0" "1 -8" "1023 8"; do
+  for i in 1 2 3; do
+    # shellcheck disable=SC2086  # must be split into words
+    echo "{\"id\":\"k$i\",\"points\":[$(points $kind)]}"
+  done >"${kind// /_}.ndjson"
+done
+widest() {
+  sed 's/.*"widths"://' "$1" | tr ',[]{}' '\n' | awk '/^[0-9.]+$/ && ++n % 2 == 0 && $1 > w { w = $1 } END { print w }'
+}
+run 0 "$feltline" fit 1_8.ndjson -o good.ndjson
+is_empty err
+for kind in 1_0 1_-8; do
+  run 0 "$feltline" fit "$kind.ndjson" -o timed.ndjson
+  lines err 1
+  has err "feltline: $kind.ndjson: line 1: stroke 'k1' has times that are not milliseconds"
+  has err "and 2 more like it"
+  awk -v a="$(widest timed.ndjson)" -v b="$(widest good.ndjson)" 'BEGIN { exit !(a > 0.9 * b && a < 1.1 * b) }' ||
+    fail "$kind: the widest is $(widest timed.ndjson) and not $(widest good.ndjson)"
+done
+for command in "fit 1023_8.ndjson -o x.svg" "convert 1023_8.ndjson -o x.svg" "convert 1023_8.ndjson -o x.felt"; do
+  # shellcheck disable=SC2086  # must be split into words
+  run 0 "$feltline" $command
+  lines err 1
+  has err "feltline: 1023_8.ndjson: line 1: stroke 'k1' (40 of 40 pressures, for example 9"
+  has err "divide them by the largest pressure of the pen (and 2 more like it)"
+done

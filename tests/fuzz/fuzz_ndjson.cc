@@ -28,7 +28,7 @@ void check_sample(const InkSample& sample) {
   FELT_CHECK(std::fabs(sample.position.x) <= limits::kMaxCoordinate);
   FELT_CHECK(std::fabs(sample.position.y) <= limits::kMaxCoordinate);
   FELT_CHECK(!sample.tilt_deg || (*sample.tilt_deg >= 0.0 && *sample.tilt_deg <= 90.0));
-  FELT_CHECK(!sample.pressure || (*sample.pressure >= 0.0 && *sample.pressure <= 1.0));
+  FELT_CHECK(!sample.pressure || std::isfinite(*sample.pressure));
 }
 
 bool has_exact_times(const RawStroke& stroke) {

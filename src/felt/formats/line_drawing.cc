@@ -22,6 +22,7 @@ Result<std::optional<NamedStroke>> named(std::string id, Result<Stroke> stroke) 
 
 Result<std::optional<NamedStroke>> LineStrokes::read(const NdjsonLine& line) {
   was_mended_ = false;
+  faults_ = {};
   const std::string_view text = line.text();
   if (looks_like_quickdraw(text)) return fail(ErrorCode::kUnsupported, kUnknownQuickdraw);
   const bool is_raw = text.find("\"points\"") != std::string_view::npos &&
@@ -46,6 +47,7 @@ Result<std::optional<NamedStroke>> LineStrokes::read_raw(const NdjsonLine& line)
   for (const InkSample& sample : raw_.samples) fitter_.push(sample);
   fitter_.end();
   fitter_.refine();
+  faults_ = fitter_.faults();
   return named(raw_.id, fitter_.stroke());
 }
 
@@ -76,6 +78,7 @@ Result<Imported> import_lines(std::string_view text, const ImportOptions& option
         if (strokes.was_mended()) {
           report.add(line.number(), "stroke '" + named.id + "'", kMendedNotice);
         }
+        report.add_faults(line.number(), named.id, strokes.faults());
         builder.add(layer, std::move(named.stroke), named.id);
         ++count;
       }

@@ -27,6 +27,8 @@ class LineStrokes {
   /// Returns true if the stroke of the last line had rounded coordinates that were corrected
   /// (mend_rounding).
   [[nodiscard]] bool was_mended() const noexcept { return was_mended_; }
+  /// Returns the faults of the samples of the last line; none if it was not raw.
+  [[nodiscard]] const SampleFaults& faults() const noexcept { return faults_; }
 
  private:
   Result<std::optional<NamedStroke>> read_fitted(const NdjsonLine& line);
@@ -36,6 +38,7 @@ class LineStrokes {
   InkFitter fitter_;
   RawStroke raw_;
   bool was_mended_ = false;
+  SampleFaults faults_;
 };
 
 /// The message about strokes whose rounded coordinates were corrected, reported once per file.

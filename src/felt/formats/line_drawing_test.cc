@@ -83,6 +83,27 @@ TEST(LineDrawing, ASketchPrintedWithFewDecimalsIsReadWholeAndSaidOnce) {
   EXPECT_EQ(exact->drawing, drawing);
 }
 
+TEST(LineDrawing, RawPressuresAndTimesThatAreNoneAreNamedOnceWithTheirNumber) {
+  std::string lines;
+  for (int k = 0; k < 20; ++k) {
+    lines += R"({"id":"raw)" + std::to_string(k) + R"(","points":[[0,0,200,7],[4,1,)" +
+             std::to_string(500 + k) + R"(,7],[8,0,900,7],[12,1,300,7]]})" + "\n";
+    lines += R"({"points":[[0,0,0.2,0],[4,1,0.5,8],[8,0,0.9,16],[12,1,0.3,24]]})"
+             "\n";
+    lines += R"({"points":[[0,0,0.2,24],[4,1,0.5,16],[8,0,0.9,8],[12,1,0.3,0]]})"
+             "\n";
+  }
+  const auto read = import_lines(lines);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->drawing.document.stroke_count(), 60u);
+  ASSERT_EQ(read->report.notices().size(), 2u);
+  EXPECT_EQ(notice_text(read->report.notices()[0]).substr(0, 57),
+            "line 1: stroke 'raw0' (4 of 4 pressures, for example 900)");
+  EXPECT_EQ(read->report.notices()[0].count, 20);
+  EXPECT_EQ(read->report.notices()[1].line, 3);
+  EXPECT_EQ(read->report.notices()[1].count, 20);
+}
+
 TEST(LineDrawing, WhatRoundingDoesNotExplainIsStillRefused) {
   const auto read = import_lines(R"({"id":"a","segments":[[[0,0],[1,0],[2,0],[3,0]]],)"
                                  R"("joints":["smooth"],"widths":[[0,1],[1,1]]})"

@@ -33,6 +33,13 @@ void ImportReport::add(std::int64_t line, std::string element, std::string what)
   kinds_.push_back(std::move(kind));
 }
 
+void ImportReport::add_faults(std::int64_t line, const std::string& id,
+                              const SampleFaults& faults) {
+  for (std::string& clause : fault_clauses(faults)) {
+    add(line, name_with_faults("stroke '" + id + "'", faults), std::move(clause));
+  }
+}
+
 std::string notice_kind(std::string_view text) {
   std::string kind;
   bool in_quotes = false, in_number = false;

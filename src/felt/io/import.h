@@ -11,6 +11,7 @@
 #include "felt/base/result.h"
 #include "felt/document/drawing.h"
 #include "felt/stroke/fit/ink_fit.h"
+#include "felt/stroke/fit/sample_faults.h"
 
 namespace felt {
 
@@ -35,6 +36,8 @@ class ImportReport {
   static constexpr std::size_t kMaxElementBytes = 200;  ///< longer names are shortened
 
   void add(std::int64_t line, std::string element, std::string what);
+  /// Adds a notice for each fault of the samples of the stroke `id` (fault_clauses()).
+  void add_faults(std::int64_t line, const std::string& id, const SampleFaults& faults);
   [[nodiscard]] std::span<const ImportNotice> notices() const noexcept { return notices_; }
   [[nodiscard]] bool empty() const noexcept { return notices_.empty(); }
 

@@ -7,7 +7,6 @@
 #include "felt/io/line_steps.h"
 #include "felt/stroke/fit/ink_fitter.h"
 #include "felt/stroke/fit/width_fitter.h"
-#include "felt/stroke/fit/width_map.h"
 
 namespace felt {
 namespace {
@@ -127,27 +126,12 @@ Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples,
   for (const InkSample& sample : samples) pencil_.push(sample);
   pencil_.end();
   pencil_.refine();
-  const FittedCurve& curve = pencil_.curve();
-  if (curve.points.empty()) {
+  if (pencil_.curve().points.empty()) {
     return fail(ErrorCode::kInvalidData, "none of its points has usable coordinates");
   }
-  WidthMap map(widths);
-  WidthFitOptions options = fit_.width;
-  options.max_mm = std::max(options.max_mm, widths.max_mm * std::max(1.0, widths.tilt_width));
-  WidthFitter width(options);
-  for (std::size_t i = 0; i < pencil_.samples().size(); ++i) {
-    const InkWidth ink = map.push(pencil_.samples()[i]);
-    if (widths.tone) {
-      width.push(curve.sample_u[i], ink.width_mm, ink.tone);
-    } else {
-      width.push(curve.sample_u[i], ink.width_mm);
-    }
-  }
-  width.finish(curve.segment_count());
-  StrokeData data = data_of(curve);
-  data.widths.assign(width.knots().begin(), width.knots().end());
-  data.medium = fit_.medium;
-  return data;
+  Result<Stroke> stroke = pencil_.stroke(widths);
+  if (!stroke) return tl::unexpected(stroke.error());
+  return StrokeData(stroke->data());
 }
 
 Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {

@@ -42,6 +42,8 @@ class InkOfPoints {
   Result<StrokeData> of_samples(std::span<const InkSample> samples);
   /// Converts pen samples with `widths` instead of the default map from pressure to width.
   Result<StrokeData> of_samples(std::span<const InkSample> samples, const WidthMapOptions& widths);
+  /// Returns the faults of the samples of the last call of of_samples().
+  [[nodiscard]] SampleFaults sample_faults() const { return pencil_.faults(); }
 
   /// Converts a drawn line. The curve follows the straight lines between the points. If the last
   /// point equals the first, the stroke is closed. If all points are at the same position, the

@@ -7,6 +7,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/base/random.h"
+#include "felt/stroke/fit/sample_faults.h"
 
 namespace felt {
 namespace {
@@ -112,7 +113,7 @@ Result<void> ScriptFeed::add_stroke(const RawStroke& stroke) {
   for (const InkSample& sample : stroke.samples) {
     const Point point{options_.mm_per_unit * sample.position.x,
                       options_.mm_per_unit * sample.position.y};
-    path.push_back({point, sample.pressure, sample.time_ns, sample.tilt_deg});
+    path.push_back({point, with_valid_pressure(sample).pressure, sample.time_ns, sample.tilt_deg});
     meant.push_back(point);
   }
   if (Result<void> fine = check_length(path); !fine) return fine;

@@ -101,7 +101,7 @@ Result<std::unique_ptr<DriverDevice>> HapticMasterDriver::open(const DeviceDescr
   }
   auto link = std::make_unique<ControllerLink>(*std::move(stream));
   const Result<Sector> sector = ask_sector(*link);
-  if (!sector) return tl::unexpected(with_context(sector.error(), address->text() + ": "));
+  if (!sector) return tl::unexpected(with_context(sector.error(), address->text()));
   const std::optional<Box> box = inner_box(*sector);
   if (!box) {
     return fail(ErrorCode::kInvalidData, address->text() +

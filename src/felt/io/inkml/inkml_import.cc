@@ -57,11 +57,12 @@ struct Points {
   std::vector<InkSample> samples;
   std::vector<WidePoint> line;  // the same points with widths, if the trace has them
   bool has_force = false, is_erased = false;
+  bool has_far_time = false;  // a time that is no number of ms since 1970 or any other origin
 
   void clear() {
     samples.clear();
     line.clear();
-    has_force = is_erased = false;
+    has_force = is_erased = has_far_time = false;
   }
 };
 
@@ -283,13 +284,16 @@ class InkmlReader {
     if (std::isnan(v[c.x]) || std::isnan(v[c.y]) || (has(c.tip) && v[c.tip] < 0.5)) return;
     InkSample sample{apply(c.to_mm, Point{v[c.x], v[c.y]}), {}, {}};
     if (has(c.force)) {
-      const double p = (v[c.force] - c.min_force) / (c.full_force - c.min_force);
-      sample.pressure = std::fmin(std::fmax(p, 0.0), 1.0);
+      sample.pressure = (v[c.force] - c.min_force) / (c.full_force - c.min_force);
       points_.has_force = true;
     }
     if (has(c.time)) {
       const double ms = v[c.time] * c.ms_per_time;
-      if (std::fabs(ms) <= limits::kMaxTimeMs) sample.time_ns = std::llround(ms * 1e6);
+      if (std::fabs(ms) <= limits::kMaxTimeMs) {
+        sample.time_ns = std::llround(ms * 1e6);
+      } else {
+        points_.has_far_time = true;
+      }
     }
     sample.tilt_deg = tilt_of(v, c);
     if (has(c.width)) points_.line.push_back({sample.position, v[c.width] * c.mm_per_width});
@@ -422,8 +426,13 @@ class InkmlReader {
     const char* id =
         node.attribute("xml:id") ? node.attribute("xml:id").value() : node.attribute("id").value();
     ++stroke_count_;
-    const bool named = *id != '\0' && std::string_view(id).size() <= limits::kMaxNameBytes;
-    builder_.add(layer(), *std::move(stroke), named ? id : stroke_name({stroke_count_}));
+    const bool is_named = *id != '\0' && std::string_view(id).size() <= limits::kMaxNameBytes;
+    const std::string name = is_named ? id : stroke_name({stroke_count_});
+    if (points_.has_far_time) notice(node, "has times beyond 9e12 ms, which were ignored");
+    if (points_.line.size() != points_.samples.size()) {
+      report_.add_faults(input_.line_of(node), name, ink_.sample_faults());
+    }
+    builder_.add(layer(), *std::move(stroke), name);
   }
 
   Result<StrokeData> ink(const inkml::Brush* brush) {

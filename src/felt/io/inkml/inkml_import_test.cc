@@ -364,6 +364,24 @@ TEST(InkmlImport, NamesDocumentsAfterTheFirst) {
   }
 }
 
+TEST(InkmlImport, NamesPressuresAndTimesThatAreNone) {
+  const auto with_points = [](const std::string& points, const std::string& unit = "ms") {
+    return texts(
+        read(ink("<traceFormat><channel name=\"X\" type=\"decimal\" units=\"mm\"/><channel "
+                 "name=\"Y\" type=\"decimal\" units=\"mm\"/><channel name=\"F\" "
+                 "type=\"integer\" max=\"255\"/><channel name=\"T\" units=\"" +
+                 unit + "\"/></traceFormat>\n<trace id=\"a\">" + points + "</trace>\n"))
+            .report);
+  };
+  EXPECT_THAT(with_points("1 1 100 0, 2 1 120 8, 3 1 130 16, 4 1 90 24"), IsEmpty());
+  EXPECT_THAT(with_points("1 1 100 0, 2 1 900 8, 3 1 1000 16, 4 1 90 24"),
+              ElementsAre(HasSubstr("line 3: stroke 'a' (2 of 4 pressures, for example 3.9")));
+  EXPECT_THAT(with_points("1 1 100 5, 2 1 120 5, 3 1 130 5, 4 1 90 5"),
+              ElementsAre(HasSubstr("line 3: stroke 'a' has times that are not milliseconds")));
+  EXPECT_THAT(with_points("1 1 100 1e12, 2 1 120 1e12, 3 1 130 1e12, 4 1 90 1e12", "s"),
+              ElementsAre(HasSubstr("has times beyond 9e12 ms")));
+}
+
 TEST(InkmlImport, NamesTheLargestPressureThatItAssumes) {
   const auto with_channel = [](const std::string& channel) {
     return read(

@@ -18,8 +18,7 @@ constexpr std::array<const char*, kPartCount> kPartNames = {"x", "y", "pressure"
 void set_part(std::size_t part, double number, InkSample& out) {
   if (part == kXPart) out.position.x = number;
   if (part == kYPart) out.position.y = number;
-  // Drivers slightly exceed their own range, but a pressure outside 0..1 has no meaning.
-  if (part == kPressurePart) out.pressure = std::fmin(std::fmax(number, 0.0), 1.0);
+  if (part == kPressurePart) out.pressure = number;
   if (part == kTimePart) out.time_ns = std::llround(number * 1e6);
 }
 

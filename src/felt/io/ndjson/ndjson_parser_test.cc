@@ -121,10 +121,11 @@ TEST(NdjsonRaw, IdMayBeMissingOrANumber) {
   EXPECT_THAT(raw_error(R"({"id":["a"],"points":[[0,0]]})"), HasSubstr("id: [ is neither"));
 }
 
-TEST(NdjsonRaw, ClampsPressureToItsRange) {
-  const Parsed parsed = parse_raw(R"({"points":[[0,0,1.01],[0,0,-0.01]]})");
-  EXPECT_EQ(parsed.stroke.samples[0].pressure, 1.0);
-  EXPECT_EQ(parsed.stroke.samples[1].pressure, 0.0);
+TEST(NdjsonRaw, ReadsPressuresAsTheyAre) {
+  const Parsed parsed = parse_raw(R"({"points":[[0,0,1.01],[0,0,-0.01],[0,0,1023]]})");
+  EXPECT_EQ(parsed.stroke.samples[0].pressure, 1.01);
+  EXPECT_EQ(parsed.stroke.samples[1].pressure, -0.01);
+  EXPECT_EQ(parsed.stroke.samples[2].pressure, 1023.0);
 }
 
 TEST(NdjsonRaw, AcceptsTimesThatRunBackwardsAndTimesSince1970) {

@@ -14,7 +14,8 @@ enum class NdjsonKind {
   kHeader,  ///< {"feltline":1,...}: describes the file
 };
 
-/// A pen recording: samples as the device reported them, in the unit of the file.
+/// A pen recording: samples as the device reported them, in the unit of the file. Pressures are
+/// those of the file, too; InkFitter limits them to 0..1 and reports those that are outside.
 struct RawStroke {
   std::string id;  ///< empty if the line has none
   std::vector<InkSample> samples;

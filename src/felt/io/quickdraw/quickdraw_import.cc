@@ -99,6 +99,7 @@ class QuickdrawReader {
                     "was skipped: " + stroke.error().message);
         continue;
       }
+      report_.add_faults(lines_[static_cast<std::size_t>(index)], name, ink_.sample_faults());
       builder_.add(layer, *std::move(stroke));
       std::vector<InkSample>().swap(samples);
     }

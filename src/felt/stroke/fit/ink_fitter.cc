@@ -8,6 +8,7 @@
 #include "felt/stroke/fit/paper_fitter.h"
 #include "felt/stroke/fit/pen_filter.h"
 #include "felt/stroke/fit/refine.h"
+#include "felt/stroke/fit/sample_faults.h"
 #include "felt/stroke/fit/width_fitter.h"
 #include "felt/stroke/fit/width_map.h"
 
@@ -37,7 +38,8 @@ struct InkFitter::State {
     }
   }
 
-  [[nodiscard]] StrokeData stroke_data() const;
+  [[nodiscard]] Result<Stroke> stroke(const FittedCurve& fitted, const WidthMapOptions& widths,
+                                      const WidthFitOptions& limits) const;
 
   InkFitOptions options;
   PenFilter filter;
@@ -45,6 +47,7 @@ struct InkFitter::State {
   Refiner refiner;
   PaperFitter paper;
   ChunkedVector<InkSample> samples;
+  SampleCheck check;
   std::size_t ignored = 0;
   bool ended = false;
   // True if `curve` is valid. It is made on the first request after end(), because copying a long
@@ -67,17 +70,20 @@ void InkFitter::begin() {
   s.online.begin();
   s.paper.begin();
   s.samples.clear();
+  s.check.begin();
   s.ignored = 0;
   s.ended = false;
   s.has_curve = false;
 }
 
-void InkFitter::push(const InkSample& sample) {
+void InkFitter::push(const InkSample& reported) {
   State& s = *state_;
-  if (!is_ink(sample)) {
+  if (!is_ink(reported)) {
     ++s.ignored;
     return;
   }
+  s.check.add(reported);
+  const InkSample sample = with_valid_pressure(reported);
   if (!s.options.filter_artefacts) {
     s.take(sample);
     return;
@@ -180,36 +186,50 @@ const FittedCurve& InkFitter::curve() const {
   return s.curve;
 }
 
-StrokeData InkFitter::State::stroke_data() const {
-  WidthMap map(options.width_map);
-  WidthFitter width(options.width);
-  map.begin();
-  width.begin();
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const InkWidth ink = map.push(samples[i]);
-    if (options.width_map.tone) {
-      width.push(curve.sample_u[i], ink.width_mm, ink.tone);
-    } else {
-      width.push(curve.sample_u[i], ink.width_mm);
-    }
-  }
-  width.finish(curve.segment_count());
-  StrokeData data;
-  data.points = curve.points;
-  data.joints = curve.joints;
-  data.widths.assign(width.knots().begin(), width.knots().end());
-  data.medium = options.medium;
-  return data;
+SampleFaults InkFitter::faults() const {
+  SampleFaults faults = state_->check.faults();
+  faults.needs_times = faults.needs_times || state_->options.filter_artefacts;
+  return faults;
 }
 
 Result<Stroke> InkFitter::stroke() const {
-  const State& s = *state_;
-  if (curve().points.empty()) {
-    return fail(ErrorCode::kInvalidData, s.ignored > 0
-                                             ? "none of the samples has usable coordinates"
-                                             : "the stroke has no samples");
+  return state_->stroke(curve(), state_->options.width_map, state_->options.width);
+}
+
+Result<Stroke> InkFitter::stroke(const WidthMapOptions& widths) const {
+  WidthFitOptions limits = state_->options.width;
+  limits.max_mm = std::max(limits.max_mm, widths.max_mm * std::max(1.0, widths.tilt_width));
+  return state_->stroke(curve(), widths, limits);
+}
+
+Result<Stroke> InkFitter::State::stroke(const FittedCurve& fitted, const WidthMapOptions& widths,
+                                        const WidthFitOptions& limits) const {
+  if (fitted.points.empty()) {
+    return fail(ErrorCode::kInvalidData, ignored > 0 ? "none of the samples has usable coordinates"
+                                                     : "the stroke has no samples");
   }
-  return Stroke::create(s.stroke_data());
+  WidthMap map(widths);
+  WidthFitter width(limits);
+  map.begin();
+  width.begin();
+  const bool has_no_clock = check.faults().has_no_clock;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    InkSample sample = samples[i];
+    if (has_no_clock) sample.time_ns.reset();
+    const InkWidth ink = map.push(sample);
+    if (widths.tone) {
+      width.push(fitted.sample_u[i], ink.width_mm, ink.tone);
+    } else {
+      width.push(fitted.sample_u[i], ink.width_mm);
+    }
+  }
+  width.finish(fitted.segment_count());
+  StrokeData data;
+  data.points = fitted.points;
+  data.joints = fitted.joints;
+  data.widths.assign(width.knots().begin(), width.knots().end());
+  data.medium = options.medium;
+  return Stroke::create(std::move(data));
 }
 
 }  // namespace felt

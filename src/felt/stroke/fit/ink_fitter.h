@@ -6,6 +6,7 @@
 #include "felt/base/chunked_vector.h"
 #include "felt/base/result.h"
 #include "felt/stroke/fit/ink_fit.h"
+#include "felt/stroke/fit/sample_faults.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -61,11 +62,16 @@ class InkFitter {
   [[nodiscard]] const ChunkedVector<InkSample>& samples() const;
   /// Returns the number of samples ignored since begin().
   [[nodiscard]] std::size_t ignored_count() const;
+  /// Returns what is wrong with the pressures and times of the accepted samples. stroke() limits
+  /// pressures to 0..1, and ignores the times if they are none (SampleFaults::has_no_clock).
+  [[nodiscard]] SampleFaults faults() const;
   /// Returns the whole curve. Requires that end() was called.
   [[nodiscard]] const FittedCurve& curve() const;
   /// Returns the finished stroke with its width profile. Requires that end() was called. Fails if
   /// no sample was accepted.
   [[nodiscard]] Result<Stroke> stroke() const;
+  /// Returns the finished stroke with widths and tones by `widths` instead of those of the options.
+  [[nodiscard]] Result<Stroke> stroke(const WidthMapOptions& widths) const;
 
  private:
   struct State;

@@ -7,6 +7,9 @@
 namespace felt {
 namespace {
 
+/// The samples of a stray start lie within this distance of the first one.
+constexpr double kStrayStartMm = 1.0;
+
 bool is_real(const std::optional<double>& pressure) {
   return pressure && *pressure > 0.0;
 }
@@ -39,11 +42,23 @@ std::span<const InkSample> PenFilter::push(const InkSample& sample) {
   held_.push_back(sample);
   held_ms_.push_back(now_ms_);
   drop_stray();
-  std::size_t due = held_.size() > kMaxHeld ? held_.size() - kMaxHeld : 0;
-  while (due < held_.size() && held_ms_[due] + options_.window_ms < now_ms_) ++due;
-  if (due > 0 && !last_released_) mend_start(true);
+  std::size_t due = count_due();
+  if (due > 0 && !last_released_) {
+    // A stray start is known only when two samples have followed it.
+    if (held_.size() == 2 && is_jump(0, 1)) return released_;
+    drop_stray_start();
+    due = count_due();
+    if (due > 0) mend_start(true);
+  }
   release(due);
   return released_;
+}
+
+// Returns the number of held samples that have waited for one window.
+std::size_t PenFilter::count_due() const noexcept {
+  std::size_t due = held_.size() > kMaxHeld ? held_.size() - kMaxHeld : 0;
+  while (due < held_.size() && held_ms_[due] + options_.window_ms < now_ms_) ++due;
+  return due;
 }
 
 std::span<const InkSample> PenFilter::end() {
@@ -51,6 +66,7 @@ std::span<const InkSample> PenFilter::end() {
   if (last_released_) {
     mend_end();
   } else {
+    drop_stray_start();
     mend_start(false);
   }
   release(held_.size());
@@ -80,6 +96,20 @@ void PenFilter::drop_stray() {
   if (distance(before, held_[n - 1].position) > 0.5 * distance(before, stray)) return;
   held_.erase(held_.end() - 2);
   held_ms_.erase(held_ms_.end() - 2);
+}
+
+// Drops the first samples if they lie together and the pen jumped away from them: drivers report
+// where the pen was lifted before. The stroke needs two samples after the jump to be a stroke.
+void PenFilter::drop_stray_start() {
+  for (std::size_t i = 1; i + 1 < held_.size(); ++i) {
+    if (is_jump(i - 1, i)) {
+      if (is_jump(i, i + 1)) return;
+      drop_front(held_, i);
+      drop_front(held_ms_, i);
+      return;
+    }
+    if (distance(held_[0].position, held_[i].position) > kStrayStartMm) return;
+  }
 }
 
 // Corrects late pressure and a blob at pen-down. `level_is_known` means that the stroke is longer

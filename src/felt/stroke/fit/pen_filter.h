@@ -15,15 +15,16 @@ namespace felt {
 ///   - a pressure blob at pen-down or pen-up: replaced by the pressure one window away
 ///     (PenFilterOptions::window_ms);
 ///   - a hook at lift: cut off at its turn;
-///   - a stray sample, which jumps out and back or occurs at lift: dropped.
+///   - a stray sample, which jumps out and back or occurs at lift: dropped;
+///   - a stray start, which lies where the pen was lifted before: dropped.
 /// In 1,407 strokes of public recordings (Wacom's Universal Ink Library, MyScript iinkTS, BDALab)
 /// it finds 62 hooks, 30 late pressures and 81 blobs; in most of the blobs, the first reported
 /// pressure is exactly 1.
 ///
 /// Ink without such artefacts passes unchanged, bit for bit. At most one window of time,
-/// hook_max_mm of path and one stray last sample are dropped at the end; nothing is dropped at the
-/// start. If a stroke is shorter than the window, only late pressure is corrected, so a dot stays a
-/// dot.
+/// hook_max_mm of path and one stray last sample are dropped at the end. At the start, at most the
+/// stray start of one window is dropped. If a stroke is shorter than the window, only late pressure
+/// and a stray start are corrected, so a dot stays a dot.
 ///
 ///      late  blob                           hook          what is corrected, and where
 ///      |--window--|  ... passes ...  |--window--|
@@ -50,7 +51,9 @@ class PenFilter {
  private:
   void advance_clock(const InkSample& sample) noexcept;
   [[nodiscard]] bool is_jump(std::size_t from, std::size_t to) const noexcept;
+  [[nodiscard]] std::size_t count_due() const noexcept;
   void drop_stray();
+  void drop_stray_start();
   void mend_start(bool level_is_known);
   void mend_end();
   [[nodiscard]] bool is_blob(std::size_t i, std::size_t end, double level) const noexcept;

@@ -95,6 +95,31 @@ TEST(PenFilter, StraySampleIsDropped) {
   EXPECT_EQ(filtered(stroke), line(39));
 }
 
+TEST(PenFilter, AStrayStartIsDropped) {
+  for (const double interval_ms : {1.0, 5.0, 8.0, 40.0}) {
+    for (const int strays : {1, 2, 3}) {
+      Ink stroke;
+      for (int i = 0; i < strays; ++i) {
+        stroke.push_back(
+            {{400.0 + 0.2 * i, 20.0}, 0.5, std::llround(-interval_ms * 1e6 * (strays - i))});
+      }
+      const Ink rest = line(40, interval_ms);
+      stroke.insert(stroke.end(), rest.begin(), rest.end());
+      if (interval_ms * strays > 30.0) {  // farther back than the window: drawn there
+        EXPECT_GE(filtered(stroke).size(), rest.size());
+      } else {
+        EXPECT_EQ(filtered(stroke), rest) << interval_ms << ' ' << strays;
+      }
+      stroke.resize(static_cast<std::size_t>(strays) + 2);  // a short line
+      if (strays > 1) continue;
+      EXPECT_EQ(filtered(stroke), Ink(rest.begin(), rest.begin() + 2));
+    }
+  }
+  Ink two = line(2);
+  two[0].position.x = 400.0;
+  EXPECT_EQ(filtered(two), two);  // no more than a guess
+}
+
 TEST(PenFilter, TheFastestHandIsNotAJump) {
   Ink stroke;  // shading at 2.5 m/s, sampled at 133 Hz
   for (int i = 0; i < 60; ++i) {
