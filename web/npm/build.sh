@@ -17,8 +17,7 @@ units=(
    stroke/fit/curve_fitter.cc stroke/fit/guide_curve.cc stroke/fit/ink_fitter.cc stroke/fit/kept_samples.cc
    stroke/fit/long_run.cc stroke/fit/normal_equations.cc stroke/fit/pen_filter.cc stroke/fit/refine.cc
    stroke/fit/run_moments.cc stroke/fit/run_search.cc stroke/fit/sample_faults.cc stroke/fit/sample_window.cc
-   stroke/fit/segment_fit.cc
-   stroke/fit/segment_fit_kernels.cc stroke/fit/width_fitter.cc stroke/fit/width_map.cc
+   stroke/fit/segment_fit.cc stroke/fit/segment_fit_kernels.cc stroke/fit/width_fitter.cc stroke/fit/width_map.cc
    stroke/edit/mend_joints.cc stroke/edit/split.cc stroke/outline/envelope.cc stroke/outline/outline.cc
    stroke/outline/outline_path.cc stroke/outline/side_stretch.cc"
   "feltline.cc pen_look.cc small_library.cc"

@@ -181,6 +181,16 @@ FELT_EXPORT(fitter_ignored) std::size_t felt_fitter_ignored(InkFitter* fitter) {
   return fitter->ignored_count();
 }
 
+/// Returns what is wrong with the pressures and times, as a sum of the bits of `FAULTS` in
+/// fitter.js.
+FELT_EXPORT(fitter_faults) int felt_fitter_faults(InkFitter* fitter) {
+  const SampleFaults faults = fitter->faults();
+  const int pressures = faults.bad_pressures > 0 ? 1 : 0;
+  if (!times_matter(faults)) return pressures;
+  if (faults.has_no_clock) return pressures + 2;
+  return pressures + (faults.backward_times > 0 ? 4 : 0);
+}
+
 FELT_EXPORT(fitter_stroke) int felt_fitter_stroke(InkFitter* fitter) {
   return put_result(fitter->stroke());
 }

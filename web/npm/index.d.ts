@@ -33,6 +33,19 @@ export interface StrokeOptions {
 /** Returns the outline of a stroke as a polygon, to be filled with the nonzero rule. */
 export function getStroke(points: Points, options?: StrokeOptions): [number, number][];
 export default getStroke;
+/** A point of a stroke as the pen meant it, with the direction from it to the point before it. */
+export interface StrokePoint {
+  point: [number, number];
+  pressure: number;
+  distance: number;
+  vector: [number, number];
+  runningLength: number;
+}
+/** The first step of getStroke in perfect-freehand: returns the points that `streamline` has smoothed. */
+export function getStrokePoints(points: Points, options?: StrokeOptions): StrokePoint[];
+/** The second step: returns the outline of such points as a polygon. */
+export function getStrokeOutlinePoints(points: readonly StrokePoint[], options?: StrokeOptions):
+  [number, number][];
 
 export type Output = 'arrays' | 'float64' | 'float32';
 export interface OutputOptions<O extends Output = Output> {
@@ -78,6 +91,8 @@ export interface Stroke {
   widths: number[][];
   /** The centre line as an SVG path. */
   d: string;
+  /** What was wrong with the pressures and times of the points. Absent if nothing was. */
+  notices?: string[];
 }
 /** A stroke with 8 numbers for each segment, 0 (smooth) or 1 (corner) for each joint, and pairs. */
 export interface TypedStroke<N = Float64Array> {
@@ -86,6 +101,7 @@ export interface TypedStroke<N = Float64Array> {
   joints: Uint8Array;
   widths: N;
   d: string;
+  notices?: string[];
 }
 export type StrokeOf<O extends Output> = O extends 'float64' ? TypedStroke<Float64Array>
   : O extends 'float32' ? TypedStroke<Float32Array> : Stroke;

@@ -97,12 +97,25 @@ export function fitOnce({ values, refine, scale }, reader, take) {
   return result;
 }
 
+/** What can be wrong with pressures and times, in the order of the bits of fitter_faults(). */
+const FAULTS = [
+  'pressures outside 0 to 1 count as 0 or 1',
+  'the times are not milliseconds and were ignored',
+  'some times run backwards',
+];
+
+/** Returns the finished stroke, with `notices` if something was wrong with its points. */
+function finished(core, handle, form) {
+  check(core, core.exports.fitter_stroke(handle));
+  const stroke = takeStroke(core, form), bits = core.exports.fitter_faults(handle);
+  if (bits) stroke.notices = FAULTS.filter((_, i) => bits >> i & 1);
+  return stroke;
+}
+
 export function fitStroke(points, options = {}) {
   const settings = settingsOf(options);
-  return fitOnce(settings, readerOf(points, settings.stride), (core, handle) => {
-    check(core, core.exports.fitter_stroke(handle));
-    return takeStroke(core, settings.form);
-  });
+  return fitOnce(settings, readerOf(points, settings.stride),
+    (core, handle) => finished(core, handle, settings.form));
 }
 
 // The fitters of wasm that StrokeFitters have on loan. They are few, however many StrokeFitters there are, because the
@@ -240,10 +253,7 @@ export class StrokeFitter {
   }
 
   #stroke() {
-    return this.#run((wasm, handle, core) => {
-      check(core, wasm.fitter_stroke(handle));
-      return takeStroke(core, this.#settings.form);
-    });
+    return this.#run((_, handle, core) => finished(core, handle, this.#settings.form));
   }
 
   get ignored() {

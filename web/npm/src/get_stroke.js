@@ -10,6 +10,8 @@ const TAPER_STEPS = 16;
 // width and segment of the library (0.05 mm) do not show.
 const LEAST_SIZE_MM = 8;
 const LEAST_WIDTH_MM = 0.05;
+// Points that are farther away are ignored: kMaxCoordinateMm.
+const MOST_MM = 1e9;
 
 const linear = (t) => t;
 
@@ -19,14 +21,14 @@ function optionNumber(options, name, usual, most = Infinity) {
   return Math.min(most, value);
 }
 
-/** Returns the finite points as rows of x, y, pressure. */
-function finitePoints(points, stride) {
+/** Returns the points that are no farther than `most` as rows of x, y, pressure. */
+function usablePoints(points, stride, most) {
   const { count, write } = readerOf(points, stride);
   const rows = new Float64Array(COLUMNS * count);
   write(0, count, rows);
   const result = [];
   for (let i = 0; i < rows.length; i += COLUMNS) {
-    if (Number.isFinite(rows[i]) && Number.isFinite(rows[i + 1])) {
+    if (Math.abs(rows[i]) <= most && Math.abs(rows[i + 1]) <= most) {
       result.push([rows[i], rows[i + 1], Number.isNaN(rows[i + 2]) ? 0.5 : rows[i + 2]]);
     }
   }
@@ -75,24 +77,36 @@ function tipNumbers(tip, easing, length, size, scale) {
   return [tapers ? long * scale : 0, !tapers && cap === false ? 1 : 0, ...shares];
 }
 
-export function getStroke(points, options = {}) {
+/** Checks the size and the streamline; returns them and the scale at which strokes are fitted. */
+function sizeOf(options) {
   if (options === null || typeof options !== 'object') throw new TypeError('options must be an object');
   const size = optionNumber(options, 'size', 16);
   if (!(size > 0 && size < Infinity)) throw new RangeError(`size must be greater than 0, not ${size}`);
+  const streamline = Math.max(0, optionNumber(options, 'streamline', 0.5, 1));
+  return { size, streamline, scale: Math.max(1, LEAST_SIZE_MM / size) };
+}
+
+const distanceOf = ([x, y], [x0, y0]) => Math.hypot(x - x0, y - y0);
+
+/**
+ * Returns the largest distance of the edge from the ink. At a smoothing of 0.5, the polygon has about as
+ * many points as that of perfect-freehand, and lies nearer to the edge.
+ */
+const edgeOf = (size, smoothing) =>
+  (0.12 + 2.16 * smoothing) * Math.min(1, Math.max(0.15 * Math.sqrt(size), size / 16));
+
+/** Returns the outline of samples x, y, pressure, which lie within `tolerance` of the fitted curve. */
+function outlineOf(samples, options, { size, scale }, tolerance) {
   const thinning = optionNumber(options, 'thinning', 0.5);
   const smoothing = Math.max(0, optionNumber(options, 'smoothing', 0.5, 1));
-  const streamline = Math.max(0, optionNumber(options, 'streamline', 0.5, 1));
   const easing = options.easing ?? linear;
   if (typeof easing !== 'function') throw new TypeError('easing must be a function');
-  const samples = finitePoints(points, options.stride);
   if (samples.length === 0) return [];
   if (options.simulatePressure ?? true) simulatePressure(samples, size);
 
-  const scale = Math.max(1, LEAST_SIZE_MM / size);
   const widths = samples.map((sample) => scale * diameterOf(sample[2], size, thinning, easing));
   const widest = widths.reduce((a, b) => Math.max(a, b), 2 * LEAST_WIDTH_MM);
-  const tolerance = scale * streamline * Math.min(2, size / 4);
-  const values = [tolerance, LEAST_WIDTH_MM, widest, 1, 0.5, 20, 7.5, 1, 0.01 * widest, 0];
+  const values = [scale * tolerance, LEAST_WIDTH_MM, widest, 1, 0.5, 20, 7.5, 1, 0.01 * widest, 0];
   const reader = {
     count: samples.length,
     write(from, to, rows) {
@@ -102,20 +116,55 @@ export function getStroke(points, options = {}) {
       }
     },
   };
-  let length = 0;
-  for (let i = 1; i < samples.length; ++i) {
-    length += Math.hypot(samples[i][0] - samples[i - 1][0], samples[i][1] - samples[i - 1][1]);
-  }
+  const length = samples.reduce((sum, p, i) => sum + (i > 0 ? distanceOf(p, samples[i - 1]) : 0), 0);
   const look = [
     ...tipNumbers(options.start, (t) => t * (2 - t), length, size, scale),
     ...tipNumbers(options.end, (t) => 1 + (t - 1) ** 3, length, size, scale),
   ];
-  const edge = scale * Math.min(1, size / 16) * (0.02 + 0.36 * smoothing);
   const settings = { values, refine: options.last === true, scale: 1 };
   const [polygon] = fitOnce(settings, reader, (core, handle) => {
     inputView(core, look.length).set(look);
-    check(core, core.exports.fitter_look(handle, edge));
+    check(core, core.exports.fitter_look(handle, scale * edgeOf(size, smoothing)));
     return takePolygons(core);
   });
   return scale === 1 ? polygon : polygon.map(([x, y]) => [x / scale, y / scale]);
+}
+
+export function getStroke(points, options = {}) {
+  const form = sizeOf(options);
+  const samples = usablePoints(points, options.stride, MOST_MM / form.scale);
+  return outlineOf(samples, options, form, form.streamline * Math.min(2, form.size / 4));
+}
+
+/**
+ * Returns the points that the pen meant: each lags behind the pen, as in perfect-freehand, by the share of
+ * the way that `streamline` says.
+ */
+export function getStrokePoints(points, options = {}) {
+  const { streamline, scale } = sizeOf(options), result = [];
+  const samples = usablePoints(points, options.stride, MOST_MM / scale);
+  const share = 1 - 0.85 * streamline;
+  samples.forEach(([x, y, pressure], i) => {
+    const last = result[result.length - 1];
+    if (!last) {
+      result.push({ point: [x, y], pressure, vector: [1, 1], distance: 0, runningLength: 0 });
+      return;
+    }
+    const [x0, y0] = last.point;
+    const t = options.last && i === samples.length - 1 ? 1 : share;
+    const point = t === 1 ? [x, y] : [x0 + t * (x - x0), y0 + t * (y - y0)];
+    const distance = distanceOf(point, last.point);
+    if (distance === 0) return;
+    const vector = [(x0 - point[0]) / distance, (y0 - point[1]) / distance];
+    if (result.length === 1) last.vector = vector;
+    result.push({ point, pressure, vector, distance, runningLength: last.runningLength + distance });
+  });
+  return result;
+}
+
+/** Returns the outline of the points of getStrokePoints(), which are not smoothed again. */
+export function getStrokeOutlinePoints(strokePoints, options = {}) {
+  const form = sizeOf(options);
+  const points = strokePoints.map(({ point: [x, y], pressure }) => [x, y, pressure]);
+  return outlineOf(usablePoints(points, 2, MOST_MM / form.scale), options, form, 0.02 * form.size);
 }

@@ -66,11 +66,25 @@ export function inflate(bytes, size) {
     }
     return [codeOf(all.slice(0, literals)), codeOf(all.slice(literals))];
   };
-  // build.mjs checks that all blocks have dynamic codes, so the other kinds are not implemented.
+  const fixedCodes = () => [
+    codeOf(Array.from({ length: 288 }, (_, i) => i < 144 ? 8 : i < 256 ? 9 : i < 280 ? 7 : 8)),
+    codeOf(new Array(30).fill(5)),
+  ];
+  const copyStored = () => {
+    bits(available % 8);
+    const length = bits(16);
+    bits(16);
+    for (let i = 0; i < length; ++i) out[at++] = bits(8);
+  };
   for (let last = 0; !last;) {
     last = bits(1);
-    if (bits(2) !== 2) throw new Error('the module is damaged');
-    const [literals, distances] = readCodes();
+    const kind = bits(2);
+    if (kind === 0) {
+      copyStored();
+      continue;
+    }
+    if (kind === 3) throw new Error('the module is damaged');
+    const [literals, distances] = kind === 2 ? readCodes() : fixedCodes();
     for (let symbol; (symbol = symbolOf(literals)) !== 256;) {
       if (symbol < 256) out[at++] = symbol;
       else {

@@ -37,6 +37,26 @@ throws(() => getStroke('x'), TypeError, /points/);
 throws(() => getStroke(line, { size: 'big' }), TypeError, /size/);
 throws(() => getStroke(line, { size: 0 }), RangeError, /size/);
 
+// Points beyond 1e9 are ignored, also if the stroke is fitted at a larger scale.
+assert.deepEqual(getStroke([[1e12, 0]]), []);
+assert.deepEqual(getStroke([[5e8, 0]], { size: 1 }), []);
+assert.deepEqual(getStroke([[0, 0], [1e12, 0], [10, 0]]), getStroke(line));
+
+// Raw pressures, and times that are none, are named; the widths still follow the pressure.
+const wave = (pressure, time) => Array.from({ length: 40 }, (_, i) =>
+  [2 * i, 8 * Math.sin(0.3 * i), pressure * (0.5 + 0.4 * Math.sin(0.15 * i)), time(8 * i)]);
+const widest = (stroke) => Math.max(...stroke.widths.map(([, width]) => width));
+const good = fitStroke(wave(1, (t) => t));
+assert.equal(good.notices, undefined);
+assert.deepEqual(fitStroke(wave(1023, (t) => t)).notices, ['pressures outside 0 to 1 count as 0 or 1']);
+for (const time of [() => 0, (t) => -t, (t) => t / 1000]) {
+  const stroke = fitStroke(wave(1, time), { refine: false }), fitter = new StrokeFitter();
+  fitter.push(wave(1, time));
+  assert.deepEqual(fitter.end(), stroke);
+  assert.deepEqual(stroke.notices, ['the times are not milliseconds and were ignored']);
+  assert.ok(Math.abs(widest(stroke) / widest(good) - 1) < 0.1);
+}
+
 // Extreme numbers.
 for (const scale of [1e-300, 1e-9, 1e6, 1e8, 1e300]) {
   for (const work of [getStroke, fitStroke]) {

@@ -1,6 +1,8 @@
 // The package as an ES module, with the wasm module inside and beside it.
 import assert from 'node:assert/strict';
-import getStroke, { StrokeFitter, fitStroke, nearest, outline, part, split } from 'feltline';
+import getStroke, {
+  StrokeFitter, fitStroke, getStrokeOutlinePoints, getStrokePoints, nearest, outline, part, split,
+} from 'feltline';
 import * as slim from 'feltline/slim';
 
 const points = Array.from({ length: 200 }, (_, i) => [i, 50 * Math.sin(i / 20), 0.3 + i / 500]);
@@ -74,4 +76,43 @@ for (const x of [2, 98]) assert.ok(inside(tapered, [x, 0]) && !inside(tapered, [
 assert.ok(inside(tapered, [50, 7.5]) && !inside(tapered, [50, 8.5]));
 const even = getStroke(straight, { thinning: 0 });
 assert.ok(inside(even, [20, 7.9]) && !inside(even, [20, 8.1]));
+
+// The polygon has at most 1.3 times the points of perfect-freehand's. Its numbers (1.2.3, thinning 0.6, last) for these
+// curves are written here, because it is no part of the tests.
+const curves = Array.from({ length: 12 }, (_, k) => {
+  let seed = k + 1, x = 100, y = 100, bend = 0;
+  const random = () => (seed = (seed * 1664525 + 1013904223) % 2 ** 32) / 2 ** 32;
+  let angle = 6 * random();
+  const count = 60 + Math.floor(200 * random()), step = 2 + 6 * random();
+  return Array.from({ length: count }, (_, i) => {
+    bend = 0.95 * (bend + 0.25 * (random() - 0.5));
+    angle += bend;
+    const length = step * (0.4 + 0.6 * Math.abs(Math.sin(0.07 * i)));
+    x += length * Math.cos(angle);
+    y += length * Math.sin(angle);
+    return [Math.round(10 * x) / 10, Math.round(10 * y) / 10, 0.5];
+  });
+});
+for (const [size, theirs] of [[1, 4088], [4.25, 3812], [16, 1898]]) {
+  const ours = curves.reduce((sum, points) => sum + getStroke(points, { size, thinning: 0.6, last: true }).length, 0);
+  assert.ok(ours <= 1.3 * theirs, `size ${size}: ${ours} points, perfect-freehand ${theirs}`);
+}
+
+// The two steps.
+const steps = getStrokePoints(points, { streamline: 0.5, last: true });
+assert.deepEqual(steps[0].point, points[0].slice(0, 2));
+assert.deepEqual(steps.at(-1).point, points.at(-1).slice(0, 2));
+let runningLength = 0;
+steps.forEach((step, i) => {
+  if (i > 0) assert.ok(Math.abs(Math.hypot(step.point[0] - steps[i - 1].point[0],
+    step.point[1] - steps[i - 1].point[1]) - step.distance) < 1e-9);
+  assert.ok(Math.abs((runningLength += step.distance) - step.runningLength) < 1e-9);
+  assert.ok(i === 0 || Math.abs(Math.hypot(...step.vector) - 1) < 1e-9);
+});
+const stepped = getStrokeOutlinePoints(steps, { size: 16, simulatePressure: false, last: true });
+for (const { point } of steps) assert.ok(inside(stepped, point), `${point}`);
+assert.deepEqual(getStrokePoints([]), []);
+assert.deepEqual(getStrokeOutlinePoints([]), []);
+assert.deepEqual(getStrokePoints([[3, 4], [3, 4]]).length, 1);
+assert.deepEqual(getStrokePoints(points, { streamline: 0 }).map((step) => step.point), points.map((p) => p.slice(0, 2)));
 console.log('ESM: passed');
