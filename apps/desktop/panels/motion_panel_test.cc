@@ -171,7 +171,7 @@ TEST_F(MotionPanelTest, ANewKeyDrawingIsInTheListAtOnce) {
   EXPECT_FALSE(list().item(1)->text().contains(QStringLiteral("empty")));
   action("layer.add_key").trigger();
   list().setCurrentRow(0);
-  EXPECT_EQ(list().count(), 4) << "an empty layer that is not in use is no key drawing";
+  EXPECT_EQ(list().count(), 4) << "an empty layer is a key drawing only while it is in use";
 }
 
 // The short label of the button stays when its command changes; a longer one would widen the panel.

@@ -51,9 +51,9 @@ class LayerTable {
   /// Returns the ids of layers().
   [[nodiscard]] std::span<const LayerId> ids() const noexcept { return ids_; }
   [[nodiscard]] std::size_t size() const noexcept { return layers_.size(); }
-  /// Returns the index of a layer, or size() if there is no such layer.
+  /// Returns the index of a layer, or size() if the id is unknown.
   [[nodiscard]] std::size_t index_of(LayerId id) const noexcept;
-  /// Returns a layer, or null if there is no such layer. Valid until rearrange().
+  /// Returns a layer, or null if the id is unknown. Valid until rearrange().
   [[nodiscard]] const Layer* find(LayerId id) const noexcept;
   [[nodiscard]] Layer* find(LayerId id) noexcept;
 

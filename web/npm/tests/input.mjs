@@ -42,7 +42,7 @@ assert.deepEqual(getStroke([[1e12, 0]]), []);
 assert.deepEqual(getStroke([[5e8, 0]], { size: 1 }), []);
 assert.deepEqual(getStroke([[0, 0], [1e12, 0], [10, 0]]), getStroke(line));
 
-// Raw pressures, and times that are none, are named; the widths still follow the pressure.
+// Raw pressures and invalid times are named; the widths still follow the pressure.
 const wave = (pressure, time) => Array.from({ length: 40 }, (_, i) =>
   [2 * i, 8 * Math.sin(0.3 * i), pressure * (0.5 + 0.4 * Math.sin(0.15 * i)), time(8 * i)]);
 const widest = (stroke) => Math.max(...stroke.widths.map(([, width]) => width));

@@ -57,7 +57,7 @@ struct Points {
   std::vector<InkSample> samples;
   std::vector<WidePoint> line;  // the same points with widths, if the trace has them
   bool has_force = false, is_erased = false;
-  bool has_far_time = false;  // a time that is no number of ms since 1970 or any other origin
+  bool has_far_time = false;  // a time was beyond limits::kMaxTimeMs and was ignored
 
   void clear() {
     samples.clear();

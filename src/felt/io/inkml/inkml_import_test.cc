@@ -364,7 +364,7 @@ TEST(InkmlImport, NamesDocumentsAfterTheFirst) {
   }
 }
 
-TEST(InkmlImport, NamesPressuresAndTimesThatAreNone) {
+TEST(InkmlImport, NamesInvalidPressuresAndTimes) {
   const auto with_points = [](const std::string& points, const std::string& unit = "ms") {
     return texts(
         read(ink("<traceFormat><channel name=\"X\" type=\"decimal\" units=\"mm\"/><channel "

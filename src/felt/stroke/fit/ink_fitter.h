@@ -63,7 +63,7 @@ class InkFitter {
   /// Returns the number of samples ignored since begin().
   [[nodiscard]] std::size_t ignored_count() const;
   /// Returns what is wrong with the pressures and times of the accepted samples. stroke() limits
-  /// pressures to 0..1, and ignores the times if they are none (SampleFaults::has_no_clock).
+  /// pressures to 0..1, and ignores the times if SampleFaults::has_no_clock is true.
   [[nodiscard]] SampleFaults faults() const;
   /// Returns the whole curve. Requires that end() was called.
   [[nodiscard]] const FittedCurve& curve() const;

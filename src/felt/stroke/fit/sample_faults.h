@@ -31,7 +31,7 @@ struct SampleFaults {
   friend bool operator==(const SampleFaults&, const SampleFaults&) noexcept = default;
 };
 
-/// Drivers slightly exceed their own range of pressures; such a pressure is no fault.
+/// Tolerance for pressures outside 0..1, because drivers slightly exceed their own range.
 inline constexpr double kPressureSlack = 0.05;
 /// The time between two samples of the fastest device (5 kHz).
 inline constexpr double kMinIntervalMs = 0.2;
@@ -64,13 +64,12 @@ class SampleCheck {
 /// Returns `sample` with its pressure limited to 0..1; a pressure that is not a number is absent.
 InkSample with_valid_pressure(InkSample sample) noexcept;
 
-/// Removes the times of a whole stroke's samples if they are none (SampleFaults::has_no_clock), and
-/// returns true in that case.
+/// Removes the times of a whole stroke's samples if SampleFaults::has_no_clock is true for them.
+/// Returns true if it removed them.
 bool drop_bad_times(std::span<InkSample> samples) noexcept;
 
-/// Returns true if faults of the times are worth a notice: something depends on the times, and
-/// there are more than two or three samples, which may well have been taken in the same
-/// millisecond.
+/// Returns true if faults of the times are worth a notice: the result depends on the times, and
+/// there are at least four samples. Fewer samples can have been taken in the same millisecond.
 bool times_matter(const SampleFaults& faults) noexcept;
 
 /// Returns a clause for each fault that matters, as for a notice that begins with the name of a

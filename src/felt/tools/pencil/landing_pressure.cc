@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kLongestDotMm = 0.5;
 constexpr double kOvershoot = 1.1;  // of an impact; less is the hand's
-constexpr double kDip = 0.9;        // of the level, likewise
+constexpr double kDip = 0.9;        // of an impact, as a share of the level
 
 double pressure_of(const InkSample& sample) {
   return sample.pressure.value_or(0.0);
