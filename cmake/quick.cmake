@@ -17,14 +17,15 @@ set(felt_qt_headers <QAction> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QL
 # the library from an object of the test, and at -O0 they would make the whole program slow: with sanitizers,
 # single test programs took minutes. With sanitizers, test code calls functions for the checks of memory and
 # leaves out the checks of pointers that compilers put before every access: compiling takes a fifth less
-# time, and AddressSanitizer reports the accesses anyway. The code under test keeps everything.
+# time, and AddressSanitizer reports the accesses anyway. Programs call functions, too; the library keeps the checks inline.
 # Last on the list of a target's libraries, because these options revoke options of felt_flags.
 add_library(felt_quick_test_flags INTERFACE)
 target_compile_options(felt_quick_test_flags INTERFACE -O1)
+set(felt_quick_checks "")
 if(FELT_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(felt_quick_checks "SHELL:-mllvm -asan-instrumentation-with-call-threshold=0")
   target_compile_options(felt_quick_test_flags INTERFACE
-    -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow
-    "SHELL:-mllvm -asan-instrumentation-with-call-threshold=0")
+    -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow ${felt_quick_checks})
 elseif(NOT FELT_SANITIZE)
   target_compile_options(felt_quick_test_flags INTERFACE -g0)
 endif()
@@ -79,6 +80,7 @@ endfunction()
 # felt_quick_program(TARGET HEADERS...): for a program with many files, if most of them include HEADERS.
 function(felt_quick_program target)
   if(FELT_QUICK_BUILD)
+    target_compile_options(${target} PRIVATE ${felt_quick_checks})
     target_precompile_headers(${target} PRIVATE ${felt_std_headers} ${ARGN})
     felt_unity(${target} ${FELT_UNITY_SOURCES})
   endif()
@@ -89,6 +91,7 @@ function(felt_quick_room target)
   if(FELT_QUICK_BUILD)
     felt_quick_headers(felt_quick_room STATIC HEADERS ${felt_std_headers} ${felt_qt_headers}
       LIBRARIES Qt6::Widgets DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY)
+    target_compile_options(${target} PRIVATE ${felt_quick_checks})
     target_precompile_headers(${target} REUSE_FROM felt_quick_room)
     felt_unity(${target} ${FELT_UNITY_SOURCES})
   endif()

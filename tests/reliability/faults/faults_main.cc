@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string scenario, program, preload, mode;
-  std::uint32_t at = 0, stride = 0;
+  std::uint32_t at = 0, stride = 0, thin = 1;
   bool persistent = false, memory = false, list = false, verbose = false;
 };
 
@@ -54,7 +54,8 @@ class Suite {
     messages_.clear();
     std::uint32_t sites = 0;
     RunResult plain = run_one(scenario, {});
-    const std::uint32_t stride = options_.stride > 0 ? options_.stride : scenario.stride;
+    const std::uint32_t stride =
+        options_.stride > 0 ? options_.stride : scenario.stride * options_.thin;
     if (options_.memory) {
       for (const bool persistent : {false, true})
         sites = count_up(scenario, Mode::kNone, persistent, stride);
@@ -170,6 +171,7 @@ int main(int argc, char** argv) {
   app.add_option("--at", options.at, "this call only");
   app.add_option("--mode", options.mode, "with --at: how it fails");
   app.add_option("--stride", options.stride, "every n-th call; 1 for all, also of large ones");
+  app.add_option("--thin", options.thin, "tries every n-th of the calls that would be tried");
   app.add_flag("--persistent", options.persistent, "with --at: all later calls fail too");
   app.add_flag("--memory", options.memory, "allocations fail instead of calls on files");
   app.add_flag("--list", options.list, "the names of the scenarios");
