@@ -193,6 +193,7 @@ export class Menu {
     this.element = make('div', { className: 'card menu', role: 'dialog', 'aria-label': t('Menu') },
       entry('new', t('New drawing'), () => page.new_drawing()),
       entry('open', t('Open…'), () => page.files.choose(false), 'Ctrl+O'),
+      page.storage ? entry('layers', t('Other drawings…'), () => page.show_others()) : null,
       entry('import', t('Add a file to the drawing…'), () => page.files.choose(true)),
       make('hr'),
       page.has_felt ? entry('save', t('Save as Feltline drawing'), () => page.files.save('felt'), 'Ctrl+S') : null,

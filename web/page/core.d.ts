@@ -174,7 +174,7 @@ export interface Core {
   /** Why the last play ended early; '' if it did not. Says it once. */
   playError(): string;
   stopPlay(): void;
-  /** The built-in scripts for `play()`: `cat`, raw strokes of a cat. */
+  /** The built-in scripts for `play()`: `cat`, raw strokes of a cat. None before the core is complete. */
   scripts(): { id: string; text: string }[];
 
   // --- Files
@@ -187,9 +187,10 @@ export interface Core {
   /**
    * Loads the full module (`core_full.js` beside the page, once) and continues the drawing with it, undo included. Takes
    * over when `isFree` resolves, which is called when the module is ready, because this ends a gesture. Fails if the script
-   * cannot be loaded.
+   * cannot be loaded. If `isFree` resolves to a stored drawing, the module continues with it instead of that of the first
+   * module, and `continued` says whether it could (restore()).
    */
-  complete(isFree?: () => Promise<void>): Promise<Done>;
+  complete(isFree?: () => Promise<{ base: Uint8Array | null; recorded: string; page: View } | null | void>): Promise<Done>;
   /**
    * Replaces the drawing by that of a file: .felt, .svg, .ndjson, .inkml, .xopp (`catalog().formats`); the content decides, and
    * `name` if it does not. Compressed files (.svgz, .xopp) must be unpacked before. Undo history and selection become empty. Fails without a change.
@@ -204,6 +205,8 @@ export interface Core {
    */
   save(format: string): Uint8Array | null;
   readonly saveError: string;
+  /** What the drawing has and the file of the last save() lacks, one sentence each. */
+  readonly saveNotices: string[];
   /** True for the bytes of an SQLite database, such as a .felt file. */
   isFelt(bytes: Uint8Array | string): boolean;
   /** Loads the script with SQLite (`core_felt.js` beside the page, once), so that prepareFelt() needs no network. */

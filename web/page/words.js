@@ -67,6 +67,8 @@ const own = {
   '%1 could not be loaded': ['%1 konnte nicht geladen werden', '%1 kon niet worden geladen'],
   'it is too large': ['Sie ist zu groß', 'het is te groot'],
   'And %1 more.': ['Und %1 weitere.', 'En nog %1.'],
+  'Show all': ['Alle zeigen', 'Alle tonen'],
+  'Left out or changed': ['Weggelassen oder geändert', 'Weggelaten of gewijzigd'],
   'it is damaged': ['Sie ist beschädigt', 'het is beschadigd'],
   'Selection': ['Auswahl', 'Selectie'],
   'Suggestions': ['Vorschläge', 'Suggesties'],
@@ -74,6 +76,13 @@ const own = {
     'Dieser Browser kann die Seite nicht ausführen: Sie braucht WebAssembly und JavaScript von 2023 oder neuer.',
     'Deze browser kan de pagina niet uitvoeren: ze heeft WebAssembly en JavaScript van 2023 of later nodig.',
   ],
+  'Other drawings…': ['Andere Zeichnungen …', 'Andere tekeningen…'],
+  'Other drawings are in the menu.': ['Andere Zeichnungen sind im Menü.', 'Andere tekeningen staan in het menu.'],
+  'There are no other drawings in this browser.': [
+    'In diesem Browser sind keine anderen Zeichnungen.',
+    'In deze browser zijn geen andere tekeningen.',
+  ],
+  'Lines: %1': ['Linien: %1', 'Lijnen: %1'],
   'Restored the drawing of your last visit.': [
     'Die Zeichnung Ihres letzten Besuchs ist wieder da.',
     'De tekening van uw vorige bezoek is hersteld.',

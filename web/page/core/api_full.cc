@@ -113,13 +113,15 @@ FELT_EXPORT(felt_open) std::size_t felt_open(std::size_t size, std::size_t name_
   return reply(done, notices);
 }
 FELT_EXPORT(felt_save) std::size_t felt_save(std::size_t size) {
-  Result<std::string> bytes = core().save(input(size));
-  core().save_error = bytes ? std::string() : bytes.error().message;
+  std::vector<std::string> losses;
+  Result<std::string> bytes = core().save(input(size), losses);
+  const Result<void> done = bytes ? Result<void>() : tl::unexpected(bytes.error());
+  core().saved = done_text(done, losses);
   return reply(bytes ? *std::move(bytes) : std::string());
 }
-/// Returns why the last felt_save() returned nothing.
-FELT_EXPORT(felt_save_error) std::size_t felt_save_error() {
-  return reply(core().save_error);
+/// Returns why the last felt_save() returned nothing, or what its file lacks.
+FELT_EXPORT(felt_saved) std::size_t felt_saved() {
+  return reply(core().saved);
 }
 FELT_EXPORT(felt_clear) void felt_clear() {
   core().clear();

@@ -50,7 +50,8 @@ struct Core {
 
   Result<void> open(std::string_view bytes, const std::string& name, bool adds,
                     std::vector<std::string>& notices);
-  Result<std::string> save(std::string_view format);
+  /// Adds to `losses` what the drawing has and the file lacks.
+  Result<std::string> save(std::string_view format, std::vector<std::string>& losses);
   void clear();
   /// Fills `recorded` and, if it replaces what was stored, `base`. Returns true if it does.
   bool autosave();
@@ -70,7 +71,7 @@ struct Core {
   bool shows = true;  // show() has work
   std::optional<Image> exported;
   std::string recorded, base;
-  std::string save_error;
+  std::string saved;  // what the last save() ended with, as JSON
   std::vector<double> forces;
 
  private:

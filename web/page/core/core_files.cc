@@ -108,6 +108,7 @@ Result<void> Core::open(std::string_view bytes, const std::string& name, bool ad
   shows = true;
   if (adds) {
     studio.add_materials(read->drawing.materials);
+    for (std::string& text : losses_of_adding(read->drawing)) notices.push_back(std::move(text));
     const VisibleInk ink = visible_ink(read->drawing.document);
     return studio.import(name, ink.strokes, ink.fills);
   }
@@ -122,8 +123,10 @@ Result<void> Core::open(std::string_view bytes, const std::string& name, bool ad
   return {};
 }
 
-Result<std::string> Core::save(std::string_view format) {
-  return write_drawing(drawing_of(studio), format);
+Result<std::string> Core::save(std::string_view format, std::vector<std::string>& losses) {
+  const Drawing drawing = drawing_of(studio);
+  losses = losses_of_writing(drawing, format);
+  return write_drawing(drawing, format);
 }
 
 void Core::clear() {
