@@ -197,8 +197,17 @@ export interface Core {
    * If isFelt(bytes), prepareFelt() must be called before.
    */
   open(bytes: Uint8Array | string, name: string): Done;
-  /** Adds the strokes of a file to the drawing, selected, as one undo step (drag and drop, paste). */
-  add(bytes: Uint8Array | string, name: string): Done;
+  /**
+   * Adds the strokes of a file to the drawing, selected, as one undo step (drag and drop, paste): moved by `by`, or with their
+   * middle at `middle`, both in mm.
+   */
+  add(bytes: Uint8Array | string, name: string, place?: { by?: [number, number]; middle?: [number, number] }): Done;
+  /**
+   * Returns what a copy command puts on the clipboard, as an SVG file and as a picture without ground (null if it would be too
+   * large): the selected strokes and the fills between them, or everything visible if nothing is selected. `whole`: only strokes
+   * that are selected as a whole, which are those that `delete` removes. Returns null if there are none.
+   */
+  copied(options?: { whole?: boolean; dpi?: number }): { svg: string; picture: ReturnType<Core['picture']> } | null;
   /**
    * The drawing as a file; `format` is an id of `catalog().formats` with `saves`. Null if it cannot be saved; then `saveError`
    * says why. Before `felt`, prepareFelt() must be called.
@@ -353,10 +362,13 @@ export interface State {
     locked: boolean;
     opacity: number;
     blend: string;
+    /** The id of its group; 0 if it is in none. */
     group: number;
     strokes: number;
     current: boolean;
   }[];
+  /** The groups of layers, highest first. */
+  groups: { id: number; name: string; visible: boolean; locked: boolean; opacity: number; blend: string }[];
   undo: string | null;
   redo: string | null;
   strokes: number;

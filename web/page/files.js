@@ -3,7 +3,7 @@ import { make } from './dom.js';
 import { t } from './words.js';
 
 const kExportDpi = 192, kMaxPixels = 40e6;
-const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
+export const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
 export const kPictures = ['image/png', 'image/jpeg', 'image/webp'];
 const kMaxPictureBytes = 48e6;  // packed as base64, this is the longest value of an event
 const kMaxNotices = 3;          // that are shown in full; the others are counted
@@ -106,9 +106,6 @@ export class Files {
       event.preventDefault();
       mark(false);
       this.load_all([...event.dataTransfer?.files ?? []], event.shiftKey);
-    });
-    addEventListener('paste', (event) => {
-      this.load_all([...event.clipboardData?.files ?? []], true);
     });
   }
 

@@ -8,6 +8,7 @@ import { OptionsPanel, LayersPanel } from './panels.js';
 import { ForcePanel, Sound, play_cue } from './forces.js';
 import { MarksView } from './marks.js';
 import { Files, kPictures } from './files.js';
+import { Clipboard } from './clipboard.js';
 import { Storage } from './storage.js';
 
 const kLifeSize = 96 / 25.4;      // CSS pixels per mm
@@ -21,6 +22,7 @@ const kNoticeMs = 6000, kSlowMs = 3000;
 const kAnswerMs = 2000;           // a browser that does not answer within this time has no storage for now
 const kReadMs = 10_000;           // the same for the drawing, which may be large
 const kSettleMs = 40;
+const kMarginPx = 16;             // around a sheet that is fitted into the window
 const kWarmUpMs = 100;
 const kFirstEvents = ['undo', 'redo', 'cancel'];  // the first module handles them
 const kCatSpeed = 3, kCatShare = 0.7;  // of the page
@@ -62,6 +64,7 @@ class Page {
     this.shown = { forces: false, options: false, layers: false };
     this.gestures = 0;
     this.active_until = 0;
+    this.is_away = true;  // the pointer is not over the sheet
     // What was done in the first module before the storage has answered; null: it has.
     this.again = [];
     this.last = null;  // the stored drawing with which complete_core() continues
@@ -73,6 +76,7 @@ class Page {
     this.bars = new Bars(this);
     this.offers = new OfferBar(this);
     this.files = new Files(this);
+    this.clipboard = new Clipboard(this);
     this.options = new OptionsPanel(this);
     this.layers = new LayersPanel(this);
     this.forces = new ForcePanel(this);
@@ -299,10 +303,17 @@ class Page {
     return done;
   }
 
-  /** The size of a sheet that fills the window at life size, in mm. */
+  /** The size of a sheet that fills the window at life size, in mm, but for the surround of the dark theme. */
   window_page() {
-    const mm = (px) => Math.max(20, Math.ceil(px / kLifeSize));
-    return { width: mm(innerWidth), height: mm(innerHeight) };
+    const { left, top, right, bottom } = this.surround();
+    const mm = (px) => Math.max(20, (left > 0 ? Math.floor : Math.ceil)(px / kLifeSize));
+    return { width: mm(innerWidth - left - right), height: mm(innerHeight - top - bottom) };
+  }
+
+  /** The distances of a new sheet from the edges of the window, in CSS pixels: none in the light theme. */
+  surround() {
+    const style = getComputedStyle(document.documentElement);
+    return Object.fromEntries(['left', 'top', 'right', 'bottom'].map((side) => [side, parseFloat(style.getPropertyValue(`--sheet-${side}`)) || 0]));
   }
 
   /** Loads what a stored drawing needs. */
@@ -346,15 +357,20 @@ class Page {
     this.marks.resize(width, height, ratio);
     if (!this.core) return;
     this.core.resize(width, height, ratio);
-    const { strokes, undo, redo } = this.core.state();
-    if (strokes === 0 && undo === null && redo === null) {
-      this.core.setPage(this.window_page());
-      this.core.rebase();
-      this.store_due = true;
-      this.fill_window();
-    }
+    this.resize_blank();
     this.marks_due = true;
     this.wake();
+  }
+
+  /** A sheet without a drawing fills the window. Returns false if there is a drawing. */
+  resize_blank() {
+    const { strokes, undo, redo } = this.core.state();
+    if (strokes > 0 || undo !== null || redo !== null) return false;
+    this.core.setPage(this.window_page());
+    this.core.rebase();
+    this.store_due = true;
+    this.fill_window();
+    return true;
   }
 
   // --- Frames
@@ -419,6 +435,7 @@ class Page {
     this.sound.feed();
     if (this.plays && !core.playing()) this.end_play(core.playError());
     if (core.changed('state')) this.show_state();
+    this.bars.show_view(core.view());
   }
 
   show_state() {
@@ -754,7 +771,7 @@ class Page {
   rename_layer() {
     if (!this.shown.layers) this.toggle('layers');
     this.layers.show(this.core.state());
-    this.layers.edit(this.layers.current);
+    this.layers.edit();
   }
 
   // --- View
@@ -795,28 +812,44 @@ class Page {
     // A sheet that was made for this window fills it.
     const window = this.window_page();
     if (width === window.width && height === window.height) return this.fill_window();
-    this.core.fitPage(16);
-    this.wake();
+    const { left, top, right, bottom } = this.surround(), margin = left > 0 ? 0 : kMarginPx;
+    const wide = innerWidth - left - right, high = innerHeight - top - bottom;
+    const scale = Math.max(0.1, Math.min((wide - 2 * margin) / width, (high - 2 * margin) / height));
+    return this.use_fit({ scale, x: width / 2 - (left + wide / 2) / scale, y: height / 2 - (top + high / 2) / scale });
   }
 
   fill_window() {
-    this.set_view({ x: 0, y: 0, scale: kLifeSize, angle: 0, mirrored: false });
+    const { left, top } = this.surround();
+    this.use_fit({ scale: kLifeSize, x: -left / kLifeSize, y: -top / kLifeSize });
+  }
+
+  use_fit(view) {
+    this.set_view({ ...view, angle: 0, mirrored: false });
+    this.fitted = JSON.stringify(this.view());
   }
 
   mirror() {
-    this.turn_about_middle((view) => ({ mirrored: !view.mirrored }));
+    this.change_about(...this.middle(), (view) => ({ mirrored: !view.mirrored }));
   }
 
   /** Turns the view by these degrees; null: upright. */
   turn(degrees) {
-    this.turn_about_middle((view) => ({ angle: degrees === null ? 0 : (view.angle + degrees + 360) % 360 }));
+    this.turn_to(...this.middle(), degrees === null ? 0 : this.view().angle + degrees);
   }
 
-  turn_about_middle(change) {
-    const { core } = this, middle = this.middle(), at = core.toPage(...middle);
+  /** Turns the view to these degrees about a point of the window. */
+  turn_to(x, y, degrees) {
+    this.change_about(x, y, () => ({ angle: ((degrees % 360) + 360) % 360 }));
+  }
+
+  /** Changes the view; the point of the sheet at this point of the window stays there. */
+  change_about(x, y, change) {
+    const { core } = this;
+    if (!core) return;
+    const at = core.toPage(x, y);
     core.setView(change(core.view()));
-    const [x, y] = core.toCanvas(...at);
-    this.pan(middle[0] - x, middle[1] - y);
+    const [now_x, now_y] = core.toCanvas(...at);
+    this.pan(x - now_x, y - now_y);
   }
 
   // --- Simulated hand, sound, forces
@@ -893,6 +926,7 @@ class Page {
     sheet.setAttribute('aria-label',
       t('Sheet. Draw with pen, finger or mouse; arrow keys move the pen, Enter puts it down and lifts it.'));
     by_id('empty').firstElementChild.textContent = t('Draw. To correct a line, choose Pull and pull it into shape.');
+    by_id('empty').lastElementChild.textContent = this.why_light();
     this.keys?.forget_words();
     this.offers.shown = null;
     for (const part of [this.bars, this.options, this.layers, this.forces]) part.show_words();
@@ -919,10 +953,18 @@ class Page {
 
   set_theme(theme) {
     choices.set('theme', theme);
-    const dark = theme ? theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
-    document.documentElement.dataset.theme = dark ? 'dark' : 'light';
-    this.core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
+    const dark = theme ? theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches, { dataset } = document.documentElement;
+    const is_new = dataset.theme !== (dark ? 'dark' : 'light');
+    dataset.theme = dark ? 'dark' : 'light';
+    const { core } = this;
+    core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
+    // The dark theme has a surround. A sheet that the user has moved stays.
+    if (is_new && core && !this.resize_blank() && JSON.stringify(core.view()) === this.fitted) this.fit();
     this.wake();
+  }
+
+  why_light() {
+    return t('The sheet stays light, so that colours look as they will on paper.');
   }
 
   key_name(keys) {
@@ -995,7 +1037,7 @@ class Page {
   show_keys() {
     const content = make('div', {}, key_table(this.keys, this),
       make('p', { className: 'quiet' }, t('Hold the key of a tool to use it until you release the key.')),
-      make('p', { className: 'quiet' }, t('Two fingers move and zoom the sheet; a tap with two fingers undoes, with three redoes.')));
+      make('p', { className: 'quiet' }, t('Two fingers move, zoom and turn the sheet; a tap with two fingers undoes, with three redoes.')));
     this.dialog(t('Keyboard shortcuts'), content, [make('button', { className: 'main' }, t('Close'))]);
   }
 

@@ -267,8 +267,18 @@ class Core {
 
   picture(dpi, options = {}) {
     const size = this.call('felt_export', Math.min(Math.max(dpi, kMinDpi), kMaxDpi), options.transparent ? 1 : 0);
+    return size === 0 ? null : this.exported();
+  }
+
+  copied({ whole = false, dpi = 300 } = {}) {
+    const svg = this.text('felt_copied', whole ? 1 : 0, dpi);
+    return svg ? { svg, picture: this.exported() } : null;
+  }
+
+  /** Returns the picture that the module has made. */
+  exported() {
+    const width = this.call('felt_export_size', 0), height = this.call('felt_export_size', 1), size = 4 * width * height;
     if (size === 0) return null;
-    const width = this.call('felt_export_size', 0), height = this.call('felt_export_size', 1);
     const data = new Uint8ClampedArray(this.exports.memory.buffer, this.call('felt_export_pixels'), size).slice();
     this.call('felt_end_export');
     for (let i = 0; i < size; i += 4) {  // a canvas wants colours that are not multiplied by alpha
@@ -368,17 +378,17 @@ class Core {
   // --- Files
 
   open(bytes, name) {
-    return this.load(bytes, name, 0);
+    this.pictures.forget();
+    return this.load(bytes, name, 0, [0, 0]);
   }
 
-  add(bytes, name) {
-    return this.load(bytes, name, 1);
+  add(bytes, name, { by, middle } = {}) {
+    return this.load(bytes, name, middle ? 2 : 1, middle ?? by ?? [0, 0]);
   }
 
-  load(data, name, how) {
-    if (how === 0) this.pictures.forget();
+  load(data, name, how, [x, y]) {
     const title = encoder.encode(name);
-    return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how);
+    return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how, x, y);
   }
 
   save(format) {

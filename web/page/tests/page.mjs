@@ -104,6 +104,39 @@ const dark = (tab, ...box) => tab.run((x, y, width, height) => {
   return count;
 }, ...box);
 
+/** Presses a control at its centre, which nothing may cover. */
+async function press_at(tab, selector, by_touch = false) {
+  await tab.frames(2);
+  const { x, y, by } = await tab.run((selector) => {
+    const one = document.querySelector(selector);
+    if (!one?.checkVisibility()) return { by: `${selector} is not visible` };
+    one.scrollIntoView({ block: 'nearest' });
+    const box = one.getBoundingClientRect(), x = box.left + box.width / 2, y = box.top + box.height / 2;
+    const hit = document.elementFromPoint(x, y);
+    return { x, y, by: one.contains(hit) ? '' : hit?.outerHTML.slice(0, 100) };
+  }, selector);
+  assert.equal(by, '', `${selector} is covered`);
+  if (by_touch) {
+    await touches(tab, 'touchStart', [x, y]);
+    await touches(tab, 'touchEnd');
+  } else {
+    await tab.mouse('mousePressed', x, y);
+    await tab.mouse('mouseReleased', x, y);
+  }
+  await tab.frames(3);
+}
+const touches = (tab, type, ...points) => tab.send('Input.dispatchTouchEvent',
+  { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+const notice_of = (tab) => tab.run(() => document.getElementById('notice').textContent);
+/** Returns the ends of the segments of each stroke, in mm. */
+const points_of = async (tab) => text_of(await saved(tab)).trim().split('\n').map((line) => JSON.parse(line).segments ?? [])
+  .filter((all) => all.length > 0).map((all) => [...all.map(([x, y]) => [x, y]), all.at(-1).slice(6)]);
+/** Returns the colours of pixels of the sheet, [r, g, b], at CSS pixels. */
+const colors_at = (tab, ...places) => tab.run((places) => {
+  const context = document.getElementById('sheet').getContext('2d');
+  return places.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data.subarray(0, 3)]);
+}, places);
+
 const topics = {
   /** A line is drawn, at file://; ink is there in the frame after the pointer went down. */
   async ink() {
@@ -1143,7 +1176,7 @@ const topics = {
       await tab.run(() => document.querySelector('#view [aria-label=Layers]').click());
       await tab.run(() => document.querySelector('#layers [aria-label="Add a layer"]').click());
       await tab.until(() => document.querySelectorAll('#layers li').length === 2);
-      await tab.run(() => document.querySelectorAll('#layers li .icon')[1].click());
+      await tab.run(() => document.querySelectorAll('#layers li [data-mark^=eye]')[1].click());
       await tab.until(() => feltlinePage.core.state().layers[1].visible === false);
       // A window that loses the focus has no fingers and no space key any more.
       assert.deepEqual(await state(() => {
@@ -1189,14 +1222,365 @@ const topics = {
     });
   },
 
+  /** The lasso: what it takes is chosen in the bar, and does what it says. */
+  async lasso() {
+    await with_tab({}, async (tab) => {
+      await tab.stroke(Array.from({ length: 60 }, (_, i) => [300 + 8 * i, 300]));
+      const choices = () => tab.run(() => [...document.querySelectorAll('#offer button[aria-pressed]')]
+        .map((one) => `${one.textContent} ${one.ariaPressed}`));
+      const loop = () => tab.stroke(Array.from({ length: 50 }, (_, i) => [340 + 80 * Math.cos(i / 7.5), 300 + 60 * Math.sin(i / 7.5)]));
+      const taken = () => tab.run(() => [feltlinePage.core.state().selected, Boolean(feltlinePage.core.copied({ whole: true }))]);
+      assert.deepEqual(await choices(), []);
+      await press_at(tab, '#tools [aria-label=Lasso]');
+      assert.deepEqual(await choices(), ['parts true', 'strokes false']);
+      await loop();
+      assert.deepEqual(await taken(), [1, false], 'a part');
+      await press_at(tab, '#offer button[aria-pressed=false]');
+      assert.deepEqual(await choices(), ['parts false', 'strokes true']);
+      assert.equal(await tab.run(() => document.activeElement.textContent), 'strokes', 'the button lost the focus');
+      await tab.run(() => feltlinePage.apply({ event: 'select', what: 'none' }));
+      await loop();
+      const [selected, has_whole] = await taken();
+      assert.ok(selected === 0 || has_whole, 'a part was taken although lines were chosen');
+      await tab.run(() => feltlinePage.set_language('de'));
+      assert.deepEqual(await choices(), ['Teile false', 'Linien true']);
+      await press_at(tab, '#tools [aria-label=Bleistift]');
+      assert.deepEqual(await choices(), []);
+    });
+  },
+
+  /** Layers: every control is pressed where it is seen. */
+  async layers() {
+    await with_tab({ height: 900 }, async (tab) => {
+      const state = () => tab.run(() => {
+        const { layers, groups } = feltlinePage.core.state();
+        return { layers, groups };
+      });
+      const looks = async () => (await state()).layers.map(({ id, visible, locked, blend, group, current }) =>
+        [id, visible ? 'seen' : 'hidden', locked ? 'locked' : 'open', blend, group, current ? 'current' : ''].join(' ').trim());
+      const rows = () => tab.run(() => Array.from(document.querySelectorAll('#layers li'), ({ className }) => className));
+      const press = (selector) => press_at(tab, `#layers ${selector}`);
+      await tab.stroke(wave(300, 300));
+      await press_at(tab, '#view [aria-label=Layers]');
+      await press('[aria-label="Add a layer"]');
+      await press('[aria-label="Add a layer"]');
+      assert.deepEqual(await looks(), ['3 seen open normal 0 current', '2 seen open normal 0', '1 seen open normal 0']);
+      // A locked layer can be chosen, but not drawn on; pulling does not move its line.
+      await press('[data-mark=lock-1]');
+      await press('[data-mark=name-1]');
+      assert.match(await notice_of(tab), /is locked\. Unlock it to draw there/);
+      assert.deepEqual([await looks(), await rows()], [['3 seen open normal 0 current', '2 seen open normal 0', '1 seen locked normal 0'], ['', '', 'current']]);
+      const before = await saved(tab);
+      await tab.run(() => feltlinePage.apply({ event: 'select', what: 'all' }));
+      assert.equal(await tab.run(() => feltlinePage.core.state().selected), 0);
+      await tab.run(() => feltlinePage.apply({ event: 'delete' }));
+      assert.ok(await saved(tab) === before, 'a locked line changed');
+      await press('[data-mark=lock-1]');
+      await press('[data-mark=eye-1]');
+      assert.match((await looks())[2], /hidden open/);
+      await press('[data-mark=eye-1]');
+      // Blend mode and opacity of a layer.
+      await press('[data-mark=name-2]');
+      const use_blend = async (mode) => {
+        await press('#blend');
+        await tab.run((mode) => {
+          const blend = document.getElementById('blend');
+          blend.value = mode;
+          blend.dispatchEvent(new Event('change'));
+        }, mode);
+        await tab.key('Escape');
+      };
+      await use_blend('multiply');
+      await press('#opacity');
+      const near = (a, b) => assert.ok(Math.abs(a - b) < 0.06, `${a} instead of ${b}`);
+      near((await state()).layers[1].opacity, 0.5);
+      assert.deepEqual(await looks(), ['3 seen open normal 0', '2 seen open multiply 0 current', '1 seen open normal 0']);
+      // A group, with its own settings.
+      await press('[aria-label="Group layers"]');
+      assert.deepEqual((await looks()).map((one) => one.split(' ')[4]), ['0', '1', '1']);
+      assert.deepEqual(await rows(), ['', 'group', 'current grouped', 'grouped']);
+      await press('[data-mark=name-group-1]');
+      assert.deepEqual(await rows(), ['', 'current group', 'grouped', 'grouped']);
+      await use_blend('multiply');
+      await press('#opacity');
+      await press('[data-mark=lock-group-1]');
+      assert.match((await looks())[0], /^3 .* current$/);
+      await press('[data-mark=eye-group-1]');
+      const [group] = (await state()).groups;
+      near(group.opacity, 0.5);
+      assert.deepEqual([group.blend, group.locked, group.visible], ['multiply', true, false]);
+      await press('[data-mark=name-2]');
+      assert.match(await notice_of(tab), /is locked/);
+      await press('[data-mark=lock-group-1]');
+      await press('[data-mark=eye-group-1]');
+      await press('[data-mark=name-group-1]');
+      await press('[aria-label="Raise the layer"]');
+      assert.deepEqual((await looks()).map((one) => Number(one[0])), [2, 1, 3]);
+      await press('[aria-label="Lower the layer"]');
+      await press('[aria-label="Rename the layer"]');
+      await tab.send('Input.insertText', { text: 'Cat' });
+      await tab.key('Enter', { code: 'Enter' });
+      await tab.until(() => feltlinePage.core.state().groups[0].name === 'Cat');
+      // Everything survives a reload.
+      await stored(tab);
+      const kept = await state();
+      await tab.reload();
+      assert.deepEqual(await state(), kept);
+      await press_at(tab, '#view [aria-label=Layers]');
+      // A layer leaves the group; a group is dissolved; a layer joins the group below.
+      await press('[data-mark=name-1]');
+      await press('[aria-label="Take out of the group"]');
+      assert.deepEqual((await looks()).map((one) => one.split(' ')[0] + one.split(' ')[4]), ['30', '10', '21']);
+      await press('[aria-label="Group layers"]');
+      assert.deepEqual((await looks()).map((one) => one.split(' ')[0] + one.split(' ')[4]), ['30', '11', '21']);
+      await press('[data-mark=name-group-1]');
+      await press('[aria-label="Ungroup layers"]');
+      assert.deepEqual((await state()).groups, []);
+      await press('[data-mark=name-3]');
+      await press('[aria-label="Remove the layer"]');
+      assert.equal((await state()).layers.length, 2);
+      // If nothing is left to draw on, a layer is added, and the page says so.
+      for (const id of [1, 2]) await press(`[data-mark=lock-${id}]`);
+      assert.equal((await state()).layers.length, 3);
+      assert.match(await notice_of(tab), /All layers were hidden or locked, so .* was added/);
+    });
+  },
+
+  /** Two fingers turn the sheet about the point between them; a button shows the turn, and ends it. */
+  async turn() {
+    await with_tab({ width: 820, height: 1180, mobile: true }, async (tab) => {
+      const at = (x, y, radius, degrees) => [1, -1].map((side) => [x + side * radius * Math.cos((degrees * Math.PI) / 180),
+        y + side * radius * Math.sin((degrees * Math.PI) / 180)]);
+      /** Two fingers that turn around a point by these degrees, and move apart by a factor. */
+      const turn = async (x, y, degrees, { from = 20, factor = 1, rest_ms = 0 } = {}) => {
+        const fingers = (share) => at(x, y, 120 * (1 + share * (factor - 1)), from + share * degrees);
+        await touches(tab, 'touchStart', fingers(0)[0]);
+        await new Promise((done) => setTimeout(done, rest_ms));
+        await touches(tab, 'touchStart', ...fingers(0));
+        for (let i = 1; i <= 20; ++i) await touches(tab, 'touchMove', ...fingers(i / 20));
+        await touches(tab, 'touchEnd', fingers(1)[0]);
+        await touches(tab, 'touchEnd');
+        await tab.frames(3);
+      };
+      const view = () => tab.run(() => feltlinePage.view());
+      const near = (a, b, most, what) => assert.ok(Math.hypot(...a.map((value, i) => value - b[i])) <= most, `${what}: ${a} instead of ${b}`);
+      const to_page = (x, y) => tab.run((x, y) => feltlinePage.core.toPage(x, y), x, y);
+      const button = '#top > button:last-child';
+      for (const mirrored of [false, true]) {
+        await tab.run((mirrored) => feltlinePage.set_view({ mirrored, angle: 0 }), mirrored);
+        const what = mirrored ? 'mirrored' : 'not mirrored';
+        const middle = await to_page(400, 600), right = await to_page(500, 600);
+        await turn(400, 600, 38);
+        near([(await view()).angle], [mirrored ? 330 : 30], 1, what);
+        near(await to_page(400, 600), middle, 0.3, `${what}: the point between the fingers moved`);
+        near(await tab.run((x, y) => feltlinePage.core.toCanvas(x, y), ...right), [400 + 100 * Math.cos(Math.PI / 6), 650], 3, `${what}: turned the other way`);
+        assert.equal(await tab.run((button) => document.querySelector(button).textContent, button), mirrored ? '-30°' : '30°');
+        assert.ok((await tab.run((button) => document.querySelector(button).ariaLabel, button)).startsWith('The sheet is turned by'));
+        // A small turn is none.
+        await turn(400, 600, 4, { from: 200 });
+        near([(await view()).angle], [mirrored ? 330 : 30], 1, `${what}: after a small turn`);
+        await press_at(tab, button, true);
+        assert.equal((await view()).angle, 0);
+        assert.equal(await tab.run((button) => document.querySelector(button).checkVisibility(), button), false);
+      }
+      // Near a right angle the sheet snaps; fingers that only move apart do not turn it.
+      await tab.run(() => feltlinePage.set_view({ mirrored: false }));
+      await turn(400, 600, -100);
+      assert.equal((await view()).angle, 270);
+      await tab.run(() => feltlinePage.turn(null));
+      const { scale } = await view();
+      await turn(400, 600, 6, { factor: 2 });
+      assert.equal((await view()).angle, 0);
+      near([(await view()).scale / scale], [2], 0.05, 'zoom');
+      // A finger that has rested draws nothing when the other one comes.
+      await turn(400, 600, 60, { rest_ms: 450 });
+      assert.notEqual((await view()).angle, 0);
+      assert.equal(await strokes(tab), 0, 'fingers that turn the sheet draw');
+      // One finger still draws on the turned sheet, where it is.
+      const before = await to_page(300, 500);
+      await touches(tab, 'touchStart', [300, 500]);
+      for (let i = 1; i <= 20; ++i) await touches(tab, 'touchMove', [300 + 10 * i, 500]);
+      await touches(tab, 'touchEnd');
+      await tab.until(() => feltlinePage.core.state().strokes === 1);
+      near((await points_of(tab))[0][0], before, 1.5, 'the line begins elsewhere');
+    });
+  },
+
+  /** The dark theme: a dark surround around a light sheet, and a sentence that says why it is light. */
+  async dark() {
+    const is_dark = ([r, g, b]) => r + g + b < 150, is_light = ([r, g, b]) => r + g + b > 700;
+    for (const [width, height] of [[1280, 800], [820, 1180], [390, 844]]) {
+      const prepare = (tab) => tab.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+      await with_tab({ width, height, mobile: width < 1000, prepare }, async (tab) => {
+        const middle = [width / 2, height / 2 + 80], edges = [[2, height / 2], [width - 2, height / 2], [width / 2, 2], [width / 2, height - 2]];
+        const shown = async (dark, what) => {
+          await tab.frames(5);
+          const [center, ...around] = await colors_at(tab, middle, ...edges);
+          assert.ok(is_light(center), `${what}: the sheet is ${center}`);
+          assert.deepEqual(around.map(is_dark), Array(4).fill(dark), `${what}, ${width} x ${height}: ${around.join(' | ')}`);
+        };
+        const why = (where) => tab.run((where) => [...document.querySelectorAll(`${where} .why`)].filter((one) => one.checkVisibility())
+          .map((one) => one.textContent).join(), where);
+        await shown(true, 'at the start');
+        assert.match(await why('#empty'), /^The sheet stays light, so that .*\.$/);
+        await tab.run(() => feltlinePage.set_theme('light'));
+        await shown(false, 'light');
+        assert.equal(await why('#empty'), '');
+        await tab.run(() => feltlinePage.set_theme(''));
+        await shown(true, 'dark again');
+        await tab.run(() => feltlinePage.menu.open());
+        assert.match(await why('.menu'), /^The sheet stays light/);
+        await tab.run(() => feltlinePage.menu.close());
+        // With a drawing: the surround comes and goes, and the line stays on the sheet.
+        await tab.stroke(wave(120, 300, 30));
+        await shown(true, 'with a line');
+        await tab.run(() => feltlinePage.set_theme('light'));
+        await tab.run(() => { feltlinePage.saved(); return feltlinePage.new_drawing(); });
+        await tab.stroke(wave(120, 300, 30));
+        await shown(false, 'a light drawing');
+        await tab.run(() => feltlinePage.set_theme('dark'));
+        await shown(true, 'a light drawing in the dark theme');
+        // A sheet that the user has moved stays where it is.
+        await tab.run(() => feltlinePage.pan(5, 5));
+        const view = await tab.run(() => feltlinePage.view());
+        await tab.run(() => feltlinePage.set_theme('light'));
+        assert.deepEqual(await tab.run(() => feltlinePage.view()), view);
+      });
+    }
+  },
+
+  /** Cut, copy and paste with the keys and the menu, within the page and with other programs. */
+  async clipboard() {
+    await served(async (url) => {
+      const prepare = (tab) => tab.browser.send('Browser.grantPermissions',
+        { origin: url.slice(0, -1), permissions: ['clipboardReadWrite', 'clipboardSanitizedWrite'] });
+      await with_tab({ prepare }, async (tab) => {
+        await tab.send('Page.bringToFront');
+        /** What other programs find. */
+        const clipboard = () => tab.run(async () => {
+          const [item] = await navigator.clipboard.read(), content = {};
+          for (const type of item.types) {
+            const blob = await item.getType(type);
+            if (!type.startsWith('image/png')) content[type] = await blob.text();
+            else {
+              const bitmap = await createImageBitmap(blob), canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext('2d');
+              context.drawImage(bitmap, 0, 0);
+              const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+              content[type] = [bitmap.width, bitmap.height, data[3], data.filter((value, i) => i % 4 === 3 && value > 128).length];
+            }
+          }
+          return content;
+        });
+        /** Another program copies this: { type: text }, or a picture. */
+        const put = (content) => tab.run(async (content) => {
+          const canvas = new OffscreenCanvas(40, 20);
+          canvas.getContext('2d').fillRect(0, 0, 40, 20);
+          const png = await canvas.convertToBlob({ type: 'image/png' });
+          await navigator.clipboard.write([new ClipboardItem(Object.fromEntries(Object.entries(content)
+            .map(([type, text]) => [type, type === 'image/png' ? png : new Blob([text], { type })])))]);
+        }, content);
+        const key = async (name) => {
+          await tab.key(name, { modifiers: 2 });
+          await tab.frames(10);
+        };
+        const count = async (expected, what) => {
+          await tab.until((expected) => feltlinePage.core.state().strokes === expected, expected).catch(() => {});
+          assert.equal(await strokes(tab), expected, what);
+        };
+        const near = (a, b, what) => a.forEach((point, i) => assert.ok(Math.hypot(point[0] - b[i][0], point[1] - b[i][1]) < 0.01, `${what}: ${point} ${b[i]}`));
+        await tab.stroke(wave(300, 300));
+        await tab.stroke(wave(300, 450));
+        const original = await points_of(tab);
+        await put({ 'text/plain': 'x' });
+        await tab.run(() => document.getElementById('sheet').focus());
+        await key('c');
+        await tab.until(async () => (await navigator.clipboard.readText()).includes('<svg'));
+        await tab.until(async () => (await navigator.clipboard.read())[0].types.includes('image/png'));
+        const all = await clipboard();
+        assert.equal(all['text/plain'].match(/<path/g).length, 2);
+        assert.match(all['image/svg+xml'], /<svg[^]*<path/);
+        const [width, height, corner, ink] = all['image/png'];
+        assert.ok(width > 400 && height > 400 && corner === 0 && ink > 1000, `${all['image/png']}`);
+        // Pasted beside the originals, as one step of undo; each paste further.
+        await key('v');
+        await count(4, 'pasted');
+        await key('v');
+        await count(6, 'pasted twice');
+        const pasted = await points_of(tab);
+        for (const [i, mm] of [[2, 5], [3, 5], [4, 10], [5, 10]]) {
+          near(pasted[i], original[i % 2].map(([x, y]) => [x + mm, y + mm]), `paste ${i}`);
+        }
+        for (let i = 0; i < 2; ++i) await key('z');
+        await count(2, 'undone');
+        // Cut removes, and the next paste is in the old place; without a selection, nothing is cut.
+        await key('x');
+        await count(2, 'cut without a selection');
+        await key('a');
+        await key('x');
+        await count(0, 'cut');
+        await key('v');
+        await count(2, 'pasted after a cut');
+        near((await points_of(tab))[1], original[1], 'after a cut');
+        // From other programs, in the middle of the window.
+        const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="20mm" viewBox="0 0 20 20"><path d="M2 4L18 16" stroke="#000" fill="none"/></svg>';
+        let expected = 2;
+        for (const content of [{ 'image/svg+xml': svg }, { 'text/plain': svg }, { 'text/plain': `<?xml version="1.0"?>\n<!-- a comment -->\n${svg}` },
+          { 'image/svg+xml': svg, 'image/png': '' }, { 'text/html': '<b>a</b>', 'text/plain': svg }]) {
+          await put(content);
+          await key('v');
+          await count(expected += 1, Object.keys(content).join());
+          const line = (await points_of(tab)).at(-1), middle = await tab.run(() => feltlinePage.core.toPage(innerWidth / 2, innerHeight / 2));
+          near([[(line[0][0] + line.at(-1)[0]) / 2, (line[0][1] + line.at(-1)[1]) / 2]], [middle], 'the middle');
+        }
+        // A picture becomes a layer; a text, and a damaged drawing, change nothing and are named.
+        await put({ 'image/png': '' });
+        await key('v');
+        await tab.until(() => feltlinePage.core.state().layers.length === 2);
+        for (const [text, words] of [['only words', /The clipboard holds no strokes/], ['<svg xmlns="http://www.w3.org/2000/svg"><path d=', /The clipboard cannot be pasted: /]]) {
+          await put({ 'text/plain': text });
+          await key('v');
+          await tab.until((words) => new RegExp(words).test(document.getElementById('notice').textContent), words.source);
+          assert.equal(await strokes(tab), expected);
+        }
+        // The menu.
+        const choose = async (text) => {
+          await press_at(tab, '#top [aria-label=Menu]');
+          await tab.run((text) => { [...document.querySelectorAll('.menu button')].find((one) => one.textContent.startsWith(text)).id = 'wanted'; }, text);
+          await press_at(tab, '#wanted');
+        };
+        await key('a');
+        await choose('Copy');
+        await tab.until(async () => (await navigator.clipboard.readText()).includes('<svg'));
+        await choose('Paste');
+        await count(2 * expected, 'by the menu');
+        await key('a');
+        await choose('Cut');
+        await count(0, 'cut by the menu');
+        await choose('Paste');
+        await count(2 * expected, 'pasted after a cut by the menu');
+        // A field keeps its own commands.
+        await put({ 'text/plain': 'Name' });
+        await tab.run(() => feltlinePage.rename_layer());
+        await tab.run(() => document.querySelector('#layers li input').select());
+        await key('v');
+        assert.equal(await tab.run(() => document.querySelector('#layers li input').value), 'Name');
+        assert.equal(await strokes(tab), 2 * expected);
+      }, url);
+    });
+  },
+
   /** In every state, each visible control is hit at its centre, by mouse and by finger. */
   async covered() {
-    const sizes = [[1920, 1080], [1440, 900], [1010, 700], [820, 1180], [844, 390], [390, 844]];
+    const sizes = [[1920, 1080], [1280, 800], [1010, 700], [820, 1180], [844, 390], [390, 844]];
     const offers = [['ink', false], ['rectangle', true], ['delete', false], ['select', false]].map(([id, applies]) => ({ id, applies, count: 12 }));
     const states = {
       start: () => {},
-      selection: (state) => feltlinePage.offers.show({ ...state, selected: 1 }),
-      offers: (state, offers) => feltlinePage.offers.show({ ...state, offers, selected: 1, exact: true, canShowAsDrawn: true }),
+      selection: (state) => {
+        feltlinePage.turn(-105);
+        feltlinePage.offers.show({ ...state, selected: 1 });
+      },
+      offers: (state, offers) => feltlinePage.offers.show({ ...state, offers, selected: 1, exact: true, canShowAsDrawn: true,
+        options: { 'lasso.take': 'parts' } }),
       notice: () => feltlinePage.say('A notice that is long enough for two or three lines. '.repeat(3), true),
       'notice over offers': (state, offers) => {
         feltlinePage.offers.show({ ...state, offers, selected: 1 });
@@ -1269,6 +1653,7 @@ const topics = {
                 document.body.classList.remove('drop');
                 document.getElementById('notice').replaceChildren();
                 feltlinePage.offers.show(feltlinePage.core.state());
+                feltlinePage.turn(null);
                 if (panel && feltlinePage.shown[panel]) feltlinePage.toggle(panel);
               }, panel);
             }
