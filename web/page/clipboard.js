@@ -11,7 +11,8 @@ const words = (text) => d('ClipboardActions', text);
 const is_drawing = (text) => /^\s*(<[^]{0,4000}?\b(svg|ink|xournal)\b|\{)/.test(text);
 
 /** Returns true if the browser itself cuts, copies and pastes here. */
-const is_text = ({ target }) => Boolean(target.closest?.('input:not([type=range], [type=checkbox], [type=color]), textarea, dialog[open]'));
+const is_text = ({ target }) => Boolean(target.closest?.('input:not([type=range], [type=checkbox], [type=color]), textarea') ||
+  document.querySelector('dialog[open]'));
 
 function png_of({ data, width, height }) {
   const canvas = make('canvas', { width, height });

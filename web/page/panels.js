@@ -205,6 +205,7 @@ export class LayersPanel {
     const chosen = this.target(), is_chosen = group ? chosen.group === group : chosen.id === row.id;
     const item = make('li', { className: [is_chosen && 'current', group && 'group', row.group && 'grouped'].filter(Boolean).join(' ') }, eye, name, lock);
     item.dataset.row = mark;
+    if (is_chosen) item.ariaCurrent = 'true';
     return item;
   }
 
