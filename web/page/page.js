@@ -312,7 +312,10 @@ class Page {
 
   /** The distances of a new sheet from the edges of the window, in CSS pixels: none in the light theme. */
   surround() {
-    const style = getComputedStyle(document.documentElement);
+    const root = document.documentElement;
+    // The style takes a while when the page starts.
+    if (root.dataset.theme !== 'dark') return { left: 0, top: 0, right: 0, bottom: 0 };
+    const style = getComputedStyle(root);
     return Object.fromEntries(['left', 'top', 'right', 'bottom'].map((side) => [side, parseFloat(style.getPropertyValue(`--sheet-${side}`)) || 0]));
   }
 
