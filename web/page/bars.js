@@ -27,8 +27,11 @@ export class Bars {
     this.menu.setAttribute('aria-expanded', 'false');
     this.undo = icon_button('undo', d('EditActions', 'Undo'), () => page.apply({ event: 'undo' }), page.key_name('Ctrl+Z'));
     this.redo = icon_button('redo', d('EditActions', 'Redo'), () => page.apply({ event: 'redo' }), page.key_name('Ctrl+Shift+Z'));
+    this.turned = make('button', { type: 'button', hidden: true, onclick: () => page.turn(null) });
+    this.shown_angle = 0;
     find('top').setAttribute('aria-label', t('Menu'));
-    find('top').replaceChildren(this.menu, this.undo, this.redo);
+    find('top').replaceChildren(this.menu, this.undo, this.redo, this.turned);
+    if (page.core) this.show_view(page.core.view());
   }
 
   tools() {
@@ -91,6 +94,17 @@ export class Bars {
     for (const [id, button] of Object.entries(this.panels)) press(button, page.shown[id]);
   }
 
+  /** Shows by how much the view is turned. */
+  show_view({ angle }) {
+    if (angle === this.shown_angle) return;
+    this.shown_angle = angle;
+    const degrees = number(Math.round(angle > 180 ? angle - 360 : angle) || 0);
+    if (angle === 0 && document.activeElement === this.turned) find('sheet').focus();
+    this.turned.hidden = angle === 0;
+    this.turned.textContent = `${degrees}°`;
+    set_label(this.turned, t('The sheet is turned by %1°. Turn it upright', degrees), '5');
+  }
+
   /** Shows the state of the core. */
   show(state) {
     const { page } = this;
@@ -128,7 +142,7 @@ function offer_text({ id, count }) {
   return count === 1 ? d('OfferPopup', `${verb} 1 line`) : d('OfferPopup', `${verb} %1 lines`, count);
 }
 
-/** What to do with the selection, and what the last stroke could mean: a bar that is there only then. */
+/** What to do with the selection, what the last stroke could mean, and what the lasso takes: a bar that is there only then. */
 export class OfferBar {
   constructor(page) {
     this.page = page;
@@ -136,9 +150,13 @@ export class OfferBar {
   }
 
   show(state) {
-    const key = JSON.stringify([state.offers, state.selected > 0, state.canShowAsDrawn, state.exact]);
-    if (key === this.shown) return;
+    const take = state.options['lasso.take'];
+    const key = JSON.stringify([state.offers, state.selected > 0, state.canShowAsDrawn, state.exact, Boolean(take)]);
+    // If only the choice changes, the buttons stay, and one of them keeps the focus.
+    const press_takes = () => this.takes.forEach((button, choice) => press(button, take === choice));
+    if (key === this.shown) return press_takes();
     this.shown = key;
+    this.takes = new Map();
     const { page } = this, buttons = [];
     const button = (text, event) => make('button', { type: 'button', onclick: () => page.apply(event) }, text);
     for (const offer of state.offers) {
@@ -147,6 +165,11 @@ export class OfferBar {
     }
     if (state.exact) buttons.push(button(d('EditActions', 'Make exact'), { event: 'exact' }));
     if (state.canShowAsDrawn) buttons.push(button(d('EditActions', 'Line as drawn'), { event: 'as-drawn' }));
+    for (const choice of take ? ['parts', 'strokes'] : []) {
+      buttons.push(make('button', { type: 'button', onclick: () => page.set_option('lasso.take', choice) }, d('tools', choice)));
+      this.takes.set(choice, buttons.at(-1));
+    }
+    press_takes();
     if (state.selected > 0) {
       const command = (name, text, event) => icon_button(name, d('EditActions', text), () => page.apply(event));
       buttons.push(command('delete', 'Delete', { event: 'delete' }), command('duplicate', 'Duplicate', { event: 'duplicate' }),
@@ -155,7 +178,7 @@ export class OfferBar {
         command('select-none', 'Select none', { event: 'select', what: 'none' }));
     }
     this.element.hidden = buttons.length === 0;
-    this.element.setAttribute('aria-label', t(state.selected > 0 ? 'Selection' : 'Suggestions'));
+    this.element.setAttribute('aria-label', t(state.selected > 0 || take ? 'Selection' : 'Suggestions'));
     this.element.replaceChildren(...buttons);
   }
 }
@@ -193,18 +216,24 @@ export class Menu {
     this.element = make('div', { className: 'card menu', role: 'dialog', 'aria-label': t('Menu') },
       entry('new', t('New drawing'), () => page.new_drawing()),
       entry('open', t('Open…'), () => page.files.choose(false), 'Ctrl+O'),
+      page.storage ? entry('layers', t('Other drawings…'), () => page.show_others()) : null,
       entry('import', t('Add a file to the drawing…'), () => page.files.choose(true)),
       make('hr'),
       page.has_felt ? entry('save', t('Save as Feltline drawing'), () => page.files.save('felt'), 'Ctrl+S') : null,
       saves('svg') ? entry('save-as', t('Save as SVG'), () => page.files.save('svg'), page.has_felt ? '' : 'Ctrl+S') : null,
       saves('ndjson') ? entry('save-as', t('Save as lines of JSON'), () => page.files.save('ndjson')) : null,
       entry('export', t('Export as PNG'), () => page.files.export_png(), 'Ctrl+Shift+E'),
+      make('hr'),
+      ...[['cut', 'Cut', 'Ctrl+X', () => page.clipboard.copy(true)], ['copy', 'Copy', 'Ctrl+C', () => page.clipboard.copy(false)],
+        ['paste', 'Paste', 'Ctrl+V', () => page.clipboard.paste()]]
+        .map(([name, text, keys, act]) => entry(name, d('ClipboardActions', text), act, keys)),
       make('hr', { className: 'small' }),
       small(entry('hand', page.plays ? t('Stop the simulated hand') : t('Let the simulated hand draw the cat'), () => page.toggle_hand())),
       small(entry('fit', t('Fit page'), () => page.fit())),
       make('hr'),
       choice('Theme', page.theme_choice(), [['', t('as in the system')], ['light', t('light')], ['dark', t('dark')]],
         (value) => page.set_theme(value)),
+      make('p', { className: 'quiet why', hidden: page.paper_is_dark }, page.why_light()),
       choice('Language', page.language(), page.languages(), (value) => { this.close(); page.set_language(value); page.bars.menu.focus(); }),
       make('hr'),
       entry('keyboard', t('Keyboard shortcuts'), () => page.show_keys(), '?'),

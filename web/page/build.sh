@@ -149,10 +149,10 @@ echo "export const text = '$(base64 -w0 "$objects/unpack.wasm")';" >"$objects/ge
 node core/pack.mjs "$objects/first.wasm" "$objects/generated/module_text.js"
 node core/pack.mjs "$objects/full.wasm" "$objects/generated/full_text.js"
 node core/pack.mjs "$objects/felt.wasm" "$objects/generated/felt_text.js"
-node core/make_extras.mjs "$root" "$objects/full.wasm" >"$objects/generated/extras_text.js"
+node core/make_extras.mjs "$root" "$objects/full.wasm" "$objects/generated"
 options=(--bundle --minify "--target=es2022,safari16.4" --log-level=warning --format=iife)
 NODE_PATH=$objects esbuild core/core.js "${options[@]}" --global-name=feltlineCore --outfile="$dist/core.js"
-esbuild "$objects/generated/full_text.js" "${options[@]}" --global-name=feltlineFull --outfile="$dist/core_full.js"
+esbuild "$objects/generated/full_and_cat.js" "${options[@]}" --global-name=feltlineFull --outfile="$dist/core_full.js"
 esbuild "$objects/generated/felt_text.js" "${options[@]}" --global-name=feltlineFelt --outfile="$dist/core_felt.js"
 for file in "$objects"/{first,full,felt}.wasm "$dist"/core{,_full,_felt}.js; do
   printf '%-12s %8d bytes, %7d with gzip -9\n' "$(basename "$file")" "$(wc -c <"$file")" "$(gzip -9c "$file" | wc -c)"

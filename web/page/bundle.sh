@@ -13,7 +13,8 @@ node make_words.mjs "$root/apps/desktop/translations" "$work/generated/desktop_w
 
 icons=()
 for name in menu undo redo hand sound fit force-plot options layers close new open import save save-as export keyboard \
-  info delete duplicate raise lower select-none layer-add layer-remove rename eye eye-off; do
+  info delete duplicate raise lower select-none layer-add layer-remove rename eye eye-off lock unlock \
+  group ungroup cut copy paste; do
   icons+=("$root/apps/desktop/panels/icons/$name.svg")
 done
 node make_icons.mjs "$work/icons.svg" "${icons[@]}" "$root"/src/felt/tools/*/*.svg

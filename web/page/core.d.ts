@@ -174,7 +174,7 @@ export interface Core {
   /** Why the last play ended early; '' if it did not. Says it once. */
   playError(): string;
   stopPlay(): void;
-  /** The built-in scripts for `play()`: `cat`, raw strokes of a cat. */
+  /** The built-in scripts for `play()`: `cat`, raw strokes of a cat. None before the core is complete. */
   scripts(): { id: string; text: string }[];
 
   // --- Files
@@ -187,23 +187,35 @@ export interface Core {
   /**
    * Loads the full module (`core_full.js` beside the page, once) and continues the drawing with it, undo included. Takes
    * over when `isFree` resolves, which is called when the module is ready, because this ends a gesture. Fails if the script
-   * cannot be loaded.
+   * cannot be loaded. If `isFree` resolves to a stored drawing, the module continues with it instead of that of the first
+   * module, and `continued` says whether it could (restore()).
    */
-  complete(isFree?: () => Promise<void>): Promise<Done>;
+  complete(isFree?: () => Promise<{ base: Uint8Array | null; recorded: string; page: View } | null | void>): Promise<Done>;
   /**
    * Replaces the drawing by that of a file: .felt, .svg, .ndjson, .inkml, .xopp (`catalog().formats`); the content decides, and
    * `name` if it does not. Compressed files (.svgz, .xopp) must be unpacked before. Undo history and selection become empty. Fails without a change.
    * If isFelt(bytes), prepareFelt() must be called before.
    */
   open(bytes: Uint8Array | string, name: string): Done;
-  /** Adds the strokes of a file to the drawing, selected, as one undo step (drag and drop, paste). */
-  add(bytes: Uint8Array | string, name: string): Done;
+  /**
+   * Adds the strokes of a file to the drawing, selected, as one undo step (drag and drop, paste): moved by `by`, or with their
+   * middle at `middle`, both in mm.
+   */
+  add(bytes: Uint8Array | string, name: string, place?: { by?: [number, number]; middle?: [number, number] }): Done;
+  /**
+   * Returns what a copy command puts on the clipboard, as an SVG file and as a picture without ground (null if it would be too
+   * large): the selected strokes and the fills between them, or everything visible if nothing is selected. `whole`: only strokes
+   * that are selected as a whole, which are those that `delete` removes. Returns null if there are none.
+   */
+  copied(options?: { whole?: boolean; dpi?: number }): { svg: string; picture: ReturnType<Core['picture']> } | null;
   /**
    * The drawing as a file; `format` is an id of `catalog().formats` with `saves`. Null if it cannot be saved; then `saveError`
    * says why. Before `felt`, prepareFelt() must be called.
    */
   save(format: string): Uint8Array | null;
   readonly saveError: string;
+  /** What the drawing has and the file of the last save() lacks, one sentence each. */
+  readonly saveNotices: string[];
   /** True for the bytes of an SQLite database, such as a .felt file. */
   isFelt(bytes: Uint8Array | string): boolean;
   /** Loads the script with SQLite (`core_felt.js` beside the page, once), so that prepareFelt() needs no network. */
@@ -350,10 +362,13 @@ export interface State {
     locked: boolean;
     opacity: number;
     blend: string;
+    /** The id of its group; 0 if it is in none. */
     group: number;
     strokes: number;
     current: boolean;
   }[];
+  /** The groups of layers, highest first. */
+  groups: { id: number; name: string; visible: boolean; locked: boolean; opacity: number; blend: string }[];
   undo: string | null;
   redo: string | null;
   strokes: number;

@@ -22,9 +22,13 @@
         sheet.width = innerWidth * ratio;
         sheet.height = innerHeight * ratio;
         context = sheet.getContext('2d', { alpha: false, desynchronized: true });
-        context.fillStyle = '#fff';
-        context.fillRect(0, 0, sheet.width, sheet.height);
+        const style = getComputedStyle(document.documentElement), value = (name) => style.getPropertyValue(`--${name}`);
+        const [left, top, right, bottom] = ['left', 'top', 'right', 'bottom'].map((side) => parseFloat(value(`sheet-${side}`)));
         context.scale(ratio, ratio);
+        context.fillStyle = value('desk');
+        context.fillRect(0, 0, innerWidth, innerHeight);
+        context.fillStyle = '#fff';
+        context.fillRect(left, top, innerWidth - left - right, innerHeight - top - bottom);
         context.lineWidth = 1.5;
         context.lineCap = 'round';
         context.strokeStyle = '#30343899';

@@ -3,7 +3,7 @@ import { make } from './dom.js';
 import { t } from './words.js';
 
 const kExportDpi = 192, kMaxPixels = 40e6;
-const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
+export const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
 export const kPictures = ['image/png', 'image/jpeg', 'image/webp'];
 const kMaxPictureBytes = 48e6;  // packed as base64, this is the longest value of an event
 const kMaxNotices = 3;          // that are shown in full; the others are counted
@@ -107,9 +107,6 @@ export class Files {
       mark(false);
       this.load_all([...event.dataTransfer?.files ?? []], event.shiftKey);
     });
-    addEventListener('paste', (event) => {
-      this.load_all([...event.clipboardData?.files ?? []], true);
-    });
   }
 
   /** Adds a layer with a picture, in the middle of the page. */
@@ -138,31 +135,44 @@ export class Files {
 
   /** Opens the first file, or adds it, and adds the others. */
   async load_all(files, adds) {
-    const messages = [];
+    const all = [];
     for (const [i, file] of files.entries()) {
-      const message = await this.load(file, adds || i > 0);
-      if (message === null) break;  // the user keeps the drawing
-      if (message) messages.push(message);
+      const said = await this.load(file, adds || i > 0);
+      if (said === null) break;  // the user keeps the drawing
+      all.push(...said.map((text) => (text.includes(file.name) ? text : `${file.name}: ${text}`)));
     }
-    if (messages.length > 1) this.page.say(messages.join(' '));
+    if (files.length > 1 && all.length > 0) this.say_all(all);
   }
 
-  /** Opens a file, or adds it. Pictures are always added. Returns what it says; null if the user keeps the drawing. */
-  async load(file, adds) {
-    const say = (text) => {
-      this.page.say(text);
-      return text;
+  /** Shows sentences: the first ones and, if there are more, their number and a button that shows all. */
+  say_all(texts) {
+    const more = texts.length - kMaxNotices;
+    const shown = texts.slice(0, kMaxNotices).concat(more > 0 ? t('And %1 more.', more) : []);
+    this.page.say(shown.join('\n'), more > 0);
+    if (more <= 0) return texts;
+    const show = () => {
+      this.page.end_notice();
+      this.page.dialog(t('Left out or changed'), make('ul', {}, ...texts.map((text) => make('li', {}, text))),
+        [make('button', { className: 'main' }, t('Close'))]);
     };
-    const refuse = (error) => say(t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, '')));
-    let said = '';
+    document.getElementById('notice').firstChild.append(' ', make('button', { type: 'button', onclick: show }, t('Show all')));
+    return texts;
+  }
+
+  /** Opens a file, or adds it. Pictures are always added. Returns the sentences that it shows; null if the user keeps the
+   * drawing. */
+  async load(file, adds) {
+    const refuse = (error) => this.say_all([t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, ''))]);
+    let said = [];
     try {
       if (file.size > kMaxBytes) return refuse(t('it is too large'));
       if (kPictures.includes(file.type)) {
         const done = await this.add_picture(file);
         this.page.wake();
-        return done.ok ? '' : refuse(this.page.reason(done));
+        return done.ok ? [] : refuse(this.page.reason(done));
       }
       const bytes = await unpacked(new Uint8Array(await file.arrayBuffer()));
+      await this.page.complete();  // with which the drawing of the last visit is there
       if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return null;
       const done = await this.read(bytes, file.name, adds);
       if (!done.ok) return refuse(this.page.reason(done));
@@ -170,8 +180,7 @@ export class Files {
         this.name = file.name.replace(/\.[^.]*$/, '');
         this.page.begun();
       }
-      const { notices = [] } = done, more = notices.length - kMaxNotices;
-      if (notices.length) said = say(notices.slice(0, kMaxNotices).join(' ') + (more > 0 ? ` ${t('And %1 more.', more)}` : ''));
+      if (done.notices) said = this.say_all(done.notices);
     } catch (error) {
       said = refuse(error.message);
     }
@@ -216,7 +225,7 @@ export class Files {
       if (!data) return { ok: false, error: core.saveError };
       download(data.slice(), this.file_name(format), kTypes[format]);
       this.page.saved();
-      this.page.say(t('Saved as %1', this.file_name(format)));
+      this.say_all([t('Saved as %1', this.file_name(format)), ...core.saveNotices]);
       return loaded;
     });
   }

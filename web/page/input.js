@@ -6,12 +6,18 @@ const kPalmMs = 800;        // a finger within this time after the pen is a palm
 const kTapMs = 350;         // limits of a tap with several fingers, as in the desktop program
 const kTapPx = 16;
 const kSecondFingerMs = 220;  // a second finger within this time makes a line a pinch
+const kTurnDeg = 8;         // two fingers that turn by less than this only move and zoom the sheet
+const kUprightDeg = 3;      // a sheet that is turned to within this of a right angle snaps to it
+const kTurnPx = 40;         // fingers that are closer to each other do not turn the sheet
 const kPixelsPerDoubling = 400;
 const kFinePixelsPerDoubling = 120;  // a pinch on a touchpad is a wheel with Ctrl
 
 const is_pen = (event) => event.pointerType === 'pen';
 const is_touch = (event) => event.pointerType === 'touch';
 const distance = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
+
+const direction = (a, b) => (Math.atan2(b.y - a.y, b.x - a.x) * 180) / Math.PI;
+const snapped = (angle) => (Math.abs(angle - 90 * Math.round(angle / 90)) <= kUprightDeg ? 90 * Math.round(angle / 90) : angle);
 
 /** Returns the tilt of the pen as in PointerEvent, tiltX and tiltY; NaN if the pointer does not report it. */
 export function tilt_of(event) {
@@ -38,8 +44,8 @@ export function packed(event, coalesced, touching, modifiers) {
 
 /**
  * Handles the pointers of `sheet`. `page` gets what they mean:
- *   samples(array), apply(event), cancel(), finish(), pan(dx, dy), zoom(x, y, factor), touched(x, y), left(), borrow(kind),
- *   give_back(), undo(), redo(), view(), set_view(view)
+ *   samples(array), apply(event), cancel(), finish(), pan(dx, dy), zoom(x, y, factor), turn_to(x, y, degrees), touched(x, y),
+ *   left(), borrow(kind), give_back(), undo(), redo(), view(), set_view(view)
  */
 export class Input {
   constructor(sheet, page) {
@@ -219,8 +225,8 @@ export class Input {
       this.button = 1;
       this.begin(event, event.getCoalescedEvents?.());
     } else if (this.fingers.size === 2 && this.fingers.has(this.drawing)) {
-      // A long line goes on if another finger touches; a short one was the begin of a pinch.
-      if (event.timeStamp - this.began > kSecondFingerMs) return;
+      // A long line goes on if another finger touches; a short one, or a finger that only rests, was the begin of a pinch.
+      if (event.timeStamp - this.began > kSecondFingerMs && !this.tap) return;
       this.cancel();
       this.begin_pinch();
     } else if (this.drawing === null) {
@@ -255,17 +261,34 @@ export class Input {
   }
 
   begin_pinch() {
+    const pinch = this.between_fingers();
+    if (pinch) pinch.turn = { view: this.page.view(), by: 0, free: null };
+    this.pinch = pinch;
+  }
+
+  /** Returns where the first two fingers are, or the only one; null if there is none. */
+  between_fingers() {
     const [a, b] = [...this.fingers.values()];
-    this.pinch = a && b ? { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: distance(a, b) } : a
-      ? { x: a.x, y: a.y, apart: 0 } : null;
+    if (!a) return null;
+    return b ? { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: distance(a, b), direction: direction(a, b) }
+      : { x: a.x, y: a.y, apart: 0, direction: 0 };
   }
 
   move_pinch() {
-    const before = this.pinch;
-    this.begin_pinch();
-    const now = this.pinch;
+    const before = this.pinch, now = { ...this.between_fingers(), turn: before.turn };
+    this.pinch = now;
     this.page.pan(now.x - before.x, now.y - before.y);
     if (before.apart > 8 && now.apart > 8) this.page.zoom(now.x, now.y, now.apart / before.apart);
+    if (Math.min(before.apart, now.apart) > kTurnPx) this.turn(now, now.direction - before.direction);
+  }
+
+  /** Turns the sheet with the fingers, by these degrees since the last move. */
+  turn({ x, y, turn }, degrees) {
+    turn.by += degrees - 360 * Math.round(degrees / 360);
+    if (turn.free === null && Math.abs(turn.by) > kTurnDeg) turn.free = Math.sign(turn.by) * kTurnDeg;
+    if (turn.free === null) return;
+    const { angle, mirrored } = turn.view;
+    this.page.turn_to(x, y, snapped(angle + (mirrored ? -1 : 1) * (turn.by - turn.free)));
   }
 
   // --- Keys

@@ -3,7 +3,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 
 const wanted = ['tools', 'edits', 'Material', 'OfferPopup', 'LayerActions', 'EditActions', 'felt::desktop::LayersPanel',
-  'felt::desktop::TopBar', 'felt::desktop::FileActions', 'felt::desktop::ForcePanel', 'felt::desktop::OptionsPanel',
+  'felt::desktop::TopBar', 'felt::desktop::FileActions', 'felt::desktop::ClipboardActions', 'felt::desktop::ForcePanel', 'felt::desktop::OptionsPanel',
   'ViewActions', 'ToolActions', 'felt::desktop::ToolKeys', 'felt::desktop::FeelPanel',
   'SafetyWords'];
 const kShort = 16;

@@ -8,6 +8,7 @@ import { OptionsPanel, LayersPanel } from './panels.js';
 import { ForcePanel, Sound, play_cue } from './forces.js';
 import { MarksView } from './marks.js';
 import { Files, kPictures } from './files.js';
+import { Clipboard } from './clipboard.js';
 import { Storage } from './storage.js';
 
 const kLifeSize = 96 / 25.4;      // CSS pixels per mm
@@ -18,7 +19,10 @@ const kRebaseBytes = 8e6;         // of recorded events; then the autosave begin
 const kRetryMs = 10_000;          // after a failed write, the whole drawing is written again
 const kRestartMs = 20_000, kMaxRestarts = 3;  // a core that ends more often within this time ends because of the drawing
 const kNoticeMs = 6000, kSlowMs = 3000;
+const kAnswerMs = 2000;           // a browser that does not answer within this time has no storage for now
+const kReadMs = 10_000;           // the same for the drawing, which may be large
 const kSettleMs = 40;
+const kMarginPx = 16;             // around a sheet that is fitted into the window
 const kWarmUpMs = 100;
 const kFirstEvents = ['undo', 'redo', 'cancel'];  // the first module handles them
 const kCatSpeed = 3, kCatShare = 0.7;  // of the page
@@ -60,6 +64,10 @@ class Page {
     this.shown = { forces: false, options: false, layers: false };
     this.gestures = 0;
     this.active_until = 0;
+    this.is_away = true;  // the pointer is not over the sheet
+    // What was done in the first module before the storage has answered; null: it has.
+    this.again = [];
+    this.last = null;  // the stored drawing with which complete_core() continues
     this.waiting = [];  // what to do when the core is complete: { act, is_first }; is_first: the first module can do it, too
     this.is_replaying = false;  // what has waited is being done
     this.wants_sound = choices.get('sound') === 'on';
@@ -68,6 +76,7 @@ class Page {
     this.bars = new Bars(this);
     this.offers = new OfferBar(this);
     this.files = new Files(this);
+    this.clipboard = new Clipboard(this);
     this.options = new OptionsPanel(this);
     this.layers = new LayersPanel(this);
     this.forces = new ForcePanel(this);
@@ -84,29 +93,96 @@ class Page {
 
   async start() {
     this.context = this.sheet.getContext('2d', { alpha: false, desynchronized: true });
-    const [storage] = await Promise.all([Storage.open(), globalThis.feltlineCore ?? script('core.js')]);
-    this.storage = storage;
-    let last = null;
-    try {
-      last = await storage?.load() ?? null;
-    } catch {
-      this.storage = null;  // what is stored stays as it is
-    }
-    const done = await this.make_core(last);
-    if (this.storage?.is_broken) this.core.rebase();
+    this.answered = this.open_storage();
+    await (globalThis.feltlineCore ?? script('core.js'));
+    await this.make_core();
+    if (this.lasting) this.end_notice();
     this.show_words();
     this.listen();
     this.wake();
     performance.mark('interactive');
+    // The full module would keep the browser from ending the load of the page.
+    if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve));
     // Loaded now, so that the page needs no request later, even without a network.
-    if (!navigator.connection?.saveData || this.core.isComplete) this.complete();
-    if (!done.ok) this.ask_about(last, done.error);
-    else if (last && this.core.state().strokes > 0) this.say(t('Restored the drawing of your last visit.'));
-    // Without storage, the user must know before the page is closed.
-    if (!this.storage) this.say_not_stored();
-    else this.watch_storage();
+    if (!navigator.connection?.saveData) this.complete();
+    this.answered.then(() => { if (this.last) this.complete(); });
+  }
+
+  /**
+   * Opens the storage. Nothing waits for it but the full module, which continues the drawing of the last visit. Resolves
+   * when the storage has answered, or is not expected to.
+   */
+  open_storage() {
+    const storage = new Storage();
+    // The user must know before the page is closed.
+    const slow = setTimeout(() => this.say_not_stored(), kAnswerMs);
+    const opened = storage.open().finally(() => clearTimeout(slow)).then((last) => this.use_storage(storage, last)).catch((error) => {
+      console.info('Feltline: no storage:', error);
+      this.again = null;
+      this.say_not_stored();
+    });
+    return Promise.race([opened, pause(kAnswerMs).then(() => (storage.slot ? pause(kReadMs) : undefined))]);
+  }
+
+  /** The storage has answered: it is used from now on. */
+  async use_storage(storage, last) {
+    // The page has no core while the program is loaded or restarted.
+    while (!this.core) await pause(kWarmUpMs);
+    this.others = await storage.others().catch(() => []);
+    const { core } = this, is_late = last && core.isComplete, loaded = is_late && await this.prepare(core, last);
+    const stays = is_late && !this.is_blank();
+    if (stays) await storage.leave_slot();
+    if (this.lasting) {
+      this.lasting = null;
+      this.end_notice();
+    }
+    if (stays) this.say(t('Other drawings are in the menu.'));
+    this.last = stays ? null : last;
+    this.storage = storage;
+    this.watch_storage();
     // Otherwise a browser may delete the drawing when it needs room. Some ask the user, so there must be a drawing.
-    if (this.storage) this.sheet.addEventListener('pointerup', () => navigator.storage?.persist?.().catch(() => {}), { once: true });
+    this.sheet.addEventListener('pointerup', () => navigator.storage?.persist?.().catch(() => {}), { once: true });
+    if (!this.last) {
+      this.again = null;
+      this.guard((one) => one.rebase());
+      this.store_due = true;
+    } else if (is_late) {
+      this.guard(() => this.continue_with(loaded.ok ? this.begin_with(this.core, last) : loaded));
+    }  // otherwise complete_core() continues with it
+    this.wake();
+  }
+
+  /** True if nothing was drawn and nothing can be undone. */
+  is_blank() {
+    const { strokes, undo, redo, gesture } = this.core.state();
+    return strokes === 0 && undo === null && redo === null && !gesture;
+  }
+
+  /** The core has begun with the stored drawing, or has refused it. Draws again what was drawn before that. */
+  continue_with(done) {
+    const { last, again } = this;
+    this.last = this.again = null;
+    this.is_paused = !done.ok;
+    this.record_bytes = last.recorded.length;
+    const view = this.core.view();
+    if (again?.length > 0) {
+      this.is_replaying = true;
+      this.sample_time = null;
+      if (this.is_blank()) this.guard((core) => core.setPage(this.window_page()));
+      this.guard((core) => core.event({ event: 'tool', id: 'pencil' }));
+      for (const act of again) this.guard(act);
+      this.settle();
+      this.is_replaying = false;
+      this.set_view(view);
+    } else {
+      this.fit();
+    }
+    if (this.storage?.is_broken) this.guard((core) => core.rebase());
+    if (!done.ok) this.ask_about(last, this.reason(done));
+    else if (this.core.state().strokes > 0) {
+      this.say(t('Restored the drawing of your last visit.') + (this.others.length > 0 ? ` ${t('Other drawings are in the menu.')}` : ''));
+    }
+    this.wake();
   }
 
   /**
@@ -119,12 +195,22 @@ class Page {
   }
 
   async complete_core() {
-    const { core } = this, is_free = async () => {
+    const { core } = this;
+    let done, loaded = { ok: true };
+    // Resolves to the stored drawing that the full module continues with.
+    const is_free = async () => {
+      await this.answered;
       const draws = () => this.input && (this.input.drawing !== null || this.input.keys_draw);
-      while (draws() && this.waiting.length === 0) await pause(kWarmUpMs);
+      let last;
+      do {
+        ({ last } = this);
+        if (last?.base && core.isFelt(last.base)) loaded = await core.prepareFelt();
+        while (draws() && this.waiting.length === 0) await pause(kWarmUpMs);
+      } while (last !== this.last);
       this.settle();
+      if (this.again && this.is_blank()) this.again = [];
+      return loaded.ok ? last : null;
     };
-    let done;
     try {
       done = await core.complete(is_free);
     } catch (error) {
@@ -133,6 +219,10 @@ class Page {
     }
     if (this.core !== core) return done;  // it has ended meanwhile
     this.incomplete = !done.ok;
+    // Without the full module, the first one has what was drawn.
+    if (this.last && (!done.ok || !loaded.ok)) this.again = null;
+    if (this.last) this.guard(() => this.continue_with(done.continued ?? (done.ok ? loaded : done)));
+    if (done.ok) this.again = null;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
     if (!done.ok && this.waiting.length > 0) this.say(this.reason(done));
@@ -192,7 +282,8 @@ class Page {
     let core = await make_one(), done = { ok: true };
     if (last) {
       try {
-        done = await this.restore(core, last);
+        done = await this.prepare(core, last);
+        if (done.ok) done = this.begin_with(core, last);
       } catch (error) {
         done = { ok: false, error: error.message };
         core = await make_one();
@@ -212,20 +303,32 @@ class Page {
     return done;
   }
 
-  /** The size of a sheet that fills the window at life size, in mm. */
+  /** The size of a sheet that fills the window at life size, in mm, but for the surround of the dark theme. */
   window_page() {
-    const mm = (px) => Math.max(20, Math.ceil(px / kLifeSize));
-    return { width: mm(innerWidth), height: mm(innerHeight) };
+    const { left, top, right, bottom } = this.surround();
+    const mm = (px) => Math.max(20, (left > 0 ? Math.floor : Math.ceil)(px / kLifeSize));
+    return { width: mm(innerWidth - left - right), height: mm(innerHeight - top - bottom) };
+  }
+
+  /** The distances of a new sheet from the edges of the window, in CSS pixels: none in the light theme. */
+  surround() {
+    const root = document.documentElement;
+    // The style takes a while when the page starts.
+    if (root.dataset.theme !== 'dark') return { left: 0, top: 0, right: 0, bottom: 0 };
+    const style = getComputedStyle(root);
+    return Object.fromEntries(['left', 'top', 'right', 'bottom'].map((side) => [side, parseFloat(style.getPropertyValue(`--sheet-${side}`)) || 0]));
+  }
+
+  /** Loads what a stored drawing needs. */
+  async prepare(core, { base }) {
+    const done = await core.complete();
+    return done.ok && base && core.isFelt(base) ? core.prepareFelt() : done;
   }
 
   /** Continues with a stored drawing. */
-  async restore(core, last) {
-    for (const load of [() => core.complete(), () => (last.base && core.isFelt(last.base) ? core.prepareFelt() : { ok: true })]) {
-      const loaded = await load();
-      if (!loaded.ok) return loaded;
-    }
-    const done = core.restore(last.base, last.recorded);
-    if (done.ok && !last.base) core.setPage(last.page);
+  begin_with(core, { base, recorded, page }) {
+    const done = core.restore(base, recorded);
+    if (done.ok && !base) core.setPage(page);
     return done;
   }
 
@@ -257,15 +360,20 @@ class Page {
     this.marks.resize(width, height, ratio);
     if (!this.core) return;
     this.core.resize(width, height, ratio);
-    const { strokes, undo, redo } = this.core.state();
-    if (strokes === 0 && undo === null && redo === null) {
-      this.core.setPage(this.window_page());
-      this.core.rebase();
-      this.store_due = true;
-      this.fill_window();
-    }
+    this.resize_blank();
     this.marks_due = true;
     this.wake();
+  }
+
+  /** A sheet without a drawing fills the window. Returns false if there is a drawing. */
+  resize_blank() {
+    const { strokes, undo, redo } = this.core.state();
+    if (strokes > 0 || undo !== null || redo !== null) return false;
+    this.core.setPage(this.window_page());
+    this.core.rebase();
+    this.store_due = true;
+    this.fill_window();
+    return true;
   }
 
   // --- Frames
@@ -330,6 +438,7 @@ class Page {
     this.sound.feed();
     if (this.plays && !core.playing()) this.end_play(core.playError());
     if (core.changed('state')) this.show_state();
+    this.bars.show_view(core.view());
   }
 
   show_state() {
@@ -339,7 +448,7 @@ class Page {
     this.options.show(state);
     this.layers.show(state);
     this.forces.show(state);
-    by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once;
+    by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once || Boolean(this.last);
     const { hint, shift, ctrl } = state.use;
     const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl]];
     const texts = [d('tools', hint), ...keys.filter(([, what]) => what).map(([key, what]) => `${key}: ${d('tools', what)}`)];
@@ -363,7 +472,8 @@ class Page {
     const is_again = this.restarts.length >= kMaxRestarts;
     if (this.restarts.length > 2 * kMaxRestarts) return this.say_ended();
     // If the error occurs again, the drawing causes it. Then the sheet is empty, and the drawing stays stored.
-    const was_paused = this.is_paused, last = was_paused ? null : core.copy?.() ?? null;
+    const was_paused = this.is_paused, last = was_paused ? null : core.copy?.() ?? null, stored = this.last;
+    this.last = this.again = null;
     try {
       const done = await this.make_core(is_again ? null : last);
       if (was_paused || is_again || !done.ok) {
@@ -378,6 +488,10 @@ class Page {
       console.warn(failure);
       this.core = null;
       return this.say_ended();
+    }
+    if (stored) {  // it has ended the core
+      this.is_paused = true;
+      this.ask_about(stored, error.message);
     }
     this.bars.show_switches();
     this.complete();
@@ -403,9 +517,10 @@ class Page {
       const rebased = core.rebased(), base = rebased ? core.base() : null, recorded = core.recorded();
       this.record_bytes = (rebased ? 0 : this.record_bytes) + recorded.length;
       if (this.record_bytes > kRebaseBytes) core.rebase();
-      if (!storage || this.is_paused) return;
+      if (!storage || this.is_paused || this.last) return;
       const page = rebased ? core.state().page : null;
       try {
+        storage.strokes = core.state().strokes;
         if (rebased) storage.restart(base, page, recorded);
         else storage.append(recorded);
       } catch (error) {
@@ -440,7 +555,7 @@ class Page {
   /** Shows this until the drawing is stored; other messages replace it only for a while. */
   say_not_stored() {
     this.lasting = t('This browser does not store the drawing. Save it before you close the page.');
-    this.say(this.lasting);
+    if (this.core) this.say(this.lasting);  // otherwise the page has more to say
   }
 
   /** A stored drawing could not be continued. It stays stored, and nothing else is, until the user decides. */
@@ -488,7 +603,7 @@ class Page {
 
   /** True if closing the page would lose lines: they are in no file, and the browser does not store them. */
   is_lost_by_closing() {
-    const is_stored = this.storage && !this.storage.is_broken && !this.is_paused;
+    const is_stored = this.storage && !this.storage.is_broken && !this.is_paused && !this.last;
     return !is_stored && Boolean(this.unsaved());
   }
 
@@ -498,6 +613,8 @@ class Page {
   apply(event) {
     const is_first = kFirstEvents.includes(event.event);
     if (!is_first || this.is_waiting) return this.when_complete(() => this.apply_now(event), is_first);
+    // A step that there is not here may be one of the stored drawing.
+    if (event.event === 'cancel' || this.core?.state()[event.event]) this.again?.push(() => this.apply_now(event));
     return this.apply_now(event);
   }
 
@@ -512,6 +629,13 @@ class Page {
     this.is_away = false;
     if (this.is_waiting) return this.when_complete(() => this.samples(samples), true);
     this.sampled = performance.now();
+    if (this.again && this.core) {
+      const view = this.core.view();
+      this.again.push(() => {
+        this.core.setView(view);
+        this.samples(samples);
+      });
+    }
     this.guard((core) => {
       this.sample_time = samples.at(-core.sampleSize) ?? null;
       core.samples(samples);
@@ -565,6 +689,7 @@ class Page {
 
   finish() {
     if (this.is_waiting) return this.when_complete(() => this.finish(), true);
+    this.again?.push(() => this.finish());
     this.settle();
     this.guard((core) => core.finish());
     this.wake();
@@ -649,7 +774,7 @@ class Page {
   rename_layer() {
     if (!this.shown.layers) this.toggle('layers');
     this.layers.show(this.core.state());
-    this.layers.edit(this.layers.current);
+    this.layers.edit();
   }
 
   // --- View
@@ -690,28 +815,44 @@ class Page {
     // A sheet that was made for this window fills it.
     const window = this.window_page();
     if (width === window.width && height === window.height) return this.fill_window();
-    this.core.fitPage(16);
-    this.wake();
+    const { left, top, right, bottom } = this.surround(), margin = left > 0 ? 0 : kMarginPx;
+    const wide = innerWidth - left - right, high = innerHeight - top - bottom;
+    const scale = Math.max(0.1, Math.min((wide - 2 * margin) / width, (high - 2 * margin) / height));
+    return this.use_fit({ scale, x: width / 2 - (left + wide / 2) / scale, y: height / 2 - (top + high / 2) / scale });
   }
 
   fill_window() {
-    this.set_view({ x: 0, y: 0, scale: kLifeSize, angle: 0, mirrored: false });
+    const { left, top } = this.surround();
+    this.use_fit({ scale: kLifeSize, x: -left / kLifeSize, y: -top / kLifeSize });
+  }
+
+  use_fit(view) {
+    this.set_view({ ...view, angle: 0, mirrored: false });
+    this.fitted = JSON.stringify(this.view());
   }
 
   mirror() {
-    this.turn_about_middle((view) => ({ mirrored: !view.mirrored }));
+    this.change_about(...this.middle(), (view) => ({ mirrored: !view.mirrored }));
   }
 
   /** Turns the view by these degrees; null: upright. */
   turn(degrees) {
-    this.turn_about_middle((view) => ({ angle: degrees === null ? 0 : (view.angle + degrees + 360) % 360 }));
+    this.turn_to(...this.middle(), degrees === null ? 0 : this.view().angle + degrees);
   }
 
-  turn_about_middle(change) {
-    const { core } = this, middle = this.middle(), at = core.toPage(...middle);
+  /** Turns the view to these degrees about a point of the window. */
+  turn_to(x, y, degrees) {
+    this.change_about(x, y, () => ({ angle: ((degrees % 360) + 360) % 360 }));
+  }
+
+  /** Changes the view; the point of the sheet at this point of the window stays there. */
+  change_about(x, y, change) {
+    const { core } = this;
+    if (!core) return;
+    const at = core.toPage(x, y);
     core.setView(change(core.view()));
-    const [x, y] = core.toCanvas(...at);
-    this.pan(middle[0] - x, middle[1] - y);
+    const [now_x, now_y] = core.toCanvas(...at);
+    this.pan(x - now_x, y - now_y);
   }
 
   // --- Simulated hand, sound, forces
@@ -788,6 +929,7 @@ class Page {
     sheet.setAttribute('aria-label',
       t('Sheet. Draw with pen, finger or mouse; arrow keys move the pen, Enter puts it down and lifts it.'));
     by_id('empty').firstElementChild.textContent = t('Draw. To correct a line, choose Pull and pull it into shape.');
+    by_id('empty').lastElementChild.textContent = this.why_light();
     this.keys?.forget_words();
     this.offers.shown = null;
     for (const part of [this.bars, this.options, this.layers, this.forces]) part.show_words();
@@ -814,10 +956,18 @@ class Page {
 
   set_theme(theme) {
     choices.set('theme', theme);
-    const dark = theme ? theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
-    document.documentElement.dataset.theme = dark ? 'dark' : 'light';
-    this.core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
+    const dark = theme ? theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches, { dataset } = document.documentElement;
+    const is_new = dataset.theme !== (dark ? 'dark' : 'light');
+    dataset.theme = dark ? 'dark' : 'light';
+    const { core } = this;
+    core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
+    // The dark theme has a surround. A sheet that the user has moved stays.
+    if (is_new && core && !this.resize_blank() && JSON.stringify(core.view()) === this.fitted) this.fit();
     this.wake();
+  }
+
+  why_light() {
+    return t('The sheet stays light, so that colours look as they will on paper.');
   }
 
   key_name(keys) {
@@ -865,18 +1015,32 @@ class Page {
   }
 
   async new_drawing() {
-    if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
     const done = await this.complete();
+    if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
     if (!done.ok) return this.say(this.reason(done));
     this.core.clear(this.window_page());
     this.files.name = '';
     this.begun();
   }
 
+  /** Lists the other drawings of this browser. The present one is stored, so that another one can be opened. */
+  async show_others() {
+    const others = await this.storage.others().catch(() => []);
+    if (others.length === 0) return this.say(t('There are no other drawings in this browser.'));
+    const text = ({ time, strokes }) => [time ? new Date(time).toLocaleString(current_language()) : t('Drawing'),
+      strokes ? t('Lines: %1', strokes) : ''].join(' ');
+    const slot = await this.dialog(t('Other drawings…'), '', [make('button', { value: '' }, t('Cancel')),
+      ...others.map((other) => make('button', { value: other.slot }, text(other)))]);
+    if (!slot) return undefined;
+    this.leave();
+    await this.storage.change_to(slot);
+    return location.reload();
+  }
+
   show_keys() {
     const content = make('div', {}, key_table(this.keys, this),
       make('p', { className: 'quiet' }, t('Hold the key of a tool to use it until you release the key.')),
-      make('p', { className: 'quiet' }, t('Two fingers move and zoom the sheet; a tap with two fingers undoes, with three redoes.')));
+      make('p', { className: 'quiet' }, t('Two fingers move, zoom and turn the sheet; a tap with two fingers undoes, with three redoes.')));
     this.dialog(t('Keyboard shortcuts'), content, [make('button', { className: 'main' }, t('Close'))]);
   }
 

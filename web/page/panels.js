@@ -1,5 +1,5 @@
 // The panels: options of the tool, and layers.
-import { make, icon_button } from './dom.js';
+import { make, icon_button, press, set_icon, set_label } from './dom.js';
 import { t, d, number } from './words.js';
 
 const header = (page, id, title) => make('header', {}, make('h2', {}, title),
@@ -81,10 +81,14 @@ export class OptionsPanel {
   }
 }
 
-/** The layers, the highest first. */
+const word = (text, ...values) => d('LayersPanel', text, ...values);
+
+/** The layers and their groups, the highest first. The buttons and the settings apply to the row that is chosen: that of the
+ * current layer, on which the user draws, or another one whose name was pressed. */
 export class LayersPanel {
   constructor(page) {
     this.page = page;
+    this.chosen = null;  // { id } or { group }; null: the current layer
     this.list = make('ul');
     this.keys = make('div', { className: 'keys' });
     this.element = make('section', { id: 'layers', className: 'card', hidden: true }, this.list, this.keys);
@@ -94,34 +98,88 @@ export class LayersPanel {
     this.element.setAttribute('aria-label', t('Layers'));
     this.shown = null;
     const { page } = this;
-    const act = (what) => () => page.apply({ event: 'layer', do: what, id: this.current.id });
-    const button = (name, text, what) => icon_button(name, d('LayersPanel', text), act(what));
-    this.add = icon_button('layer-add', d('LayersPanel', 'Add a layer'), () => page.apply({ event: 'layer', do: 'add' }));
-    this.rename = icon_button('rename', t('Rename the layer'), () => this.edit(this.current), 'F2');
+    const button = (name, text, what) => icon_button(name, word(text), () => this.apply(what));
+    this.add = icon_button('layer-add', word('Add a layer'), () => page.apply({ event: 'layer', do: 'add' }));
+    this.rename = icon_button('rename', t('Rename the layer'), () => this.edit(), 'F2');
+    this.group = icon_button('group', '', () => this.change_group());
     this.raise = button('raise', 'Raise the layer', 'raise');
     this.lower = button('lower', 'Lower the layer', 'lower');
     this.remove = button('layer-remove', 'Remove the layer', 'remove');
     this.opacity = make('input', { type: 'range', id: 'opacity', min: 0, max: 1, step: 0.01,
-      onchange: () => page.apply({ event: 'layer', do: 'opacity', id: this.current.id, opacity: Number(this.opacity.value) }) });
-    this.keys.replaceChildren(this.add, this.rename, this.raise, this.lower, this.remove);
-    this.element.replaceChildren(header(page, 'layers', t('Layers')),
-      make('div', { className: 'row' }, make('label', { htmlFor: 'opacity' }, d('LayersPanel', 'Opacity of the layer')), this.opacity),
+      onchange: () => this.apply('opacity', { opacity: Number(this.opacity.value) }) });
+    this.blend = make('select', { id: 'blend', title: word('Multiply makes what is below darker, for shading on line art'),
+      onchange: () => this.apply('blend', { mode: this.blend.value }) },
+    ...['Normal', 'Multiply'].map((mode) => make('option', { value: mode.toLowerCase() }, word(mode))));
+    this.keys.replaceChildren(this.add, this.rename, this.group, this.raise, this.lower, this.remove);
+    const row = (text, control) => make('div', { className: 'row' }, make('label', { htmlFor: control.id }, t(text)), control);
+    this.element.replaceChildren(header(page, 'layers', t('Layers')), row('Opacity', this.opacity), row('Blend mode', this.blend),
       this.list, this.keys);
   }
 
-  show({ layers }) {
-    this.current = layers.find((layer) => layer.current) ?? layers[0];
-    const key = JSON.stringify(layers);
+  show({ layers, groups }) {
+    const current = layers.find((layer) => layer.current) ?? layers[0];
+    if (current.id !== this.current?.id) this.chosen = null;
+    this.current = current;
+    this.layers = layers;
+    this.groups = groups ?? [];
+    const key = JSON.stringify([layers, groups, this.chosen]);
     if (this.element.hidden || key === this.shown) return;
-    if (this.edited && this.list.querySelector('input') && layers.some(({ id }) => id === this.edited)) return;
+    if (this.edited && this.list.querySelector('input') && this.row_of(this.edited)) return;
     this.shown = key;
-    const at = layers.indexOf(this.current);
-    this.raise.disabled = at === 0;
-    this.lower.disabled = at === layers.length - 1;
-    this.opacity.value = this.current.opacity;
-    const focus = this.focus_mark();
-    this.list.replaceChildren(...layers.map((layer) => this.item(layer)));
+    if (!this.row_of(this.chosen ?? {})) this.chosen = null;
+    const chosen = this.target();
+    const [first, last] = this.range(chosen), at_end = (edge, next) => !next || (!chosen.group && edge.group > 0 && edge.group !== next.group);
+    this.raise.disabled = at_end(layers[first], layers[first - 1]);
+    this.lower.disabled = at_end(layers[last], layers[last + 1]);
+    set_label(this.group, d('LayerActions', chosen.group ? 'Ungroup layers' : layers[first].group ? 'Take out of the group' : 'Group layers'));
+    set_icon(this.group, chosen.group || layers[first].group ? 'ungroup' : 'group');
+    const { opacity, blend } = this.row_of(chosen);
+    this.opacity.value = opacity;
+    this.blend.value = blend;
+    const focus = this.focus_mark(), rows = [];
+    layers.forEach((layer, i) => {
+      const group = layer.group !== layers[i - 1]?.group && this.groups.find(({ id }) => id === layer.group);
+      if (group) rows.push(this.item(group, { group: group.id }));
+      rows.push(this.item(layer, { id: layer.id }));
+    });
+    this.list.replaceChildren(...rows);
     if (focus) this.list.querySelector(`[data-mark="${focus}"]`)?.focus();
+  }
+
+  /** Returns what the buttons and settings apply to, as in an event: { id } of a layer or { group }. */
+  target() {
+    return this.chosen ?? { id: this.current.id };
+  }
+
+  /** Returns the layer or group in the state of the core. */
+  row_of({ id, group }) {
+    return group ? this.groups.find((one) => one.id === group) : this.layers.find((one) => one.id === id);
+  }
+
+  /** Returns the positions of the first and the last layer of a target. */
+  range({ id, group }) {
+    const is_in = (layer) => (group ? layer.group === group : layer.id === id);
+    return [this.layers.findIndex(is_in), this.layers.findLastIndex(is_in)];
+  }
+
+  apply(what, values = {}, target = this.target()) {
+    const { page } = this, count = () => page.core?.state().layers.length ?? 0, before = count();
+    page.apply({ event: 'layer', do: what, ...target, ...values });
+    if (!['hide', 'lock'].includes(what) || count() <= before) return;
+    const added = page.core.state().layers.find(({ current }) => current);
+    page.say(word('All layers were hidden or locked, so “%1” was added to draw on.', added.name));
+  }
+
+  /** Dissolves the chosen group, takes the chosen layer out of its group, or groups it with the one below. */
+  change_group() {
+    const { layers } = this, chosen = this.target();
+    if (chosen.group) return this.apply('ungroup');
+    const [at] = this.range(chosen), { id, group } = layers[at], below = layers[at + 1];
+    // In events, the position of the lowest layer is 0.
+    const index = (i) => layers.length - 1 - i;
+    if (group) return this.apply('move', { group: 0, index: index(this.range({ group })[0]) }, { id });
+    if (below?.group) return this.apply('move', { group: below.group, index: index(at) }, { id });
+    return this.apply('group', { ids: below ? [id, below.id] : [id] }, {});
   }
 
   /** The control that has the focus, so that the new list gives the focus to the same one. */
@@ -129,32 +187,55 @@ export class LayersPanel {
     return this.list.contains(document.activeElement) ? document.activeElement.dataset.mark : null;
   }
 
-  item(layer) {
-    const { page } = this, act = (what) => page.apply({ event: 'layer', do: what, id: layer.id });
-    const eye = icon_button(layer.visible ? 'eye' : 'eye-off', t(layer.visible ? 'Hide “%1”' : 'Show “%1”', layer.name),
-      () => act(layer.visible ? 'hide' : 'show'));
-    eye.dataset.mark = `eye-${layer.id}`;
-    const name = make('button', { type: 'button', className: 'name', title: t('Draw on “%1”', layer.name),
-      'aria-pressed': String(layer.current), onclick: () => act('use'), ondblclick: () => this.edit(layer) }, layer.name);
-    name.dataset.mark = `name-${layer.id}`;
-    const item = make('li', { className: layer.current ? 'current' : '' }, eye, name);
-    item.dataset.layer = layer.id;
+  /** Makes the row of a layer or a group; `target` names it. */
+  item(row, target) {
+    const { group } = target, mark = group ? `group-${group}` : `${row.id}`;
+    const toggle = (name, icons, texts, on, [does, undoes]) => {
+      const button = icon_button(icons[on ? 0 : 1], t(texts[on ? 0 : 1], row.name), () => this.apply(on ? does : undoes, {}, target));
+      button.dataset.mark = `${name}-${mark}`;
+      return button;
+    };
+    const eye = toggle('eye', ['eye', 'eye-off'], ['Hide “%1”', 'Show “%1”'], row.visible, ['hide', 'show']);
+    const lock = toggle('lock', ['lock', 'unlock'], ['Unlock “%1”', 'Lock “%1”'], row.locked, ['unlock', 'lock']);
+    const name = make('button', { type: 'button', className: 'name',
+      title: group ? word('The group “%1”', row.name) : t('Draw on “%1”', row.name),
+      onclick: () => this.choose(target), ondblclick: () => this.edit(target) }, row.name);
+    if (!group) press(name, row.current);
+    name.dataset.mark = `name-${mark}`;
+    const chosen = this.target(), is_chosen = group ? chosen.group === group : chosen.id === row.id;
+    const item = make('li', { className: [is_chosen && 'current', group && 'group', row.group && 'grouped'].filter(Boolean).join(' ') }, eye, name, lock);
+    item.dataset.row = mark;
+    if (is_chosen) item.ariaCurrent = 'true';
     return item;
   }
 
-  /** Replaces the name of the layer by a field. Enter keeps the new name, Escape the former one. */
-  edit(layer) {
-    const item = this.list.querySelector(`[data-layer="${layer.id}"]`), name = item?.querySelector('.name');
+  /** Chooses a row. Its layer becomes the current one, unless it is hidden or locked. */
+  choose(target) {
+    const { page } = this, row = this.row_of(target);
+    this.chosen = target;
+    if (!target.group) {
+      const group = this.groups.find(({ id }) => id === row.group), name = word('“%1”', row.name);
+      if (row.locked || group?.locked) page.say(word('%1 is locked. Unlock it to draw there.', name));
+      else if (!row.visible || group?.visible === false) page.say(word('%1 is hidden. Show it to draw there.', name));
+      else page.apply({ event: 'layer', do: 'use', ...target });
+    }
+    this.show(page.core.state());
+  }
+
+  /** Replaces the name of a layer or group by a field. Enter keeps the new name, Escape the former one. */
+  edit(target = this.target()) {
+    const row = this.row_of(target);
+    const name = this.list.querySelector(`[data-row="${target.group ? `group-${target.group}` : target.id}"] .name`);
     if (!name) return;
-    this.edited = layer.id;
-    const field = make('input', { value: layer.name, maxLength: 100, 'aria-label': t('Name of the layer') });
+    this.edited = target;
+    const field = make('input', { value: row.name, maxLength: 100, 'aria-label': t('Name of the layer') });
     const end = (keeps) => {
       if (!field.isConnected) return;
       field.onblur = null;
       field.replaceWith(name);
       this.shown = this.edited = null;
       const text = field.value.trim();
-      if (keeps && text && text !== layer.name) this.page.apply({ event: 'layer', do: 'rename', id: layer.id, name: text });
+      if (keeps && text && text !== row.name) this.apply('rename', { name: text }, target);
       this.page.wake();
       name.focus();
     };

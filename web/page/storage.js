@@ -7,21 +7,12 @@
 
 const kDatabase = 'feltline', kStores = ['bases', 'records'];
 const kReloadMs = 300;               // the page before a reload may hold its slot for this time
-const kAnswerMs = 2000;              // a browser that does not answer within this time has no storage
-const kReadMs = 10_000;              // the same for the drawing, which may be large
 const kBeatMs = 3000, kLostMs = 10_000;  // an owner that has not been seen for kLostMs has closed
 
 const done = (request) => new Promise((resolve, reject) => {
   request.onsuccess = () => resolve(request.result);
   request.onerror = () => reject(request.error);
 });
-
-/** Resolves as `promise`, or fails after this time. */
-function within_limit(ms, promise) {
-  let timer;
-  const limit = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('no answer')), ms); });
-  return Promise.race([promise, limit]).finally(() => clearTimeout(timer));
-}
 
 /** Values that last as long as the tab, also over a reload. */
 const of_tab = {
@@ -46,37 +37,40 @@ function* slots() {
   for (let slot = 1; ; ++slot) if (slot !== last) yield slot;
 }
 
-/** Holds the lock of a slot as long as the tab lives. Returns false if another tab has it. */
+const lock_name = (slot) => `feltline-drawing-${slot}`;
+
+/** Holds the lock of a slot until the function is called that this resolves to, or the tab is closed. Resolves to false if
+ * another tab has it. */
 function lock_slot(slot, options) {
   return new Promise((resolve, reject) => {
-    navigator.locks.request(`feltline-drawing-${slot}`, options, (lock) => {
-      resolve(Boolean(lock));
-      return lock ? new Promise(() => {}) : undefined;
+    navigator.locks.request(lock_name(slot), options, (lock) => {
+      if (!lock) return resolve(false);
+      return new Promise(resolve);
     }).catch((error) => (error.name === 'TimeoutError' || error.name === 'AbortError' ? resolve(false) : reject(error)));
   });
 }
 
-async function locked_slot() {
+async function locked_slot(suits) {
   const last = Number(of_tab.get('slot'));
   for (const slot of slots()) {
-    if (await lock_slot(slot, { ifAvailable: true })) return slot;
-    if (slot === last && await lock_slot(slot, { signal: AbortSignal.timeout(kReloadMs) })) return slot;
+    if (!await suits(slot)) continue;
+    const release = await lock_slot(slot, { ifAvailable: true }) ||
+      (slot === last && await lock_slot(slot, { signal: AbortSignal.timeout(kReloadMs) }));
+    if (release) return { slot, release };
   }
 }
 
-/** The keys of the owners are texts, those of the bases are numbers. */
+/** The keys of the owners and descriptions are texts, those of the bases are numbers. */
 const owner_key = (slot) => `owner-${slot}`;
+const info_key = (slot) => `info-${slot}`;
 
 export class Storage {
-  /** Opens the store. Returns null if the browser does not allow it. */
-  static async open() {
-    try {
-      const storage = new Storage();
-      await within_limit(kAnswerMs, storage.connect().then(() => storage.find_slot()));
-      return storage;
-    } catch {
-      return null;
-    }
+  /** Opens the store, which may take for ever, and returns the drawing of the last visit (load()). Fails if the browser
+   * does not allow it. */
+  async open() {
+    await this.connect();
+    await this.find_slot();
+    return this.load();
   }
 
   constructor() {
@@ -95,9 +89,12 @@ export class Storage {
     this.database.onclose = () => this.fail(new Error('the database was closed'));
   }
 
-  async find_slot() {
+  /** Finds a free slot; `suits`: whether it is wanted. */
+  async find_slot(suits = async () => true) {
+    const { release } = this;
     // Without a secure context, such as http in a local network, a browser has no locks.
-    this.slot = navigator.locks ? await locked_slot() : await this.owned_slot();
+    Object.assign(this, await (navigator.locks ? locked_slot(suits) : this.owned_slot(suits)));
+    release?.();
     of_tab.set('slot', this.slot);
     of_tab.set('id', this.id);
     if (navigator.locks || this.beat) return;
@@ -110,14 +107,15 @@ export class Storage {
 
   /** Makes this tab the owner of a free slot. A reloaded tab has its slot back immediately, and so has a copy of a tab;
    * then the original moves to another slot with its next write. */
-  async owned_slot() {
+  async owned_slot(suits) {
     const before = of_tab.get('id'), now = Date.now();
     const bases = this.database.transaction('bases', 'readwrite').objectStore('bases');
     for (const slot of slots()) {
+      if (!await suits(slot, bases)) continue;
       const owner = await done(bases.get(owner_key(slot)));
       if (owner && owner.id !== this.id && owner.id !== before && now - owner.time < kLostMs) continue;
       await done(bases.put({ id: this.id, time: now }, owner_key(slot)));
-      return slot;
+      return { slot };
     }
   }
 
@@ -147,12 +145,44 @@ export class Storage {
 
   // --- The drawing
 
-  /** Returns the drawing of the last visit, { base, page, recorded }, or null. */
-  load() {
-    return within_limit(kReadMs, this.read());
+  get bases() {
+    return this.database.transaction('bases').objectStore('bases');
   }
 
-  async read() {
+  /** Moves to a slot without a drawing. The drawing of the former one stays. */
+  async leave_slot() {
+    if (!navigator.locks) this.seen(0);
+    await this.find_slot(async (slot, bases = this.bases) => !await done(bases.get(slot)));
+    this.next = 0;
+    this.is_broken = false;
+  }
+
+  /** Returns the drawings that are open in no tab, the newest first: { slot, time, strokes }. Those without lines are left
+   * out. */
+  async others() {
+    const { bases } = this, texts = IDBKeyRange.lowerBound('');
+    const [slots_used, keys, values, locks] = await Promise.all([done(bases.getAllKeys(IDBKeyRange.upperBound(Infinity))),
+      done(bases.getAllKeys(texts)), done(bases.getAll(texts)), navigator.locks?.query()]);
+    const found = Object.fromEntries(keys.map((key, i) => [key, values[i]]));
+    const is_open = (slot) => slot === this.slot || locks?.held.some(({ name }) => name === lock_name(slot)) ||
+      (!locks && Date.now() - (found[owner_key(slot)]?.time ?? 0) < kLostMs);
+    return slots_used.filter((slot) => !is_open(slot)).map((slot) => ({ slot, ...found[info_key(slot)] }))
+      .filter(({ strokes }) => strokes !== 0).sort((a, b) => (b.time ?? 0) - (a.time ?? 0));
+  }
+
+  /** Gives the slot back. The next page of this tab, such as after a reload, begins with this one. */
+  async change_to(slot) {
+    this.release?.();
+    clearInterval(this.beat);
+    if (!navigator.locks) {
+      const bases = this.database.transaction('bases', 'readwrite').objectStore('bases');
+      await done(bases.put({ id: this.id, time: 0 }, owner_key(this.slot)));
+    }
+    of_tab.set('slot', slot);
+  }
+
+  /** Returns the drawing of the last visit, { base, page, recorded }, or null. */
+  async load() {
     const transaction = this.database.transaction(kStores);
     const [first, keys, records] = await Promise.all([
       done(transaction.objectStore('bases').get(this.slot)),
@@ -195,6 +225,7 @@ export class Storage {
         transaction.objectStore('bases').put(base, this.slot);
       }
       if (recorded) records.put(recorded, [this.slot, this.next++]);
+      if (base || recorded) transaction.objectStore('bases').put({ time: Date.now(), strokes: this.strokes }, info_key(this.slot));
       if (base) transaction.oncomplete = () => this.restarted?.();
       // The end of the page would abort a transaction that waits for the answers of its requests.
       if (navigator.locks || this.is_leaving) transaction.commit();

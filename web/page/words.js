@@ -67,6 +67,8 @@ const own = {
   '%1 could not be loaded': ['%1 konnte nicht geladen werden', '%1 kon niet worden geladen'],
   'it is too large': ['Sie ist zu groß', 'het is te groot'],
   'And %1 more.': ['Und %1 weitere.', 'En nog %1.'],
+  'Show all': ['Alle zeigen', 'Alle tonen'],
+  'Left out or changed': ['Weggelassen oder geändert', 'Weggelaten of gewijzigd'],
   'it is damaged': ['Sie ist beschädigt', 'het is beschadigd'],
   'Selection': ['Auswahl', 'Selectie'],
   'Suggestions': ['Vorschläge', 'Suggesties'],
@@ -74,6 +76,13 @@ const own = {
     'Dieser Browser kann die Seite nicht ausführen: Sie braucht WebAssembly und JavaScript von 2023 oder neuer.',
     'Deze browser kan de pagina niet uitvoeren: ze heeft WebAssembly en JavaScript van 2023 of later nodig.',
   ],
+  'Other drawings…': ['Andere Zeichnungen …', 'Andere tekeningen…'],
+  'Other drawings are in the menu.': ['Andere Zeichnungen sind im Menü.', 'Andere tekeningen staan in het menu.'],
+  'There are no other drawings in this browser.': [
+    'In diesem Browser sind keine anderen Zeichnungen.',
+    'In deze browser zijn geen andere tekeningen.',
+  ],
+  'Lines: %1': ['Linien: %1', 'Lijnen: %1'],
   'Restored the drawing of your last visit.': [
     'Die Zeichnung Ihres letzten Besuchs ist wieder da.',
     'De tekening van uw vorige bezoek is hersteld.',
@@ -119,6 +128,26 @@ const own = {
   'Draw on “%1”': ['Auf „%1“ zeichnen', 'Tekenen op ‘%1’'],
   'Name of the layer': ['Name der Ebene', 'Naam van de laag'],
   'Rename the layer': ['Ebene umbenennen', 'Laag hernoemen'],
+  'Lock “%1”': ['„%1“ sperren', '‘%1’ vergrendelen'],
+  'Unlock “%1”': ['„%1“ entsperren', '‘%1’ ontgrendelen'],
+  'Opacity': ['Deckkraft', 'Dekking'],
+  'Blend mode': ['Mischmodus', 'Mengmodus'],
+  'The sheet stays light, so that colours look as they will on paper.': [
+    'Das Blatt bleibt hell, damit Farben so aussehen wie später auf Papier.',
+    'Het blad blijft licht, zodat kleuren eruitzien zoals later op papier.',
+  ],
+  'The browser does not let the page copy. Press %1.': [
+    'Der Browser lässt die Seite nicht kopieren. Drücken Sie %1.',
+    'De browser laat de pagina niet kopiëren. Druk op %1.',
+  ],
+  'The browser does not let the page paste. Press %1.': [
+    'Der Browser lässt die Seite nicht einfügen. Drücken Sie %1.',
+    'De browser laat de pagina niet plakken. Druk op %1.',
+  ],
+  'The sheet is turned by %1°. Turn it upright': [
+    'Das Blatt ist um %1° gedreht. Gerade stellen',
+    'Het blad is %1° gedraaid. Rechtop zetten',
+  ],
   'on': ['an', 'aan'],
   'off': ['aus', 'uit'],
   'Pan': ['Ansicht verschieben', 'Beeld verschuiven'],
@@ -127,9 +156,9 @@ const own = {
     'Halten Sie die Taste eines Werkzeugs, um es nur bis zum Loslassen zu benutzen.',
     'Houd de toets van een gereedschap vast om het tot het loslaten te gebruiken.',
   ],
-  'Two fingers move and zoom the sheet; a tap with two fingers undoes, with three redoes.': [
-    'Zwei Finger verschieben und vergrößern das Blatt; ein Tippen mit zwei Fingern macht rückgängig, mit drei wiederholt.',
-    'Twee vingers verschuiven en vergroten het blad; een tik met twee vingers maakt ongedaan, met drie opnieuw.',
+  'Two fingers move, zoom and turn the sheet; a tap with two fingers undoes, with three redoes.': [
+    'Zwei Finger verschieben, vergrößern und drehen das Blatt; ein Tippen mit zwei Fingern macht rückgängig, mit drei wiederholt.',
+    'Twee vingers verschuiven, vergroten en draaien het blad; een tik met twee vingers maakt ongedaan, met drie opnieuw.',
   ],
   'Move the pen': ['Stift bewegen', 'Pen bewegen'],
   'Pen down, pen up': ['Stift aufsetzen, abheben', 'Pen neer, pen op'],

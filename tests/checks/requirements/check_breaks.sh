@@ -59,8 +59,8 @@ has_test() {
   grep -qE "^${pattern//\*/.*}\$" <<<"${tests//./.}"
 }
 
-check_test() { # FILE TEST
-  local file=$1 test=$2 one
+check_test() { # FILE TEST BUILD_DIR
+  local file=$1 test=$2 build=$3 one
   if [[ $test == ctest:* ]]; then
     test=${test#ctest:}
     test=${test# }
@@ -75,6 +75,13 @@ check_test() { # FILE TEST
   done
 }
 
+# has_needed PATCH: true unless the build was configured without the option that the patch needs.
+has_needed() {
+  local option
+  option=$(header Needs "$1")
+  [[ -z $option ]] || grep -qsx "$option:BOOL=ON" "$build/CMakeCache.txt"
+}
+
 for path in "$here"/R*.patch; do
   file=$(basename "$path")
   [[ -f $path ]] || continue
@@ -82,13 +89,15 @@ for path in "$here"/R*.patch; do
   [[ -n $(header Breaks "$path") ]] || complain "$file: no \"Breaks:\" in its header"
   target=$(header Target "$path")
   [[ -n $target ]] || complain "$file: no \"Target:\" in its header"
-  if [[ -n $target && $target != all && -n $targets ]]; then
+  of_build=
+  ! has_needed "$path" || of_build=$build
+  if [[ -n $target && $target != all && -n $of_build && -n $targets ]]; then
     grep -qE "^build (bin/)?$target:|^LINKER__${target}_" <<<"$targets" ||
       complain "$file: there is no target \"$target\""
   fi
   test=$(header Test "$path")
   if [[ -n $test ]]; then
-    check_test "$file" "$test"
+    check_test "$file" "$test" "$of_build"
   else
     complain "$file: no \"Test:\" in its header"
   fi

@@ -162,7 +162,7 @@ logs=$tree/build/break-logs
 mkdir -p "$logs"
 trap take_out EXIT
 if [[ ! -f $tree/build/dev/CMakeCache.txt ]]; then
-  (cd "$tree" && cmake --preset dev -DFELT_QUICK_BUILD=ON >"$logs/configure" 2>&1) ||
+  (cd "$tree" && cmake --preset dev -DFELT_QUICK_BUILD=ON -DFELT_WEB_TESTS=ON >"$logs/configure" 2>&1) ||
     fail "the copy cannot be configured: $logs/configure"
 fi
 

@@ -103,23 +103,31 @@ FELT_EXPORT(felt_stop_play) void felt_stop_play() {
 // --- Files
 
 /// The input is the name of the file, which has `name_size` bytes, and the file. `how`: 0 opens, 1
-/// adds.
-FELT_EXPORT(felt_open) std::size_t felt_open(std::size_t size, std::size_t name_size, int how) {
+/// adds it moved by `x` and `y`, 2 adds it with its middle there, in mm.
+FELT_EXPORT(felt_open)
+std::size_t felt_open(std::size_t size, std::size_t name_size, int how, double x, double y) {
   const std::string all(input(size));
   std::vector<std::string> notices;
   const std::string name = all.substr(0, name_size);
   const std::string_view bytes = std::string_view(all).substr(name_size);
-  const Result<void> done = core().open(bytes, name, how == 1, notices);
+  const Result<void> done = how == 0 ? core().open(bytes, name, notices)
+                                     : core().add(bytes, name, {x, y}, how == 2, notices);
   return reply(done, notices);
 }
+/// Returns an SVG file for the clipboard, and makes the picture for felt_export_pixels().
+FELT_EXPORT(felt_copied) std::size_t felt_copied(int is_whole, double dpi) {
+  return reply(core().copied(is_whole != 0, dpi).value_or(std::string()));
+}
 FELT_EXPORT(felt_save) std::size_t felt_save(std::size_t size) {
-  Result<std::string> bytes = core().save(input(size));
-  core().save_error = bytes ? std::string() : bytes.error().message;
+  std::vector<std::string> losses;
+  Result<std::string> bytes = core().save(input(size), losses);
+  const Result<void> done = bytes ? Result<void>() : tl::unexpected(bytes.error());
+  core().saved = done_text(done, losses);
   return reply(bytes ? *std::move(bytes) : std::string());
 }
-/// Returns why the last felt_save() returned nothing.
-FELT_EXPORT(felt_save_error) std::size_t felt_save_error() {
-  return reply(core().save_error);
+/// Returns why the last felt_save() returned nothing, or what its file lacks.
+FELT_EXPORT(felt_saved) std::size_t felt_saved() {
+  return reply(core().saved);
 }
 FELT_EXPORT(felt_clear) void felt_clear() {
   core().clear();

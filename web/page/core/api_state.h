@@ -35,6 +35,10 @@ struct Core {
   /// Brings the picture and the marks up to date with the session.
   void show();
   std::size_t export_picture(double dpi, bool transparent);
+  /// Returns the selected strokes as an SVG file and, in `exported`, as a picture, for the
+  /// clipboard; all visible strokes if none is selected. `is_whole`: only those that are selected
+  /// as a whole. Returns an empty text if there are none.
+  Result<std::string> copied(bool is_whole, double dpi);
 
   Result<void> event(std::string_view json);
   /// Sets the medium of new lines with its widths, its pressure curve and, unless the user chose
@@ -48,9 +52,15 @@ struct Core {
   std::size_t take_forces();
   std::size_t render_sound(std::size_t frames);
 
-  Result<void> open(std::string_view bytes, const std::string& name, bool adds,
+  /// Replaces the drawing by that of a file.
+  Result<void> open(std::string_view bytes, const std::string& name,
                     std::vector<std::string>& notices);
-  Result<std::string> save(std::string_view format);
+  /// Adds the strokes of a file, moved by `by_mm`, or with their middle at that point if
+  /// `is_middle`.
+  Result<void> add(std::string_view bytes, const std::string& name, Vec by_mm, bool is_middle,
+                   std::vector<std::string>& notices);
+  /// Adds to `losses` what the drawing has and the file lacks.
+  Result<std::string> save(std::string_view format, std::vector<std::string>& losses);
   void clear();
   /// Fills `recorded` and, if it replaces what was stored, `base`. Returns true if it does.
   bool autosave();
@@ -70,7 +80,7 @@ struct Core {
   bool shows = true;  // show() has work
   std::optional<Image> exported;
   std::string recorded, base;
-  std::string save_error;
+  std::string saved;  // what the last save() ended with, as JSON
   std::vector<double> forces;
 
  private:

@@ -3,7 +3,7 @@ import { instantiate } from './instantiate.mjs';
 import { DatabaseModule } from './database/database.js';
 import { Pictures } from './pictures/pictures.js';
 import { first_module, full_module, load_felt } from './module.js';
-import { catalog, cat } from 'generated/extras_text.js';
+import { catalog } from 'generated/extras_text.js';
 
 const kSampleNumbers = 8;
 const kChanges = { ink: 1, marks: 2, state: 4, edits: 8 };
@@ -267,8 +267,18 @@ class Core {
 
   picture(dpi, options = {}) {
     const size = this.call('felt_export', Math.min(Math.max(dpi, kMinDpi), kMaxDpi), options.transparent ? 1 : 0);
+    return size === 0 ? null : this.exported();
+  }
+
+  copied({ whole = false, dpi = 300 } = {}) {
+    const svg = this.text('felt_copied', whole ? 1 : 0, dpi);
+    return svg ? { svg, picture: this.exported() } : null;
+  }
+
+  /** Returns the picture that the module has made. */
+  exported() {
+    const width = this.call('felt_export_size', 0), height = this.call('felt_export_size', 1), size = 4 * width * height;
     if (size === 0) return null;
-    const width = this.call('felt_export_size', 0), height = this.call('felt_export_size', 1);
     const data = new Uint8ClampedArray(this.exports.memory.buffer, this.call('felt_export_pixels'), size).slice();
     this.call('felt_end_export');
     for (let i = 0; i < size; i += 4) {  // a canvas wants colours that are not multiplied by alpha
@@ -362,29 +372,31 @@ class Core {
   }
 
   scripts() {
-    return [{ id: 'cat', text: cat }];
+    return this.isComplete ? [{ id: 'cat', text: globalThis.feltlineFull.cat }] : [];
   }
 
   // --- Files
 
   open(bytes, name) {
-    return this.load(bytes, name, 0);
+    this.pictures.forget();
+    return this.load(bytes, name, 0, [0, 0]);
   }
 
-  add(bytes, name) {
-    return this.load(bytes, name, 1);
+  add(bytes, name, { by, middle } = {}) {
+    return this.load(bytes, name, middle ? 2 : 1, middle ?? by ?? [0, 0]);
   }
 
-  load(data, name, how) {
-    if (how === 0) this.pictures.forget();
+  load(data, name, how, [x, y]) {
     const title = encoder.encode(name);
-    return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how);
+    return this.json('felt_open', this.write(title, bytes_of(data)), title.length, how, x, y);
   }
 
   save(format) {
     const size = this.call('felt_save', this.write(encoder.encode(format)));
-    this.saveError = size > 0 ? '' : this.text('felt_save_error');
-    return size > 0 ? this.reply(size).slice() : null;
+    const bytes = size > 0 ? this.reply(size).slice() : null;
+    const { error = '', notices = [] } = this.json('felt_saved');
+    Object.assign(this, { saveError: error, saveNotices: notices });
+    return bytes;
   }
 
   isFelt(bytes) {
@@ -476,7 +488,7 @@ class Core {
     } catch (error) {
       return not_loaded('core_full.js', error);
     }
-    await isFree();
+    const stored = await isFree();
     if (this.isComplete) return { ok: true };  // called twice at the same time
     this.finish();
     this.collect();
@@ -485,17 +497,20 @@ class Core {
     this.isComplete = true;
     this.call('felt_resize', this.width, this.height, this.dpr);
     this.has_view = false;
+    if (stored) this.now = this.start;
     this.call('felt_advance', this.time(this.now));
-    const done = this.restore(base, records);
+    const done = stored ? { ok: true, continued: this.restore(stored.base, stored.recorded) } : this.restore(base, records);
     if (!done.ok) {  // the first module still has the drawing
       Object.assign(this, { exports: first, isComplete: false, unread });
       return done;
     }
     // The first module cannot begin the records again when the page gets another size during a line.
     const now = this.state().page;
-    if (page.width !== now.width || page.height !== now.height) this.setPage(page);
+    if (stored) {
+      if (!stored.base) this.setPage(stored.page);
+    } else if (page.width !== now.width || page.height !== now.height) this.setPage(page);
     for (const [name, values] of Object.entries(this.settings)) this.call(name, ...values);
-    Object.assign(this, { unread, bits: 15, seen_ticks: this.call('felt_ticks') });
+    Object.assign(this, { unread: stored ? this.unread : unread, bits: 15, seen_ticks: this.call('felt_ticks') });
     return done;
   }
 

@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/copied_ink.h"
 #include "felt/io/events/event_writer.h"
+#include "felt/io/svg/svg_writer.h"
+#include "felt/render/page_painter.h"
 #include "web/page/core/api_state.h"
 
 namespace felt::page {
@@ -100,30 +105,71 @@ void Core::begin_session(const Drawing& drawing) {
   shows = has_edits_ = true;
 }
 
-Result<void> Core::open(std::string_view bytes, const std::string& name, bool adds,
-                        std::vector<std::string>& notices) {
+namespace {
+
+/// Reads the drawing of a file, and adds what was left out to `notices`.
+Result<Drawing> named_drawing(std::string_view bytes, const std::string& name,
+                              std::vector<std::string>& notices) {
   Result<Imported> read = read_drawing(bytes, name);
   if (!read) return fail(read.error().code, name + ": " + read.error().message);
   for (const ImportNotice& notice : read->report.notices()) notices.push_back(notice_text(notice));
-  shows = true;
-  if (adds) {
-    studio.add_materials(read->drawing.materials);
-    const VisibleInk ink = visible_ink(read->drawing.document);
-    return studio.import(name, ink.strokes, ink.fills);
-  }
-  if (!read->drawing.has_page) {
+  return std::move(read->drawing);
+}
+
+}  // namespace
+
+Result<void> Core::open(std::string_view bytes, const std::string& name,
+                        std::vector<std::string>& notices) {
+  Result<Drawing> drawing = named_drawing(bytes, name, notices);
+  if (!drawing) return tl::unexpected(drawing.error());
+  if (!drawing->has_page) {
     const Page page = studio.page();
-    read->drawing.page.width_mm = page.width_mm;
-    read->drawing.page.height_mm = page.height_mm;
+    drawing->page.width_mm = page.width_mm;
+    drawing->page.height_mm = page.height_mm;
   }
-  studio.open(read->drawing);
-  begin_session(read->drawing);
+  studio.open(*drawing);
+  begin_session(*drawing);
   needs_rebase_ = true;
   return {};
 }
 
-Result<std::string> Core::save(std::string_view format) {
-  return write_drawing(drawing_of(studio), format);
+Result<void> Core::add(std::string_view bytes, const std::string& name, Vec by_mm, bool is_middle,
+                       std::vector<std::string>& notices) {
+  const Result<Drawing> drawing = named_drawing(bytes, name, notices);
+  if (!drawing) return tl::unexpected(drawing.error());
+  shows = true;
+  studio.add_materials(drawing->materials);
+  for (std::string& text : losses_of_adding(*drawing)) notices.push_back(std::move(text));
+  const Rect box = ink_bounds(drawing->document);
+  if (is_middle && !box.empty()) {
+    by_mm = by_mm - 0.5 * Vec{box.x0 + box.x1, box.y0 + box.y1};
+  }
+  const VisibleInk ink = moved_ink(visible_ink(drawing->document), by_mm);
+  return studio.import(name, ink.strokes, ink.fills);
+}
+
+Result<std::string> Core::copied(bool is_whole, double dpi) {
+  const Session& session = studio.session();
+  const Selection& selection = session.selection();
+  const Drawing drawing = copied_drawing(session, [&](StrokeId id) {
+    return is_whole ? selection.is_whole(id) : selection.empty() || selection.find(id) != nullptr;
+  });
+  exported.reset();
+  const Rect ink = ink_bounds(drawing.document);
+  if (ink.empty()) return std::string();
+  constexpr double kMarginMm = 1.0, kMaxPixels = 16e6;
+  const double area_mm2 = (ink.width() + 2.0 * kMarginMm) * (ink.height() + 2.0 * kMarginMm);
+  PageOptions options{.margin_mm = kMarginMm, .paper = {0, 0, 0, 0}, .grain = picture.grain()};
+  options.dpi = std::min(dpi, 25.4 * std::sqrt(kMaxPixels / area_mm2));
+  Result<Image> image = render_page(drawing.document, options, PictureChoice::kMarked);
+  if (image) exported = *std::move(image);
+  return svg_text(drawing, {.margin_mm = kMarginMm});
+}
+
+Result<std::string> Core::save(std::string_view format, std::vector<std::string>& losses) {
+  const Drawing drawing = drawing_of(studio);
+  losses = losses_of_writing(drawing, format);
+  return write_drawing(drawing, format);
 }
 
 void Core::clear() {

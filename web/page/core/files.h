@@ -22,6 +22,12 @@ Drawing drawing_of(const Studio& studio);
 /// Returns a drawing as a file of this format. Fails if the page cannot write it.
 Result<std::string> write_drawing(const Drawing& drawing, std::string_view format);
 
+/// Returns what a file of this format lacks of the drawing (lost_objects.h).
+std::vector<std::string> losses_of_writing(const Drawing& drawing, std::string_view format);
+/// Returns the same for a drawing that is added to another one: only its visible strokes and fills
+/// are added.
+std::vector<std::string> losses_of_adding(const Drawing& drawing);
+
 /// Returns the base of the autosave: the drawing as a .felt file or, if SQLite is not there, as an
 /// .svg file, or a short text if it is empty. The first module requires that it is empty.
 std::string base_of(const Studio& studio);

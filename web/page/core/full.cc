@@ -1,9 +1,11 @@
 // The readers of files and the replay of scripts: only in the full module.
 
+#include <algorithm>
 #include <utility>
 
 #include "felt/formats/format_traits.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/formats/lost_objects.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/io/inkml/inkml_import.h"
 #include "felt/io/inkml/inkml_writer.h"
@@ -77,6 +79,27 @@ Result<Imported> import_as(FileFormat format, std::string_view bytes) {
 
 Result<std::string> inkml_of(const Drawing& drawing) {
   return inkml_text(drawing);
+}
+
+std::vector<std::string> losses_of_writing(const Drawing& drawing, std::string_view format) {
+  const Result<FileFormat> written = format_of_path("drawing." + std::string(format));
+  return written ? loss_texts(lost_objects(drawing, *written)) : std::vector<std::string>();
+}
+
+std::vector<std::string> losses_of_adding(const Drawing& drawing) {
+  LostObjects lost = lost_objects(drawing, FileFormat::kNdjson);
+  lost.fills = lost.media = lost.materials = 0;  // these are added
+  const std::size_t opacities = std::exchange(lost.opacities, 0);
+  std::vector<std::string> texts = loss_texts(lost);
+  if (opacities > 0) {
+    texts.push_back("the opacity of " + std::to_string(opacities) +
+                    (opacities == 1 ? " layer or group" : " layers or groups") + " was left out");
+  }
+  for (std::string& text : texts) {
+    text.erase(std::min(text.find(", because"), text.size()));  // that is about formats
+    text += ", because only visible strokes and fills are added";
+  }
+  return texts;
 }
 
 Result<std::string> felt_of(const Drawing& drawing) {

@@ -1,10 +1,11 @@
-// node make_extras.mjs ROOT FULL_MODULE: prints, as a module, what the page needs before the full module is loaded: the
-// catalog of the full module, the version of the repository, and the cat.
-import { readFileSync } from 'node:fs';
+// node make_extras.mjs ROOT FULL_MODULE OUT: writes two modules into the folder OUT: extras_text.js with what the page needs
+// before the full module is loaded, the catalog of the full module and the version of the repository; and full_and_cat.js,
+// the text of the full module with the cat, which only that module can draw.
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { instantiate } from './instantiate.mjs';
 
-const [root, full] = process.argv.slice(2);
+const [root, full, out] = process.argv.slice(2);
 const read = (path) => readFileSync(join(root, path), 'utf8');
 const module = await WebAssembly.compile(readFileSync(full));
 const lacking = WebAssembly.Module.imports(module).filter(({ name }) => name.startsWith('_Z'));
@@ -14,6 +15,6 @@ const size = exports.felt_catalog();
 const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.felt_reply(), size));
 const version = /^project\(.* VERSION ([0-9.]+)/m.exec(read('CMakeLists.txt'))[1];
 const catalog = { version, ...JSON.parse(text) };
-for (const [name, value] of Object.entries({ catalog, cat: read('share/samples/cat.ndjson') })) {
-  console.log(`export const ${name} = ${JSON.stringify(value)};`);
-}
+const line = (name, value) => `export const ${name} = ${JSON.stringify(value)};\n`;
+writeFileSync(join(out, 'extras_text.js'), line('catalog', catalog));
+writeFileSync(join(out, 'full_and_cat.js'), `export * from './full_text.js';\n${line('cat', read('share/samples/cat.ndjson'))}`);

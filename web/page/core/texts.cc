@@ -137,6 +137,25 @@ std::string layer_rows(const Session& session) {
   return json_array(rows);
 }
 
+/// Returns the groups of layers, the highest first.
+std::string group_rows(const Session& session) {
+  std::vector<std::string> rows;
+  const std::span<const Layer> layers = session.document().layers();
+  for (std::size_t i = layers.size(); i-- > 0;) {
+    const LayerGroupPtr& group = layers[i].group;
+    if (!group || (i + 1 < layers.size() && same_group(group, layers[i + 1].group))) continue;
+    JsonObject row;
+    row.add_number("id", static_cast<double>(group->id.value));
+    row.add_text("name", group->name);
+    row.add_bool("visible", group->visible);
+    row.add_bool("locked", group->locked);
+    row.add_number("opacity", group->opacity);
+    row.add_text("blend", blend_mode_name(group->blend));
+    rows.push_back(row.text());
+  }
+  return json_array(rows);
+}
+
 std::string offer_rows(const Session& session) {
   std::vector<std::string> rows;
   const std::optional<OfferView> offer = session.offered();
@@ -220,6 +239,7 @@ std::string state_text(const Studio& studio) {
   page.add_number("height", studio.page().height_mm);
   out.add_raw("page", page.text());
   out.add_raw("layers", layer_rows(session));
+  out.add_raw("groups", group_rows(session));
   const History& history = session.history();
   out.add_raw("undo", label_text(history.can_undo(), history.undo_label()));
   out.add_raw("redo", label_text(history.can_redo(), history.redo_label()));

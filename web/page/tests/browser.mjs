@@ -80,7 +80,7 @@ export class Browser {
 
 export class Tab {
   constructor(browser, session, target) {
-    Object.assign(this, { browser, session, target, errors: [], requests: [], loaded: null });
+    Object.assign(this, { browser, session, target, errors: [], requests: [], loaded: null, asked: 0 });
     browser.listeners.push((message) => {
       if (message.sessionId === session) this.handle(message.method, message.params);
     });
@@ -94,6 +94,11 @@ export class Tab {
     if (method === 'Log.entryAdded' && params.entry.level === 'error') this.errors.push(`${params.entry.text} ${params.entry.url ?? ''}`);
     if (method === 'Network.requestWillBeSent' && !/^(data|blob):/.test(params.request.url)) this.requests.push(params.request.url);
     if (method === 'Page.loadEventFired') this.loaded?.();
+    // The page asks before unsaved lines are lost; the user leaves it.
+    if (method === 'Page.javascriptDialogOpening') {
+      this.asked += 1;
+      this.send('Page.handleJavaScriptDialog', { accept: true }).catch(() => {});
+    }
   }
 
   send(method, params = {}) {
@@ -110,8 +115,8 @@ export class Tab {
       wait === 'first');
   }
 
-  reload() {
-    return this.load(null);
+  reload(wait = true) {
+    return this.load(null, wait);
   }
 
   /** Runs a function in the page; arguments and result are JSON. */

@@ -4,7 +4,7 @@ globalThis.feltlineCore = {
     const state = {
       tool: 'pencil', use: { hint: 'Draw.', shift: '', ctrl: '' }, size: { mm: 0.7, min: 0.1, max: 20 }, options: {},
       surface: 'paper', medium: 'pencil', ink: '#23262d', paper: '#ffffff', page: options.page, undo: null, redo: null, strokes: 0, selected: 0,
-      layers: [{ id: 1, name: 'Ink', visible: true, locked: false, opacity: 1, blend: 'normal', group: 0, strokes: 0, current: true }],
+      layers: [{ id: 1, name: 'Ink', visible: true, locked: false, opacity: 1, blend: 'normal', group: 0, strokes: 0, current: true }], groups: [],
       offers: [], canShowAsDrawn: false, exact: false, device: 'tablet', forces: true, strength: 1, gesture: false,
     };
     const names = ['pencil', 'pull', 'smooth', 'width', 'eraser', 'lasso', 'transform', 'connect'];

@@ -13,6 +13,7 @@ import { Firefox, has_firefox } from './firefox.mjs';
 const [topic, dist_folder, picture] = process.argv.slice(2), dist = resolve(dist_folder);
 const file_url = pathToFileURL(join(dist, 'index.html')).href;
 const kMaxBytes = 350_000;  // of what is loaded before the page is interactive
+const kMaxInteractiveMs = 1000;
 const wave = (x0, y0, count = 40, height = 40) =>
   Array.from({ length: count }, (_, i) => [x0 + 6 * i, y0 + height * Math.sin(i / 6)]);
 
@@ -89,6 +90,11 @@ async function in_front(tab, act) {
 }
 const draw = (tab, points) => in_front(tab, () => tab.stroke(points));
 const strokes = (tab) => tab.run(() => feltlinePage.core.state().strokes);
+/** Checks the drawing after a visit began, however late the storage answers. */
+async function restored(tab, count, what) {
+  await in_front(tab, () => tab.until((count) => feltlinePage.core?.state().strokes === count, count).catch(() => {}));
+  assert.equal(await strokes(tab), count, what);
+}
 const saved = (tab, format = 'ndjson') => tab.run(async (format) => {
   if (format === 'felt') await feltlinePage.core.prepareFelt();
   const bytes = feltlinePage.core.save(format);
@@ -102,6 +108,39 @@ const dark = (tab, ...box) => tab.run((x, y, width, height) => {
   for (let i = 0; i < data.length; i += 4) count += data[i] < 160;
   return count;
 }, ...box);
+
+/** Presses a control at its centre, which nothing may cover. */
+async function press_at(tab, selector, by_touch = false) {
+  await tab.frames(2);
+  const { x, y, by } = await tab.run((selector) => {
+    const one = document.querySelector(selector);
+    if (!one?.checkVisibility()) return { by: `${selector} is not visible` };
+    one.scrollIntoView({ block: 'nearest' });
+    const box = one.getBoundingClientRect(), x = box.left + box.width / 2, y = box.top + box.height / 2;
+    const hit = document.elementFromPoint(x, y);
+    return { x, y, by: one.contains(hit) ? '' : hit?.outerHTML.slice(0, 100) };
+  }, selector);
+  assert.equal(by, '', `${selector} is covered`);
+  if (by_touch) {
+    await touches(tab, 'touchStart', [x, y]);
+    await touches(tab, 'touchEnd');
+  } else {
+    await tab.mouse('mousePressed', x, y);
+    await tab.mouse('mouseReleased', x, y);
+  }
+  await tab.frames(3);
+}
+const touches = (tab, type, ...points) => tab.send('Input.dispatchTouchEvent',
+  { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+const notice_of = (tab) => tab.run(() => document.getElementById('notice').textContent);
+/** Returns the ends of the segments of each stroke, in mm. */
+const points_of = async (tab) => text_of(await saved(tab)).trim().split('\n').map((line) => JSON.parse(line).segments ?? [])
+  .filter((all) => all.length > 0).map((all) => [...all.map(([x, y]) => [x, y]), all.at(-1).slice(6)]);
+/** Returns the colours of pixels of the sheet, [r, g, b], at CSS pixels. */
+const colors_at = (tab, ...places) => tab.run((places) => {
+  const context = document.getElementById('sheet').getContext('2d');
+  return places.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data.subarray(0, 3)]);
+}, places);
 
 const topics = {
   /** A line is drawn, at file://; ink is there in the frame after the pointer went down. */
@@ -485,12 +524,132 @@ const topics = {
         assert.equal(await asks(), false, `${name}: asks before anything was drawn`);
         await tab.stroke(wave(200, 200));
         assert.equal(await strokes(tab), 1, name);
+        await tab.until(() => document.getElementById('notice').textContent.includes('does not store'));
         await tab.run(() => { feltlinePage.say('something else'); feltlinePage.end_notice(); });
         assert.match(await tab.run(() => document.getElementById('notice').textContent), /does not store/, name);
         await tab.frames(3);
         assert.ok(await asks(), `${name}: the page closes without asking`);
         await tab.run(() => feltlinePage.saved());
         assert.equal(await asks(), false, `${name}: asks although the drawing is in a file`);
+        // All tools come, too.
+        await tab.until(() => feltlinePage.core.isComplete);
+        assert.equal(await strokes(tab), 1, name);
+      });
+    }
+  },
+
+  /** Every visit begins with the first module. The drawing of the last visit comes with the full one, and lines that were drawn
+   * before that belong to it. */
+  async second() {
+    let held = null, release = null;
+    const hold = () => { held = new Promise((done) => { release = done; }); };
+    await served(async (url) => {
+      await with_tab({}, async (tab) => {
+        const visit = async () => {
+          hold();
+          await tab.reload('first');
+          assert.deepEqual(await tab.run(() => [feltlinePage.core.isComplete, feltlinePage.core.state().tool]), [false, 'pencil']);
+        };
+        const complete = async () => {
+          release();
+          await tab.until(() => feltlinePage.core.isComplete && !feltlinePage.last);
+          await tab.frames(3);
+        };
+        const tool = () => tab.run(() => feltlinePage.core.state().tool);
+        // Nothing was drawn in the last visit, but a tool was chosen.
+        await tab.run(() => feltlinePage.use_tool('pull'));
+        await stored(tab);
+        await visit();
+        await complete();
+        assert.equal(await tool(), 'pull');
+        await visit();
+        await tab.stroke(wave(300, 300));
+        await complete();
+        assert.deepEqual([await strokes(tab), await tool()], [1, 'pencil']);
+        await tab.run(() => feltlinePage.use_tool('pull'));
+        await stored(tab);
+        // A drawing, into which nothing is drawn, and then lines, two of which are undone; the first undo finds nothing.
+        await visit();
+        await complete();
+        assert.deepEqual([await strokes(tab), await tool()], [1, 'pull']);
+        await visit();
+        await tab.run(() => feltlinePage.undo());
+        for (const y of [450, 500, 550]) await tab.stroke(wave(300, y));
+        await tab.run(() => { feltlinePage.undo(); feltlinePage.undo(); });
+        assert.equal(await strokes(tab), 1);
+        await complete();
+        assert.equal(await strokes(tab), 2);
+        assert.ok(await dark(tab, 290, 400, 250, 90) > 200, 'the early line is elsewhere');
+        await tab.run(() => feltlinePage.undo());
+        assert.equal(await strokes(tab), 1);
+        await tab.run(() => feltlinePage.redo());
+        await stored(tab);
+        const before = await saved(tab, 'svg');
+        // A line before a tool is chosen, and one after it: both are drawn once, in this order.
+        await visit();
+        assert.equal(await strokes(tab), 0);
+        await tab.stroke(wave(500, 200));
+        await tab.run(() => feltlinePage.set_medium('chalk'));
+        await tab.stroke(wave(500, 300));
+        await complete();
+        assert.deepEqual([await strokes(tab), await tab.run(() => feltlinePage.core.state().medium)], [4, 'chalk']);
+        for (let i = 0; i < 2; ++i) await tab.run(() => feltlinePage.undo());
+        assert.ok(await saved(tab, 'svg') === before, 'the drawing of the last visit differs');
+      }, url);
+    }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
+  /** Storage that answers late: its drawing is shown if nothing was drawn meanwhile; otherwise both drawings stay, and the menu
+   * leads to the other one. */
+  async late() {
+    const source = `(${() => {
+      const { open } = IDBFactory.prototype;
+      IDBFactory.prototype.open = function (...all) {
+        const late = {};
+        setTimeout(() => {
+          const request = open.apply(this, all);
+          request.onupgradeneeded = () => { late.result = request.result; late.onupgradeneeded(); };
+          request.onsuccess = () => { late.result = request.result; late.onsuccess(); };
+        }, Number(sessionStorage.late ?? 0));
+        return late;
+      };
+    }})()`;
+    for (const has_locks of [true, false]) {
+      const prepare = (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument',
+        { source: has_locks ? source : `${source}; delete Navigator.prototype.locks;` });
+      await with_tab({ prepare }, async (tab) => {
+        const notice = () => tab.run(() => document.getElementById('notice').textContent);
+        await tab.stroke(wave(200, 200));
+        await stored(tab);
+        await tab.run(() => { sessionStorage.late = '12000'; });
+        await tab.reload();
+        assert.equal(await strokes(tab), 0);
+        assert.match(await notice(), /does not store/);
+        await tab.until(() => feltlinePage.core.state().strokes === 1);
+        assert.match(await notice(), /Restored/);
+        await tab.reload();
+        for (const y of [300, 400]) await tab.stroke(wave(200, y));
+        await tab.until(() => feltlinePage.storage);
+        assert.equal(await strokes(tab), 2);
+        assert.match(await notice(), /Other drawings/);
+        await stored(tab);
+        await tab.run(() => { sessionStorage.late = '0'; });
+        await tab.reload();
+        assert.equal(await strokes(tab), 2);
+        for (const count of [1, 2, 1]) {
+          await tab.run(() => feltlinePage.menu.open());
+          await tab.run(() => [...document.querySelectorAll('.menu button')].find((one) => one.textContent === 'Other drawings…').click());
+          await tab.until(() => document.querySelectorAll('dialog button').length === 2);
+          const loaded = new Promise((done) => { tab.loaded = done; });
+          const text = await tab.run(() => {
+            const button = [...document.querySelectorAll('dialog button')].at(-1);
+            setTimeout(() => button.click());
+            return button.textContent;
+          });
+          assert.match(text, new RegExp(`Lines: ${count}$`));
+          await loaded;
+          await tab.until((count) => globalThis.feltlinePage?.core?.isComplete && feltlinePage.core.state().strokes === count, count);
+        }
       });
     }
   },
@@ -508,15 +667,15 @@ const topics = {
         await stored(first);
         await stored(second);
         await in_front(second, () => second.reload());
-        assert.equal(await strokes(second), 2, `reloaded, ${has_locks ? 'with' : 'without'} locks`);
+        await restored(second, 2, `reloaded, ${has_locks ? 'with' : 'without'} locks`);
         await stored(second);
         // The slot of the first tab becomes free, and the second tab must not take it.
         await browser.send('Target.closeTarget', { targetId: first.target });
         await new Promise((done) => setTimeout(done, 300));
         await in_front(second, () => second.reload());
-        assert.equal(await strokes(second), 2, `alone, ${has_locks ? 'with' : 'without'} locks`);
+        await restored(second, 2, `alone, ${has_locks ? 'with' : 'without'} locks`);
         const third = await browser.open(file_url, { prepare });
-        assert.equal(await strokes(third), 1, `the drawing of the first tab, ${has_locks ? 'with' : 'without'} locks`);
+        await restored(third, 1, `the drawing of the first tab, ${has_locks ? 'with' : 'without'} locks`);
         assert.deepEqual(second.errors.concat(third.errors), []);
       });
     }
@@ -527,12 +686,14 @@ const topics = {
       await stored(first);
       await first.run(() => feltlinePage.storage.seen(1));
       const second = await browser.open(file_url, { prepare });
+      await restored(second, 1, 'the slot of the first tab');
       await draw(second, wave(200, 300));
       await draw(first, wave(200, 400));
       await draw(first, wave(200, 500));
       await stored(second);
       for (const tab of [first, second]) await in_front(tab, () => tab.reload());
-      assert.deepEqual([await strokes(first), await strokes(second)], [3, 2]);
+      await restored(first, 3, 'the original');
+      await restored(second, 2, 'the other tab');
       assert.deepEqual(second.errors, []);
     });
   },
@@ -679,6 +840,84 @@ const topics = {
       });
       assert.deepEqual(png.head.slice(1, 4), [80, 78, 71]);
       assert.ok(png.size > 5000);
+    });
+  },
+
+  /** Nothing is lost in silence: what a file brings that is left out can all be read, and a saved file that lacks something
+   * says what, once, with its number. */
+  async losses() {
+    await with_tab({}, async (tab) => {
+      const notice = () => tab.run(() => document.getElementById('notice').innerText.split('\n'));
+      const open = (name, text, adds) => tab.run(async (name, text, adds) => {
+        feltlinePage.saved();
+        feltlinePage.say('');
+        await feltlinePage.files.load(new File([text], name), adds);
+      }, name, text, adds);
+      const svg = (more) => `<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="90mm" viewBox="0 0 90 90">${more}</svg>`;
+      const parts = ['<text x="5" y="5">a</text>', '<script>1</script>', '<use href="#none"/>',
+        '<path d="M10 10 L50 50" stroke="black" filter="url(#f)" mask="url(#m)"/>', '<image href="x.png" width="5" height="5"/>'];
+      for (const adds of [false, true]) {
+        await open('many.svg', svg(parts.join('\n')), adds);
+        const lines = await notice();
+        const count = Number(/^And (\d+) more\. *Show all$/.exec(lines.at(-1))?.[1]);
+        assert.ok(lines.length === 4 && count >= 2, lines.join(' | '));
+        const [x, y] = await tab.run(() => {
+          const box = document.querySelector('#notice button').getBoundingClientRect();
+          return [box.left + box.width / 2, box.top + box.height / 2];
+        });
+        await tab.mouse('mousePressed', x, y);
+        await tab.mouse('mouseReleased', x, y);
+        await tab.until(() => document.querySelector('dialog li'));
+        const all = await tab.run(() => Array.from(document.querySelectorAll('dialog li'), (one) => one.textContent));
+        assert.equal(all.length, 3 + count);
+        for (const word of ['text', 'script', 'use', 'mask', 'filter', 'image']) {
+          assert.equal(all.filter((one) => new RegExp(`\\b${word} `).test(one) || one.includes(`a ${word},`)).length, 1, `${word}: ${all.join(' | ')}`);
+        }
+        await tab.run(() => document.querySelector('dialog').close());
+        assert.equal(await tab.run(() => document.getElementById('notice').textContent), '');
+      }
+      // Three notices, and fewer, are shown without a list.
+      await open('three.svg', svg(parts.slice(0, 3).join('') + '<path d="M1 1 L50 50" stroke="#000" stroke-linecap="round"/>'), false);
+      assert.equal((await notice()).length, 3);
+      assert.equal(await tab.run(() => document.querySelector('#notice button')), null);
+      // Several files that are dropped together: each loss says its file.
+      await tab.run((texts) => {
+        feltlinePage.saved();
+        const data = new DataTransfer();
+        texts.forEach((text, i) => data.items.add(new File([text], `${'abc'[i]}.svg`)));
+        dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      }, [svg(parts[3] + parts[0]), svg(parts[3] + parts[1]), 'damaged']);
+      await tab.until(() => document.getElementById('notice').textContent.includes('Show all'));
+      await tab.until(() => feltlinePage.core.state().strokes === 2);
+      await tab.run(() => document.querySelector('#notice button').click());
+      const dropped = await tab.run(() => Array.from(document.querySelectorAll('dialog li'), (one) => one.textContent));
+      for (const name of ['a.svg', 'b.svg', 'c.svg']) assert.ok(dropped.some((one) => one.includes(name)), dropped.join(' | '));
+      await tab.run(() => document.querySelector('dialog').close());
+      // Saving.
+      await tab.run(() => {
+        feltlinePage.saved();
+        HTMLAnchorElement.prototype.click = () => {};
+        return feltlinePage.new_drawing();
+      });
+      await tab.stroke(wave(300, 300));
+      await tab.run(() => feltlinePage.apply({ event: 'guides', do: 'add', kind: 'symmetry', x: 100, y: 80, axes: 2 }));
+      const save = async (format) => {
+        await tab.run((format) => feltlinePage.files.save(format), format);
+        return notice();
+      };
+      for (const format of ['svg', 'ndjson']) {
+        assert.deepEqual(await save(format), [`Saved as Drawing.${format}`, '1 guide was left out, because the format has none']);
+      }
+      assert.deepEqual(await save('felt'), ['Saved as Drawing.felt']);
+      await tab.run(() => feltlinePage.apply({ event: 'layer', do: 'add', name: 'Second' }));
+      await tab.run(() => feltlinePage.apply({ event: 'layer', do: 'opacity', id: feltlinePage.core.state().layers[0].id, opacity: 0.5 }));
+      assert.ok((await save('ndjson')).some((one) => one.startsWith('2 layers became one list of strokes')), (await notice()).join(' | '));
+      // A drawing that is added brings its visible lines; the rest is named.
+      const file = await saved(tab, 'felt');
+      await tab.run(async (base64) => {
+        await feltlinePage.files.load(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'mine.felt'), true);
+      }, file);
+      assert.ok((await notice()).some((one) => /^1 guide was left out, because only visible/.test(one)), (await notice()).join(' | '));
     });
   },
 
@@ -944,7 +1183,7 @@ const topics = {
       await tab.run(() => document.querySelector('#view [aria-label=Layers]').click());
       await tab.run(() => document.querySelector('#layers [aria-label="Add a layer"]').click());
       await tab.until(() => document.querySelectorAll('#layers li').length === 2);
-      await tab.run(() => document.querySelectorAll('#layers li .icon')[1].click());
+      await tab.run(() => document.querySelectorAll('#layers li [data-mark^=eye]')[1].click());
       await tab.until(() => feltlinePage.core.state().layers[1].visible === false);
       // A window that loses the focus has no fingers and no space key any more.
       assert.deepEqual(await state(() => {
@@ -990,14 +1229,365 @@ const topics = {
     });
   },
 
+  /** The lasso: what it takes is chosen in the bar, and does what it says. */
+  async lasso() {
+    await with_tab({}, async (tab) => {
+      await tab.stroke(Array.from({ length: 60 }, (_, i) => [300 + 8 * i, 300]));
+      const choices = () => tab.run(() => [...document.querySelectorAll('#offer button[aria-pressed]')]
+        .map((one) => `${one.textContent} ${one.ariaPressed}`));
+      const loop = () => tab.stroke(Array.from({ length: 50 }, (_, i) => [340 + 80 * Math.cos(i / 7.5), 300 + 60 * Math.sin(i / 7.5)]));
+      const taken = () => tab.run(() => [feltlinePage.core.state().selected, Boolean(feltlinePage.core.copied({ whole: true }))]);
+      assert.deepEqual(await choices(), []);
+      await press_at(tab, '#tools [aria-label=Lasso]');
+      assert.deepEqual(await choices(), ['parts true', 'strokes false']);
+      await loop();
+      assert.deepEqual(await taken(), [1, false], 'a part');
+      await press_at(tab, '#offer button[aria-pressed=false]');
+      assert.deepEqual(await choices(), ['parts false', 'strokes true']);
+      assert.equal(await tab.run(() => document.activeElement.textContent), 'strokes', 'the button lost the focus');
+      await tab.run(() => feltlinePage.apply({ event: 'select', what: 'none' }));
+      await loop();
+      const [selected, has_whole] = await taken();
+      assert.ok(selected === 0 || has_whole, 'a part was taken although lines were chosen');
+      await tab.run(() => feltlinePage.set_language('de'));
+      assert.deepEqual(await choices(), ['Teile false', 'Linien true']);
+      await press_at(tab, '#tools [aria-label=Bleistift]');
+      assert.deepEqual(await choices(), []);
+    });
+  },
+
+  /** Layers: every control is pressed where it is seen. */
+  async layers() {
+    await with_tab({ height: 900 }, async (tab) => {
+      const state = () => tab.run(() => {
+        const { layers, groups } = feltlinePage.core.state();
+        return { layers, groups };
+      });
+      const looks = async () => (await state()).layers.map(({ id, visible, locked, blend, group, current }) =>
+        [id, visible ? 'seen' : 'hidden', locked ? 'locked' : 'open', blend, group, current ? 'current' : ''].join(' ').trim());
+      const rows = () => tab.run(() => Array.from(document.querySelectorAll('#layers li'), ({ className }) => className));
+      const press = (selector) => press_at(tab, `#layers ${selector}`);
+      await tab.stroke(wave(300, 300));
+      await press_at(tab, '#view [aria-label=Layers]');
+      await press('[aria-label="Add a layer"]');
+      await press('[aria-label="Add a layer"]');
+      assert.deepEqual(await looks(), ['3 seen open normal 0 current', '2 seen open normal 0', '1 seen open normal 0']);
+      // A locked layer can be chosen, but not drawn on; pulling does not move its line.
+      await press('[data-mark=lock-1]');
+      await press('[data-mark=name-1]');
+      assert.match(await notice_of(tab), /is locked\. Unlock it to draw there/);
+      assert.deepEqual([await looks(), await rows()], [['3 seen open normal 0 current', '2 seen open normal 0', '1 seen locked normal 0'], ['', '', 'current']]);
+      const before = await saved(tab);
+      await tab.run(() => feltlinePage.apply({ event: 'select', what: 'all' }));
+      assert.equal(await tab.run(() => feltlinePage.core.state().selected), 0);
+      await tab.run(() => feltlinePage.apply({ event: 'delete' }));
+      assert.ok(await saved(tab) === before, 'a locked line changed');
+      await press('[data-mark=lock-1]');
+      await press('[data-mark=eye-1]');
+      assert.match((await looks())[2], /hidden open/);
+      await press('[data-mark=eye-1]');
+      // Blend mode and opacity of a layer.
+      await press('[data-mark=name-2]');
+      const use_blend = async (mode) => {
+        await press('#blend');
+        await tab.run((mode) => {
+          const blend = document.getElementById('blend');
+          blend.value = mode;
+          blend.dispatchEvent(new Event('change'));
+        }, mode);
+        await tab.key('Escape');
+      };
+      await use_blend('multiply');
+      await press('#opacity');
+      const near = (a, b) => assert.ok(Math.abs(a - b) < 0.06, `${a} instead of ${b}`);
+      near((await state()).layers[1].opacity, 0.5);
+      assert.deepEqual(await looks(), ['3 seen open normal 0', '2 seen open multiply 0 current', '1 seen open normal 0']);
+      // A group, with its own settings.
+      await press('[aria-label="Group layers"]');
+      assert.deepEqual((await looks()).map((one) => one.split(' ')[4]), ['0', '1', '1']);
+      assert.deepEqual(await rows(), ['', 'group', 'current grouped', 'grouped']);
+      await press('[data-mark=name-group-1]');
+      assert.deepEqual(await rows(), ['', 'current group', 'grouped', 'grouped']);
+      await use_blend('multiply');
+      await press('#opacity');
+      await press('[data-mark=lock-group-1]');
+      assert.match((await looks())[0], /^3 .* current$/);
+      await press('[data-mark=eye-group-1]');
+      const [group] = (await state()).groups;
+      near(group.opacity, 0.5);
+      assert.deepEqual([group.blend, group.locked, group.visible], ['multiply', true, false]);
+      await press('[data-mark=name-2]');
+      assert.match(await notice_of(tab), /is locked/);
+      await press('[data-mark=lock-group-1]');
+      await press('[data-mark=eye-group-1]');
+      await press('[data-mark=name-group-1]');
+      await press('[aria-label="Raise the layer"]');
+      assert.deepEqual((await looks()).map((one) => Number(one[0])), [2, 1, 3]);
+      await press('[aria-label="Lower the layer"]');
+      await press('[aria-label="Rename the layer"]');
+      await tab.send('Input.insertText', { text: 'Cat' });
+      await tab.key('Enter', { code: 'Enter' });
+      await tab.until(() => feltlinePage.core.state().groups[0].name === 'Cat');
+      // Everything survives a reload.
+      await stored(tab);
+      const kept = await state();
+      await tab.reload();
+      assert.deepEqual(await state(), kept);
+      await press_at(tab, '#view [aria-label=Layers]');
+      // A layer leaves the group; a group is dissolved; a layer joins the group below.
+      await press('[data-mark=name-1]');
+      await press('[aria-label="Take out of the group"]');
+      assert.deepEqual((await looks()).map((one) => one.split(' ')[0] + one.split(' ')[4]), ['30', '10', '21']);
+      await press('[aria-label="Group layers"]');
+      assert.deepEqual((await looks()).map((one) => one.split(' ')[0] + one.split(' ')[4]), ['30', '11', '21']);
+      await press('[data-mark=name-group-1]');
+      await press('[aria-label="Ungroup layers"]');
+      assert.deepEqual((await state()).groups, []);
+      await press('[data-mark=name-3]');
+      await press('[aria-label="Remove the layer"]');
+      assert.equal((await state()).layers.length, 2);
+      // If nothing is left to draw on, a layer is added, and the page says so.
+      for (const id of [1, 2]) await press(`[data-mark=lock-${id}]`);
+      assert.equal((await state()).layers.length, 3);
+      assert.match(await notice_of(tab), /All layers were hidden or locked, so .* was added/);
+    });
+  },
+
+  /** Two fingers turn the sheet about the point between them; a button shows the turn, and ends it. */
+  async turn() {
+    await with_tab({ width: 820, height: 1180, mobile: true }, async (tab) => {
+      const at = (x, y, radius, degrees) => [1, -1].map((side) => [x + side * radius * Math.cos((degrees * Math.PI) / 180),
+        y + side * radius * Math.sin((degrees * Math.PI) / 180)]);
+      /** Two fingers that turn around a point by these degrees, and move apart by a factor. */
+      const turn = async (x, y, degrees, { from = 20, factor = 1, rest_ms = 0 } = {}) => {
+        const fingers = (share) => at(x, y, 120 * (1 + share * (factor - 1)), from + share * degrees);
+        await touches(tab, 'touchStart', fingers(0)[0]);
+        await new Promise((done) => setTimeout(done, rest_ms));
+        await touches(tab, 'touchStart', ...fingers(0));
+        for (let i = 1; i <= 20; ++i) await touches(tab, 'touchMove', ...fingers(i / 20));
+        await touches(tab, 'touchEnd', fingers(1)[0]);
+        await touches(tab, 'touchEnd');
+        await tab.frames(3);
+      };
+      const view = () => tab.run(() => feltlinePage.view());
+      const near = (a, b, most, what) => assert.ok(Math.hypot(...a.map((value, i) => value - b[i])) <= most, `${what}: ${a} instead of ${b}`);
+      const to_page = (x, y) => tab.run((x, y) => feltlinePage.core.toPage(x, y), x, y);
+      const button = '#top > button:last-child';
+      for (const mirrored of [false, true]) {
+        await tab.run((mirrored) => feltlinePage.set_view({ mirrored, angle: 0 }), mirrored);
+        const what = mirrored ? 'mirrored' : 'not mirrored';
+        const middle = await to_page(400, 600), right = await to_page(500, 600);
+        await turn(400, 600, 38);
+        near([(await view()).angle], [mirrored ? 330 : 30], 1, what);
+        near(await to_page(400, 600), middle, 0.3, `${what}: the point between the fingers moved`);
+        near(await tab.run((x, y) => feltlinePage.core.toCanvas(x, y), ...right), [400 + 100 * Math.cos(Math.PI / 6), 650], 3, `${what}: turned the other way`);
+        assert.equal(await tab.run((button) => document.querySelector(button).textContent, button), mirrored ? '-30°' : '30°');
+        assert.ok((await tab.run((button) => document.querySelector(button).ariaLabel, button)).startsWith('The sheet is turned by'));
+        // A small turn is none.
+        await turn(400, 600, 4, { from: 200 });
+        near([(await view()).angle], [mirrored ? 330 : 30], 1, `${what}: after a small turn`);
+        await press_at(tab, button, true);
+        assert.equal((await view()).angle, 0);
+        assert.equal(await tab.run((button) => document.querySelector(button).checkVisibility(), button), false);
+      }
+      // Near a right angle the sheet snaps; fingers that only move apart do not turn it.
+      await tab.run(() => feltlinePage.set_view({ mirrored: false }));
+      await turn(400, 600, -100);
+      assert.equal((await view()).angle, 270);
+      await tab.run(() => feltlinePage.turn(null));
+      const { scale } = await view();
+      await turn(400, 600, 6, { factor: 2 });
+      assert.equal((await view()).angle, 0);
+      near([(await view()).scale / scale], [2], 0.05, 'zoom');
+      // A finger that has rested draws nothing when the other one comes.
+      await turn(400, 600, 60, { rest_ms: 450 });
+      assert.notEqual((await view()).angle, 0);
+      assert.equal(await strokes(tab), 0, 'fingers that turn the sheet draw');
+      // One finger still draws on the turned sheet, where it is.
+      const before = await to_page(300, 500);
+      await touches(tab, 'touchStart', [300, 500]);
+      for (let i = 1; i <= 20; ++i) await touches(tab, 'touchMove', [300 + 10 * i, 500]);
+      await touches(tab, 'touchEnd');
+      await tab.until(() => feltlinePage.core.state().strokes === 1);
+      near((await points_of(tab))[0][0], before, 1.5, 'the line begins elsewhere');
+    });
+  },
+
+  /** The dark theme: a dark surround around a light sheet, and a sentence that says why it is light. */
+  async dark() {
+    const is_dark = ([r, g, b]) => r + g + b < 150, is_light = ([r, g, b]) => r + g + b > 700;
+    for (const [width, height] of [[1280, 800], [820, 1180], [390, 844]]) {
+      const prepare = (tab) => tab.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+      await with_tab({ width, height, mobile: width < 1000, prepare }, async (tab) => {
+        const middle = [width / 2, height / 2 + 80], edges = [[2, height / 2], [width - 2, height / 2], [width / 2, 2], [width / 2, height - 2]];
+        const shown = async (dark, what) => {
+          await tab.frames(5);
+          const [center, ...around] = await colors_at(tab, middle, ...edges);
+          assert.ok(is_light(center), `${what}: the sheet is ${center}`);
+          assert.deepEqual(around.map(is_dark), Array(4).fill(dark), `${what}, ${width} x ${height}: ${around.join(' | ')}`);
+        };
+        const why = (where) => tab.run((where) => [...document.querySelectorAll(`${where} .why`)].filter((one) => one.checkVisibility())
+          .map((one) => one.textContent).join(), where);
+        await shown(true, 'at the start');
+        assert.match(await why('#empty'), /^The sheet stays light, so that .*\.$/);
+        await tab.run(() => feltlinePage.set_theme('light'));
+        await shown(false, 'light');
+        assert.equal(await why('#empty'), '');
+        await tab.run(() => feltlinePage.set_theme(''));
+        await shown(true, 'dark again');
+        await tab.run(() => feltlinePage.menu.open());
+        assert.match(await why('.menu'), /^The sheet stays light/);
+        await tab.run(() => feltlinePage.menu.close());
+        // With a drawing: the surround comes and goes, and the line stays on the sheet.
+        await tab.stroke(wave(120, 300, 30));
+        await shown(true, 'with a line');
+        await tab.run(() => feltlinePage.set_theme('light'));
+        await tab.run(() => { feltlinePage.saved(); return feltlinePage.new_drawing(); });
+        await tab.stroke(wave(120, 300, 30));
+        await shown(false, 'a light drawing');
+        await tab.run(() => feltlinePage.set_theme('dark'));
+        await shown(true, 'a light drawing in the dark theme');
+        // A sheet that the user has moved stays where it is.
+        await tab.run(() => feltlinePage.pan(5, 5));
+        const view = await tab.run(() => feltlinePage.view());
+        await tab.run(() => feltlinePage.set_theme('light'));
+        assert.deepEqual(await tab.run(() => feltlinePage.view()), view);
+      });
+    }
+  },
+
+  /** Cut, copy and paste with the keys and the menu, within the page and with other programs. */
+  async clipboard() {
+    await served(async (url) => {
+      const prepare = (tab) => tab.browser.send('Browser.grantPermissions',
+        { origin: url.slice(0, -1), permissions: ['clipboardReadWrite', 'clipboardSanitizedWrite'] });
+      await with_tab({ prepare }, async (tab) => {
+        await tab.send('Page.bringToFront');
+        /** What other programs find. */
+        const clipboard = () => tab.run(async () => {
+          const [item] = await navigator.clipboard.read(), content = {};
+          for (const type of item.types) {
+            const blob = await item.getType(type);
+            if (!type.startsWith('image/png')) content[type] = await blob.text();
+            else {
+              const bitmap = await createImageBitmap(blob), canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext('2d');
+              context.drawImage(bitmap, 0, 0);
+              const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+              content[type] = [bitmap.width, bitmap.height, data[3], data.filter((value, i) => i % 4 === 3 && value > 128).length];
+            }
+          }
+          return content;
+        });
+        /** Another program copies this: { type: text }, or a picture. */
+        const put = (content) => tab.run(async (content) => {
+          const canvas = new OffscreenCanvas(40, 20);
+          canvas.getContext('2d').fillRect(0, 0, 40, 20);
+          const png = await canvas.convertToBlob({ type: 'image/png' });
+          await navigator.clipboard.write([new ClipboardItem(Object.fromEntries(Object.entries(content)
+            .map(([type, text]) => [type, type === 'image/png' ? png : new Blob([text], { type })])))]);
+        }, content);
+        const key = async (name) => {
+          await tab.key(name, { modifiers: 2 });
+          await tab.frames(10);
+        };
+        const count = async (expected, what) => {
+          await tab.until((expected) => feltlinePage.core.state().strokes === expected, expected).catch(() => {});
+          assert.equal(await strokes(tab), expected, what);
+        };
+        const near = (a, b, what) => a.forEach((point, i) => assert.ok(Math.hypot(point[0] - b[i][0], point[1] - b[i][1]) < 0.01, `${what}: ${point} ${b[i]}`));
+        await tab.stroke(wave(300, 300));
+        await tab.stroke(wave(300, 450));
+        const original = await points_of(tab);
+        await put({ 'text/plain': 'x' });
+        await tab.run(() => document.getElementById('sheet').focus());
+        await key('c');
+        await tab.until(async () => (await navigator.clipboard.readText()).includes('<svg'));
+        await tab.until(async () => (await navigator.clipboard.read())[0].types.includes('image/png'));
+        const all = await clipboard();
+        assert.equal(all['text/plain'].match(/<path/g).length, 2);
+        assert.match(all['image/svg+xml'], /<svg[^]*<path/);
+        const [width, height, corner, ink] = all['image/png'];
+        assert.ok(width > 400 && height > 400 && corner === 0 && ink > 1000, `${all['image/png']}`);
+        // Pasted beside the originals, as one step of undo; each paste further.
+        await key('v');
+        await count(4, 'pasted');
+        await key('v');
+        await count(6, 'pasted twice');
+        const pasted = await points_of(tab);
+        for (const [i, mm] of [[2, 5], [3, 5], [4, 10], [5, 10]]) {
+          near(pasted[i], original[i % 2].map(([x, y]) => [x + mm, y + mm]), `paste ${i}`);
+        }
+        for (let i = 0; i < 2; ++i) await key('z');
+        await count(2, 'undone');
+        // Cut removes, and the next paste is in the old place; without a selection, nothing is cut.
+        await key('x');
+        await count(2, 'cut without a selection');
+        await key('a');
+        await key('x');
+        await count(0, 'cut');
+        await key('v');
+        await count(2, 'pasted after a cut');
+        near((await points_of(tab))[1], original[1], 'after a cut');
+        // From other programs, in the middle of the window.
+        const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="20mm" viewBox="0 0 20 20"><path d="M2 4L18 16" stroke="#000" fill="none"/></svg>';
+        let expected = 2;
+        for (const content of [{ 'image/svg+xml': svg }, { 'text/plain': svg }, { 'text/plain': `<?xml version="1.0"?>\n<!-- a comment -->\n${svg}` },
+          { 'image/svg+xml': svg, 'image/png': '' }, { 'text/html': '<b>a</b>', 'text/plain': svg }]) {
+          await put(content);
+          await key('v');
+          await count(expected += 1, Object.keys(content).join());
+          const line = (await points_of(tab)).at(-1), middle = await tab.run(() => feltlinePage.core.toPage(innerWidth / 2, innerHeight / 2));
+          near([[(line[0][0] + line.at(-1)[0]) / 2, (line[0][1] + line.at(-1)[1]) / 2]], [middle], 'the middle');
+        }
+        // A picture becomes a layer; a text, and a damaged drawing, change nothing and are named.
+        await put({ 'image/png': '' });
+        await key('v');
+        await tab.until(() => feltlinePage.core.state().layers.length === 2);
+        for (const [text, words] of [['only words', /The clipboard holds no strokes/], ['<svg xmlns="http://www.w3.org/2000/svg"><path d=', /The clipboard cannot be pasted: /]]) {
+          await put({ 'text/plain': text });
+          await key('v');
+          await tab.until((words) => new RegExp(words).test(document.getElementById('notice').textContent), words.source);
+          assert.equal(await strokes(tab), expected);
+        }
+        // The menu.
+        const choose = async (text) => {
+          await press_at(tab, '#top [aria-label=Menu]');
+          await tab.run((text) => { [...document.querySelectorAll('.menu button')].find((one) => one.textContent.startsWith(text)).id = 'wanted'; }, text);
+          await press_at(tab, '#wanted');
+        };
+        await key('a');
+        await choose('Copy');
+        await tab.until(async () => (await navigator.clipboard.readText()).includes('<svg'));
+        await choose('Paste');
+        await count(2 * expected, 'by the menu');
+        await key('a');
+        await choose('Cut');
+        await count(0, 'cut by the menu');
+        await choose('Paste');
+        await count(2 * expected, 'pasted after a cut by the menu');
+        // A field keeps its own commands.
+        await put({ 'text/plain': 'Name' });
+        await tab.run(() => feltlinePage.rename_layer());
+        await tab.run(() => document.querySelector('#layers li input').select());
+        await key('v');
+        assert.equal(await tab.run(() => document.querySelector('#layers li input').value), 'Name');
+        assert.equal(await strokes(tab), 2 * expected);
+      }, url);
+    });
+  },
+
   /** In every state, each visible control is hit at its centre, by mouse and by finger. */
   async covered() {
-    const sizes = [[1920, 1080], [1440, 900], [1010, 700], [820, 1180], [844, 390], [390, 844]];
+    const sizes = [[1920, 1080], [1280, 800], [1010, 700], [820, 1180], [844, 390], [390, 844]];
     const offers = [['ink', false], ['rectangle', true], ['delete', false], ['select', false]].map(([id, applies]) => ({ id, applies, count: 12 }));
     const states = {
       start: () => {},
-      selection: (state) => feltlinePage.offers.show({ ...state, selected: 1 }),
-      offers: (state, offers) => feltlinePage.offers.show({ ...state, offers, selected: 1, exact: true, canShowAsDrawn: true }),
+      selection: (state) => {
+        feltlinePage.turn(-105);
+        feltlinePage.offers.show({ ...state, selected: 1 });
+      },
+      offers: (state, offers) => feltlinePage.offers.show({ ...state, offers, selected: 1, exact: true, canShowAsDrawn: true,
+        options: { 'lasso.take': 'parts' } }),
       notice: () => feltlinePage.say('A notice that is long enough for two or three lines. '.repeat(3), true),
       'notice over offers': (state, offers) => {
         feltlinePage.offers.show({ ...state, offers, selected: 1 });
@@ -1057,15 +1647,11 @@ const topics = {
               });
               count += controls.length;
               assert.deepEqual(controls.filter(({ by }) => by), [], `${where}: covered`);
-              for (const { x, y } of controls) {
-                if (width < 1000) {
-                  await tab.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] });
-                  await tab.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-                } else {
-                  await tab.mouse('mousePressed', x, y);
-                  await tab.mouse('mouseReleased', x, y);
-                }
-              }
+              // The browser handles them in order.
+              await Promise.all(controls.flatMap(({ x, y }) => (width < 1000 ? [
+                tab.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] }),
+                tab.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] }),
+              ] : [tab.mouse('mousePressed', x, y), tab.mouse('mouseReleased', x, y)])));
               const pressed = await tab.run(() => globalThis.pressed.splice(0));
               assert.deepEqual(pressed, controls.map((_, i) => String(i)), `${where}: another one was pressed`);
               await tab.run((panel) => {
@@ -1074,6 +1660,7 @@ const topics = {
                 document.body.classList.remove('drop');
                 document.getElementById('notice').replaceChildren();
                 feltlinePage.offers.show(feltlinePage.core.state());
+                feltlinePage.turn(null);
                 if (panel && feltlinePage.shown[panel]) feltlinePage.toggle(panel);
               }, panel);
             }
@@ -1168,7 +1755,8 @@ const topics = {
     }
     const source = readFileSync(axe, 'utf8');
     const check = async (tab, name) => {
-      await new Promise((done) => setTimeout(done, 250));  // panels fade in
+      await tab.frames(3);
+      await tab.run(() => Promise.all(document.getAnimations().map(({ finished }) => finished)).then(() => {}));  // panels fade in
       const found = await tab.run(async () => {
         const { violations } = await axe.run(document, { resultTypes: ['violations'] });
         return violations.map((one) => `${one.id}: ${one.nodes.map((node) => `${node.target.join(' ')} ${node.any[0]?.message ?? ''}`).join(', ')}`);
@@ -1256,12 +1844,16 @@ const topics = {
   },
 
   /**
-   * Time until the page is interactive and until all tools are there, at 10 Mbit/s and a CPU that is 4 times slower. Only
-   * printed. An empty page comes first, because Chromium prepares itself for some 0.5 s before its first request.
+   * Time until the page is interactive and until all tools are there, at 10 Mbit/s and a CPU that is 4 times slower: at the
+   * first visit, at the next one after which nothing was drawn, and at one with a drawing. The fastest of the runs must be
+   * within the limit, because other work on the machine only makes a run slower. An empty page comes first, because Chromium
+   * prepares itself for some 0.5 s before its first request.
    */
   async speed() {
+    const fastest = {};
     await served(async (url) => {
       for (const [name, limit] of [['unlimited', async () => {}], ['10 Mbit/s, 4 times slower CPU', async (tab) => {
+        await tab.send('Network.setCacheDisabled', { cacheDisabled: true });
         await tab.send('Network.emulateNetworkConditions', { offline: false, latency: 0, downloadThroughput: 1.25e6, uploadThroughput: 1.25e6 });
         await tab.send('Emulation.setCPUThrottlingRate', { rate: 4 });
       }]]) {
@@ -1269,23 +1861,38 @@ const topics = {
           await tab.load(`${url}empty`, false);
           await limit(tab);
         };
+        const measure = async (tab, visit) => {
+          await tab.until(() => performance.getEntriesByName('complete').length > 0);
+          const times = await tab.run(async () => ({
+            felt: await (async (begin) => {
+              await feltlinePage.core.prepareFelt();
+              return performance.now() - begin;
+            })(performance.now()),
+            paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
+            interactive: performance.getEntriesByName('interactive')[0].startTime,
+            complete: performance.getEntriesByName('complete')[0].startTime }));
+          console.log(`${name}, ${visit}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms, ` +
+            `all tools ${times.complete.toFixed(0)} ms, .felt files ${times.felt.toFixed(0)} ms after that`);
+          const key = `${name}, ${visit}`;
+          fastest[key] = Math.min(fastest[key] ?? Infinity, times.interactive);
+          await stored(tab);
+        };
         for (let i = 0; i < 3; ++i) {
           await with_tab({ prepare, wait: 'first' }, async (tab) => {
-            await tab.until(() => performance.getEntriesByName('complete').length > 0);
-            const times = await tab.run(async () => ({
-              felt: await (async (begin) => {
-                await feltlinePage.core.prepareFelt();
-                return performance.now() - begin;
-              })(performance.now()),
-              paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
-              interactive: performance.getEntriesByName('interactive')[0].startTime,
-              complete: performance.getEntriesByName('complete')[0].startTime }));
-            console.log(`${name}: first paint ${times.paint?.toFixed(0)} ms, interactive ${times.interactive.toFixed(0)} ms, ` +
-              `all tools ${times.complete.toFixed(0)} ms, .felt files ${times.felt.toFixed(0)} ms after that`);
+            await measure(tab, 'first visit');
+            await tab.reload('first');
+            await measure(tab, 'nothing drawn');
+            await tab.stroke(wave(300, 300));
+            await stored(tab);
+            await tab.reload('first');
+            await measure(tab, 'with a drawing');
+            assert.equal(await strokes(tab), 1);
           }, url);
         }
       }
     });
+    const slow = Object.entries(fastest).filter(([, ms]) => ms > kMaxInteractiveMs).map(([name, ms]) => `${name}: ${ms.toFixed(0)} ms`);
+    assert.deepEqual(slow, [], `interactive after more than ${kMaxInteractiveMs} ms`);
   },
 };
 
