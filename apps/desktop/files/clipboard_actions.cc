@@ -5,16 +5,13 @@
 #include <QCryptographicHash>
 #include <QGuiApplication>
 #include <functional>
-#include <set>
 #include <utility>
 
 #include "desktop/files/added_strokes.h"
 #include "desktop/files/clipboard.h"
 #include "desktop/files/error_words.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/formats/drawing_materials.h"
-#include "felt/io/drawing_builder.h"
-#include "felt/stroke/edit/mend_joints.h"
+#include "felt/formats/copied_ink.h"
 
 namespace felt::desktop {
 namespace {
@@ -30,38 +27,6 @@ void put(std::unique_ptr<QMimeData> data) {
 QByteArray fingerprint(const QMimeData& data) {
   return QCryptographicHash::hash(data.data(QString::fromLatin1(kStrokesMime)),
                                   QCryptographicHash::Sha1);
-}
-
-VisibleInk moved(VisibleInk ink, Vec by_mm) {
-  if (by_mm == Vec{}) return ink;
-  for (StrokePtr& s : ink.strokes) {
-    StrokeData data = s->data();
-    for (Point& p : data.points) p = p + by_mm;
-    mend_rounding(data);
-    if (Result<Stroke> stroke = Stroke::create(std::move(data))) {
-      s = std::make_shared<const Stroke>(*std::move(stroke));
-    }
-  }
-  for (FillPtr& f : ink.fills) {
-    Fill fill = *f;
-    for (FillLoop& loop : fill.loops) {
-      for (Point& point : loop.points) point = point + by_mm;
-    }
-    f = std::make_shared<const Fill>(std::move(fill));
-  }
-  return ink;
-}
-
-/// Adds the fills of visible layers for which `goes_along` is true to a layer of a new drawing.
-void add_fills(const Document& document, const std::function<bool(const Fill&)>& goes_along,
-               std::size_t to, DrawingBuilder& builder) {
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const FillId id : layer.fills) {
-      const FillPtr fill = document.find_fill(id);
-      if (goes_along(*fill)) builder.add_fill(to, fill, fill_name(id));
-    }
-  }
 }
 
 }  // namespace
@@ -96,39 +61,8 @@ void ClipboardActions::keep_up() {
 Drawing ClipboardActions::chosen() const {
   const Session& session = studio_.session();
   const Selection& selection = session.selection();
-  return drawing_with(
-      [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
-}
-
-/// Returns the visible strokes for which `keep` is true and the fills between them, with the
-/// present texts of their media. The texts are needed because the user may change the media before
-/// the paste, or paste in another program.
-Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
-  const Document& document = studio_.session().seen();
-  DrawingBuilder builder;
-  const std::size_t kept = builder.add_layer({"Ink"});
-  std::set<std::string> media;
-  std::set<StrokeId> kept_ids;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      if (!keep(id)) continue;
-      kept_ids.insert(id);
-      const StrokePtr stroke = document.find(id);
-      media.insert(stroke->medium());
-      builder.add(kept, stroke, id);
-    }
-  }
-  // If all strokes are copied, fills without strokes are, too.
-  const bool is_all = studio_.session().selection().empty();
-  const auto goes_along = [&](const Fill& fill) {
-    return goes_with_strokes(fill, [&](StrokeId id) { return kept_ids.contains(id); }) ||
-           (is_all && !goes_with_strokes(fill, [](StrokeId) { return true; }));
-  };
-  add_fills(document, goes_along, kept, builder);
-  const std::vector<std::string> ids(media.begin(), media.end());
-  builder.drawing().materials = texts_of_used(Document(), {}, studio_.session().materials(), ids);
-  return std::move(builder).build();
+  return copied_drawing(
+      session, [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
 }
 
 void ClipboardActions::remember_and_put(Drawing drawing) {
@@ -144,8 +78,9 @@ void ClipboardActions::copy() {
 
 void ClipboardActions::cut() {
   // Cuts only the strokes that are selected as a whole, because Delete removes only these.
-  const Selection& selection = studio_.session().selection();
-  Drawing whole = drawing_with([&](StrokeId id) { return selection.is_whole(id); });
+  const Session& session = studio_.session();
+  Drawing whole =
+      copied_drawing(session, [&](StrokeId id) { return session.selection().is_whole(id); });
   if (whole.document.stroke_count() == 0) {
     Q_EMIT studio_.refused(tr("Only whole strokes can be cut. Select a whole stroke first."));
     return;
@@ -201,7 +136,7 @@ void ClipboardActions::paste_at(Point middle) {
 
 void ClipboardActions::add(Imported pasted, Vec by_mm) {
   add_strokes(studio_, QStringLiteral("clipboard"),
-              moved(visible_ink(pasted.drawing.document), by_mm), pasted.drawing.materials,
+              moved_ink(visible_ink(pasted.drawing.document), by_mm), pasted.drawing.materials,
               pasted.report);
   Q_EMIT taken(tr("the clipboard"), pasted.report);
 }

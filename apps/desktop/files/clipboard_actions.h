@@ -44,7 +44,6 @@ class ClipboardActions : public QObject {
 
  private:
   [[nodiscard]] Drawing chosen() const;
-  [[nodiscard]] Drawing drawing_with(const std::function<bool(StrokeId)>& keep) const;
   void copy();
   void cut();
   void paste();
