@@ -28,6 +28,7 @@
 #include "replay_arguments.h"
 #include "replay_input.h"
 #include "replay_sound.h"
+#include "sketch_input.h"
 
 namespace felt::cli {
 namespace {
@@ -275,10 +276,12 @@ void set_options(const ReplayCommandArguments& args, const Drawing& start, Repla
   }
 }
 
-Result<void> play_scripts(const ReplayCommandArguments& args, ScriptRun& run) {
+Result<void> play_scripts(const ReplayCommandArguments& args, ScriptRun& run, Console& console) {
   run.expect(args.scripts);
   for (const std::string& script : args.scripts) {
-    if (Result<void> read = read_script_file(script, run); !read) return read;
+    const Result<void> read = read_script_file(script, run);
+    report_notices(input_name(script), run.report(), console);
+    if (!read) return read;
   }
   return run.play();
 }
@@ -462,8 +465,9 @@ void run_replay(ReplayCommandArguments args, Console& console) {
   set_options(args, *start, machine);
   ScriptRun run(machine, args.mm_per_unit, args.seed);
   outputs->run = &run;
-  Result<void> done = play_scripts(args, run);
+  Result<void> done = play_scripts(args, run, console);
   console.end_progress();
+  if (done && console.failed()) return;  // a notice with --strict
   if (done) done = write_outputs(args, *std::move(start), *outputs, machine);
   if (!done) return console.error(done.error().message);
   if (args.stats.empty()) return;

@@ -8,6 +8,7 @@
 #include "known_materials.h"
 #include "replay_arguments.h"
 #include "replay_input.h"
+#include "sketch_input.h"
 
 namespace felt::cli {
 namespace {
@@ -47,6 +48,7 @@ Result<void> read_drawing_input(const Input& input, const TimelapseFiles& files,
   const Result<Imported> opened = input.read_drawing({});
   if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));
   timelapse.source.read_import = reads_imports(files.input, {files.output});
+  timelapse.report = opened->report;
   return use_newest_recording(input.name(), opened->drawing, timelapse);
 }
 
@@ -83,6 +85,7 @@ Result<TimelapseInput> read_timelapse(const TimelapseFiles& files, Console& cons
                 input->name() + ": neither an event script (.ndjson) nor a .felt file");
   }
   if (!done) return tl::unexpected(done.error());
+  report_notices(input->name(), timelapse.report, console);
   if (Result<void> any = check_has_moments(input->name(), timelapse); !any) {
     return tl::unexpected(any.error());
   }

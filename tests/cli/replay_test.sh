@@ -301,4 +301,17 @@ has err "can use stdout"
 run 2 "$feltline" replay recorded.ndjson --as-recorded --sound - -o -
 run 2 "$feltline" replay recorded.ndjson --as-recorded
 has err "needs -o OUT or --sound"
+
+# Raw pressures and times of strokes are named, those of events refused; with --strict nothing is written.
+echo '{"points":[[10,10,512,0],[20,10,700,0.01],[30,10,900,0.02],[40,10,900,0.03]]}' >raw.ndjson
+run 0 "$feltline" replay raw.ndjson -o raw.out.ndjson
+has err "raw.ndjson: stroke '1' (4 of 4 pressures, for example 900) has pressures outside 0 to 1"
+has err "has times that are not milliseconds"
+run 1 "$feltline" --strict replay raw.ndjson -o strict.ndjson
+[ ! -e strict.ndjson ] || fail "--strict wrote a file"
+run 0 "$feltline" timelapse raw.ndjson -o raw.svg
+has err "has pressures outside 0 to 1"
+echo '{"event":"pen","x":1,"y":2,"z":0,"pressure":512,"t_ms":0}' >raw_event.ndjson
+run 1 "$feltline" replay raw_event.ndjson -o strict.ndjson
+has err "raw_event.ndjson:1: pressure: is not between 0 and 1"
 finish

@@ -88,6 +88,8 @@ ScriptFeed::ScriptFeed(const FeedOptions& options, FeedSink sink)
 
 Result<void> ScriptFeed::read(const std::string& name, ReadBytes read) {
   file_start_ns_ = now_ns_;
+  file_strokes_ = 0;
+  report_ = {};
   const ScriptSink lines{
       .event = [this](const Event& event) { return add_event(event); },
       .stroke = [this](const RawStroke& stroke) { return add_stroke(stroke); },
@@ -107,15 +109,28 @@ Result<void> ScriptFeed::add_event(const Event& event) {
   return sink_.event(timed);
 }
 
-Result<void> ScriptFeed::add_stroke(const RawStroke& stroke) {
+RecordedPath ScriptFeed::path_of(const RawStroke& stroke) {
+  SampleCheck check;
+  for (const InkSample& sample : stroke.samples) check.add(sample);
+  SampleFaults faults = check.faults();
+  faults.needs_times = true;  // the hand draws at the recorded speed
+  ++file_strokes_;
+  report_.add_faults(0, stroke.id.empty() ? std::to_string(file_strokes_) : stroke.id, faults);
   RecordedPath path;
-  std::vector<Point> meant;
   for (const InkSample& sample : stroke.samples) {
-    const Point point{options_.mm_per_unit * sample.position.x,
-                      options_.mm_per_unit * sample.position.y};
-    path.push_back({point, with_valid_pressure(sample).pressure, sample.time_ns, sample.tilt_deg});
-    meant.push_back(point);
+    path.push_back(
+        {{options_.mm_per_unit * sample.position.x, options_.mm_per_unit * sample.position.y},
+         with_valid_pressure(sample).pressure,
+         faults.has_no_clock ? std::nullopt : sample.time_ns,
+         sample.tilt_deg});
   }
+  return path;
+}
+
+Result<void> ScriptFeed::add_stroke(const RawStroke& stroke) {
+  RecordedPath path = path_of(stroke);
+  std::vector<Point> meant;
+  for (const RecordedPoint& point : path) meant.push_back(point.position);
   if (Result<void> fine = check_length(path); !fine) return fine;
   HandScriptOptions hand = sink_.hand ? sink_.hand() : options_.hand;
   if (!is_fresh_) hand.lead_in_s = 0.0;

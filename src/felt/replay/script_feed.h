@@ -11,6 +11,7 @@
 #include "felt/devices/simulated/scripted_hand.h"
 #include "felt/geometry/point.h"
 #include "felt/io/events/event_reader.h"
+#include "felt/io/import.h"
 
 namespace felt {
 
@@ -72,12 +73,16 @@ class ScriptFeed {
   /// rest, too. Call it before a play.
   Result<void> rest();
 
+  /// Returns the faults of the samples of raw strokes in the last script. Pressures count as 0 or
+  /// 1; a stroke with times that are not those of a pen is drawn as if it had none.
+  [[nodiscard]] const ImportReport& report() const noexcept { return report_; }
   /// Returns the time of the last event sent.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] std::int64_t stroke_count() const noexcept { return strokes_; }
 
  private:
   Result<void> add_event(const Event& event);
+  RecordedPath path_of(const RawStroke& stroke);
   Result<void> add_stroke(const RawStroke& stroke);
   Result<void> travel_to(const Vec3& target);
   Result<void> put(const TimedAim& aim, std::int64_t start_ns);
@@ -89,6 +94,8 @@ class ScriptFeed {
   std::int64_t now_ns_ = 0;
   std::optional<Vec3> hand_;  // the last aim
   std::int64_t strokes_ = 0;
+  std::int64_t file_strokes_ = 0;  // of the current script
+  ImportReport report_;
   bool is_fresh_ = true;
 };
 

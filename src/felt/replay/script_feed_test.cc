@@ -1,11 +1,14 @@
 #include "felt/replay/script_feed.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 namespace felt::script_feed_test {
 namespace {
+
+using ::testing::HasSubstr;
 
 /// The output of a script.
 struct Fed {
@@ -50,6 +53,42 @@ TEST(ScriptFeed, AStrokeIsDrawnBetweenTheEventsAroundIt) {
   const Event& second = fed.events[fed.events_at_stroke[0]];
   EXPECT_TRUE(std::holds_alternative<UndoEvent>(second.what));
   EXPECT_EQ(fed.events.size(), fed.events_at_stroke[0] + 2);
+}
+
+/// Returns the notices about a script.
+std::vector<std::string> notices_of(const std::string& script) {
+  ScriptFeed feed({}, {.event = [](const Event&) { return Result<void>(); }});
+  const Result<void> read = feed.read("script", read_text(script));
+  EXPECT_TRUE(read) << read.error().message;
+  std::vector<std::string> notices;
+  for (const ImportNotice& notice : feed.report().notices()) {
+    notices.push_back(notice_text(notice));
+  }
+  return notices;
+}
+
+TEST(ScriptFeed, RawPressuresAreNamedOnceWithTheirNumber) {
+  const std::string raw = R"({"points":[[10,10,512,0],[20,10,700,100],[20,20,0.5,200]]})"
+                          "\n";
+  const std::vector<std::string> notices = notices_of(kStroke + raw + raw);
+  ASSERT_EQ(notices.size(), 1u);
+  EXPECT_THAT(notices[0], HasSubstr("stroke '2' (2 of 3 pressures, for example 700) has pressures "
+                                    "outside 0 to 1"));
+  EXPECT_THAT(notices[0], HasSubstr("1 more"));
+  EXPECT_TRUE(notices_of(kStroke).empty());
+}
+
+TEST(ScriptFeed, TimesInSecondsAreNamedAndTheStrokeIsDrawnAsWithoutTimes) {
+  std::string seconds = R"({"id":"wave","points":[)", without = seconds;
+  for (int i = 0; i < 20; ++i) {
+    const std::string at = (i > 0 ? ",[" : "[") + std::to_string(i) + ",10,0.5";
+    seconds += at + "," + std::to_string(0.01 * i) + "]";
+    without += at + "]";
+  }
+  const std::vector<std::string> notices = notices_of(seconds + "]}\n");
+  ASSERT_EQ(notices.size(), 1u);
+  EXPECT_THAT(notices[0], HasSubstr("stroke 'wave' has times that are not milliseconds"));
+  EXPECT_EQ(feed({seconds + "]}\n"}).events, feed({without + "]}\n"}).events);
 }
 
 TEST(ScriptFeed, TheHandPressesAlongTheStrokeAndLifts) {

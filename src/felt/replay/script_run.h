@@ -22,6 +22,8 @@ class ScriptRun {
   /// Reads a script. `name` is for errors. Paths of imports are relative to `folder`, which ends
   /// with a slash; "" is the working directory. The error is "NAME:LINE: reason".
   Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
+  /// Returns the faults of the samples of raw strokes in the last script (ScriptFeed::report()).
+  [[nodiscard]] const ImportReport& report() const noexcept { return feed_.report(); }
   /// Plays everything read so far. More scripts may follow.
   Result<void> play();
 

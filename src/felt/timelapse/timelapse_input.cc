@@ -38,7 +38,8 @@ Result<bool> read_recorded(const TimelapseScript& script, FeltRecording& recordi
 }
 
 /// Lets the simulated hand draw a script, and records it.
-Result<FeltRecording> record_script(const TimelapseScript& script, const TimelapseSource& source) {
+Result<FeltRecording> record_script(const TimelapseScript& script, const TimelapseSource& source,
+                                    ImportReport& report) {
   ReplaySettings settings = script.pen;
   settings.materials = source.materials;
   FeltRecorder recorder(std::string(settings.device.name), kScriptPeriodNs);
@@ -52,6 +53,7 @@ Result<FeltRecording> record_script(const TimelapseScript& script, const Timelap
   }
   ScriptRun run(machine, 1.0, 0);
   Result<void> done = run.script(script.name, script.folder, read_text(script.text));
+  report = run.report();
   if (done) done = run.play();
   if (!done) return tl::unexpected(done.error());
   return recorder.take();
@@ -62,7 +64,7 @@ Result<FeltRecording> record_script(const TimelapseScript& script, const Timelap
 Result<bool> use_script(const TimelapseScript& script, TimelapseInput& input) {
   const Result<bool> is_recorded = read_recorded(script, input.source.recording);
   if (!is_recorded || *is_recorded) return is_recorded;
-  Result<FeltRecording> drawn = record_script(script, input.source);
+  Result<FeltRecording> drawn = record_script(script, input.source, input.report);
   if (!drawn) return tl::unexpected(drawn.error());
   input.source.recording = *std::move(drawn);
   return false;

@@ -4,6 +4,7 @@
 
 #include "felt/base/result.h"
 #include "felt/document/drawing.h"
+#include "felt/io/import.h"
 #include "felt/replay/replay_machine.h"
 #include "felt/timelapse/timelapse.h"
 
@@ -15,6 +16,8 @@ struct TimelapseInput {
   /// The page of a .felt drawing, or of the drawing on which a script begins; has_page is false if
   /// there is none.
   Drawing frame{.has_page = false};
+  /// Faults of the samples of raw strokes in a script.
+  ImportReport report{};
 };
 
 /// Text of an event script (docs/formats/events.md).

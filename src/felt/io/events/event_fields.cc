@@ -12,6 +12,7 @@
 #include "felt/io/events/layer_fields.h"
 #include "felt/io/events/timing_fields.h"
 #include "felt/material/material_file.h"
+#include "felt/stroke/fit/sample_faults.h"
 
 namespace felt::json {
 namespace {
@@ -45,7 +46,10 @@ Result<void> parse_pressure(Value& value, EventFields& out) {
   if (Result<void> read = parse_number(value, "pressure", kCoordinateLimit, pressure); !read) {
     return read;
   }
-  // Drivers slightly exceed their own range, but a pressure outside 0..1 has no meaning.
+  // Drivers slightly exceed their own range, but a raw pressure (0 to 1023) has no meaning.
+  if (pressure < -kPressureSlack || pressure > 1.0 + kPressureSlack) {
+    return bad("pressure: is not between 0 and 1");
+  }
   out.pressure = std::fmin(std::fmax(pressure, 0.0), 1.0);
   return {};
 }

@@ -269,7 +269,12 @@ TEST(EventReader, WithoutDepthPressureDecides) {
             "key \"z\" is missing, and there is no pressure");
 }
 
-TEST(EventReader, PressureIsClampedToItsRange) {
+TEST(EventReader, PressureIsLimitedToItsRangeAndRawPressureIsAnError) {
+  for (const char* raw : {"512", "1.06", "-0.06"}) {
+    EXPECT_EQ(error_of(R"({"event":"pen","x":1,"y":2,"z":0,"pressure":)" + std::string(raw) +
+                       R"(,"t_ms":0})"),
+              "pressure: is not between 0 and 1");
+  }
   const Event above = event_of(R"({"event":"pen","x":1,"y":2,"z":0,"pressure":1.01,"t_ms":0})");
   EXPECT_EQ(std::get<PenEvent>(above.what).pressure, 1.0);
   const Event below = event_of(R"({"event":"pen","x":1,"y":2,"z":0,"pressure":-0.01,"t_ms":0})");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "felt/base/constants.h"
+#include "felt/stroke/fit/sample_faults.h"
 
 namespace felt {
 namespace {
@@ -195,6 +196,14 @@ Result<Shake> find_shake(std::span<const InkSample> samples) {
   if (!samples.empty() && 2 * static_cast<std::size_t>(without_times) > samples.size()) {
     return fail(ErrorCode::kInvalidData,
                 "the samples have no times, so no frequency can be measured");
+  }
+  SampleCheck check;
+  for (const InkSample& sample : samples) check.add(sample);
+  if (check.faults().has_no_clock) {
+    return fail(
+        ErrorCode::kInvalidData,
+        "the times are not milliseconds: they stand still, run backwards or hardly advance, "
+        "so no frequency can be measured");
   }
   const std::vector<TimedLine> lines = lines_of(samples);
   double duration_s = 0.0, count = 0.0;

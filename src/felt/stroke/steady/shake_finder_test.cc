@@ -1,5 +1,6 @@
 #include "felt/stroke/steady/shake_finder.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -54,6 +55,19 @@ TEST(ShakeFinder, AJerkDoesNotChangeIt) {
   const Result<Shake> shake = find_shake(samples);
   ASSERT_TRUE(shake) << shake.error().message;
   EXPECT_NEAR(shake->hz, 5.0, 0.4);
+}
+
+TEST(ShakeFinder, RefusesTimesThatAreNotMilliseconds) {
+  const auto with_times = [](auto time_of) {
+    std::vector<InkSample> samples = spiral(5.0, 1.0, 40.0);
+    for (InkSample& sample : samples) sample.time_ns = time_of(*sample.time_ns);
+    return why_not(samples);
+  };
+  const auto refused = ::testing::StartsWith("the times are not milliseconds");
+  EXPECT_THAT(with_times([](std::int64_t ns) { return ns / 1000; }), refused);  // seconds
+  EXPECT_THAT(with_times([](std::int64_t) { return 0; }), refused);
+  EXPECT_THAT(with_times([](std::int64_t ns) { return 20'000'000'000 - ns; }), refused);
+  EXPECT_THAT(with_times([](std::int64_t ns) { return ns; }), ::testing::StartsWith("found"));
 }
 
 TEST(ShakeFinder, SaysWhyItFindsNothing) {
