@@ -142,7 +142,8 @@ void PenHand::release_all() {
 void PenHand::set_keys(Qt::KeyboardModifiers keys) {
   const std::uint32_t before = buttons();
   keys_ = (keys.testFlag(Qt::ShiftModifier) ? kFirstModifier : 0) |
-          (keys.testFlag(Qt::ControlModifier) ? kSecondModifier : 0);
+          (keys.testFlag(Qt::ControlModifier) ? kSecondModifier : 0) |
+          (keys.testFlag(Qt::AltModifier) ? kThirdModifier : 0);
   send_buttons(before);
 }
 

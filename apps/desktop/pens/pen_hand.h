@@ -51,7 +51,7 @@ class PenHand : public QObject {
   void release(ButtonRole role);
   /// Releases all buttons.
   void release_all();
-  /// Sets Shift and Ctrl as the keyboard reports them.
+  /// Sets Shift, Ctrl and Alt as the keyboard reports them.
   void set_keys(Qt::KeyboardModifiers keys);
   /// Sets modifiers that stay until they are removed: the bits defined in tool.h.
   void set_locked(std::uint32_t bits);

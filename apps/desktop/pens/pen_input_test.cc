@@ -522,7 +522,7 @@ TEST_F(PenInputTest, SideButtonsDoWhatTheSettingsSay) {
   EXPECT_NEAR(moved.y(), 90, 1e-6);
 }
 
-TEST_F(PenInputTest, ShiftAndCtrlAreTheToolsModifiers) {
+TEST_F(PenInputTest, ShiftCtrlAndAltAreTheToolsModifiers) {
   mouse(QEvent::MouseMove, {100, 100}, Qt::NoButton, Qt::NoButton);
   wait(50);
   EXPECT_EQ(studio_.pen().sample.buttons, 0u);
@@ -535,6 +535,9 @@ TEST_F(PenInputTest, ShiftAndCtrlAreTheToolsModifiers) {
   key(QEvent::KeyRelease, Qt::Key_Shift, Qt::ShiftModifier | Qt::ControlModifier);
   wait(50);
   EXPECT_EQ(studio_.pen().sample.buttons, kSecondModifier);
+  key(QEvent::KeyPress, Qt::Key_Alt, Qt::ControlModifier);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, kSecondModifier | kThirdModifier);
   QFocusEvent out(QEvent::FocusOut);
   QApplication::sendEvent(&canvas_, &out);
   wait(50);
