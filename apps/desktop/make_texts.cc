@@ -82,7 +82,8 @@ void add_tool(Texts& texts, const ToolInfo& tool) {
     add(texts, act.caption);
   }
   for (const ToolUse& use : tool.uses) {
-    for (const std::string_view text : {use.hint, use.first_modifier, use.second_modifier}) {
+    for (const std::string_view text :
+         {use.hint, use.first_modifier, use.second_modifier, use.third_modifier}) {
       add(texts, text);
     }
   }

@@ -64,8 +64,8 @@ export interface Core {
   /**
    * Handles pointer samples in order of time, hover samples, too: for each sample `time, x, y, touching (0 or 1),
    * pressure, tiltX, tiltY, modifiers`. `pressure` is 0..1; NaN if the pointer has no sensor (mouse, finger).
-   * `tiltX` and `tiltY` are degrees as in PointerEvent; NaN if unknown. `modifiers`: 1 for Shift, 2 for Ctrl, 3 for
-   * both; `state().use` says what they do. A sample that is earlier than the time that has passed counts as now.
+   * `tiltX` and `tiltY` are degrees as in PointerEvent; NaN if unknown. `modifiers`: the sum of 1 for Shift,
+   * 2 for Ctrl and 4 for Alt; `state().use` says what they do. A sample that is earlier than the time that has passed counts as now.
    */
   samples(samples: Float64Array): void;
   /**
@@ -344,7 +344,7 @@ export interface Catalog {
 export interface State {
   tool: string;
   /** The tool's hint and what its modifiers do now. */
-  use: { hint: string; shift: string; ctrl: string };
+  use: { hint: string; shift: string; ctrl: string; alt: string };
   /** Size of the tool, for [ and ]; null if it has none. */
   size: { mm: number; min: number; max: number; options: Record<string, number> } | null;
   /** Values of the options of the tool in use, by id. */

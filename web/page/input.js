@@ -293,9 +293,9 @@ export class Input {
 
   // --- Keys
 
-  /** Sets Shift (1) and Ctrl (2). They take effect even while the pen rests. */
+  /** Sets Shift (1), Ctrl (2) and Alt (4). They take effect even while the pen rests. */
   set_modifiers(event) {
-    const modifiers = (event.shiftKey ? 1 : 0) + (event.ctrlKey || event.metaKey ? 2 : 0);
+    const modifiers = (event.shiftKey ? 1 : 0) + (event.ctrlKey || event.metaKey ? 2 : 0) + (event.altKey ? 4 : 0);
     if (modifiers === this.modifiers) return;
     this.modifiers = modifiers;
     if (!this.last || this.keys_draw) return;
@@ -313,6 +313,6 @@ export class Input {
     this.panning = this.pinch = this.tap = null;
     if (this.drawing !== null && (is_hidden || this.fingers.has(this.drawing))) this.end({ type: 'pointercancel', timeStamp: performance.now() });
     this.fingers.clear();
-    this.set_modifiers({ shiftKey: false, ctrlKey: false, metaKey: false, timeStamp: performance.now() });
+    this.set_modifiers({ shiftKey: false, ctrlKey: false, metaKey: false, altKey: false, timeStamp: performance.now() });
   }
 }

@@ -449,8 +449,8 @@ class Page {
     this.layers.show(state);
     this.forces.show(state);
     by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once || Boolean(this.last);
-    const { hint, shift, ctrl } = state.use;
-    const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl]];
+    const { hint, shift, ctrl, alt } = state.use;
+    const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl], ['Alt', alt]];
     const texts = [d('tools', hint), ...keys.filter(([, what]) => what).map(([key, what]) => `${key}: ${d('tools', what)}`)];
     if (texts.join() !== this.hint) {
       this.hint = texts.join();

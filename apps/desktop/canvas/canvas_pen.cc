@@ -132,6 +132,7 @@ QString Canvas::hint() const {
   };
   add(Qt::ShiftModifier, use.first_modifier);
   add(Qt::ControlModifier, use.second_modifier);
+  add(Qt::AltModifier, use.third_modifier);
   if (right_button_.isEmpty()) return hint;
   return hint + QStringLiteral("   ") + tr("Right button: %1").arg(right_button_);
 }

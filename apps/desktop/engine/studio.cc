@@ -243,11 +243,6 @@ void Studio::point(const PointerEvent& pointed) {
   PointerEvent event = pointed;
   event.height_mm = height_of_bodies_mm(event.position);
   pen_.hand = event.position;
-  // A touch that begins after a ring was closed is for the tool, even if the simulated pen has not
-  // been lifted in between.
-  if (std::exchange(hand_touches_, event.touching) != event.touching && !session_->ring()) {
-    touches_for_ring_ = touches_for_ring_ && !event.touching;
-  }
   loop_.point(event, session_->surface(), session_->device(), absent_pressure(*session_));
 }
 

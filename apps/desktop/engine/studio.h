@@ -233,7 +233,6 @@ class Studio : public QObject {
   bool is_held_from_ink_ = false;  // a touch that began on bodies or while the pen was lent
   bool is_below_page_ = false;     // the pen has felt bodies there, and has not been up since
   bool reported_elsewhere_ = false;
-  bool hand_touches_ = false;       // the hand of a mouse or tablet puts the pen down
   std::int64_t last_event_ns_ = 0;  // time of the last event of the session
   std::vector<Edit> edits_;         // edits that `edited` has not reported yet
   QString home_tool_;               // the tool to select again while another one is borrowed

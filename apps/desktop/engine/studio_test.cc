@@ -253,6 +253,89 @@ TEST(Studio, R14_TheSessionAndItsRecordingKnowTheForceLimit) {
   EXPECT_EQ(fixture.studio.session().device(), touch);
 }
 
+/// Returns the distance from the place of a press to the beginning of the ink, after a motion of
+/// 50 mm in 30 ms.
+double hook_mm(const QString& device) {
+  Fixture fixture(device);
+  fixture.studio.apply(SetOption{"pencil.snap", std::string("off")});
+  const Point from{40, 60}, press{90, 60};
+  fixture.point(from, 0.0);
+  fixture.wait(800);
+  for (int ms = 1; ms <= 30; ++ms) {
+    fixture.point({std::lerp(from.x, press.x, ms / 30.0), press.y}, 0.0);
+    fixture.wait(1);
+  }
+  for (int ms = 0; ms <= 400; ++ms) {
+    fixture.point({press.x, press.y + 0.1 * ms}, 0.5);
+    fixture.wait(1);
+  }
+  fixture.point({press.x, press.y + 40.0}, 0.0);
+  fixture.wait(2000);
+  const std::vector<StrokePtr> ink = visible_strokes(fixture.studio.session().document());
+  EXPECT_EQ(ink.size(), 1u);
+  return ink.empty() ? 1e9 : distance(ink.front()->position(0.0), press);
+}
+
+TEST(Studio, R18_ALineOfASimulatedStylusBeginsAtThePress) {
+  for (const PenDeviceInfo& device : pen_devices()) {
+    if (!device.id.startsWith(QLatin1String("simulated:"))) continue;
+    EXPECT_LT(hook_mm(device.id), 1.5) << device.id.toStdString();
+  }
+}
+
+// The touch of a choice in a ring is not for the tool, even if the hand already touches again while
+// the stylus is still on the surface.
+TEST(Studio, ATouchRightAfterAChoiceInARingIsOneLine) {
+  for (const PenDeviceInfo& device : pen_devices()) {
+    const bool is_simulated = device.id.startsWith(QLatin1String("simulated:"));
+    if (!is_simulated && device.id != QLatin1String("tablet")) continue;
+    SCOPED_TRACE(device.id.toStdString());
+    for (const int pause_ms : {0, 5, 60}) {
+      Fixture fixture(device.id);
+      fixture.studio.apply(SetOption{"pencil.snap", std::string("off")});
+      const Point well{60, 40};
+      fixture.point({60, 60}, 0.0);
+      fixture.wait(800);
+      fixture.studio.apply(UseRing{true, {60, 60}, well, {80, 60}});
+      fixture.point(well, 0.5);
+      fixture.wait(500);
+      fixture.studio.apply(UseRing{});
+      fixture.point(well, 0.0);
+      if (pause_ms > 0) fixture.wait(pause_ms);
+      for (int ms = 0; ms <= 400; ++ms) {
+        fixture.point({well.x + 0.1 * ms, well.y}, 0.5);
+        fixture.wait(1);
+      }
+      fixture.point({well.x + 40.0, well.y}, 0.0);
+      fixture.wait(2000);
+      const std::vector<StrokePtr> ink = visible_strokes(fixture.studio.session().document());
+      ASSERT_EQ(ink.size(), 1u) << pause_ms;
+      EXPECT_LT(distance(ink.front()->position(0.0), well), 1.5) << pause_ms;
+    }
+  }
+}
+
+TEST(Studio, TwoPressesShortlyOneAfterTheOtherAreTwoLines) {
+  for (const PenDeviceInfo& device : pen_devices()) {
+    if (!device.id.startsWith(QLatin1String("simulated:"))) continue;
+    SCOPED_TRACE(device.id.toStdString());
+    Fixture fixture(device.id);
+    fixture.studio.apply(SetOption{"pencil.snap", std::string("off")});
+    fixture.point({40, 60}, 0.0);
+    fixture.wait(800);
+    for (const double y : {60.0, 90.0}) {
+      for (int ms = 0; ms <= 300; ++ms) {
+        fixture.point({40.0 + 0.1 * ms, y}, 0.5);
+        fixture.wait(1);
+      }
+      fixture.point({70.0, y}, 0.0);
+      fixture.wait(20);
+    }
+    fixture.wait(2000);
+    EXPECT_EQ(visible_strokes(fixture.studio.session().document()).size(), 2u);
+  }
+}
+
 // While the window is busy, the loop fills its queue, which has space for samples of 16 s.
 TEST(Studio, SixteenSecondsWithoutATurnLoseNothing) {
   Fixture fixture;

@@ -9,9 +9,12 @@
 namespace felt::desktop {
 namespace {
 
-/// Time after which the session has certainly handled a lift of the pen, unless a simulated body
-/// still has to move: the hand's positions are played with a delay of up to 15 ms (AimTrack).
+/// Time after which the session has handled a lift of the pen, if it has handled the touch before:
+/// the hand's positions are played with a delay of up to 15 ms (AimTrack).
 constexpr std::int64_t kLiftSeenNs = 20'000'000;
+/// Time after which a touch that the session has not handled is given up. A simulated body may have
+/// a long way to the place of the touch (LandingWait).
+constexpr std::int64_t kTouchSeenNs = 500'000'000;
 
 std::uint32_t bit_of(ButtonRole role) {
   return 1U << static_cast<unsigned>(role);
@@ -40,6 +43,18 @@ std::uint32_t modifier_of(ButtonRole role) {
 
 PenHand::PenHand(Canvas& canvas) : canvas_(canvas), studio_(canvas.studio()) {
   connect(&studio_, &Studio::shown, this, &PenHand::settle);
+  connect(&studio_, &Studio::sampled, this, &PenHand::on_sample);
+}
+
+/// Notes touches and lifts as the session handles them.
+void PenHand::on_sample(const PenSample& sample) {
+  const bool touches = in_contact(sample);
+  if (std::exchange(session_touches_, touches) == touches) return;
+  if (touches) {
+    is_touch_owed_ = false;
+  } else {
+    seen_lift_ns_ = sample.time_ns;
+  }
 }
 
 bool PenHand::point(Source source, QPointF px, std::int64_t time_ns, bool touching,
@@ -60,6 +75,7 @@ bool PenHand::point_mm(Source source, Point mm, std::int64_t time_ns, bool touch
   tilt_deg_ = tilt_deg;
   if (touching && !down_) give_back(true);
   const bool changes = std::exchange(down_, touching) != touching;
+  if (changes && touching) is_touch_owed_ = true;
   if (changes && !touching) lifted_ns_ = std::max(time_ns, studio_.now_ns());
   send(time_ns);
   if (changes) Q_EMIT down_changed(touching);
@@ -126,7 +142,8 @@ void PenHand::release_all() {
 void PenHand::set_keys(Qt::KeyboardModifiers keys) {
   const std::uint32_t before = buttons();
   keys_ = (keys.testFlag(Qt::ShiftModifier) ? kFirstModifier : 0) |
-          (keys.testFlag(Qt::ControlModifier) ? kSecondModifier : 0);
+          (keys.testFlag(Qt::ControlModifier) ? kSecondModifier : 0) |
+          (keys.testFlag(Qt::AltModifier) ? kThirdModifier : 0);
   send_buttons(before);
 }
 
@@ -138,8 +155,10 @@ void PenHand::set_locked(std::uint32_t bits) {
 
 void PenHand::give_back(bool at_once) {
   const PenState& pen = studio_.pen();
-  const bool seen = !down_ && !in_contact(pen.sample) &&
-                    (!pen.is_known || pen.sample.time_ns >= lifted_ns_ + kLiftSeenNs);
+  const std::int64_t wait_ns = is_touch_owed_ ? kTouchSeenNs : kLiftSeenNs;
+  const bool seen =
+      !down_ && !in_contact(pen.sample) &&
+      (!pen.is_known || pen.sample.time_ns >= std::max(lifted_ns_, seen_lift_ns_) + wait_ns);
   if (!at_once && !seen) return;
   for (int n = std::exchange(owed_, 0); n > 0; --n) studio_.give_back_tool();
 }

@@ -51,7 +51,7 @@ class PenHand : public QObject {
   void release(ButtonRole role);
   /// Releases all buttons.
   void release_all();
-  /// Sets Shift and Ctrl as the keyboard reports them.
+  /// Sets Shift, Ctrl and Alt as the keyboard reports them.
   void set_keys(Qt::KeyboardModifiers keys);
   /// Sets modifiers that stay until they are removed: the bits defined in tool.h.
   void set_locked(std::uint32_t bits);
@@ -65,6 +65,7 @@ class PenHand : public QObject {
   [[nodiscard]] std::uint32_t buttons() const noexcept { return keys_ | held_ | locked_; }
   void send(std::int64_t time_ns);
   void send_buttons(std::uint32_t before);
+  void on_sample(const PenSample& sample);
   void give_back(bool at_once);
   void settle();
 
@@ -76,10 +77,13 @@ class PenHand : public QObject {
   Point place_;
   std::optional<double> pressure_, tilt_deg_;
   std::uint32_t keys_ = 0, held_ = 0, locked_ = 0;
-  std::uint32_t borrowing_ = 0;  // roles that borrow a tool, one bit each
-  int owed_ = 0;                 // number of borrowed tools to give back when the session has
-                                 // handled the lifted pen
-  std::int64_t lifted_ns_ = 0;
+  std::uint32_t borrowing_ = 0;    // roles that borrow a tool, one bit each
+  int owed_ = 0;                   // number of borrowed tools to give back when the session has
+                                   // handled the lifted pen
+  bool is_touch_owed_ = false;     // the session has not handled the newest touch
+  bool session_touches_ = false;   // in the sample that the session handled last
+  std::int64_t lifted_ns_ = 0;     // when the hand lifted the pen
+  std::int64_t seen_lift_ns_ = 0;  // time of the first sample after the last contact
 };
 
 }  // namespace felt::desktop

@@ -282,6 +282,34 @@ TEST_F(PenInputTest, TheRightButtonErasesToItsEnd) {
   EXPECT_EQ(strokes(), 2u);
 }
 
+// The stylus of a simulated device may still be on its way when the button is released.
+TEST_F(PenInputTest, AShortUseOfABorrowedToolIsThatOfTheTool) {
+  for (const char* device : {"simulated:premium", "simulated:touch-x", "simulated:inverse3"}) {
+    SCOPED_TRACE(device);
+    studio_.open(Document(), studio_.page());
+    ASSERT_TRUE(studio_.use_device(QString::fromLatin1(device)));
+    wait(1000);
+    mouse_line({100, 100}, {500, 100});
+    wait(1500);
+    ASSERT_EQ(strokes(), 1u);
+    mouse(QEvent::MouseMove, {300, 400}, Qt::NoButton, Qt::NoButton);
+    wait(1000);
+    for (int y = 400; y > 80; y -= 10) {
+      mouse(QEvent::MouseMove, QPointF(300, y), Qt::NoButton, Qt::NoButton);
+      wait(1);
+    }
+    mouse(QEvent::MouseButtonPress, {300, 80}, Qt::RightButton, Qt::RightButton);
+    for (int y = 80; y <= 120; y += 2) {
+      mouse(QEvent::MouseMove, QPointF(300, y), Qt::NoButton, Qt::RightButton);
+      wait(1);
+    }
+    mouse(QEvent::MouseButtonRelease, {300, 120}, Qt::RightButton, Qt::NoButton);
+    wait(1500);
+    EXPECT_EQ(strokes(), 2u) << "it is cut, and nothing is drawn";
+    EXPECT_EQ(tool(), "pencil");
+  }
+}
+
 // A click of the right button opens the palette, whatever the button does while it is held.
 TEST_F(PenInputTest, AClickOfTheRightButtonWantsThePalette) {
   QSignalSpy wanted(&canvas_, &Canvas::popup_wanted);
@@ -494,7 +522,7 @@ TEST_F(PenInputTest, SideButtonsDoWhatTheSettingsSay) {
   EXPECT_NEAR(moved.y(), 90, 1e-6);
 }
 
-TEST_F(PenInputTest, ShiftAndCtrlAreTheToolsModifiers) {
+TEST_F(PenInputTest, ShiftCtrlAndAltAreTheToolsModifiers) {
   mouse(QEvent::MouseMove, {100, 100}, Qt::NoButton, Qt::NoButton);
   wait(50);
   EXPECT_EQ(studio_.pen().sample.buttons, 0u);
@@ -507,6 +535,9 @@ TEST_F(PenInputTest, ShiftAndCtrlAreTheToolsModifiers) {
   key(QEvent::KeyRelease, Qt::Key_Shift, Qt::ShiftModifier | Qt::ControlModifier);
   wait(50);
   EXPECT_EQ(studio_.pen().sample.buttons, kSecondModifier);
+  key(QEvent::KeyPress, Qt::Key_Alt, Qt::ControlModifier);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, kSecondModifier | kThirdModifier);
   QFocusEvent out(QEvent::FocusOut);
   QApplication::sendEvent(&canvas_, &out);
   wait(50);

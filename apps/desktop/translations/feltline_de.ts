@@ -6943,6 +6943,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Das Ende bleibt, wo es losgelassen wird</translation>
     </message>
     <message>
+        <source>About the centre</source>
+        <translation>Um die Mitte</translation>
+    </message>
+    <message>
+        <source>Corners and edges scale and stretch about the centre and not about the opposite side, like the third button of the pen.</source>
+        <translation>Ecken und Kanten skalieren und strecken um die Mitte statt um die gegenüberliegende Seite, wie die dritte Stifttaste.</translation>
+    </message>
+    <message>
         <source>Keeps the lines and transforms a copy, like the second button of the pen.</source>
         <translation>Behält die Linien und transformiert eine Kopie, wie die zweite Stifttaste.</translation>
     </message>
@@ -7793,6 +7801,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>along one axis, in steps of 15°</source>
         <translation>entlang einer Achse, in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>about the centre</source>
+        <translation>um die Mitte</translation>
     </message>
     <message>
         <source>a copy</source>

@@ -6943,6 +6943,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Het eind blijft waar het wordt losgelaten</translation>
     </message>
     <message>
+        <source>About the centre</source>
+        <translation>Om het midden</translation>
+    </message>
+    <message>
+        <source>Corners and edges scale and stretch about the centre and not about the opposite side, like the third button of the pen.</source>
+        <translation>Hoeken en randen schalen en rekken om het midden in plaats van om de tegenoverliggende zijde, zoals de derde penknop.</translation>
+    </message>
+    <message>
         <source>Keeps the lines and transforms a copy, like the second button of the pen.</source>
         <translation>Behoudt de lijnen en transformeert een kopie, zoals de tweede penknop.</translation>
     </message>
@@ -7793,6 +7801,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>along one axis, in steps of 15°</source>
         <translation>langs één as, in stappen van 15°</translation>
+    </message>
+    <message>
+        <source>about the centre</source>
+        <translation>om het midden</translation>
     </message>
     <message>
         <source>a copy</source>

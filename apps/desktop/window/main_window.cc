@@ -47,6 +47,7 @@
 #include "desktop/window/offer_popup.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/preset_menu.h"
+#include "desktop/window/press_through.h"
 #include "desktop/window/ring_menu.h"
 #include "desktop/window/status_line.h"
 #include "desktop/window/tool_keys.h"
@@ -326,6 +327,7 @@ bool MainWindow::show_panel(const QString& name) {
 void MainWindow::add_window_actions() {
   add_ring_menu(*actions_, *canvas_, *media_pictures_, this);
   add_offer_popup(*actions_, *canvas_);
+  new PressThrough(*this);
   actions_->add_switch(QStringLiteral("view.hide_panels"), tr("&Hide all panels"),
                        {QKeySequence(Qt::Key_Tab)}, tr("Shows only the drawing area"), false,
                        [this](bool on) { hide_panels(on); });

@@ -21,9 +21,10 @@
 namespace felt {
 
 /// Pen buttons that modify a gesture; ToolUse says how. A desktop program also maps keys (Shift,
-/// Ctrl) to them.
+/// Ctrl, Alt) to them.
 inline constexpr std::uint32_t kFirstModifier = 1U << 0;
 inline constexpr std::uint32_t kSecondModifier = 1U << 1;
+inline constexpr std::uint32_t kThirdModifier = 1U << 2;
 
 /// What a tool does to a drawing. Other modules and the programs branch on ToolKind, never on a
 /// tool's id.
@@ -57,6 +58,7 @@ struct ToolUse {
   std::string_view hint = {};             ///< one line of text, shown while the pen hovers
   std::string_view first_modifier = {};   ///< effect of kFirstModifier, such as "thinner"; or ""
   std::string_view second_modifier = {};  ///< effect of kSecondModifier, or "" if it has none
+  std::string_view third_modifier = {};   ///< effect of kThirdModifier, or "" if it has none
   std::string_view size = {};  ///< id of the number option that sets the tool's size; "" for none
   ToolPath path = ToolPath::kAway;
 };

@@ -58,7 +58,7 @@ FELT_EXPORT(felt_samples) void felt_samples(std::size_t count) {
     sample.touching = n[3] != 0.0;
     sample.pressure = known(n[4]);
     if (known(n[5]) && known(n[6])) sample.tilt_deg = tilt_of_xy(n[5], n[6]);
-    sample.buttons = static_cast<std::uint32_t>(n[7]) & 3U;
+    sample.buttons = static_cast<std::uint32_t>(n[7]) & 7U;
     core().studio.point(sample);
   }
   core().shows = true;

@@ -191,6 +191,7 @@ std::string use_text(const Tool& tool) {
   out.add_text("hint", use.hint);
   out.add_text("shift", use.first_modifier);
   out.add_text("ctrl", use.second_modifier);
+  out.add_text("alt", use.third_modifier);
   return out.text();
 }
 

@@ -25,15 +25,16 @@ std::int64_t AimTrack::played_ns(std::int64_t now_ns) noexcept {
 }
 
 // If this aim arrives older than the current delay, the delay grows immediately to the age of the
-// aim (with `joins`, to the age of the start of the interpolation towards the aim). While a shorter
-// delay is enough, the delay falls slowly.
+// aim (with `kJoined`, to the age of the start of the interpolation towards the aim). While a
+// shorter delay is enough, the delay falls slowly.
 void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   std::int64_t time_ns = std::clamp(aim.time_ns, now_ns - kOldestNs, now_ns);
   std::int64_t way_ns = 0;
   if (is_set_) {
     time_ns = std::max(time_ns, newest_ns_ + kMinSpacingNs);
     const std::int64_t since_ns = time_ns - newest_ns_;
-    if (joins_ && since_ns < 2 * kLongestWayNs) way_ns = std::min(since_ns, kLongestWayNs);
+    if (play_ == Play::kJoined && since_ns < 2 * kLongestWayNs)
+      way_ns = std::min(since_ns, kLongestWayNs);
   }
   const std::int64_t needs_ns = std::clamp<std::int64_t>(now_ns - time_ns + way_ns, 0, kMaxDelayNs);
   delay_ns_ = std::max(delay_ns_ - (delay_ns_ - needs_ns) / kForgetting, needs_ns);
@@ -42,6 +43,8 @@ void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   const std::int64_t known_ns = count_ == 0 ? now_ns - delay_ns_ : newest_ns_;
   const std::int64_t start_ns =
       std::max({time_ns - kLongestWayNs, is_set_ ? newest_ns_ : time_ns, known_ns});
+  // The oldest aim cannot be played before it has arrived; the others follow at their spacing.
+  if (play_ == Play::kPaced && count_ == 0) held_ns_ = std::max(held_ns_, now_ns);
   waiting_[(head_ + count_) % kMax] = {aim.aim, std::min(start_ns, time_ns), time_ns};
   ++count_;
   if (!is_set_) passed_ = aim.aim;
@@ -49,12 +52,27 @@ void AimTrack::push(const StampedAim& aim, std::int64_t now_ns) noexcept {
   newest_ns_ = time_ns;
 }
 
+/// With kPaced, an aim that is late by L follows the aim before after kCatchUpNs / (kCatchUpNs + L)
+/// of the time between the two. A rest counts as 10 ms.
+std::int64_t AimTrack::due_ns() const noexcept {
+  const std::int64_t time_ns = waiting_[head_].time_ns, in_time_ns = time_ns + delay_ns_;
+  if (play_ == Play::kJoined || passed_due_ns_ == INT64_MIN) return std::max(in_time_ns, held_ns_);
+  const std::int64_t apart_ns = std::min(time_ns - passed_time_ns_, kLongestWayNs);
+  const std::int64_t late_ns = std::max<std::int64_t>(passed_due_ns_ + apart_ns - in_time_ns, 0);
+  const double part = static_cast<double>(kCatchUpNs) / static_cast<double>(kCatchUpNs + late_ns);
+  const auto after_ns = static_cast<std::int64_t>(part * static_cast<double>(apart_ns));
+  return std::max({in_time_ns, passed_due_ns_ + after_ns, held_ns_});
+}
+
 const Aim* AimTrack::due(std::int64_t now_ns) noexcept {
   if (count_ == 0 || waiting_[head_].time_ns > played_ns(now_ns)) return nullptr;
+  if (play_ == Play::kPaced && due_ns() > now_ns) return nullptr;
   return &waiting_[head_].aim;
 }
 
 void AimTrack::pass() noexcept {
+  passed_due_ns_ = due_ns();
+  passed_time_ns_ = waiting_[head_].time_ns;
   passed_ = waiting_[head_].aim;
   head_ = (head_ + 1) % kMax;
   --count_;

@@ -102,7 +102,7 @@ TEST(AimTrack, NoPlaceIsSkipped) {
 // A tablet reports its tilt 133 times a second. Between two reports the tilt changes evenly, like
 // the position.
 TEST(AimTrack, TiltMovesOnTheWay) {
-  AimTrack track(true);
+  AimTrack track(AimTrack::Play::kJoined);
   track.push({{{0, 0, 0}, 0.5, 0, 20.0}, 0}, 0);
   track.push({{{8, 0, 0}, 0.5, 0, 60.0}, 8 * kMs}, 8 * kMs);
   bool has_moved = false;

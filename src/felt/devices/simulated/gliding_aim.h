@@ -44,6 +44,8 @@ class GlidingAim {
   /// Returns the aim whose pressure, buttons and tilt are valid at this time.
   [[nodiscard]] const Aim& shown(std::int64_t time_ns) noexcept;
   [[nodiscard]] bool is_set() const noexcept { return is_set_; }
+  /// Returns the time at which the position is at the newest aim.
+  [[nodiscard]] std::int64_t arrives_ns() const noexcept { return end_ns_; }
   [[nodiscard]] const Aim& newest() const noexcept { return to_; }
 
  private:

@@ -1,6 +1,7 @@
 #include "felt/devices/simulated/held_body.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace felt {
 namespace {
@@ -84,6 +85,12 @@ void HeldBody::stop_at_walls() noexcept {
   stop_axis(position_.x, velocity_.x, min_.x, max_.x);
   stop_axis(position_.y, velocity_.y, min_.y, max_.y);
   stop_axis(position_.z, velocity_.z, min_.z, max_.z);
+}
+
+Vec3 HeldBody::braking_aim_mm(const Vec3& target_mm) const noexcept {
+  if (spring_ <= 0.0) return target_mm;
+  const double missing = std::max(2.0 * std::sqrt(spring_ * mass_) - damping_, 0.0);
+  return target_mm - (missing / spring_) * velocity_;
 }
 
 double HeldBody::energy_mj(const Vec3& aim_mm) const noexcept {

@@ -42,6 +42,9 @@ class HeldBody {
   [[nodiscard]] const Vec3& position() const noexcept { return position_; }
   [[nodiscard]] const Vec3& velocity() const noexcept { return velocity_; }  ///< mm/s
   [[nodiscard]] bool is_held() const noexcept { return held_; }
+  /// Returns the aim with which the hand brings the stylus to `target_mm` without overshooting: so
+  /// far behind it that the spring makes up for the damping that is missing. Requires a hand.
+  [[nodiscard]] Vec3 braking_aim_mm(const Vec3& target_mm) const noexcept;
   /// Returns the kinetic energy plus the energy of the hand's spring, mJ. Friction and damping
   /// reduce this energy.
   [[nodiscard]] double energy_mj(const Vec3& aim_mm) const noexcept;

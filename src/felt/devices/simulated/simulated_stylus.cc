@@ -7,6 +7,7 @@
 #include "felt/devices/simulated/aim_track.h"
 #include "felt/devices/simulated/gliding_aim.h"
 #include "felt/devices/simulated/held_body.h"
+#include "felt/devices/simulated/landing_wait.h"
 #include "felt/geometry/tilt.h"
 #include "felt/rt/spsc_ring.h"
 
@@ -45,12 +46,13 @@ struct SimulatedStylus::Parts {
       : body(preset.mechanics, preset.capabilities.workspace_min,
              preset.capabilities.workspace_max),
         aim(aim_for(preset.capabilities)),
-        track(!preset.capabilities.has_force()) {}
+        track(preset.capabilities.has_force() ? AimTrack::Play::kPaced : AimTrack::Play::kJoined) {}
 
   HeldBody body;
   SpscRing<StampedAim, kWaitingAims> queue;
   GlidingAim aim;
   AimTrack track;
+  LandingWait landing;
 };
 
 SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
@@ -108,12 +110,14 @@ void SimulatedStylus::place(const Vec3& position_mm) noexcept {
   parts_->aim = aim_for(preset_.capabilities);
   parts_->aim.set({.target_mm = parts_->body.position()}, now_ns_, 0);
   parts_->track.clear();
+  parts_->landing = {};
   is_timed_ = false;
 }
 
 void SimulatedStylus::take_untimed(const Aim& next, std::optional<Aim>& taken) noexcept {
   if (std::exchange(is_timed_, false)) {
     parts_->track.clear();
+    parts_->landing = {};
     if (!has_body_) parts_->aim = aim_for(preset_.capabilities);
   }
   if (taken && changes_contact(*taken, next)) {
@@ -138,6 +142,11 @@ void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexc
   while (is_timed_ && has_body_) {
     const Aim* due = parts_->track.due(now_ns);
     if (!due || (taken && changes_contact(*taken, *due))) break;
+    GlidingAim& aim = parts_->aim;
+    if (aim.is_set() && parts_->landing.holds(*due, parts_->body, now_ns_, tick_ns, aim)) {
+      parts_->track.hold(now_ns);
+      break;
+    }
     taken = *due;
     parts_->track.pass();
   }
@@ -250,6 +259,7 @@ tl::expected<PenSample, DeviceFault> SimulatedStylus::read(std::int64_t now_ns) 
     now_ns_ = now_ns;
     parts_->aim.restart(now_ns);
     parts_->track.clear();
+    parts_->landing = {};
     is_timed_ = false;
   }
   return sense(1e-9 * static_cast<double>(elapsed_ns));

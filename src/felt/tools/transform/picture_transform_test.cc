@@ -50,8 +50,19 @@ TEST(PictureTransform, ShowsThePictureWhereItGoes) {
   EXPECT_EQ(f.place(), (Affine{10, 0, 0, 10, 10, 10})) << "not committed yet";
 }
 
-TEST(PictureTransform, ScalesAtACornerAboutItsCentre) {
+TEST(PictureTransform, ScalesAtACornerAboutTheOppositeOne) {
   PictureFixture f;
+  f.drag({33, 23}, {56, 36});  // twice as far from (10, 10)
+  EXPECT_EQ(f.pen.commits, 1);
+  EXPECT_NEAR(f.place().a, 20.0, 1e-9);
+  EXPECT_NEAR(f.place().d, 20.0, 1e-9);
+  EXPECT_NEAR(f.place().e, 10.0, 1e-9);
+  EXPECT_NEAR(f.place().f, 10.0, 1e-9);
+}
+
+TEST(PictureTransform, ScalesAboutItsCentreIfAsked) {
+  PictureFixture f;
+  ASSERT_TRUE(f.tool.set_option("about_centre", true));
   f.drag({33, 23}, {46, 31});  // twice as far from the centre (20, 15)
   EXPECT_EQ(f.pen.commits, 1);
   EXPECT_NEAR(f.place().a, 20.0, 1e-9);

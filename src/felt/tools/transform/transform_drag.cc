@@ -34,12 +34,15 @@ TransformDrag::TransformDrag(TransformKind kind, Point centre, Point grab,
       now_(kind),
       centre_(centre),
       grab_(grab),
+      fixed_(centre),
       min_scale_(std::clamp(min_scale, kMinScale, 1.0)) {}
 
-void TransformDrag::update(Point pen, bool constrained) noexcept {
+void TransformDrag::update(Point pen, bool constrained, bool about_centre) noexcept {
   now_ = kind_;
   constrained_ = constrained;
-  const Vec first = grab_ - centre_;
+  const bool turns = kind_ == TransformKind::kMove || kind_ == TransformKind::kRotate;
+  fixed_ = turns || about_centre ? centre_ : opposite_.value_or(centre_);
+  const Vec first = grab_ - fixed_;
   if (constrained && kind_ == TransformKind::kScale) now_ = TransformKind::kStretch;
   if (constrained && kind_ == TransformKind::kStretch) {
     now_ = std::fabs(first.x) >= std::fabs(first.y) ? TransformKind::kStretchX
@@ -47,22 +50,22 @@ void TransformDrag::update(Point pen, bool constrained) noexcept {
   }
   // The turn is updated for every kind, so that full turns are still counted after a button changes
   // the kind.
-  turn_rad_ = unwrapped_turn_rad(first, pen - centre_, turn_rad_);
+  turn_rad_ = unwrapped_turn_rad(first, pen - fixed_, turn_rad_);
   switch (now_) {
     case TransformKind::kMove:
       return move(pen - grab_, constrained);
     case TransformKind::kRotate:
       return rotate(pen, constrained);
     case TransformKind::kScale: {
-      const double factor = std::max(min_scale_, scale_factor(first, pen - centre_));
+      const double factor = std::max(min_scale_, scale_factor(first, pen - fixed_));
       return scale(factor, factor);
     }
     case TransformKind::kStretch:
     case TransformKind::kStretchX:
     case TransformKind::kStretchY: {
-      const bool x = stretches_x(now_, centre_, grab_), y = stretches_y(now_, centre_, grab_);
-      return scale(x ? axis_factor(first.x, pen.x - centre_.x) : 1.0,
-                   y ? axis_factor(first.y, pen.y - centre_.y) : 1.0);
+      const bool x = stretches_x(now_, fixed_, grab_), y = stretches_y(now_, fixed_, grab_);
+      return scale(x ? axis_factor(first.x, pen.x - fixed_.x) : 1.0,
+                   y ? axis_factor(first.y, pen.y - fixed_.y) : 1.0);
     }
   }
 }
@@ -78,13 +81,13 @@ void TransformDrag::rotate(Point pen, bool constrained) noexcept {
   // the angle.
   const double turn = pen == grab_ && std::fabs(turn_rad_) < 1e-12 ? 0.0 : turn_rad_;
   shown_turn_rad_ = constrained ? kTurnStepRad * std::round(turn / kTurnStepRad) : turn;
-  map_ = shown_turn_rad_ == 0.0 ? Affine{} : rotation(shown_turn_rad_, centre_);
+  map_ = shown_turn_rad_ == 0.0 ? Affine{} : rotation(shown_turn_rad_, fixed_);
 }
 
 void TransformDrag::scale(double factor_x, double factor_y) noexcept {
   factor_x_ = factor_x;
   factor_y_ = factor_y;
-  map_ = factor_x == 1.0 && factor_y == 1.0 ? Affine{} : scaling(factor_x, factor_y, centre_);
+  map_ = factor_x == 1.0 && factor_y == 1.0 ? Affine{} : scaling(factor_x, factor_y, fixed_);
 }
 
 double TransformDrag::axis_factor(double grab, double pen) const noexcept {

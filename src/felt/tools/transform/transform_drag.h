@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "felt/geometry/affine.h"
@@ -10,7 +11,7 @@ namespace felt {
 enum class TransformKind : std::uint8_t {
   kMove,      ///< by the displacement of the pen
   kRotate,    ///< around the centre, by any number of turns
-  kScale,     ///< both axes equally, by the distance from the centre
+  kScale,     ///< both axes equally, by the distance from the fixed point
   kStretch,   ///< each axis independently
   kStretchX,  ///< along x only
   kStretchY,  ///< along y only
@@ -20,8 +21,8 @@ enum class TransformKind : std::uint8_t {
 /// its current position (docs/design/editing.md#transform). Turns and factors are computed as in
 /// haptics/bricks/tether.h, so that the force agrees with the picture.
 ///
-/// Factors stay within 0.05..20. Scaling depends only on the distance of the pen from the centre,
-/// not on the side of the centre on which the pen is. If the pen crosses the centre along a
+/// Factors stay within 0.05..20. Scaling depends only on the distance of the pen from the fixed
+/// point, not on the side of it on which the pen is. If the pen crosses the fixed point along a
 /// stretched axis, the factor of that axis stays at its minimum, so nothing is mirrored.
 class TransformDrag {
  public:
@@ -31,11 +32,15 @@ class TransformDrag {
   /// `min_scale` is the lower limit of factors, so that no segment gets too short.
   TransformDrag(TransformKind kind, Point centre, Point grab,
                 double min_scale = kMinScale) noexcept;
+  /// Sets the point about which kScale and the stretches act instead of the centre: that opposite
+  /// the grabbed handle.
+  void set_opposite(Point opposite) noexcept { opposite_ = opposite; }
 
   /// Updates the map. If `constrained` is true, kMove moves along one axis, kRotate turns in steps
   /// of kTurnStepRad, kScale stretches both axes independently, and kStretch stretches only the
-  /// axis along which the grab is farther from the centre.
-  void update(Point pen, bool constrained) noexcept;
+  /// axis along which the grab is farther from the fixed point. If `about_centre` is true, the
+  /// point opposite the handle is ignored.
+  void update(Point pen, bool constrained, bool about_centre = false) noexcept;
 
   [[nodiscard]] const Affine& map() const noexcept { return map_; }
   [[nodiscard]] bool is_identity() const noexcept { return map_ == Affine{}; }
@@ -44,7 +49,9 @@ class TransformDrag {
   /// Returns the kind after the constraint is applied. The force, the label and the name of the
   /// edit use it.
   [[nodiscard]] TransformKind kind() const noexcept { return now_; }
-  [[nodiscard]] Point centre() const noexcept { return centre_; }
+  /// Returns the point that the last update left in place: the centre, or the point opposite the
+  /// handle.
+  [[nodiscard]] Point centre() const noexcept { return fixed_; }
   [[nodiscard]] Point grab() const noexcept { return grab_; }
   /// Returns true if the last update was constrained.
   [[nodiscard]] bool is_constrained() const noexcept { return constrained_; }
@@ -62,6 +69,8 @@ class TransformDrag {
 
   TransformKind kind_ = TransformKind::kMove, now_ = TransformKind::kMove;
   Point centre_, grab_;
+  std::optional<Point> opposite_;
+  Point fixed_;  // centre_ or opposite_
   double min_scale_ = kMinScale;
   bool constrained_ = false;
   double turn_rad_ = 0.0;  // turn of the pen, unwrapped, before the constraint

@@ -75,7 +75,7 @@ inline constexpr double kTransformGlide = 0.4;
 /// acts.
 struct TransformHold {
   TransformKind kind = TransformKind::kMove;
-  Point centre, grab;
+  Point centre, grab;  ///< `centre` is the point that stays in place
   std::span<const Point> anchors;
   std::uint32_t gesture = 0;
   bool constrained = false;  ///< moves along one axis, or turns in steps (Tether::constrained)
@@ -103,6 +103,7 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   for (const Point p : hold->anchors) radii += distance(p, hold->centre);
   id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
   id.with(std::uint64_t{hold->constrained ? 1U : 0U});
+  id.with(hold->centre.x).with(hold->centre.y);
   const auto with_tether = [&](const Tether& tether) {
     const Tether held = tether.with_law(law).with_min_scale(hold->min_scale);
     return ForceModel(Compose(surface, hold->constrained ? held.constrained() : held));

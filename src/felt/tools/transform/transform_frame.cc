@@ -35,6 +35,22 @@ TransformFrame::Handles TransformFrame::handles() const noexcept {
   return handles;
 }
 
+std::optional<Point> TransformFrame::opposite(const Handle& handle) const noexcept {
+  if (has_centre_ || handle.kind == TransformKind::kRotate) return std::nullopt;
+  const Point middle = lerp(corners()[0], corners()[2], 0.5);
+  const auto other_side = [](double at, double middle_of_axis, double low, double high) {
+    return at > middle_of_axis ? low + kMarginMm : high - kMarginMm;
+  };
+  Point fixed = middle;
+  if (handle.kind != TransformKind::kStretchY) {
+    fixed.x = other_side(handle.at.x, middle.x, frame_.x0, frame_.x1);
+  }
+  if (handle.kind != TransformKind::kStretchX) {
+    fixed.y = other_side(handle.at.y, middle.y, frame_.y0, frame_.y1);
+  }
+  return fixed;
+}
+
 bool TransformFrame::is_centre(Point p) const noexcept {
   if (empty() || distance(p, centre_) > kGripMm) return false;
   // In a small frame the user cannot grab the default centre, because moving is more important.
@@ -54,7 +70,7 @@ TransformFrame::Grip TransformFrame::grip_at(Point p) const noexcept {
       nearest = &h;
     }
   }
-  if (nearest) return {Part::kHandle, nearest->kind, nearest->at};
+  if (nearest) return {Part::kHandle, nearest->kind, nearest->at, opposite(*nearest)};
   if (frame_.contains(p)) return {Part::kInside, TransformKind::kMove, p};
   for (const Point corner : corners()) {
     if (distance(corner, p) <= kTurnMm) return {Part::kHandle, TransformKind::kRotate, p};

@@ -15,8 +15,11 @@ namespace felt {
 ///
 ///            o          turns
 ///      x-----x-----x    corners scale; a touch just outside a corner turns; edges stretch one axis
-///      x     +     x    inside moves; + is the centre of turning and scaling, which can be dragged
+///      x     +     x    inside moves; + is the centre of turning, which can be dragged
 ///      x-----x-----x
+///
+/// Corners and edges keep the opposite corner or edge of the ink in place, unless the centre was
+/// dragged.
 ///
 /// Edges shorter than 4 kGripMm have no handle, because it would overlap with others.
 class TransformFrame {
@@ -45,6 +48,9 @@ class TransformFrame {
     TransformKind kind =
         TransformKind::kMove;  ///< the transform that a touch begins; unused for kNone and kCentre
     Point at;                  ///< position of the handle
+    /// For a handle that scales or stretches: the corner of the ink, or the middle of its edge, on
+    /// the other side. Nullopt if the user has dragged the centre, which is then the fixed point.
+    std::optional<Point> opposite = {};
   };
   /// Returns the part of the frame at a point. If several handles are in reach, returns the
   /// nearest.
@@ -66,6 +72,7 @@ class TransformFrame {
   };
 
   [[nodiscard]] Handles handles() const noexcept;
+  [[nodiscard]] std::optional<Point> opposite(const Handle& handle) const noexcept;
 
   Rect frame_;
   Point centre_;

@@ -21,6 +21,7 @@ struct TransformOption {
     kMode,
     kConstrain,
     kDuplicate,
+    kAboutCentre,
     kScaleWidths,
     kGrabRadius,
     kStrength,
@@ -51,6 +52,15 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
      .fallback = 0,
      .help = "Keeps the lines and transforms a copy, like the second button of the pen.",
      .is_momentary = true},
+    {.id = "about_centre",
+     .label = "About the centre",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help =
+         "Corners and edges scale and stretch about the centre and not about the opposite side, "
+         "like the third button of the pen.",
+     .is_momentary = true},
     {.id = "scale_widths",
      .label = "Scale widths",
      .unit = "",
@@ -73,6 +83,7 @@ struct TransformSettings {
   TransformMode mode = TransformMode::kAuto;
   bool constrain = false;
   bool duplicate = false;
+  bool about_centre = false;
   bool scale_widths = false;
   double grab_radius_mm = 4.0;
   double strength = 1.0;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,13 +100,20 @@ TEST(Transform, TheHandlesTurnScaleAndStretch) {
     const char* what;
     Point from, to;
     Affine map;
+    std::uint32_t buttons = 0;
   };
   const Point c{20, 20};
   const Case cases[] = {
-      {"corner", {43, 43}, {66, 66}, scaling(2.0, c)},
-      {"corner, smaller", {-3, 43}, {8.5, 31.5}, scaling(0.5, c)},
-      {"right edge", {43, 20}, {66, 33}, scaling(2.0, 1.0, c)},
-      {"top edge", {20, -3}, {33, 8.5}, scaling(1.0, 0.5, c)},
+      {"corner", {43, 43}, {86, 86}, scaling(2.0, Point{0, 0})},
+      {"corner, smaller", {-3, 43}, {18.5, 21.5}, scaling(0.5, Point{40, 0})},
+      {"right edge", {43, 20}, {86, 33}, scaling(2.0, 1.0, {0, 20})},
+      {"left edge", {-3, 20}, {-46, 33}, scaling(2.0, 1.0, {40, 20})},
+      {"top edge", {20, -3}, {33, 18.5}, scaling(1.0, 0.5, {20, 40})},
+      {"corner, both axes", {43, -3}, {86, 18.5}, scaling(2.0, 0.5, {0, 40}), kFirstModifier},
+      {"corner, centre", {43, 43}, {66, 66}, scaling(2.0, c), kThirdModifier},
+      {"corner, centre, smaller", {-3, 43}, {8.5, 31.5}, scaling(0.5, c), kThirdModifier},
+      {"right edge, centre", {43, 20}, {66, 33}, scaling(2.0, 1.0, c), kThirdModifier},
+      {"top edge, centre", {20, -3}, {33, 8.5}, scaling(1.0, 0.5, c), kThirdModifier},
       {"above", {20, -12}, {52, 20}, rotation(std::numbers::pi / 2, c)},
       {"beside a corner", {48, 48}, {-8, 48}, rotation(std::numbers::pi / 2, c)},
   };
@@ -113,7 +121,7 @@ TEST(Transform, TheHandlesTurnScaleAndStretch) {
     Transform t;
     const StrokeId id = add_square(t);
     const Stroke before = *t.fixture.document.find(id);
-    t.drag(way(k.from, k.to));
+    t.drag(way(k.from, k.to), k.buttons);
     ASSERT_EQ(t.pen.commits, 1) << k.what;
     for (std::size_t i = 0; i < before.data().points.size(); ++i) {
       EXPECT_LE(distance(t.fixture.document.find(id)->data().points[i],
@@ -121,6 +129,50 @@ TEST(Transform, TheHandlesTurnScaleAndStretch) {
                 1e-9)
           << k.what;
     }
+  }
+}
+
+TEST(Transform, TheThirdButtonMayChangeDuringTheDrag) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  t.pen.up({43, 43});
+  t.down({43, 43});
+  t.down({86, 86});
+  t.down({66, 66}, kThirdModifier);
+  t.pen.up({66, 66});
+  EXPECT_LE(distance(t.start_of(id), Point{-20, -20}), 1e-9);
+}
+
+TEST(Transform, AnOptionScalesAboutTheCentreToo) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  t.set("about_centre", true);
+  t.drag(way({43, 43}, {66, 66}));
+  EXPECT_LE(distance(t.start_of(id), Point{-20, -20}), 1e-9);
+}
+
+/// The side opposite the handle stays, whatever is selected and however it is scaled.
+RC_GTEST_PROP(TransformProperty, TheOppositeSideStays, ()) {
+  Transform t;
+  const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
+  const StrokeId id = t.add(random_stroke(seed));
+  t.pen.up({500, 500});
+  const Overlay shown = t.overlay();
+  RC_PRE(!shown.outlines.empty());
+  const std::vector<Point> corners = shown.outlines.front().points;
+  RC_ASSERT(corners.size() == 4U);
+  const auto at = *rc::gen::inRange<std::size_t>(0, 4);
+  const Point grabbed = corners[at], across = corners[(at + 2) % 4];
+  const Vec inward = TransformFrame::kMarginMm *
+                     Vec{grabbed.x > across.x ? 1.0 : -1.0, grabbed.y > across.y ? 1.0 : -1.0};
+  const Point fixed = across + inward;
+  const double factor = 0.01 * *rc::gen::inRange(50, 300);
+  const Stroke before = *t.fixture.document.find(id);
+  t.drag(way(grabbed, fixed + factor * (grabbed - fixed)));
+  const Stroke& after = *t.fixture.document.find(id);
+  for (std::size_t i = 0; t.pen.commits == 1 && i < before.data().points.size(); ++i) {
+    const Point expected = fixed + factor * (before.data().points[i] - fixed);
+    RC_ASSERT(distance(after.data().points[i], expected) < 1e-6);
   }
 }
 
@@ -248,7 +300,7 @@ TEST(Transform, CancelLeavesNothing) {
     EXPECT_EQ(t.fixture.selection, selection);
     EXPECT_EQ(t.pen.commits, 0);
     // The centre is restored, too.
-    t.drag(way({43, 43}, {66, 66}));
+    t.drag(way({43, 43}, {66, 66}), kThirdModifier);
     EXPECT_LE(distance(t.fixture.strokes()[0]->position(0.0), Point{-20, -20}), 1e-9);
   }
 }
@@ -328,8 +380,8 @@ TEST(Transform, E15_TheCentreCanBeDraggedAndStaysUntilTheSelectionChanges) {
   // Another selection has its own centre.
   const StrokeId other = t.add(straight_stroke({200, 200}, {240, 240}, 1, 1));
   t.fixture.selection.remove(id);
-  t.drag(way({243, 243}, {266, 266}));
-  EXPECT_LE(distance(t.start_of(other), Point{180, 180}), 1e-9);
+  t.drag(way({243, 243}, {286, 286}));
+  EXPECT_LE(distance(t.start_of(other), Point{200, 200}), 1e-9) << "about the opposite corner";
 }
 
 TEST(Transform, AClickOnTheCentrePutsItBack) {
@@ -337,7 +389,7 @@ TEST(Transform, AClickOnTheCentrePutsItBack) {
   const StrokeId id = add_square(t);
   t.drag(way({20, 20}, {0, 0}));
   t.drag({{0, 0}});
-  t.drag(way({43, 43}, {66, 66}));
+  t.drag(way({43, 43}, {66, 66}), kThirdModifier);
   EXPECT_LE(distance(t.start_of(id), Point{-20, -20}), 1e-9);
 }
 
@@ -354,7 +406,7 @@ TEST(Transform, TheFirstButtonConstrains) {
   EXPECT_NEAR(std::remainder(angle, 15.0), 0.0, 1e-9);
   t.fixture.undo();
   t.set("constrain", true);
-  t.drag(way({43, 43}, {66, 31.5}));
+  t.drag(way({43, 43}, {66, 31.5}), kThirdModifier);
   EXPECT_LE(distance(t.start_of(id), Point{-20, 10}), 1e-9) << "both axes freely";
 }
 
@@ -380,7 +432,7 @@ TEST(Transform, WidthsAreScaledWhereAsked) {
     Transform t;
     const StrokeId id = add_square(t);
     t.set("scale_widths", asked);
-    t.drag(way({43, 43}, {66, 66}));
+    t.drag(way({43, 43}, {86, 86}));
     EXPECT_NEAR(t.fixture.document.find(id)->width_mm(1.5), asked ? 2.0 : 1.0, 1e-9);
   }
 }

@@ -15,6 +15,7 @@ constexpr std::array<ToolUse, 1> kTransformUses = {
     {{.hint = "Drag inside to move, a corner to scale, outside it to turn.",
       .first_modifier = "along one axis, in steps of 15°",
       .second_modifier = "a copy",
+      .third_modifier = "about the centre",
       .size = "grab_radius_mm",
       .path = ToolPath::kAway}}};
 constexpr std::array<std::string_view, 5> kTransformEdits = {"Move", "Rotate", "Scale", "Stretch",
@@ -119,6 +120,7 @@ ToolResult TransformTool::begin(const PenSample& sample, const Scene& scene) {
     case TransformFrame::Part::kInside:
     case TransformFrame::Part::kHandle:
       take_hold(grip.kind, scene, scene.selection, sample.buttons);
+      if (grip.opposite) drag_.set_opposite(*grip.opposite);
       break;
     case TransformFrame::Part::kCentre:
       doing_ = Doing::kCentre;
@@ -144,6 +146,7 @@ void TransformTool::begin_with_picture(const TransformFrame::Grip& grip, const S
   if (grip.part == Part::kNone) return;
   const TransformKind kind = grip.part == Part::kCentre ? TransformKind::kMove : grip.kind;
   drag_ = TransformDrag(kind, frame_.centre(), grab_);
+  if (grip.opposite) drag_.set_opposite(*grip.opposite);
   doing_ = Doing::kPicture;
 }
 
@@ -189,12 +192,10 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
     centre_ = pen_;
     frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
   }
-  if (doing_ == Doing::kPicture) {
-    drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0);
-    return {.preview = picture_edit(scene), .same_preview = true};
-  }
-  if (doing_ != Doing::kTransform) return {.same_preview = true};
-  drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0);
+  if (doing_ != Doing::kTransform && doing_ != Doing::kPicture) return {.same_preview = true};
+  drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0,
+               settings_.about_centre || (sample.buttons & kThirdModifier) != 0);
+  if (doing_ == Doing::kPicture) return {.preview = picture_edit(scene), .same_preview = true};
   return {.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
 }
 

@@ -1,0 +1,68 @@
+#include "felt/devices/simulated/landing_wait.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+bool touches(const Aim& aim) noexcept {
+  return aim.target_mm.z < 0.0 || aim.pressure.value_or(0.0) > 0.0;
+}
+
+/// Moves the aim above a place, as high as it is, but not higher than a hand hovers.
+void move_above(const Vec3& place_mm, std::int64_t now_ns, std::int64_t tick_ns,
+                GlidingAim& aim) noexcept {
+  Aim above = aim.newest();
+  above.target_mm.x = place_mm.x;
+  above.target_mm.y = place_mm.y;
+  above.target_mm.z = std::min(above.target_mm.z, LandingWait::kMaxHeightMm);
+  aim.set(above, now_ns, tick_ns);
+}
+
+}  // namespace
+
+/// Returns true if the stylus is above the surface, does not fall, and is near the place and slow,
+/// or if friction holds it there. At the turning point of an oscillation it has no speed for one
+/// read only, so friction counts after two.
+bool LandingWait::is_at_rest(const Aim& next, const HeldBody& body) noexcept {
+  const Vec3 off = body.position() - next.target_mm;
+  const Vec3& velocity = body.velocity();
+  const double speed = std::hypot(velocity.x, velocity.y);
+  const bool was_stuck = is_stuck_;
+  is_stuck_ = speed == 0.0;
+  const bool is_near = std::hypot(off.x, off.y) <= kNearMm && speed <= kSlowMmPerS;
+  const bool falls = velocity.z < -kSlowMmPerS;
+  return body.position().z >= 0.0 && !falls && (is_near || (was_stuck && is_stuck_));
+}
+
+bool LandingWait::holds(const Aim& next, const HeldBody& body, std::int64_t now_ns,
+                        std::int64_t tick_ns, GlidingAim& aim) noexcept {
+  if (phase_ == Phase::kDown) {
+    if (body.position().z >= 0.0 && now_ns < until_ns_) return true;
+    phase_ = Phase::kNone;
+  }
+  if (!touches(next) || touches(aim.newest())) {
+    phase_ = Phase::kNone;
+    return false;
+  }
+  if (phase_ == Phase::kNone) {
+    phase_ = Phase::kAbove;
+    is_stuck_ = false;
+    const Vec3 way = next.target_mm - aim.newest().target_mm;
+    const bool is_high = aim.newest().target_mm.z > kMaxHeightMm;
+    if (way.x != 0.0 || way.y != 0.0 || is_high) move_above(next.target_mm, now_ns, tick_ns, aim);
+    arrives_ns_ = aim.arrives_ns();
+    until_ns_ = arrives_ns_ + kMaxAboveNs;
+  }
+  const bool at_rest = is_at_rest(next, body);
+  if (now_ns < arrives_ns_ || (!at_rest && now_ns < until_ns_)) {
+    move_above(body.braking_aim_mm(next.target_mm), now_ns, tick_ns, aim);
+    return true;
+  }
+  phase_ = Phase::kDown;
+  until_ns_ = now_ns + kMaxDownNs;
+  return false;
+}
+
+}  // namespace felt
