@@ -1,6 +1,8 @@
 #include "felt/session/group_edit.h"
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,9 +25,9 @@ class LayerStack {
  public:
   struct Entry {
     LayerId id;
-    LayerState state;
     std::size_t before = 0;  // index in the document
     bool is_moved = false;
+    std::unique_ptr<LayerState> changed = {};  // null: as in the document
   };
   /// Indices of neighbours; `last` is not included.
   struct Range {
@@ -34,23 +36,30 @@ class LayerStack {
   };
 
   explicit LayerStack(const Document& document) : document_(document) {
-    for (const Layer& l : document.layers()) {
-      entries_.push_back({l.id, l.state(), entries_.size(), false});
-    }
+    entries_.reserve(document.layers().size());
+    for (const Layer& l : document.layers()) entries_.push_back({l.id, entries_.size()});
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
-  [[nodiscard]] LayerState& state(std::size_t i) { return entries_[i].state; }
-  [[nodiscard]] const LayerGroupPtr& group(std::size_t i) const { return entries_[i].state.group; }
-
-  [[nodiscard]] Range range_of(LayerId id) const {
-    std::size_t i = 0;
-    while (i < entries_.size() && entries_[i].id != id) ++i;
-    return {i, std::min(i + 1, entries_.size())};
+  /// Returns the state of a layer, to change it.
+  [[nodiscard]] LayerState& state(Entry& entry) const {
+    if (!entry.changed) {
+      entry.changed = std::make_unique<LayerState>(document_.layers()[entry.before].state());
+    }
+    return *entry.changed;
   }
+  [[nodiscard]] LayerState& state(std::size_t i) { return state(entries_[i]); }
+  [[nodiscard]] const LayerGroupPtr& group(const Entry& entry) const {
+    return entry.changed ? entry.changed->group : document_.layers()[entry.before].group;
+  }
+  [[nodiscard]] const LayerGroupPtr& group(std::size_t i) const { return group(entries_[i]); }
+
   /// Returns the layers of a group; an empty range if the group does not exist.
   [[nodiscard]] Range range_of(GroupId id) const {
-    const auto is_in = [id](const Entry& e) { return e.state.group && e.state.group->id == id; };
+    const auto is_in = [this, id](const Entry& e) {
+      const LayerGroupPtr& own = group(e);
+      return own && own->id == id;
+    };
     const auto first = std::find_if(entries_.begin(), entries_.end(), is_in);
     const auto last = std::find_if_not(first, entries_.end(), is_in);
     return {static_cast<std::size_t>(first - entries_.begin()),
@@ -58,7 +67,10 @@ class LayerStack {
   }
   /// Returns the layer with this index, and the others of its group.
   [[nodiscard]] Range unit_of(std::size_t i) const {
-    return group(i) ? range_of(group(i)->id) : Range{i, i + 1};
+    Range unit{i, i + 1};
+    while (unit.first > 0 && same_group(group(unit.first - 1), group(i))) --unit.first;
+    while (unit.last < size() && same_group(group(unit.last), group(i))) ++unit.last;
+    return unit;
   }
 
   /// Returns true if a layer that is inserted at this index would be between two layers of the same
@@ -77,14 +89,22 @@ class LayerStack {
   std::vector<Entry> take(Range range) {
     const auto first = entries_.begin() + static_cast<std::ptrdiff_t>(range.first);
     const auto last = entries_.begin() + static_cast<std::ptrdiff_t>(range.last);
-    std::vector<Entry> taken(first, last);
+    std::vector<Entry> taken(std::make_move_iterator(first), std::make_move_iterator(last));
     entries_.erase(first, last);
     return taken;
+  }
+  /// Takes the layers with these ids, which are ascending, out of the order. Their order does not
+  /// change.
+  std::vector<Entry> take(std::span<const LayerId> ids) {
+    const auto first = std::stable_partition(entries_.begin(), entries_.end(), [&](const Entry& e) {
+      return !std::binary_search(ids.begin(), ids.end(), e.id);
+    });
+    return take(Range{static_cast<std::size_t>(first - entries_.begin()), size()});
   }
   void insert(std::size_t index, std::vector<Entry> taken) {
     for (Entry& e : taken) e.is_moved = true;
     entries_.insert(entries_.begin() + static_cast<std::ptrdiff_t>(std::min(index, size())),
-                    taken.begin(), taken.end());
+                    std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
   }
 
   /// Returns the changes since the document as an edit; an empty edit if nothing has changed.
@@ -93,10 +113,13 @@ class LayerStack {
     bool is_same = true;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const Entry& e = entries_[i];
+      is_same = is_same && e.before == i;
+      if (!e.is_moved && !e.changed) continue;
       const LayerState before = document_.layers()[e.before].state();
-      const bool is_equal = before == e.state;
-      is_same = is_same && is_equal && e.before == i;
-      if (e.is_moved || !is_equal) edit.layers.push_back({e.id, before, e.state, e.before, i});
+      const LayerState& after = e.changed ? *e.changed : before;
+      const bool is_equal = before == after;
+      is_same = is_same && is_equal;
+      if (e.is_moved || !is_equal) edit.layers.push_back({e.id, before, after, e.before, i});
     }
     return is_same ? Edit{} : edit;
   }
@@ -215,20 +238,15 @@ Result<Edit> new_group(const Document& document, const LayerEvent& event) {
     }
   }
   LayerStack stack(document);
-  std::vector<LayerStack::Entry> chosen;
-  std::size_t index = 0;
-  for (const Layer& layer : document.layers()) {
-    if (std::find(event.layers.begin(), event.layers.end(), layer.id) == event.layers.end()) {
-      continue;
-    }
-    const LayerRange range = stack.range_of(layer.id);
-    index = range.first;  // after the loop: the number of other layers below the highest one
-    chosen.push_back(stack.take(range).front());
-  }
+  std::vector<LayerId> ids = event.layers;
+  std::sort(ids.begin(), ids.end());
+  std::vector<LayerStack::Entry> chosen = stack.take(ids);
+  // The number of other layers below the highest one.
+  const std::size_t index = chosen.back().before + 1 - chosen.size();
   LayerGroup group{document.new_group_id(), event.name};
   if (group.name.empty()) group.name = "Group " + std::to_string(group.id.value);
   const auto shared = std::make_shared<const LayerGroup>(std::move(group));
-  for (LayerStack::Entry& e : chosen) e.state.group = shared;
+  for (LayerStack::Entry& e : chosen) stack.state(e).group = shared;
   stack.insert(stack.outside(index), std::move(chosen));
   return stack.edit(label_of(Do::kGroup));
 }
@@ -277,14 +295,17 @@ Result<Edit> group_edit(const Document& document, const LayerEvent& event) {
 
 Result<Edit> layer_move(const Document& document, const LayerEvent& event) {
   LayerStack stack(document);
-  const LayerRange range = stack.range_of(event.layer);
+  const std::size_t at = document.layer_index(event.layer);
+  const LayerRange range{at, at + 1};
   const LayerGroupPtr own = stack.group(range.first);
   std::size_t index = event.index;
   const bool passes = event.what != Do::kMove;
   if (passes) index = passed(stack, range, event.what, own.get());
   std::vector<LayerStack::Entry> taken = stack.take(range);
   index = std::min(index, stack.size());
-  LayerGroupPtr& group = taken.front().state.group;
+  const auto set_group = [&](const LayerGroupPtr& group) {
+    if (group != own) stack.state(taken.front()).group = group;
+  };
   if (!passes && event.group && *event.group) {
     const LayerRange to = stack.range_of(*event.group);
     const bool stays_alone = to.size() == 0 && own && own->id == *event.group;
@@ -292,12 +313,12 @@ Result<Edit> layer_move(const Document& document, const LayerEvent& event) {
       return fail(ErrorCode::kNotFound, "no group " + std::to_string(event.group->value));
     }
     index = stays_alone ? stack.outside(index) : std::clamp(index, to.first, to.last);
-    if (!stays_alone) group = stack.group(to.first);
+    if (!stays_alone) set_group(stack.group(to.first));
   } else if (!passes && event.group) {
     index = stack.outside(index);
-    group = nullptr;
+    set_group(nullptr);
   } else if (!passes) {
-    group = group_at(stack, index, own);
+    set_group(group_at(stack, index, own));
   }
   stack.insert(index, std::move(taken));
   Edit edit = stack.edit(label_of(event.what));

@@ -18,13 +18,6 @@ std::string title_of(const Layer& layer) {
   return "layer " + std::to_string(layer.id.value) + " (" + layer.name + ")";
 }
 
-std::size_t index_of(const Document& document, LayerId id) {
-  const std::span<const Layer> layers = document.layers();
-  const auto found =
-      std::find_if(layers.begin(), layers.end(), [id](const Layer& l) { return l.id == id; });
-  return static_cast<std::size_t>(found - layers.begin());
-}
-
 LayerChange new_layer(const Document& document, std::string name, std::size_t index) {
   const LayerId id = document.new_layer_id();
   if (name.empty()) name = "Layer " + std::to_string(id.value);
@@ -58,7 +51,7 @@ LayerState changed(LayerState state, const LayerEvent& event) {
 }
 
 Edit change_of(const Document& document, const Layer& layer, const LayerEvent& event) {
-  const std::size_t index = index_of(document, layer.id);
+  const std::size_t index = document.layer_index(layer.id);
   LayerChange change{layer.id, layer.state(), changed(layer.state(), event), index, index};
   if (change.after == change.before) return {};
   return {label_of(event.what), {}, {std::move(change)}};
@@ -69,7 +62,7 @@ Edit removal_of(const Document& document, const Layer& layer) {
   for (const StrokeId id : layer.strokes) builder.remove(id);
   for (const FillId id : layer.fills) builder.remove_fill(id);
   Edit edit = std::move(builder).build(label_of(Do::kRemove));
-  edit.layers.push_back({layer.id, layer.state(), {}, index_of(document, layer.id), 0});
+  edit.layers.push_back({layer.id, layer.state(), {}, document.layer_index(layer.id), 0});
   return edit;
 }
 
@@ -110,13 +103,13 @@ Edit copy_of(const Document& document, const Layer& layer) {
   LayerState state = layer.state();
   state.name = copied_name(state.name);
   Edit edit{label_of(Do::kDuplicate), {}, {}};
-  add_copy(document, layer, std::move(state), index_of(document, layer.id) + 1,
+  add_copy(document, layer, std::move(state), document.layer_index(layer.id) + 1,
            copied_strokes(document, {&layer, 1}), edit);
   return edit;
 }
 
 Edit merge_of(const Document& document, const Layer& layer) {
-  const std::size_t index = index_of(document, layer.id);
+  const std::size_t index = document.layer_index(layer.id);
   const Layer& below = document.layers()[index - 1];
   Edit edit{label_of(Do::kMerge), {}, {}};
   edit.layers.push_back({layer.id, layer.state(), std::nullopt, index, 0});
@@ -148,7 +141,7 @@ tl::unexpected<Error> refusal(const Layer& layer, const std::string& why) {
 }
 
 Result<void> check_merge(const Document& document, const Layer& layer) {
-  const std::size_t index = index_of(document, layer.id);
+  const std::size_t index = document.layer_index(layer.id);
   if (index == 0) return refusal(layer, "is the lowest: there is no layer to merge it with");
   const Layer& below = document.layers()[index - 1];
   for (const Layer* part : {&layer, &below}) {
@@ -327,10 +320,24 @@ std::string copied_name(std::string_view name) {
   return std::string(utf8_prefix(name, kMaxLayerNameBytes - kEnd.size())).append(kEnd);
 }
 
-Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
+Result<void> check_layer_count(const Document& document, const Edit& edit) {
+  std::size_t count = document.layers().size();
+  for (const LayerChange& c : edit.layers) {
+    if (!c.before) ++count;
+    if (!c.after) --count;
+  }
+  if (count <= std::max(kMaxLayers, document.layers().size())) return {};
+  return fail(ErrorCode::kLimitExceeded,
+              "a drawing has at most " + std::to_string(kMaxLayers) + " layers");
+}
+
+namespace {
+
+Result<Edit> unchecked_layer_edit(const Document& document, const LayerEvent& event,
+                                  LayerId in_use) {
   if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (event.what == Do::kAdd) {
-    const std::size_t above = std::min(index_of(document, in_use) + 1, document.layers().size());
+    const std::size_t above = std::min(document.layer_index(in_use) + 1, document.layers().size());
     Edit edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
     LayerState& added = *edit.layers.front().after;
     added.group = group_in_use(document, in_use);
@@ -359,18 +366,33 @@ Result<Edit> layer_edit(const Document& document, const LayerEvent& event, Layer
   return edit;
 }
 
+}  // namespace
+
+Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
+  Result<Edit> edit = unchecked_layer_edit(document, event, in_use);
+  if (!edit) return edit;
+  if (Result<void> fits = check_layer_count(document, *edit); !fits) {
+    return tl::unexpected(fits.error());
+  }
+  return edit;
+}
+
 Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use) {
   if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (!event.data) return fail(ErrorCode::kInvalidArgument, "picture: has no data");
   if (!is_picture_place(event.place)) {
     return fail(ErrorCode::kInvalidArgument, "matrix: a picture cannot be placed like this");
   }
-  const std::size_t index = std::min(index_of(document, in_use), document.layers().size());
+  const std::size_t index = std::min(document.layer_index(in_use), document.layers().size());
   LayerChange change = new_layer(document, event.name, index);
   change.after->group = group_in_use(document, in_use);
   change.after->picture =
       std::make_shared<const LayerPicture>(LayerPicture{event.data, event.place});
-  return Edit{"Add picture", {}, {std::move(change)}};
+  Edit edit{"Add picture", {}, {std::move(change)}};
+  if (Result<void> fits = check_layer_count(document, edit); !fits) {
+    return tl::unexpected(fits.error());
+  }
+  return edit;
 }
 
 LayerId used_after(const Document& document, const LayerEvent& event, const Edit& edit) {
@@ -378,7 +400,7 @@ LayerId used_after(const Document& document, const LayerEvent& event, const Edit
   if (event.what == Do::kAdd) return edit.layers.front().id;
   if (event.what == Do::kDuplicate) return edit.layers.back().id;
   if (event.what != Do::kMerge) return {};
-  return document.layers()[index_of(document, event.layer) - 1].id;
+  return document.layers()[document.layer_index(event.layer) - 1].id;
 }
 
 Edit add_layer_on_top(const Document& document) {

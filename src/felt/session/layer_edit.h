@@ -35,16 +35,21 @@ Edit with_layers_hidden(Edit edit, std::span<const LayerId> hidden);
 /// out of range or a name longer than kMaxLayerNameBytes; if the event changes a picture and the
 /// layer has none, or is locked; or if layers cannot be merged: both must be open, in the same
 /// group and have the same opacity and blend mode, and the upper one must have no picture. The
-/// message names the layer and the reason.
+/// message names the layer and the reason. Also fails if check_layer_count() refuses the edit.
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
 
 /// Returns an edit that adds a layer with a picture below the layer `in_use`. Fails if the event
-/// has no data, or a place that is_picture_place() refuses.
+/// has no data, or a place that is_picture_place() refuses, or if check_layer_count() refuses the
+/// edit.
 Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use);
 
 /// Returns the layer that the event makes the current one; an empty id if it leaves the current
 /// layer. `document` is the document before `edit`, which layer_edit() has returned for the event.
 LayerId used_after(const Document& document, const LayerEvent& event, const Edit& edit);
+
+/// Fails if the edit adds layers and the drawing would have more than kMaxLayers, because it could
+/// not be saved.
+Result<void> check_layer_count(const Document& document, const Edit& edit);
 
 /// Returns the name of an event in the undo menu.
 std::string label_of(LayerEvent::Do what);

@@ -162,5 +162,43 @@ TEST(LayerEvents, NamesStayShortEnoughForFiles) {
   EXPECT_EQ(f.at(0).name, longest);
 }
 
+/// A script may add layers one by one. The work for each of them does not grow with their number.
+TEST(LayerEvents, ManyLayersAreAddedAndUndoneWithoutMovingTheOthers) {
+  LayerFixture f;
+  for (std::size_t i = 1; i < kMaxLayers; ++i) ASSERT_EQ(f.apply(LayerEvent{}), "");
+  EXPECT_LE(f.session->document().moved_layers(), kMaxLayers + 1);
+  EXPECT_EQ(f.session->layer(), f.at(kMaxLayers - 1).id);
+  for (std::size_t i = 1; i < kMaxLayers; ++i) ASSERT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_LE(f.session->document().moved_layers(), kMaxLayers + 1);
+  EXPECT_EQ(f.session->document().layers().size(), 1U);
+}
+
+/// Files have at most kMaxLayers layers, so a drawing with more could not be saved.
+TEST(LayerEvents, NoEventAddsMoreLayersThanFilesMayHave) {
+  LayerFixture f;
+  Edit edit{"Add layers", {}, {}};
+  for (std::uint64_t i = 1; i < kMaxLayers; ++i) {
+    LayerState state{"l"};
+    state.visible = false;
+    edit.layers.push_back({{i + 1}, std::nullopt, std::move(state), 0, i});
+  }
+  Document document;
+  ASSERT_TRUE(document.apply(edit));
+  SessionOptions options;
+  options.document = document;
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(std::make_unique<FakePencil>());
+  f.session = std::make_unique<Session>(std::move(tools), std::move(options));
+  const AddPicture picture{"Photo", testing::picture_data(), {}};
+  for (const auto& refused : {f.apply(LayerEvent{}), f.layer(Do::kDuplicate, 1),
+                              f.layer(Do::kHide, 1), f.layer(Do::kLock, 1), f.apply(picture)}) {
+    EXPECT_THAT(refused, HasSubstr("at most 10000 layers"));
+  }
+  EXPECT_EQ(f.session->document(), document);
+  EXPECT_EQ(f.layer(Do::kRemove, 2), "");
+  EXPECT_EQ(f.apply(LayerEvent{}), "");
+  EXPECT_THAT(f.apply(LayerEvent{}), HasSubstr("at most 10000 layers"));
+}
+
 }  // namespace
 }  // namespace felt::layer_events_test

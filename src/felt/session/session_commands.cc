@@ -228,11 +228,12 @@ void Session::set_view(std::vector<LayerId> out_of_view) {
   Edit edit;
   for (std::size_t i = 0; i < document_.layers().size(); ++i) {
     const Layer& layer = document_.layers()[i];
-    LayerChange change{layer.id, seen_->layer(layer.id)->state(), layer.state(), i, i};
-    if (std::binary_search(out_of_view_.begin(), out_of_view_.end(), layer.id)) {
-      change.after->visible = false;
-    }
-    if (change.before != change.after) edit.layers.push_back(std::move(change));
+    const bool is_out = std::binary_search(out_of_view_.begin(), out_of_view_.end(), layer.id);
+    const bool is_shown = layer.own_visible && !is_out;
+    if (seen_->layers()[i].own_visible == is_shown) continue;  // nothing else can differ
+    LayerChange change{layer.id, seen_->layers()[i].state(), layer.state(), i, i};
+    change.after->visible = is_shown;
+    edit.layers.push_back(std::move(change));
   }
   FELT_CHECK(seen_->apply(edit).has_value());
   if (out_of_view_.empty()) seen_.reset();

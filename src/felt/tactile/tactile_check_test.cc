@@ -31,6 +31,49 @@ class Drawn {
     data.joints.assign(points.size() - (data.closed ? 1 : 2), JointKind::kCorner);
     return add(std::move(data), width_mm);
   }
+  /// Adds straight lines through points with trips into the corners of flat ends and into pointed
+  /// corners, as files with such lines give them (docs/formats/svg.md). Closed as in line().
+  Drawn& sharp_line(const std::vector<Point>& points, double width_mm) {
+    constexpr double kThin = 0.05;
+    const double r = 0.5 * width_mm;
+    std::vector<Point> path;
+    std::vector<WidthKnot> widths;
+    const auto go = [&](Point p, double width) {
+      widths.push_back({static_cast<double>(path.size()), width});
+      path.push_back(p);
+    };
+    const auto trip = [&](Point tip) {
+      const Point from = path.back();
+      go(lerp(from, tip, 1.0 - kThin / width_mm), kThin);
+      go(from, width_mm);
+    };
+    const bool closed = points.size() > 3 && points.front() == points.back();
+    const std::size_t n = points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec in = normalized(i > 0 ? points[i] - points[i - 1] : points[1] - points[0]);
+      const Point beyond = closed ? points[1] : points[i] + in;
+      const Vec out = normalized((i + 1 < n ? points[i + 1] : beyond) - points[i]);
+      if (!closed && (i == 0 || i + 1 == n)) {
+        go(points[i] + (i == 0 ? r : -r) * in, width_mm);
+        trip(points[i] + r * perp(in));
+        trip(points[i] - r * perp(in));
+        continue;
+      }
+      go(points[i], width_mm);
+      const double half = 0.5 * std::acos(dot(in, out));
+      if (i > 0) trip(points[i] + r / std::cos(half) * normalized(in - out));
+    }
+    StrokeData data;
+    data.closed = closed;
+    data.points = {path.front()};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Cubic c = straight(path[i - 1], path[i]);
+      data.points.insert(data.points.end(), {c.p[1], c.p[2], path[i]});
+    }
+    data.joints.assign(path.size() - (closed ? 1 : 2), JointKind::kCorner);
+    data.widths = std::move(widths);
+    return add(std::move(data));
+  }
   /// Adds four arcs of 90 degrees; the error of the radius is 0.03 %.
   Drawn& circle(Point center, double radius_mm, double width_mm = 1.0) {
     const double k = 0.5522847498 * radius_mm, r = radius_mm;
@@ -61,6 +104,9 @@ class Drawn {
   Drawn& add(StrokeData data, double width_mm) {
     const double end = static_cast<double>(data.points.size() / 3);
     data.widths = {{.u = 0.0, .width_mm = width_mm}, {.u = end, .width_mm = width_mm}};
+    return add(std::move(data));
+  }
+  Drawn& add(StrokeData data) {
     Result<Stroke> stroke = Stroke::create(std::move(data));
     EXPECT_TRUE(stroke) << stroke.error().message;
     EditBuilder builder(document_);
@@ -172,6 +218,20 @@ std::vector<TactileCase> hand_made_cases() {
        Drawn().line({{20, 20}, {80, 20}, {80.7, 19.3}, {81, 20}, {81, 70}, {20, 70}, {20, 20}},
                     2.0),
        {}},
+      {"line with flat ends", Drawn().sharp_line({{20, 15}, {80, 15}}, 8), {}},
+      {"V with flat ends and a pointed corner",
+       Drawn().sharp_line({{20, 50}, {50, 35}, {80, 50}}, 6),
+       {}},
+      {"thin line too near a flat end",
+       Drawn().sharp_line({{20, 15}, {80, 15}}, 8).line({{84, 5}, {84, 60}}),
+       {kGap}},
+      {"square with mitred corners", Drawn().sharp_line(rectangle({20, 20}, 60, 50), 2), {}},
+      {"small square with mitred corners",
+       Drawn().sharp_line(rectangle({20, 20}, 6, 6), 2),
+       {kSmallShape}},
+      {"long box with mitred corners and short sides",
+       Drawn().sharp_line(rectangle({20, 20}, 40, 10), 2),
+       {kShortSide, kShortSide}},
       {"long box with short sides",
        Drawn().line(rectangle({20, 20}, 40, 10)),
        {kShortSide, kShortSide}},

@@ -15,6 +15,20 @@ int steps_of(const Cubic& c) noexcept {
   return std::max(1, static_cast<int>(std::ceil(3.0 * leg / TouchLine::kStepMm)));
 }
 
+/// Returns true if segment i and the next one are a short trip to a pointed corner or a corner of a
+/// flat end, and back: the ink narrows to a point, and the line returns along itself. Files write
+/// such corners like this (docs/formats/svg.md).
+bool is_corner_trip(const Stroke& stroke, int i) {
+  constexpr double kSameMm = 1e-3;       // files round coordinates
+  constexpr double kPointedShare = 0.5;  // of the width, at the tip
+  if (i + 1 >= stroke.segment_count()) return false;
+  const double width = std::min(stroke.width_mm(i), stroke.width_mm(i + 2.0));
+  if (!(stroke.width_mm(i + 1.0) < kPointedShare * width)) return false;
+  const Cubic out = stroke.segment(i), back = reversed(stroke.segment(i + 1));
+  return std::equal(out.p.begin(), out.p.end(), back.p.begin(),
+                    [](Point a, Point b) { return distance(a, b) <= kSameMm; });
+}
+
 }  // namespace
 
 double TouchLine::path_mm(double a_mm, double b_mm) const noexcept {
@@ -26,8 +40,9 @@ void TouchLines::add(StrokeId id, const Stroke& stroke) {
   TouchLine line{.stroke = id, .is_closed = stroke.closed(), .first = points.size()};
   const auto index = static_cast<std::uint32_t>(lines.size());
   double widths = 0.0;
-  const auto push = [&](Point at, double width_mm) {
-    if (points.size() > line.first) {
+  int trip_end = 0;  // the first segment after the last trip into a corner
+  const auto push = [&](Point at, double width_mm, bool is_trip) {
+    if (points.size() > line.first && !is_trip) {
       const double step = distance(points.back().at, at);
       line.length_mm += step;
       widths += step * 0.5 * (width_mm + 2.0 * points.back().half_mm);
@@ -35,12 +50,13 @@ void TouchLines::add(StrokeId id, const Stroke& stroke) {
     points.push_back({at, 0.5 * width_mm, line.length_mm, index});
     line.bounds.extend(Rect{at.x, at.y, at.x, at.y}.inflated(0.5 * width_mm));
   };
-  push(stroke.position(0.0), stroke.width_mm(0.0));
+  push(stroke.position(0.0), stroke.width_mm(0.0), false);
   for (int i = 0; i < stroke.segment_count(); ++i) {
+    if (i >= trip_end && is_corner_trip(stroke, i)) trip_end = i + 2;
     const int steps = steps_of(stroke.segment(i));
     for (int k = 1; k <= steps; ++k) {
       const double u = i + static_cast<double>(k) / steps;
-      push(stroke.position(u), stroke.width_mm(u));
+      push(stroke.position(u), stroke.width_mm(u), i < trip_end);
     }
   }
   line.count = points.size() - line.first;

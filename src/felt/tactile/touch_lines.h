@@ -14,8 +14,10 @@ namespace felt {
 /// A point of a line, as a fingertip meets it.
 struct TouchPoint {
   Point at{};
-  double half_mm = 0.0;    ///< half of the width of the ink
-  double along_mm = 0.0;   ///< arc length from the start of the line
+  double half_mm = 0.0;  ///< half of the width of the ink
+  /// Arc length from the start of the line. Trips into pointed corners and corners of flat ends
+  /// have no length, because they are no lines of their own.
+  double along_mm = 0.0;
   std::uint32_t line = 0;  ///< index of its line
 };
 

@@ -1,21 +1,51 @@
 #include "felt/tools/pull/connected_pull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <utility>
 
 #include "felt/geometry/nearest.h"
-#include "felt/tools/pull/nearest_u.h"
+#include "felt/tools/junctions.h"
 
 namespace felt {
 namespace {
 
-bool lies_on(const Stroke& stroke, Point p) {
+/// Shared points that are at most this far from where they belong stay.
+constexpr double kStillMm = 2e-6;
+
+/// Returns the parameter of the point of a stroke that is nearest to p, or nullopt if it is farther
+/// away than kSharedPointMm.
+std::optional<double> u_near(const Stroke& stroke, Point p) {
+  std::optional<double> found;
+  double nearest = kSharedPointMm * kSharedPointMm;
   for (int i = 0; i < stroke.segment_count(); ++i) {
-    if (nearest_within(stroke.segment(i), p, kSharedPointMm * kSharedPointMm)) return true;
+    const auto near = nearest_within(stroke.segment(i), p, nearest);
+    if (!near) continue;
+    found = i + near->t;
+    nearest = near->distance_squared;
+  }
+  return found;
+}
+
+bool is_end(const Stroke& stroke, double u) {
+  return !stroke.closed() && (u <= 0.0 || u >= stroke.segment_count());
+}
+
+/// Returns true if u is on the ink next to one of `us`, except number k.
+bool is_near_other(const Stroke& stroke, const std::vector<double>& us, std::size_t k, double u) {
+  const Point p = stroke.position(u);
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    if (i != k && distance(stroke.position(us[i]), p) < 4.0 * kMinSegmentMm) return true;
   }
   return false;
+}
+
+/// Returns the position of an end after a change; u is that before the change.
+Point end_of(const Stroke& after, double u) {
+  return after.position(u <= 0.0 ? 0.0 : after.segment_count());
 }
 
 /// Maps points of a stroke after a part between its ends has changed. Each point keeps its relative
@@ -28,12 +58,13 @@ class Slide {
     last_mm_ = same_length_mm(before, true);
   }
 
-  [[nodiscard]] Point place_of(double u, Point before) const {
+  [[nodiscard]] double u_of(double before_u) const {
     const double changed = before_arc_.length_mm() - first_mm_ - last_mm_;
     const double now = after_arc_.length_mm() - first_mm_ - last_mm_;
-    if (changed <= 0.0 || now <= 0.0) return before;
-    const double share = std::clamp((before_arc_.length_at(u) - first_mm_) / changed, 0.0, 1.0);
-    return after_.position(after_arc_.u_at(first_mm_ + share * now));
+    const double s = before_arc_.length_at(before_u);
+    if (changed <= 0.0 || now <= 0.0) return after_arc_.u_at(s);
+    const double share = std::clamp((s - first_mm_) / changed, 0.0, 1.0);
+    return after_arc_.u_at(first_mm_ + share * now);
   }
 
  private:
@@ -62,129 +93,177 @@ class Slide {
 
 }  // namespace
 
-StrokePtr ConnectedPull::pulled(const BrushPull& brush, StrokePtr stroke, Vec displacement) {
-  if (norm(displacement) < 1e-9) return stroke;
-  auto result = brush.at(displacement);
-  return result ? std::make_shared<const Stroke>(*std::move(result)) : stroke;
-}
-
-StrokePtr ConnectedPull::pulled(StrokePtr stroke, double u, Point to) {
-  ++work_.brushes;
-  return pulled(BrushPull(stroke, u, brush_), stroke, to - stroke->position(u));
-}
-
-/// Pulls ends that lie on strokes of locked layers back to their former positions.
-StrokePtr ConnectedPull::held(const Leader& leader, StrokePtr after) {
-  const Stroke& before = *leader.before;
-  const double n = before.segment_count();
-  for (const Junction& j : leader.junctions) {
-    if (j.editable || before.closed() || (j.u > 0.0 && j.u < n)) continue;
-    const double u = j.u <= 0.0 ? 0.0 : after->segment_count();
-    after = pulled(after, u, before.position(j.u));
-  }
-  return after;
-}
-
-/// Returns the new positions of the shared points of a stroke. A point at an end moves with the
-/// end. A point that is still on the curve stays. Any other point slides along the curve.
-std::vector<Point> ConnectedPull::carried(Leader& leader) {
-  const Stroke &before = *leader.before, &after = *leader.after;
-  const double n = before.segment_count();
+/// Returns the parameters, after a change, of points of a stroke. An end stays an end. A point that
+/// is still on the curve stays. Any other point slides along the curve.
+std::vector<double> ConnectedPull::carried(Line& line, const Stroke& after,
+                                           const std::vector<double>& us) {
+  const Stroke& before = *line.before;
+  if (&before == &after) return us;
   std::optional<Slide> slide;
-  std::vector<Point> places;
-  for (const Junction& j : leader.junctions) {
-    const Point p = before.position(j.u);
-    if (!before.closed() && (j.u <= 0.0 || j.u >= n)) {
-      places.push_back(after.position(j.u <= 0.0 ? 0.0 : after.segment_count()));
-    } else if (lies_on(after, p)) {
-      places.push_back(p);
-    } else {
-      if (!leader.arc) {
-        leader.arc.emplace(before, 1e-3);
-        ++work_.maps;
-      }
-      if (!slide) {
-        slide.emplace(before, *leader.arc, after);
-        ++work_.maps;
-      }
-      places.push_back(slide->place_of(j.u, p));
-    }
-  }
-  return places;
-}
-
-const ConnectedPull::Leader& ConnectedPull::lead(const StrokeChange& change, const Scene& scene) {
-  const auto [entry, is_new] = leaders_.try_emplace(change.id);
-  Leader& leader = entry->second;
-  if (is_new) {
-    leader.before = change.before;
-    leader.junctions = junctions_of(scene.document, scene.index, change.id, *change.before);
-  }
-  if (leader.given != change.after) {
-    leader.given = change.after;
-    leader.after = held(leader, change.after);
-    leader.places = carried(leader);
-  }
-  return leader;
-}
-
-ConnectedPull::Follower* ConnectedPull::follower(StrokeId id, const Scene& scene) {
-  const auto known = followers_.find(id);
-  if (known != followers_.end()) return &known->second;
-  if (followers_.size() >= kMaxFollowers) return nullptr;
-  return &followers_.try_emplace(id, StrokeReplacement(scene.document, id)).first->second;
-}
-
-void ConnectedPull::follow(Follower& follower, std::vector<Pull> pulls) {
-  if (follower.pulls == pulls) return;
-  follower.pulls = std::move(pulls);
-  const StrokePtr& before = follower.place.before();
-  const double n = before->segment_count();
-  StrokePtr after = before;
-  for (const Pull& pull : follower.pulls) {
-    if (after == before) {
-      if (!follower.brush || follower.brush_u != pull.u) {
-        follower.brush.emplace(before, pull.u, brush_);
-        follower.brush_u = pull.u;
-        ++work_.brushes;
-      }
-      after = pulled(*follower.brush, before, pull.to - before->position(pull.u));
+  std::vector<double> now;
+  for (const double u : us) {
+    if (is_end(before, u)) {
+      now.push_back(u <= 0.0 ? 0.0 : after.segment_count());
       continue;
     }
-    const double u = pull.u <= 0.0 ? 0.0
-                     : pull.u >= n ? after->segment_count()
-                                   : nearest_u(*after, before->position(pull.u));
-    after = pulled(after, u, pull.to);
+    if (const auto on = u_near(after, before.position(u))) {
+      now.push_back(*on);
+      continue;
+    }
+    if (!line.arc) {
+      line.arc.emplace(before, 1e-3);
+      ++work_.maps;
+    }
+    if (!slide) {
+      slide.emplace(before, *line.arc, after);
+      ++work_.maps;
+    }
+    now.push_back(slide->u_of(u));
   }
-  follower.after = std::move(after);
+  return now;
+}
+
+ConnectedPull::Line& ConnectedPull::line(StrokeId id, const StrokePtr& before, const Scene& scene) {
+  const auto [entry, is_new] = lines_.try_emplace(id);
+  Line& line = entry->second;
+  if (!is_new) return line;
+  line.before = before;
+  for (const Junction& j : junctions_of(scene.document, scene.index, id, *before)) {
+    const Stroke& other = *scene.document.find(j.other);
+    const Point here = before->position(j.u);
+    line.links.push_back({j.u, j.other, j.other_u, here, other.position(j.other_u) - here,
+                          is_end(other, j.other_u), !j.editable});
+  }
+  return line;
+}
+
+ConnectedPull::Line* ConnectedPull::follower(StrokeId id, const Scene& scene) {
+  const auto known = lines_.find(id);
+  if (known != lines_.end() && known->second.follows) return &known->second;
+  if (followers_ >= kMaxFollowers) return nullptr;
+  ++followers_;
+  StrokeReplacement place(scene.document, id);
+  Line& added = line(id, place.before(), scene);
+  added.follows = std::move(place);
+  return &added;
+}
+
+/// Moves the shared points of a stroke to where the other strokes are.
+StrokePtr ConnectedPull::shaped(Line& line) {
+  std::vector<double> us;
+  for (const PointMove& tie : line.ties) us.push_back(tie.u);
+  us = carried(line, *line.given, us);
+  std::vector<PointMove> moves;
+  bool holds = true;
+  for (std::size_t k = 0; k < us.size(); ++k) {
+    const Point to = line.ties[k].to;
+    double u = us[k];
+    // Strokes that a gesture changed together may still be joined, at another point of this one.
+    const auto on = is_end(*line.given, u) ? std::nullopt : u_near(*line.given, to);
+    if (on && !is_near_other(*line.given, us, k, *on)) u = *on;
+    holds = holds && distance(line.given->position(u), to) <= kStillMm;
+    moves.push_back({u, to});
+  }
+  if (holds) return line.given;
+  Result<Stroke> moved = fail(ErrorCode::kNotFound, "");
+  if (moves.size() == 1 && line.given == line.before) {
+    if (!line.brush || line.brush_u != moves.front().u) {
+      line.brush.emplace(line.before, moves.front().u, brush_);
+      line.brush_u = moves.front().u;
+      ++work_.brushes;
+    }
+    moved = line.brush->at(moves.front().to - line.before->position(moves.front().u));
+  } else {
+    ++work_.brushes;
+    moved = with_points_moved(line.given, moves, brush_);
+  }
+  return moved ? std::make_shared<const Stroke>(*std::move(moved)) : line.given;
+}
+
+void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> ties,
+                          bool is_rigid) {
+  if (is_rigid) ties.clear();
+  std::vector<PointMove> all;
+  for (const Link& link : line.links) {
+    if (link.is_held && !is_rigid) all.push_back({link.u, link.start});
+  }
+  // In a heap of lines an end may lie near several lines. It stays on the nearest one.
+  std::stable_sort(ties.begin(), ties.end(),
+                   [](const Tie& a, const Tie& b) { return a.gap_mm < b.gap_mm; });
+  for (const Tie& tie : ties) {
+    const bool known = std::any_of(all.begin(), all.end(), [&](const PointMove& k) {
+      return std::fabs(k.u - tie.move.u) < 1e-9;
+    });
+    if (!known) all.push_back(tie.move);
+  }
+  if (line.after && line.given == given && line.ties == all) return;
+  line.given = given;
+  line.ties = std::move(all);
+  line.after = shaped(line);
+  std::vector<double> us;
+  for (const Link& link : line.links) us.push_back(link.u);
+  line.places.clear();
+  for (const double u : carried(line, *line.after, us)) {
+    line.places.push_back(line.after->position(u));
+  }
+}
+
+/// Returns where a stroke that has been placed takes a point of another one. `waiting` is the other
+/// stroke if the gesture has changed it too.
+ConnectedPull::Tie ConnectedPull::tie_at(const Line& line, std::size_t i, const Stroke* waiting) {
+  const Link& link = line.links[i];
+  Tie tie{{link.other_u, line.places[i] + link.offset}, norm(link.offset)};
+  // The gesture may have moved the end of the other stroke along this one.
+  if (waiting && link.is_other_end && !is_end(*line.before, link.u)) {
+    const Point tip = end_of(*waiting, link.other_u);
+    if (u_near(*line.after, tip - link.offset)) tie.move.to = tip;
+  }
+  return tie;
 }
 
 void ConnectedPull::complete(Edit& edit, const Scene& scene) {
-  std::set<StrokeId> known;
-  for (const StrokeChange& c : edit.changes) known.insert(c.id);
-  std::size_t begin = 0;
+  std::map<StrokeId, std::vector<Tie>> ties;
+  std::map<StrokeId, StrokePtr> waiting;  // the gesture's own strokes that have no place yet
+  std::set<StrokeId> queued, placed;
+  for (const StrokeChange& c : edit.changes) {
+    queued.insert(c.id);
+    if (c.after) waiting.emplace(c.id, c.after);
+  }
+  const std::size_t own = edit.changes.size();
+  std::vector<std::size_t> order(own);
+  std::iota(order.begin(), order.end(), 0U);
+  // Those that keep their shape come first, because the others can go where they are.
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return rigid_.contains(edit.changes[i].id); });
   // Ends, because each round adds followers, and their number is limited.
-  while (begin < edit.changes.size()) {
-    std::map<StrokeId, std::vector<Pull>> pulls;
-    const std::size_t end = edit.changes.size();
-    for (; begin < end; ++begin) {
-      StrokeChange& change = edit.changes[begin];
-      if (!change.before || !change.after || change.before == change.after) continue;
-      const Leader& leader = lead(change, scene);
-      change.after = leader.after;
-      for (std::size_t k = 0; k < leader.junctions.size(); ++k) {
-        const Junction& j = leader.junctions[k];
-        if (!j.editable || known.contains(j.other)) continue;
-        if (distance(leader.places[k], change.before->position(j.u)) < 1e-9) continue;
-        pulls[j.other].push_back({j.other_u, leader.places[k]});
+  for (std::size_t k = 0; k < order.size();) {
+    std::set<StrokeId> next;
+    for (const std::size_t end = order.size(); k < end; ++k) {
+      const bool is_own = order[k] < own;
+      StrokeChange& change = edit.changes[order[k]];
+      placed.insert(change.id);
+      waiting.erase(change.id);
+      if (!change.before || !change.after) continue;
+      Line& now = line(change.id, change.before, scene);
+      place(now, is_own ? change.after : now.before, std::move(ties[change.id]),
+            is_own && rigid_.contains(change.id));
+      change.after = now.after;
+      for (std::size_t i = 0; i < now.links.size(); ++i) {
+        const Link& link = now.links[i];
+        if (link.is_held || placed.contains(link.other)) continue;
+        const auto other = waiting.find(link.other);
+        ties[link.other].push_back(
+            tie_at(now, i, other != waiting.end() ? other->second.get() : nullptr));
+        const bool moves = distance(now.places[i], link.start) > kStillMm;
+        if (moves && !queued.contains(link.other)) next.insert(link.other);
       }
     }
-    for (auto& [id, places] : pulls) {
-      Follower* next = follower(id, scene);
-      if (!next) continue;
-      known.insert(id);
-      follow(*next, std::move(places));
-      edit.changes.push_back(next->place.with(next->after, edit.label).changes.front());
+    for (const StrokeId id : next) {
+      Line* const follows = follower(id, scene);
+      if (!follows) continue;
+      queued.insert(id);
+      order.push_back(edit.changes.size());
+      edit.changes.push_back(follows->follows->with(follows->before, edit.label).changes.front());
     }
   }
 }

@@ -3,32 +3,36 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "felt/document/edit.h"
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/arc_map.h"
-#include "felt/tools/junctions.h"
 #include "felt/tools/pull/brush_pull.h"
 #include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/pull/point_moves.h"
 #include "felt/tools/scene.h"
 
 namespace felt {
 
-/// Keeps strokes that share a point (junctions.h) together while one of them is pulled (R33;
+/// Keeps strokes that share a point (junctions.h) together while some of them are changed (R33;
 /// NibLines does the same for strokes that are pushed): adds the changes of the other strokes to
 /// the gesture's edit.
 ///
-/// If a shared point moves, a brush pulls the other stroke to the new position of that point, while
-/// the ends and corners elsewhere on the pulled stroke stay. Strokes connected to the pulled stroke
-/// follow in turn. If an end of a changed stroke lies on a stroke of a locked layer, a brush pulls
-/// this end back to its position at the touch instead. If at most kMaxFollowers strokes follow, the
-/// result depends only on the edit and the document at the touch, so moving back undoes it.
+/// The strokes are placed one after the other, first those of the edit, then those that share a
+/// point with a stroke that has moved. A stroke is placed once: its shared points with the strokes
+/// that have been placed before, moved or not, move to where those are (with_points_moved()), and
+/// its other ends and corners stay. So all shared points hold at the end, whether strokes share
+/// several points or several strokes share one. If an end of a stroke lies on a stroke of a locked
+/// layer, or the other way round, this point stays. Points that were up to kSharedPointMm apart
+/// keep this offset. If at most kMaxFollowers strokes follow, the result depends only on the edit
+/// and the document at the touch, so moving back undoes it.
 ///
 /// For a stroke that has not changed since the last edit, complete() only does a look-up. For each
-/// changed stroke it searches for shared points, and for each follower it does one multiplication
-/// per control point. Make one object per gesture.
+/// changed stroke it searches for shared points, and for each follower with one shared point it
+/// does one multiplication per control point. Make one object per gesture.
 class ConnectedPull {
  public:
   /// Maximum number of strokes that follow in one gesture; further strokes do not move. Strokes
@@ -43,48 +47,57 @@ class ConnectedPull {
 
   explicit ConnectedPull(const BrushOptions& brush) : brush_(brush) { brush_.free_ends = false; }
 
+  /// Keeps the shape of a stroke that the gesture moves as a whole, even if it separates from a
+  /// locked stroke or from another such stroke.
+  void keep_shape(StrokeId id) { rigid_.insert(id); }
+
   /// Adds the changes of the followers to `edit`, which is the gesture's edit of scene.document.
   void complete(Edit& edit, const Scene& scene);
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
  private:
-  struct Pull {
+  /// A point that a stroke shares with another one.
+  struct Link {
     double u = 0.0;
-    Point to;
-
-    friend bool operator==(const Pull&, const Pull&) noexcept = default;
+    StrokeId other;
+    double other_u = 0.0;
+    Point start;   ///< position at the touch
+    Vec offset{};  ///< from this point to that of the other stroke
+    bool is_other_end = false;
+    bool is_held = false;  ///< the other stroke is locked
   };
-  /// A stroke of the edit that others may follow.
-  struct Leader {
+  /// A stroke of the edit, or one that follows.
+  struct Line {
     StrokePtr before;
-    std::vector<Junction> junctions;
-    std::optional<ArcMap> arc;  // of `before`, made when needed
-    StrokePtr given;            // this stroke in the gesture's last edit
-    StrokePtr after;            // `given`, with ends on locked strokes pulled back
-    std::vector<Point> places;  // positions of the junctions on `after`
-  };
-  struct Follower {
-    explicit Follower(StrokeReplacement stroke) : place(std::move(stroke)), after(place.before()) {}
-
-    StrokeReplacement place;
-    std::vector<Pull> pulls;  // the last pulls; `after` is their result
-    StrokePtr after;
-    std::optional<BrushPull> brush;  // of the first pull, at brush_u
+    std::vector<Link> links;
+    std::optional<ArcMap> arc;    // of `before`, made when needed
+    StrokePtr given;              // in the gesture's last edit; `before` if it follows
+    std::vector<PointMove> ties;  // shared points with the strokes that were placed before it
+    StrokePtr after;              // `given`, with these points moved
+    std::vector<Point> places;    // positions of the links on `after`
+    std::optional<StrokeReplacement> follows;
+    std::optional<BrushPull> brush;  // of the only tie, at brush_u
     double brush_u = 0.0;
   };
 
-  const Leader& lead(const StrokeChange& change, const Scene& scene);
-  [[nodiscard]] StrokePtr held(const Leader& leader, StrokePtr after);
-  [[nodiscard]] std::vector<Point> carried(Leader& leader);
+  struct Tie {
+    PointMove move;
+    double gap_mm = 0.0;  ///< between the strokes at the touch
+  };
+
+  Line& line(StrokeId id, const StrokePtr& before, const Scene& scene);
   /// Returns null if more strokes than kMaxFollowers would follow.
-  Follower* follower(StrokeId id, const Scene& scene);
-  void follow(Follower& follower, std::vector<Pull> pulls);
-  [[nodiscard]] static StrokePtr pulled(const BrushPull& brush, StrokePtr stroke, Vec displacement);
-  [[nodiscard]] StrokePtr pulled(StrokePtr stroke, double u, Point to);
+  Line* follower(StrokeId id, const Scene& scene);
+  void place(Line& line, const StrokePtr& given, std::vector<Tie> ties, bool is_rigid);
+  static Tie tie_at(const Line& line, std::size_t i, const Stroke* waiting);
+  [[nodiscard]] StrokePtr shaped(Line& line);
+  [[nodiscard]] std::vector<double> carried(Line& line, const Stroke& after,
+                                            const std::vector<double>& us);
 
   BrushOptions brush_;
-  std::map<StrokeId, Leader> leaders_;
-  std::map<StrokeId, Follower> followers_;
+  std::map<StrokeId, Line> lines_;
+  std::set<StrokeId> rigid_;
+  std::size_t followers_ = 0;
   Work work_;
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "felt/document/edit_builder.h"
+#include "felt/tools/junctions.h"
 #include "felt/tools/pull/pull_tool.h"
 #include "felt/tools/testing/tool_fixture.h"
 

@@ -32,16 +32,14 @@ bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
     const Point b = k == steps ? to : lerp(from, to, static_cast<double>(k) / steps);
     for (auto& [id, line] : lines_) {
       line.visits = 0;
+      if (!line.has_links) find_links(id, line, scene);
       note_touch(line, a, b);
-      if (line.push.step(a, b, came_from)) queue(id, line);
+      if (!is_held_under(line, b) && line.push.step(a, b, came_from)) queue(id, line);
     }
     moved = moved || !queue_.empty();
     if (weld(b, came_from, &scene)) continue;
-    // The ink cannot be joined under this nib. Each stroke is pushed on its own for now.
-    for (auto& [id, line] : lines_) {
-      line.push.undo();
-      line.push.step(from, to, came_from);
-    }
+    // The ink cannot be joined under this nib, so the nib moves over it.
+    for (auto& [id, line] : lines_) line.push.undo();
     break;
   }
   for (auto& [id, line] : lines_) line.push.settle();
@@ -78,6 +76,29 @@ void NibLines::note_touch(Line& line, Point from, Point to) const {
   }
 }
 
+/// Returns true if a nib at p covers a point at which the stroke is held. The nib cannot push the
+/// stroke out from under it.
+bool NibLines::is_held_under(const Line& line, Point p) const {
+  return std::any_of(line.links.begin(), line.links.end(), [&](const Line::Link& link) {
+    return link.held && distance(link.start, p) < radius_mm_;
+  });
+}
+
+double NibLines::gap_mm() const {
+  double largest = 0.0;
+  for (const auto& [id, line] : lines_) {
+    for (const Line::Link& link : line.links) {
+      const Point here = line.push.position(link.u);
+      const auto other = lines_.find(link.other);
+      if (!link.held && other == lines_.end()) continue;
+      const Point there =
+          link.held ? link.start : other->second.push.position(link.other_u) - link.offset;
+      largest = std::max(largest, distance(here, there));
+    }
+  }
+  return largest;
+}
+
 void NibLines::queue(StrokeId id, Line& line) {
   if (line.waits || line.visits >= kMaxVisits) return;
   line.waits = true;
@@ -95,10 +116,7 @@ NibLines::Line* NibLines::follower(StrokeId id, const Scene* scene) {
 void NibLines::find_links(StrokeId id, Line& line, const Scene& scene) const {
   line.has_links = true;
   const Stroke& stroke = *line.replacement.before();
-  const double n = stroke.segment_count();
   for (const Junction& j : junctions_of(scene.document, scene.index, id, stroke)) {
-    const bool is_end = !stroke.closed() && (j.u <= 0.0 || j.u >= n);
-    if (!j.editable && !is_end) continue;
     const Point here = stroke.position(j.u);
     const Point there = scene.document.find(j.other)->position(j.other_u);
     Line::Link link{j.u, j.other, j.other_u, here, there - here, !j.editable};
@@ -131,7 +149,8 @@ bool NibLines::weld(Point p, Vec came_from, const Scene* scene) {
   for (const StrokeId id : queue_) lines_.at(id).waits = false;
   queue_.clear();
   for (auto& [id, line] : lines_) {
-    if (good && line.visits >= kMaxVisits) line.push.clear(p, came_from, 0.0);
+    const bool is_late = good && line.visits >= kMaxVisits && !is_held_under(line, p);
+    if (is_late) line.push.clear(p, came_from, 0.0);
   }
   return good;
 }
@@ -141,7 +160,7 @@ bool NibLines::weld(Point p, Vec came_from, const Scene* scene) {
 /// nib.
 bool NibLines::visit(Line& line, Point p, Vec came_from, const Scene* scene) {
   const double room = kRoundRoomMm * std::max(0, line.visits - kExactVisits);
-  line.push.clear(p, came_from, room);
+  if (!is_held_under(line, p)) line.push.clear(p, came_from, room);
   for (const Line::Link& link : line.links) {
     if (link.held) pull(line, link.u, link.start);
   }

@@ -24,10 +24,12 @@ namespace felt {
 ///
 /// This ends when nothing moves. Usually one or two rounds are enough. After kExactVisits rounds
 /// each push goes some micrometres farther than the radius, so that the rounds end. If they do not
-/// end, the strokes keep clear of the nib and the points stay slightly apart until the next step.
-/// If the strokes move farther and farther apart, each is pushed on its own in this movement, and
-/// shared points may be apart by its length until the next one. Ends that lie on strokes of locked
-/// layers stay. Points that were up to kSharedPointMm apart keep this offset.
+/// end, the strokes keep clear of the nib, and the points stay slightly apart until the next step.
+/// If the strokes move farther and farther apart, the nib moves over them instead. Points shared
+/// with strokes of locked layers stay, and a stroke is not pushed while the nib covers such a point
+/// of it. Points that were up to kSharedPointMm apart keep this offset.
+///
+/// Gaps that remain (gap_mm()) are closed with ConnectedPull, whatever lies under the nib.
 ///
 /// Takes time linear in the strokes that move, and quadratic in the shared points of one stroke.
 /// Edit thread only.
@@ -61,7 +63,7 @@ class NibLines {
       double other_u = 0.0;
       Point start;        ///< position at the touch
       Vec offset{};       ///< from this point to that of the other stroke
-      bool held = false;  ///< an end that stays, because the other stroke is locked
+      bool held = false;  ///< stays, because the other stroke is locked
     };
     std::vector<Link> links;
   };
@@ -73,6 +75,8 @@ class NibLines {
   /// Returns the strokes to commit, refitted (refit.h). If the refit would move a stroke under the
   /// nib at `pen` or off a shared point, the strokes are pushed and pulled again.
   [[nodiscard]] std::vector<std::pair<StrokeId, StrokePtr>> finished(Point pen) const;
+  /// Returns the largest distance between strokes at a point that they share.
+  [[nodiscard]] double gap_mm() const;
   [[nodiscard]] const std::map<StrokeId, Line>& lines() const noexcept { return lines_; }
 
  private:
@@ -84,6 +88,7 @@ class NibLines {
   void find_links(StrokeId id, Line& line, const Scene& scene) const;
   bool weld(Point p, Vec came_from, const Scene* scene);
   bool visit(Line& line, Point p, Vec came_from, const Scene* scene);
+  [[nodiscard]] bool is_held_under(const Line& line, Point p) const;
   void queue(StrokeId id, Line& line);
   void copy_links(const Line& line, Line& to, const NibLines& from) const;
   Line& add(StrokeReplacement place, StrokePtr ink);

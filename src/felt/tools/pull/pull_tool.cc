@@ -84,6 +84,7 @@ ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
 ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
   hovers_ = has_target_ = false;
   if (settings_.mode >= PullMode::kBulge) {
+    connected_.emplace(settings_.brush);
     gesture_ = make_bulge(sample, scene, settings_.bulge);
     return {};
   }

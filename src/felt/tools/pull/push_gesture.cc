@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
+#include "felt/tools/junctions.h"
+#include "felt/tools/pull/connected_pull.h"
 #include "felt/tools/pull/nib_lines.h"
 
 namespace felt {
@@ -17,7 +19,10 @@ constexpr double kFeltMm = 4.0;
 class PushGesture final : public PullGesture {
  public:
   PushGesture(const PenSample& touch, const PushOptions& options)
-      : lines_(options.radius_mm), radius_mm_(options.radius_mm), last_(on_page(touch.position)) {}
+      : lines_(options.radius_mm),
+        connected_(BrushOptions{}),
+        radius_mm_(options.radius_mm),
+        last_(on_page(touch.position)) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& scene) override {
     const Point now = on_page(pen.position);
@@ -29,14 +34,16 @@ class PushGesture final : public PullGesture {
     if (!moved) return std::nullopt;
     Edit edit{.label = kPushLabel, .changes = {}};
     for (const auto& [id, line] : lines_.lines()) add(line.replacement, line.push.stroke(), edit);
+    if (lines_.gap_mm() > kSharedPointMm) connected_.complete(edit, scene);
     return edit;
   }
 
-  Edit end(const Scene& /*scene*/) override {
+  Edit end(const Scene& scene) override {
     Edit edit{.label = kPushLabel, .changes = {}};
     for (auto& [id, stroke] : lines_.finished(last_)) {
       add(lines_.lines().at(id).replacement, std::move(stroke), edit);
     }
+    connected_.complete(edit, scene);
     return edit;
   }
 
@@ -97,6 +104,7 @@ class PushGesture final : public PullGesture {
   }
 
   NibLines lines_;
+  ConnectedPull connected_;  // closes the gaps that the nib leaves
   double radius_mm_;
   Point last_;
 };
