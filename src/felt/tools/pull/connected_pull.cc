@@ -180,12 +180,10 @@ StrokePtr ConnectedPull::shaped(Line& line) {
   return moved ? std::make_shared<const Stroke>(*std::move(moved)) : line.given;
 }
 
-void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> ties,
-                          bool is_rigid) {
-  if (is_rigid) ties.clear();
+void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> ties) {
   std::vector<PointMove> all;
   for (const Link& link : line.links) {
-    if (link.is_held && !is_rigid) all.push_back({link.u, link.start});
+    if (link.is_held) all.push_back({link.u, link.start});
   }
   // In a heap of lines an end may lie near several lines. It stays on the nearest one.
   std::stable_sort(ties.begin(), ties.end(),
@@ -232,9 +230,6 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
   const std::size_t own = edit.changes.size();
   std::vector<std::size_t> order(own);
   std::iota(order.begin(), order.end(), 0U);
-  // Those that keep their shape come first, because the others can go where they are.
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t i) { return rigid_.contains(edit.changes[i].id); });
   // Ends, because each round adds followers, and their number is limited.
   for (std::size_t k = 0; k < order.size();) {
     std::set<StrokeId> next;
@@ -245,8 +240,7 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
       waiting.erase(change.id);
       if (!change.before || !change.after) continue;
       Line& now = line(change.id, change.before, scene);
-      place(now, is_own ? change.after : now.before, std::move(ties[change.id]),
-            is_own && rigid_.contains(change.id));
+      place(now, is_own ? change.after : now.before, std::move(ties[change.id]));
       change.after = now.after;
       for (std::size_t i = 0; i < now.links.size(); ++i) {
         const Link& link = now.links[i];

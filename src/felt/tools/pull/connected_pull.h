@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -47,10 +46,6 @@ class ConnectedPull {
 
   explicit ConnectedPull(const BrushOptions& brush) : brush_(brush) { brush_.free_ends = false; }
 
-  /// Keeps the shape of a stroke that the gesture moves as a whole, even if it separates from a
-  /// locked stroke or from another such stroke.
-  void keep_shape(StrokeId id) { rigid_.insert(id); }
-
   /// Adds the changes of the followers to `edit`, which is the gesture's edit of scene.document.
   void complete(Edit& edit, const Scene& scene);
   [[nodiscard]] const Work& work() const noexcept { return work_; }
@@ -88,7 +83,7 @@ class ConnectedPull {
   Line& line(StrokeId id, const StrokePtr& before, const Scene& scene);
   /// Returns null if more strokes than kMaxFollowers would follow.
   Line* follower(StrokeId id, const Scene& scene);
-  void place(Line& line, const StrokePtr& given, std::vector<Tie> ties, bool is_rigid);
+  void place(Line& line, const StrokePtr& given, std::vector<Tie> ties);
   static Tie tie_at(const Line& line, std::size_t i, const Stroke* waiting);
   [[nodiscard]] StrokePtr shaped(Line& line);
   [[nodiscard]] std::vector<double> carried(Line& line, const Stroke& after,
@@ -96,7 +91,6 @@ class ConnectedPull {
 
   BrushOptions brush_;
   std::map<StrokeId, Line> lines_;
-  std::set<StrokeId> rigid_;
   std::size_t followers_ = 0;
   Work work_;
 };
