@@ -18,7 +18,7 @@ namespace felt::desktop::press_through_test {
 namespace {
 
 /// A page that counts the presses that reach it.
-class Sheet : public QWidget {
+class Page : public QWidget {
  public:
   int presses = 0, releases = 0, touches = 0;
 
@@ -34,7 +34,7 @@ class Sheet : public QWidget {
 class PressThroughTest : public ::testing::Test {
  protected:
   PressThroughTest() {
-    window_.setCentralWidget(sheet_);
+    window_.setCentralWidget(page_);
     auto* bar = window_.addToolBar(QStringLiteral("bar"));
     list_->addItems({QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
     menu_->addAction(QStringLiteral("first"));
@@ -76,7 +76,7 @@ class PressThroughTest : public ::testing::Test {
 
   QMainWindow window_;
   PressThrough through_{window_};
-  Sheet* sheet_ = new Sheet;
+  Page* page_ = new Page;
   QComboBox* list_ = new QComboBox;
   QToolButton* opener_ = new QToolButton;
   QMenu* menu_ = new QMenu(opener_);
@@ -87,15 +87,15 @@ TEST_F(PressThroughTest, APressOnThePageReachesItAndClosesThePopUp) {
   int presses = 0;
   for (const Qt::MouseButton button : {Qt::LeftButton, Qt::RightButton}) {
     open_list();
-    click(*sheet_, button);
+    click(*page_, button);
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
-    EXPECT_EQ(sheet_->presses, ++presses);
-    EXPECT_EQ(sheet_->releases, presses);
+    EXPECT_EQ(page_->presses, ++presses);
+    EXPECT_EQ(page_->releases, presses);
     open_menu();
-    click(*sheet_, button);
+    click(*page_, button);
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
-    EXPECT_EQ(sheet_->presses, ++presses);
-    EXPECT_EQ(sheet_->releases, presses);
+    EXPECT_EQ(page_->presses, ++presses);
+    EXPECT_EQ(page_->releases, presses);
   }
 }
 
@@ -117,9 +117,9 @@ TEST_F(PressThroughTest, AnOpenSubmenuClosesToo) {
   open_menu();
   submenu_->popup(menu_->mapToGlobal(QPoint(menu_->width(), 0)));
   submenu_->setAttribute(Qt::WA_NoMouseReplay);
-  click(*sheet_);
+  click(*page_);
   EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
-  EXPECT_EQ(sheet_->presses, 1);
+  EXPECT_EQ(page_->presses, 1);
 }
 
 TEST_F(PressThroughTest, APressInThePopUpChooses) {
@@ -130,7 +130,7 @@ TEST_F(PressThroughTest, APressInThePopUpChooses) {
   QTest::mouseMove(menu_->windowHandle(), at);
   QTest::mouseClick(menu_->windowHandle(), Qt::LeftButton, {}, at);
   EXPECT_EQ(chosen, 1);
-  EXPECT_EQ(sheet_->presses, 0);
+  EXPECT_EQ(page_->presses, 0);
 }
 
 TEST_F(PressThroughTest, AnotherWindowIsLeftAlone) {
@@ -138,8 +138,8 @@ TEST_F(PressThroughTest, AnotherWindowIsLeftAlone) {
   menu.addAction(QStringLiteral("one"));
   menu.popup(window_.mapToGlobal(QPoint(0, 60)));
   menu.setAttribute(Qt::WA_NoMouseReplay);
-  click(*sheet_);
-  EXPECT_EQ(sheet_->presses, 0);
+  click(*page_);
+  EXPECT_EQ(page_->presses, 0);
   menu.close();
 }
 
@@ -151,12 +151,12 @@ TEST_F(PressThroughTest, ATabletTouchesThePage) {
                           1, 3, {}, QPointingDeviceUniqueId::fromNumericId(41), qApp);
   open_list();
   QWidget* popup = QApplication::activePopupWidget();
-  const QPointF global = sheet_->mapToGlobal(QPointF(sheet_->rect().center()));
+  const QPointF global = page_->mapToGlobal(QPointF(page_->rect().center()));
   QTabletEvent event(QEvent::TabletPress, pen, popup->mapFromGlobal(global), global, 0.5, 0, 0, 0,
                      0, 0, {}, Qt::LeftButton, Qt::LeftButton);
   QApplication::sendEvent(popup, &event);
   EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
-  EXPECT_EQ(sheet_->touches, 1);
+  EXPECT_EQ(page_->touches, 1);
 }
 
 }  // namespace
