@@ -18,7 +18,7 @@ namespace felt::desktop::press_through_test {
 namespace {
 
 /// A page that counts the presses that reach it.
-class Page : public QWidget {
+class PressedPage : public QWidget {
  public:
   int presses = 0, releases = 0, touches = 0;
 
@@ -76,7 +76,7 @@ class PressThroughTest : public ::testing::Test {
 
   QMainWindow window_;
   PressThrough through_{window_};
-  Page* page_ = new Page;
+  PressedPage* page_ = new PressedPage;
   QComboBox* list_ = new QComboBox;
   QToolButton* opener_ = new QToolButton;
   QMenu* menu_ = new QMenu(opener_);
