@@ -165,6 +165,7 @@ void run_timelapse(const TimelapseArguments& args, Console& console) {
                      console);
   Result<TimelapseInput> input = read_timelapse({args.input, args.on, args.output}, console);
   if (!input) return console.error(input.error().message);
+  if (console.failed()) return;  // a notice with --strict
   const Result<FilmPlan> plan = plan_film(args, format, *input, console);
   if (!plan) return console.error(plan.error().message);
   const Interrupt interrupt;

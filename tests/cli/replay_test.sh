@@ -311,6 +311,8 @@ run 1 "$feltline" --strict replay raw.ndjson -o strict.ndjson
 [ ! -e strict.ndjson ] || fail "--strict wrote a file"
 run 0 "$feltline" timelapse raw.ndjson -o raw.svg
 has err "has pressures outside 0 to 1"
+run 1 "$feltline" --strict timelapse raw.ndjson -o strict.svg
+[ ! -e strict.svg ] || fail "--strict wrote a film"
 echo '{"event":"pen","x":1,"y":2,"z":0,"pressure":512,"t_ms":0}' >raw_event.ndjson
 run 1 "$feltline" replay raw_event.ndjson -o strict.ndjson
 has err "raw_event.ndjson:1: pressure: is not between 0 and 1"

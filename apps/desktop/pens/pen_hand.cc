@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t kLiftSeenNs = 20'000'000;
 /// Time after which a touch that the session has not handled is given up. A simulated body may have
 /// a long way to the place of the touch (LandingWait).
-constexpr std::int64_t kTouchSeenNs = 500'000'000;
+constexpr std::int64_t kTouchSeenNs = 800'000'000;
 
 std::uint32_t bit_of(ButtonRole role) {
   return 1U << static_cast<unsigned>(role);
@@ -51,7 +51,7 @@ void PenHand::on_sample(const PenSample& sample) {
   const bool touches = in_contact(sample);
   if (std::exchange(session_touches_, touches) == touches) return;
   if (touches) {
-    is_touch_owed_ = false;
+    touches_owed_ = std::max(0, touches_owed_ - 1);
   } else {
     seen_lift_ns_ = sample.time_ns;
   }
@@ -75,7 +75,7 @@ bool PenHand::point_mm(Source source, Point mm, std::int64_t time_ns, bool touch
   tilt_deg_ = tilt_deg;
   if (touching && !down_) give_back(true);
   const bool changes = std::exchange(down_, touching) != touching;
-  if (changes && touching) is_touch_owed_ = true;
+  if (changes && touching) ++touches_owed_;
   if (changes && !touching) lifted_ns_ = std::max(time_ns, studio_.now_ns());
   send(time_ns);
   if (changes) Q_EMIT down_changed(touching);
@@ -155,7 +155,7 @@ void PenHand::set_locked(std::uint32_t bits) {
 
 void PenHand::give_back(bool at_once) {
   const PenState& pen = studio_.pen();
-  const std::int64_t wait_ns = is_touch_owed_ ? kTouchSeenNs : kLiftSeenNs;
+  const std::int64_t wait_ns = touches_owed_ > 0 ? kTouchSeenNs : kLiftSeenNs;
   const bool seen =
       !down_ && !in_contact(pen.sample) &&
       (!pen.is_known || pen.sample.time_ns >= std::max(lifted_ns_, seen_lift_ns_) + wait_ns);

@@ -80,7 +80,7 @@ class PenHand : public QObject {
   std::uint32_t borrowing_ = 0;    // roles that borrow a tool, one bit each
   int owed_ = 0;                   // number of borrowed tools to give back when the session has
                                    // handled the lifted pen
-  bool is_touch_owed_ = false;     // the session has not handled the newest touch
+  int touches_owed_ = 0;           // number of touches that the session has not handled
   bool session_touches_ = false;   // in the sample that the session handled last
   std::int64_t lifted_ns_ = 0;     // when the hand lifted the pen
   std::int64_t seen_lift_ns_ = 0;  // time of the first sample after the last contact

@@ -53,10 +53,12 @@ bool PressThrough::is_ours(const QWidget& popup) const {
 }
 
 bool PressThrough::eventFilter(QObject* watched, QEvent* event) {
-  const bool presses = event->type() == QEvent::MouseButtonPress ||
-                       event->type() == QEvent::MouseButtonDblClick ||
-                       event->type() == QEvent::TabletPress;
-  if (!presses || !watched->isWidgetType()) return false;
+  const bool presses =
+      event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+  // The first widget that gets the press of a pen gets all that follows, so it must not be the
+  // pop-up.
+  const bool touches = event->type() == QEvent::TabletPress;
+  if (!(presses && watched->isWidgetType()) && !(touches && watched->isWindowType())) return false;
   const QWidget* popup = QApplication::activePopupWidget();
   return popup && is_ours(*popup) && pass_on(static_cast<QSinglePointEvent&>(*event));
 }
@@ -85,6 +87,7 @@ bool PressThrough::pass_on(QSinglePointEvent& press) {
                       pen.buttons());
     copy.setTimestamp(pen.timestamp());
     QApplication::sendEvent(window, &copy);
+    press.setAccepted(copy.isAccepted());
     return true;
   }
   const auto& mouse = static_cast<const QMouseEvent&>(press);

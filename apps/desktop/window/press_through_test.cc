@@ -154,7 +154,7 @@ TEST_F(PressThroughTest, ATabletTouchesThePage) {
   const QPointF global = page_->mapToGlobal(QPointF(page_->rect().center()));
   QTabletEvent event(QEvent::TabletPress, pen, popup->mapFromGlobal(global), global, 0.5, 0, 0, 0,
                      0, 0, {}, Qt::LeftButton, Qt::LeftButton);
-  QApplication::sendEvent(popup, &event);
+  QApplication::sendEvent(popup->window()->windowHandle(), &event);
   EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
   EXPECT_EQ(page_->touches, 1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +57,10 @@ class AimTrack {
   [[nodiscard]] const Aim* due(std::int64_t now_ns) noexcept;
   /// Returns the time at which the oldest aim is due. Requires that an aim waits.
   [[nodiscard]] std::int64_t due_ns() const noexcept;
+  /// Returns how late the oldest aim is now, at least 0. Requires that an aim waits.
+  [[nodiscard]] std::int64_t late_ns(std::int64_t now_ns) const noexcept {
+    return std::max<std::int64_t>(0, now_ns - waiting_[head_].time_ns - delay_ns_);
+  }
   /// Removes the oldest aim after it was played; from then on, at() interpolates from this aim.
   /// Requires that an aim waits.
   void pass() noexcept;

@@ -36,8 +36,8 @@ bool LandingWait::is_at_rest(const Aim& next, const HeldBody& body) noexcept {
   return body.position().z >= 0.0 && !falls && (is_near || (was_stuck && is_stuck_));
 }
 
-bool LandingWait::holds(const Aim& next, const HeldBody& body, std::int64_t now_ns,
-                        std::int64_t tick_ns, GlidingAim& aim) noexcept {
+bool LandingWait::holds(const Aim& next, std::int64_t late_ns, const HeldBody& body,
+                        std::int64_t now_ns, std::int64_t tick_ns, GlidingAim& aim) noexcept {
   if (phase_ == Phase::kDown) {
     if (body.position().z >= 0.0 && now_ns < until_ns_) return true;
     phase_ = Phase::kNone;
@@ -47,13 +47,17 @@ bool LandingWait::holds(const Aim& next, const HeldBody& body, std::int64_t now_
     return false;
   }
   if (phase_ == Phase::kNone) {
+    // A hand that already presses on a body is not above the surface.
+    if (body.position().z - aim.newest().target_mm.z > kPressedMm) return false;
     phase_ = Phase::kAbove;
     is_stuck_ = false;
     const Vec3 way = next.target_mm - aim.newest().target_mm;
     const bool is_high = aim.newest().target_mm.z > kMaxHeightMm;
     if (way.x != 0.0 || way.y != 0.0 || is_high) move_above(next.target_mm, now_ns, tick_ns, aim);
     arrives_ns_ = aim.arrives_ns();
-    until_ns_ = arrives_ns_ + kMaxAboveNs;
+    const double patience = 1.0 - static_cast<double>(late_ns) / kMaxLateNs;
+    until_ns_ =
+        arrives_ns_ + static_cast<std::int64_t>(std::clamp(patience, 0.0, 1.0) * kMaxAboveNs);
   }
   const bool at_rest = is_at_rest(next, body);
   if (now_ns < arrives_ns_ || (!at_rest && now_ns < until_ns_)) {

@@ -22,16 +22,21 @@ class LandingWait {
   static constexpr double kSlowMmPerS = 20.0;
   /// The hand puts the stylus down from at most this height. From higher up it would bounce.
   static constexpr double kMaxHeightMm = 6.0;
-  /// Maximum wait above the place of the press, after the aim has arrived there.
+  /// Maximum wait above the place of the press, after the aim has arrived there. It is shorter the
+  /// later the hand already is, so that the waits of many quick strokes do not add up.
   static constexpr std::int64_t kMaxAboveNs = 250'000'000;
+  /// A hand that is so late does not wait.
+  static constexpr std::int64_t kMaxLateNs = 400'000'000;
+  /// A stylus so far above its aim is held up by a body on which the hand presses.
+  static constexpr double kPressedMm = 2.0;
   /// Maximum wait from the aim at the surface until the stylus touches it.
   static constexpr std::int64_t kMaxDownNs = 60'000'000;
 
-  /// Returns true if `next`, the aim that is due, must wait. Then it may set `aim` above the place
-  /// of the press; `tick_ns` is the time until the next read. Call it at every read while an aim is
-  /// due, and use the aim once it returns false.
-  [[nodiscard]] bool holds(const Aim& next, const HeldBody& body, std::int64_t now_ns,
-                           std::int64_t tick_ns, GlidingAim& aim) noexcept;
+  /// Returns true if `next`, the aim that is due, must wait; it is late by `late_ns`. Then it may
+  /// set `aim` above the place of the press; `tick_ns` is the time until the next read. Call it at
+  /// every read while an aim is due, and use the aim once it returns false.
+  [[nodiscard]] bool holds(const Aim& next, std::int64_t late_ns, const HeldBody& body,
+                           std::int64_t now_ns, std::int64_t tick_ns, GlidingAim& aim) noexcept;
 
  private:
   enum class Phase : std::uint8_t { kNone, kAbove, kDown };

@@ -73,6 +73,7 @@ struct Drawn {
   std::vector<Point> begins;  // of each contact
   std::int64_t after_ms = 0;  // from the press to the contact
   std::int64_t takes_ms = 0;  // from the press to the end of the contact
+  std::int64_t last_ms = 0;   // from the press to the end of the last contact
 };
 
 /// Plays the events; the times of the result count from `press_ms`.
@@ -101,6 +102,7 @@ Drawn draw(StylusPreset device, const SimulatedHand& hand, const std::vector<Eve
         drawn.ink.push_back({sample.position.x, sample.position.y});
         drawn.takes_ms = ms - press_ms;
       }
+      if (is_down) drawn.last_ms = ms - press_ms;
       was_down = is_down;
     }
   }
@@ -218,6 +220,33 @@ TEST(LandingWait, R18_EachPressIsATouchOfItsOwn) {
       }
     }
   }
+}
+
+/// Returns quick hatching: a press and 20 mm in 60 ms, then 40 ms in the air, `lines` times.
+std::vector<Event> hatching(int lines) {
+  std::vector<Event> all{{0, {.position = kStart}}};
+  std::int64_t ms = 800;
+  for (int line = 0; line < lines; ++line) {
+    const Point from = kStart + Vec{2.0 * line, 0.0};
+    for (int i = 0; i < 100; ++i, ++ms) {
+      const double part = i < 60 ? i / 60.0 : (100 - i) / 40.0;
+      const Point at = from + Vec{i < 60 ? 0.0 : (i - 60) / 20.0, 20.0 * part};
+      all.push_back({ms, {.time_ns = ms * kMs, .position = at, .touching = i < 60}});
+    }
+  }
+  all.push_back({ms, {.time_ns = ms * kMs, .position = kStart}});
+  return all;
+}
+
+// The waits of many quick strokes do not add up, and no stroke is lost.
+TEST(LandingWait, R18_QuickHatchingStaysUpWithTheHand) {
+  for_each_pair([](const StylusPreset& device, const SimulatedHand& hand) {
+    constexpr int kLines = 60;
+    const std::vector<Event> events = hatching(kLines);
+    const Drawn drawn = draw(device, hand, events, 800);
+    EXPECT_GE(drawn.contacts, kLines);
+    EXPECT_LT(drawn.last_ms - (events.back().arrives_ms - 800), 700);
+  });
 }
 
 TEST(LandingWait, APlaceThatThePenCannotReachIsGivenUp) {

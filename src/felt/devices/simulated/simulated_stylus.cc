@@ -143,7 +143,8 @@ void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexc
     const Aim* due = parts_->track.due(now_ns);
     if (!due || (taken && changes_contact(*taken, *due))) break;
     GlidingAim& aim = parts_->aim;
-    if (aim.is_set() && parts_->landing.holds(*due, parts_->body, now_ns_, tick_ns, aim)) {
+    if (aim.is_set() && parts_->landing.holds(*due, parts_->track.late_ns(now_ns), parts_->body,
+                                              now_ns_, tick_ns, aim)) {
       parts_->track.hold(now_ns);
       break;
     }

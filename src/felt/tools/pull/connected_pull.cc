@@ -159,7 +159,8 @@ StrokePtr ConnectedPull::shaped(Line& line) {
     const Point to = line.ties[k].to;
     double u = us[k];
     // Strokes that a gesture changed together may still be joined, at another point of this one.
-    const auto on = is_end(*line.given, u) ? std::nullopt : u_near(*line.given, to);
+    const bool keeps = line.given == line.before || is_end(*line.given, u);
+    const auto on = keeps ? std::nullopt : u_near(*line.given, to);
     if (on && !is_near_other(*line.given, us, k, *on)) u = *on;
     holds = holds && distance(line.given->position(u), to) <= kStillMm;
     moves.push_back({u, to});

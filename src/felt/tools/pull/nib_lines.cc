@@ -38,8 +38,11 @@ bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
     }
     moved = moved || !queue_.empty();
     if (weld(b, came_from, &scene)) continue;
-    // The ink cannot be joined under this nib, so the nib moves over it.
-    for (auto& [id, line] : lines_) line.push.undo();
+    // The ink cannot be joined under this nib, so the nib moves over it. Free lines are pushed.
+    for (auto& [id, line] : lines_) {
+      line.push.undo();
+      if (line.links.empty()) moved = line.push.step(from, to, came_from) || moved;
+    }
     break;
   }
   for (auto& [id, line] : lines_) line.push.settle();

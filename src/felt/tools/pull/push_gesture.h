@@ -12,8 +12,9 @@ struct PushOptions {
 
 /// Makes a gesture that pushes strokes aside with a soft round nib and never pulls them (R27,
 /// docs/design/editing.md#push; NibPush). After each sample, no editable stroke that the nib has
-/// met is nearer to the pen than the radius of the nib; strokes that the nib does not touch do not
-/// move. The result depends on the path of the pen: moving back does not move pushed strokes back.
+/// met is nearer to the pen than the radius of the nib, unless it shares a point with others and
+/// cannot be joined to them there; strokes that the nib does not touch move only with such points.
+/// The result depends on the path of the pen: moving back does not move pushed strokes back.
 ///
 /// Call move() with the touch, too, because a nib that lands on a line pushes it aside. The force
 /// is PushSpring.
