@@ -47,8 +47,6 @@ bool LandingWait::holds(const Aim& next, std::int64_t late_ns, const HeldBody& b
     return false;
   }
   if (phase_ == Phase::kNone) {
-    // A hand that already presses on a body is not above the surface.
-    if (body.position().z - aim.newest().target_mm.z > kPressedMm) return false;
     phase_ = Phase::kAbove;
     is_stuck_ = false;
     const Vec3 way = next.target_mm - aim.newest().target_mm;
@@ -60,7 +58,8 @@ bool LandingWait::holds(const Aim& next, std::int64_t late_ns, const HeldBody& b
         arrives_ns_ + static_cast<std::int64_t>(std::clamp(patience, 0.0, 1.0) * kMaxAboveNs);
   }
   const bool at_rest = is_at_rest(next, body);
-  if (now_ns < arrives_ns_ || (!at_rest && now_ns < until_ns_)) {
+  const bool is_up = body.position().z >= 0.0 || now_ns >= arrives_ns_ + kMaxAboveNs;
+  if (now_ns < arrives_ns_ || !is_up || (!at_rest && now_ns < until_ns_)) {
     move_above(body.braking_aim_mm(next.target_mm), now_ns, tick_ns, aim);
     return true;
   }

@@ -25,10 +25,8 @@ class LandingWait {
   /// Maximum wait above the place of the press, after the aim has arrived there. It is shorter the
   /// later the hand already is, so that the waits of many quick strokes do not add up.
   static constexpr std::int64_t kMaxAboveNs = 250'000'000;
-  /// A hand that is so late does not wait.
+  /// A hand that is so late waits only until the stylus is off the surface.
   static constexpr std::int64_t kMaxLateNs = 400'000'000;
-  /// A stylus so far above its aim is held up by a body on which the hand presses.
-  static constexpr double kPressedMm = 2.0;
   /// Maximum wait from the aim at the surface until the stylus touches it.
   static constexpr std::int64_t kMaxDownNs = 60'000'000;
 
