@@ -23,11 +23,12 @@ test_names() {
   find tests bench apps python -name CMakeLists.txt -exec cat {} + | tr '\n' ' ' |
     grep -oE 'add_test\( *NAME +[A-Za-z0-9_.]+' | sed -E 's/.* //'
 }
-names=$(test_names | sort -u)
+declare -A names=()
+while IFS= read -r name; do names[$name]=1; done < <(test_names)
 
 # check_name PLACE NAME: complains unless NAME is a test or a file.
 check_name() {
-  grep -qxF -- "$2" <<<"$names" || [ -e "$2" ] || complain "$1: there is no test or file '$2'"
+  [ -n "${names[$2]:-}" ] || [ -e "$2" ] || complain "$1: there is no test or file '$2'"
 }
 
 # Prints each text between backticks on stdin, one per line.
@@ -64,15 +65,26 @@ while IFS='|' read -r _ equation _ code tests _; do
   while read -r name; do check_name "$map: $equation" "$name"; done < <(in_backticks <<<"$tests")
 done < <(grep -E '^\| \(?[0-9E]' $map)
 
-# is_there FILE[#HEADING]: true if the file and the heading exist.
-is_there() {
+# finds FILE[#HEADING]: true if the file and the heading exist.
+finds() {
   [ -e "${1%%#*}" ] && { [[ $1 != *.md#* ]] || sed -nE 's/^#+ +//p' "${1%%#*}" | tr '[:upper:]' '[:lower:]' |
     sed -E 's/[^a-z0-9 _-]//g; s/ /-/g' | grep -xF -- "${1#*#}" >/dev/null; }
 }
 
+# is_there FILE[#HEADING]: the same, but looks once for each, because most are named many times.
+declare -A found=()
+is_there() {
+  if [ -z "${found[$1]:-}" ]; then
+    if finds "$1"; then found[$1]=yes; else found[$1]=no; fi
+  fi
+  [ "${found[$1]}" = yes ]
+}
+
 while IFS= read -r document; do
+  folder=.
+  [[ $document != */* ]] || folder=${document%/*}
   while IFS= read -r link; do
-    [[ $link =~ ^(https?:|mailto:|#) ]] || is_there "$(dirname "$document")/$link" ||
+    [[ $link =~ ^(https?:|mailto:|#) ]] || is_there "$folder/$link" ||
       complain "$document: the link to '$link' leads nowhere"
   done < <(grep -oE '\]\([^) ]+\)' "$document" | sed -E 's/^\]\(|\)$//g' || true)
 done < <(find . -name '*.md' -not -path './build*' -not -path './out/*' -not -path '*/node_modules/*' \
