@@ -57,6 +57,9 @@ function in_the_middle(lines, page) {
   return { text: strokes.map((stroke) => JSON.stringify(stroke)).join('\n'), mmPerUnit };
 }
 
+/** Returns true if a layer has a stroke, a fill or a picture; `state`: of the core. */
+const has_content = ({ layers }) => layers.some(({ strokes, picture }) => strokes > 0 || picture);
+
 class Page {
   constructor() {
     this.sheet = by_id('sheet');
@@ -152,10 +155,20 @@ class Page {
     this.wake();
   }
 
-  /** True if nothing was drawn and nothing can be undone. */
+  /** True while a pointer or the keys draw. The core starts the gesture a moment later. */
+  get draws() {
+    return Boolean(this.input) && (this.input.drawing !== null || this.input.keys_draw);
+  }
+
+  /** True if the drawing has nothing, nothing can be undone or redone, and nothing is being drawn. */
   is_blank() {
-    const { strokes, undo, redo, gesture } = this.core.state();
-    return strokes === 0 && undo === null && redo === null && !gesture;
+    return !this.draws && !this.core.state().gesture && this.is_empty();
+  }
+
+  /** Does not count a line in progress. */
+  is_empty() {
+    const state = this.core.state();
+    return !has_content(state) && state.undo === null && state.redo === null;
   }
 
   /** The core has begun with the stored drawing, or has refused it. Draws again what was drawn before that. */
@@ -168,7 +181,7 @@ class Page {
     if (again?.length > 0) {
       this.is_replaying = true;
       this.sample_time = null;
-      if (this.is_blank()) this.guard((core) => core.setPage(this.window_page()));
+      if (this.is_empty()) this.guard((core) => core.setPage(this.window_page()));
       this.guard((core) => core.event({ event: 'tool', id: 'pencil' }));
       for (const act of again) this.guard(act);
       this.settle();
@@ -179,7 +192,7 @@ class Page {
     }
     if (this.storage?.is_broken) this.guard((core) => core.rebase());
     if (!done.ok) this.ask_about(last, this.reason(done));
-    else if (this.core.state().strokes > 0) {
+    else if (has_content(this.core.state())) {
       this.say(t('Restored the drawing of your last visit.') + (this.others.length > 0 ? ` ${t('Other drawings are in the menu.')}` : ''));
     }
     this.wake();
@@ -200,12 +213,11 @@ class Page {
     // Resolves to the stored drawing that the full module continues with.
     const is_free = async () => {
       await this.answered;
-      const draws = () => this.input && (this.input.drawing !== null || this.input.keys_draw);
       let last;
       do {
         ({ last } = this);
         if (last?.base && core.isFelt(last.base)) loaded = await core.prepareFelt();
-        while (draws() && this.waiting.length === 0) await pause(kWarmUpMs);
+        while (this.draws && this.waiting.length === 0) await pause(kWarmUpMs);
       } while (last !== this.last);
       this.settle();
       if (this.again && this.is_blank()) this.again = [];
@@ -365,14 +377,13 @@ class Page {
     this.wake();
   }
 
-  /** A sheet without a drawing fills the window. Returns false if there is a drawing. */
+  /** A sheet without a drawing fills the window. It does not move under the first line. Returns false if there is a drawing. */
   resize_blank() {
-    const { strokes, undo, redo } = this.core.state();
-    if (strokes > 0 || undo !== null || redo !== null) return false;
+    if (!this.is_empty()) return false;
     this.core.setPage(this.window_page());
     this.core.rebase();
     this.store_due = true;
-    this.fill_window();
+    if (this.is_blank()) this.fill_window();
     return true;
   }
 
@@ -448,7 +459,7 @@ class Page {
     this.options.show(state);
     this.layers.show(state);
     this.forces.show(state);
-    by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once || Boolean(this.last);
+    by_id('empty').hidden = has_content(state) || state.gesture || this.touched_once || Boolean(this.last);
     const { hint, shift, ctrl, alt } = state.use;
     const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl], ['Alt', alt]];
     const texts = [d('tools', hint), ...keys.filter(([, what]) => what).map(([key, what]) => `${key}: ${d('tools', what)}`)];
@@ -520,7 +531,7 @@ class Page {
       if (!storage || this.is_paused || this.last) return;
       const page = rebased ? core.state().page : null;
       try {
-        storage.strokes = core.state().strokes;
+        Object.assign(storage, { strokes: core.state().strokes, is_empty: this.is_empty() });
         if (rebased) storage.restart(base, page, recorded);
         else storage.append(recorded);
       } catch (error) {
@@ -594,7 +605,7 @@ class Page {
   }
 
   unsaved() {
-    return this.is_unsaved && this.core.state().strokes > 0;
+    return Boolean(this.is_unsaved && this.core && has_content(this.core.state()));
   }
 
   saved() {
@@ -604,7 +615,7 @@ class Page {
   /** True if closing the page would lose lines: they are in no file, and the browser does not store them. */
   is_lost_by_closing() {
     const is_stored = this.storage && !this.storage.is_broken && !this.is_paused && !this.last;
-    return !is_stored && Boolean(this.unsaved());
+    return !is_stored && this.unsaved();
   }
 
   // --- Events
@@ -962,7 +973,7 @@ class Page {
     const { core } = this;
     core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
     // The dark theme has a surround. A sheet that the user has moved stays.
-    if (is_new && core && !this.resize_blank() && JSON.stringify(core.view()) === this.fitted) this.fit();
+    if (is_new && core && !this.resize_blank() && !this.draws && JSON.stringify(core.view()) === this.fitted) this.fit();
     this.wake();
   }
 

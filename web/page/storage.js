@@ -157,8 +157,7 @@ export class Storage {
     this.is_broken = false;
   }
 
-  /** Returns the drawings that are open in no tab, the newest first: { slot, time, strokes }. Those without lines are left
-   * out. */
+  /** Returns the drawings that are open in no tab, the newest first: { slot, time, strokes }. Those with nothing are left out. */
   async others() {
     const { bases } = this, texts = IDBKeyRange.lowerBound('');
     const [slots_used, keys, values, locks] = await Promise.all([done(bases.getAllKeys(IDBKeyRange.upperBound(Infinity))),
@@ -167,7 +166,7 @@ export class Storage {
     const is_open = (slot) => slot === this.slot || locks?.held.some(({ name }) => name === lock_name(slot)) ||
       (!locks && Date.now() - (found[owner_key(slot)]?.time ?? 0) < kLostMs);
     return slots_used.filter((slot) => !is_open(slot)).map((slot) => ({ slot, ...found[info_key(slot)] }))
-      .filter(({ strokes }) => strokes !== 0).sort((a, b) => (b.time ?? 0) - (a.time ?? 0));
+      .filter(({ strokes, is_empty = strokes === 0 }) => !is_empty).sort((a, b) => (b.time ?? 0) - (a.time ?? 0));
   }
 
   /** Gives the slot back. The next page of this tab, such as after a reload, begins with this one. */
@@ -215,6 +214,7 @@ export class Storage {
 
   /** Writes a base, or null, and events; all or nothing. */
   write(base, recorded) {
+    const { strokes, is_empty } = this;
     try {
       const transaction = this.database.transaction(kStores, 'readwrite', { durability: 'relaxed' });
       transaction.onabort = () => this.fail(transaction.error);
@@ -225,7 +225,7 @@ export class Storage {
         transaction.objectStore('bases').put(base, this.slot);
       }
       if (recorded) records.put(recorded, [this.slot, this.next++]);
-      if (base || recorded) transaction.objectStore('bases').put({ time: Date.now(), strokes: this.strokes }, info_key(this.slot));
+      if (base || recorded) transaction.objectStore('bases').put({ time: Date.now(), strokes, is_empty }, info_key(this.slot));
       if (base) transaction.oncomplete = () => this.restarted?.();
       // The end of the page would abort a transaction that waits for the answers of its requests.
       if (navigator.locks || this.is_leaving) transaction.commit();

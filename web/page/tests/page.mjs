@@ -330,6 +330,51 @@ const topics = {
     }, undefined, (path) => (path.includes('core_full') ? held : undefined));
   },
 
+  /** A drawing is blank only if it has nothing: a picture alone, a line on a hidden layer and a line in progress are a drawing. The
+   * sheet does not move under the pen. */
+  async blank() {
+    await with_tab({}, async (tab, browser) => {
+      const blank = () => tab.run(() => [feltlinePage.is_blank(), feltlinePage.is_empty()]);
+      assert.deepEqual(await blank(), [true, true]);
+      // A line in progress, also before the core has it.
+      const before = await tab.run(() => feltlinePage.set_view({ x: 10, y: 20, scale: 8 }) ?? feltlinePage.view());
+      await tab.mouse('mouseMoved', 300, 300, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', 300, 300);
+      await tab.until(() => feltlinePage.input.drawing !== null);
+      assert.deepEqual(await blank(), [false, true]);
+      await tab.run(() => feltlinePage.resize_blank());
+      assert.deepEqual(await tab.run(() => feltlinePage.view()), before, 'the sheet moved under the pen');
+      await tab.run(() => feltlinePage.escape());
+      await tab.mouse('mouseReleased', 300, 300);
+      await tab.frames(3);
+      assert.deepEqual(await blank(), [true, true]);
+      // A picture alone, as the base of a stored drawing, which cannot be undone.
+      await tab.run(async () => {
+        const canvas = new OffscreenCanvas(40, 20);
+        canvas.getContext('2d').fillRect(0, 0, 40, 20);
+        const blob = await canvas.convertToBlob({ type: 'image/png' });
+        await feltlinePage.files.load(new File([blob], 'photo.png', { type: 'image/png' }), true);
+        const { core } = feltlinePage, ink = core.state().layers.find(({ name }) => name !== 'photo');
+        core.event({ event: 'layer', do: 'remove', id: ink.id });
+        core.rebase();
+      });
+      await stored(tab);
+      await tab.reload();
+      const state = await tab.run(() => feltlinePage.core.state());
+      assert.deepEqual([state.strokes, state.layers.length, state.undo], [0, 1, null]);
+      assert.deepEqual(await blank(), [false, false], 'a picture alone');
+      const page = { width: state.page.width, height: state.page.height };
+      await tab.run(() => feltlinePage.resize_blank());
+      assert.deepEqual(await tab.run(() => feltlinePage.core.state().page), page);
+      // The other tab lists it.
+      await stored(tab);
+      const other = await browser.open(file_url);
+      await browser.send('Target.closeTarget', { targetId: tab.target });
+      await other.until(async () => (await feltlinePage.storage.others()).length === 1);
+      assert.deepEqual(other.errors, []);
+    });
+  },
+
   /** The full module does not come: what was drawn while something waited for it stays, by the first one. */
   async incomplete() {
     let release = null;
