@@ -22,6 +22,7 @@ const kNoticeMs = 6000, kSlowMs = 3000;
 const kAnswerMs = 2000;           // a browser that does not answer within this time has no storage for now
 const kReadMs = 10_000;           // the same for the drawing, which may be large
 const kSettleMs = 40;
+const kMaxAgain = 20_000;         // calls of samples(), some minutes of drawing
 const kMarginPx = 16;             // around a sheet that is fitted into the window
 const kWarmUpMs = 100;
 const kFirstEvents = ['undo', 'redo', 'cancel'];  // the first module handles them
@@ -129,30 +130,55 @@ class Page {
 
   /** The storage has answered: it is used from now on. */
   async use_storage(storage, last) {
-    // The page has no core while the program is loaded or restarted.
-    while (!this.core) await pause(kWarmUpMs);
     this.others = await storage.others().catch(() => []);
+    await this.has_core();
     const { core } = this, is_late = last && core.isComplete, loaded = is_late && await this.prepare(core, last);
-    const stays = is_late && !this.is_blank();
+    this.settle();
+    const stays = last && this.has_own_drawing(core);
     if (stays) await storage.leave_slot();
-    if (this.lasting) {
-      this.lasting = null;
-      this.end_notice();
-    }
-    if (stays) this.say(t('Other drawings are in the menu.'));
-    this.last = stays ? null : last;
     this.storage = storage;
+    this.last = stays ? null : last;
     this.watch_storage();
     // Otherwise a browser may delete the drawing when it needs room. Some ask the user, so there must be a drawing.
     this.sheet.addEventListener('pointerup', () => navigator.storage?.persist?.().catch(() => {}), { once: true });
     if (!this.last) {
-      this.again = null;
-      this.guard((one) => one.rebase());
-      this.store_due = true;
+      this.begin_to_store(stays);
     } else if (is_late) {
       this.guard(() => this.continue_with(loaded.ok ? this.begin_with(this.core, last) : loaded));
-    }  // otherwise complete_core() continues with it
+    } else {
+      // complete_core() continues with it. Until then nothing is stored, which the user must know if it takes long.
+      setTimeout(() => {
+        this.is_slow = true;
+        this.wake();
+      }, kAnswerMs);
+      if (this.lasting) this.say_loading();
+      // Otherwise start() does this later.
+      if (document.readyState === 'complete') this.complete();
+    }
     this.wake();
+  }
+
+  /** True if something was drawn that cannot be drawn again into the stored drawing. */
+  has_own_drawing(core) {
+    return (core.isComplete || !this.again) && !this.is_blank();
+  }
+
+  /** The present drawing is stored from now on. `stays`: the stored one stays in another slot. */
+  begin_to_store(stays) {
+    this.last = this.again = null;
+    this.end_lasting();
+    this.guard((core) => core.rebase());
+    this.store_due = true;
+    if (stays) this.say(t('Other drawings are in the menu.'));
+  }
+
+  /** Keeps what was done in the first module, for continue_with(). If it becomes too much, the stored drawing stays where it is. */
+  remember(act) {
+    if (this.core && this.again?.length >= kMaxAgain) {
+      this.settle();
+      this.again = this.is_blank() ? [] : null;
+    }
+    this.again?.push(act);
   }
 
   /** True while a pointer or the keys draw. The core starts the gesture a moment later. */
@@ -175,6 +201,7 @@ class Page {
   continue_with(done) {
     const { last, again } = this;
     this.last = this.again = null;
+    if (!this.storage?.is_broken) this.end_lasting();
     this.is_paused = !done.ok;
     this.record_bytes = last.recorded.length;
     const view = this.core.view();
@@ -200,16 +227,23 @@ class Page {
 
   /**
    * Loads the full module, which has everything that the first one lacks, and continues with it. This takes a moment, so it
-   * waits until no line is drawn. Then does what has waited for it.
+   * waits until no line is drawn. Then does what has waited for it. If the page has no core, or another one meanwhile, waits for
+   * that one.
    */
   complete() {
     this.completing ??= this.complete_core().finally(() => { this.completing = null; });
     return this.completing;
   }
 
+  /** Waits for the core, which the page does not have while the program is loaded or restarted. */
+  async has_core() {
+    while (!this.core) await pause(kWarmUpMs);
+  }
+
   async complete_core() {
-    const { core } = this;
-    let done, loaded = { ok: true };
+    await this.has_core();
+    const { core } = this, was_complete = core.isComplete;
+    let done, loaded = { ok: true }, stays = false;
     // Resolves to the stored drawing that the full module continues with.
     const is_free = async () => {
       await this.answered;
@@ -221,19 +255,22 @@ class Page {
       } while (last !== this.last);
       this.settle();
       if (this.again && this.is_blank()) this.again = [];
-      return loaded.ok ? last : null;
+      stays = Boolean(last) && this.has_own_drawing(core);
+      return loaded.ok && !stays ? last : null;
     };
     try {
       done = await core.complete(is_free);
     } catch (error) {
       this.recover(core, error);
-      return { ok: false, error: error.message };
     }
-    if (this.core !== core) return done;  // it has ended meanwhile
+    if (this.core !== core) return this.complete_core();  // it has ended meanwhile
     this.incomplete = !done.ok;
-    // Without the full module, the first one has what was drawn.
-    if (this.last && (!done.ok || !loaded.ok)) this.again = null;
-    if (this.last) this.guard(() => this.continue_with(done.continued ?? (done.ok ? loaded : done)));
+    if (this.last && !was_complete) {
+      // Without the full module, the first one has what was drawn.
+      if (!done.ok || !loaded.ok) this.again = null;
+      if (done.ok && stays) await this.storage.leave_slot().then(() => this.begin_to_store(true), () => this.say_not_stored());
+      else this.guard(() => this.continue_with(done.continued ?? (done.ok ? loaded : done)));
+    }
     if (done.ok) this.again = null;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
@@ -528,6 +565,7 @@ class Page {
       const rebased = core.rebased(), base = rebased ? core.base() : null, recorded = core.recorded();
       this.record_bytes = (rebased ? 0 : this.record_bytes) + recorded.length;
       if (this.record_bytes > kRebaseBytes) core.rebase();
+      if (this.last && this.is_slow && this.unsaved()) this.say_loading();
       if (!storage || this.is_paused || this.last) return;
       const page = rebased ? core.state().page : null;
       try {
@@ -553,9 +591,7 @@ class Page {
     };
     storage.restarted = () => {
       is_said = false;
-      if (!this.lasting) return;
-      this.lasting = null;
-      this.end_notice();
+      this.end_lasting();
     };
     storage.moved = () => {
       this.guard((core) => core.rebase());
@@ -564,9 +600,20 @@ class Page {
   }
 
   /** Shows this until the drawing is stored; other messages replace it only for a while. */
-  say_not_stored() {
-    this.lasting = t('This browser does not store the drawing. Save it before you close the page.');
-    if (this.core) this.say(this.lasting);  // otherwise the page has more to say
+  say_not_stored(text = t('This browser does not store the drawing. Save it before you close the page.')) {
+    if (this.lasting === text) return;
+    this.lasting = text;
+    if (this.core) this.say(text);  // otherwise the page has more to say
+  }
+
+  say_loading() {
+    this.say_not_stored(t('The page is still loading, so your lines are not stored yet. Keep it open.'));
+  }
+
+  end_lasting() {
+    if (!this.lasting) return;
+    this.lasting = null;
+    this.end_notice();
   }
 
   /** A stored drawing could not be continued. It stays stored, and nothing else is, until the user decides. */
@@ -624,8 +671,9 @@ class Page {
   apply(event) {
     const is_first = kFirstEvents.includes(event.event);
     if (!is_first || this.is_waiting) return this.when_complete(() => this.apply_now(event), is_first);
+    if (this.again) this.settle();
     // A step that there is not here may be one of the stored drawing.
-    if (event.event === 'cancel' || this.core?.state()[event.event]) this.again?.push(() => this.apply_now(event));
+    if (event.event === 'cancel' || this.core?.state()[event.event]) this.remember(() => this.apply_now(event));
     return this.apply_now(event);
   }
 
@@ -642,7 +690,7 @@ class Page {
     this.sampled = performance.now();
     if (this.again && this.core) {
       const view = this.core.view();
-      this.again.push(() => {
+      this.remember(() => {
         this.core.setView(view);
         this.samples(samples);
       });
@@ -700,7 +748,7 @@ class Page {
 
   finish() {
     if (this.is_waiting) return this.when_complete(() => this.finish(), true);
-    this.again?.push(() => this.finish());
+    this.remember(() => this.finish());
     this.settle();
     this.guard((core) => core.finish());
     this.wake();

@@ -375,6 +375,116 @@ const topics = {
     });
   },
 
+  /** The full module takes long, or is not wanted yet: lines that cannot be stored are announced, and closing asks. Storage that
+   * answers late brings its drawing nevertheless. What was drawn too long for a repetition stays apart. */
+  async slow() {
+    let held = null, release = null;
+    const hold = () => { held = new Promise((done) => { release = done; }); };
+    const source = `(${() => {
+      const { open } = IDBFactory.prototype;
+      IDBFactory.prototype.open = function (...all) {
+        if (!sessionStorage.held) return open.apply(this, all);
+        const late = {};
+        globalThis.answer = () => {
+          const request = open.apply(this, all);
+          request.onupgradeneeded = () => { late.result = request.result; late.onupgradeneeded(); };
+          request.onsuccess = () => { late.result = request.result; late.onsuccess(); };
+        };
+        return late;
+      };
+      if (sessionStorage.saves) Object.defineProperty(navigator, 'connection', { value: { saveData: true } });
+    }})()`;
+    const prepare = (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source });
+    await served(async (url) => {
+      await with_tab({ prepare }, async (tab) => {
+        const says = (words) => tab.until((words) => document.getElementById('notice').textContent.includes(words), words);
+        const asks = () => tab.run(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
+        const complete = async (count) => {
+          await tab.until((count) => feltlinePage.core.isComplete && !feltlinePage.last && feltlinePage.core.state().strokes === count, count);
+          assert.ok(!/not stored|does not store/.test(await notice_of(tab)), await notice_of(tab));
+          assert.equal(await tab.run(() => feltlinePage.lasting ?? null), null);
+          await stored(tab);
+          assert.equal(await asks(), false);
+        };
+        await tab.stroke(wave(200, 150));
+        await stored(tab);
+        // The storage has answered, the full module has not come.
+        hold();
+        await tab.reload('first');
+        await tab.stroke(wave(200, 250));
+        await says('lines are not stored yet');
+        assert.ok(await asks(), 'the page closes without asking');
+        release();
+        await complete(2);
+        // The storage answers late, too. An undo in the same moment as the line is known.
+        hold();
+        await tab.run(() => { sessionStorage.held = 'yes'; });
+        await tab.reload('first');
+        assert.equal(await tab.run(() => {
+          const event = (type, x) => document.getElementById('sheet').dispatchEvent(new PointerEvent(type, { pointerId: 1, pointerType: 'mouse',
+            clientX: x, clientY: 450, button: type === 'pointermove' ? -1 : 0, buttons: type === 'pointerup' ? 0 : 1, isPrimary: true }));
+          event('pointerdown', 300);
+          for (let x = 310; x < 500; x += 10) event('pointermove', x);
+          event('pointerup', 500);
+          feltlinePage.undo();
+          return feltlinePage.core.state().strokes;
+        }), 0);
+        await tab.stroke(wave(200, 350));
+        await says('does not store');
+        await tab.run(() => answer());
+        await says('lines are not stored yet');
+        assert.ok(await asks(), 'the page closes without asking');
+        release();
+        await complete(3);
+        // Nothing has asked for the full module: the late drawing does.
+        await tab.run(() => { sessionStorage.saves = 'yes'; });
+        await tab.reload('first');
+        await says('does not store');
+        assert.equal(await tab.run(() => feltlinePage.core.isComplete), false);
+        await tab.run(() => answer());
+        await complete(3);
+        // Too much was done for a repetition: both drawings stay.
+        await tab.reload('first');
+        await tab.stroke(wave(200, 550));
+        await says('does not store');
+        await tab.run(() => {
+          while (feltlinePage.again?.length < 20_000) feltlinePage.again.push(() => {});
+          feltlinePage.finish();
+        });
+        assert.equal(await tab.run(() => feltlinePage.again), null);
+        await tab.run(() => answer());
+        await tab.until(() => feltlinePage.storage);
+        await tab.run(() => { feltlinePage.complete(); });
+        await complete(1);
+        assert.deepEqual(await tab.run(async () => (await feltlinePage.storage.others()).map(({ strokes }) => strokes)), [3]);
+        // The same after the storage has answered.
+        hold();
+        await tab.run(() => { for (const name of ['held', 'saves']) sessionStorage.removeItem(name); });
+        await tab.reload('first');
+        await tab.stroke(wave(200, 600));
+        await tab.stroke(wave(200, 650));
+        await tab.until(() => feltlinePage.last);
+        await tab.run(() => {
+          while (feltlinePage.again?.length < 20_000) feltlinePage.again.push(() => {});
+          feltlinePage.finish();
+        });
+        release();
+        await complete(2);
+        assert.equal((await tab.run(() => feltlinePage.storage.others())).length, 2);
+        // Without anything drawn, the list only begins again.
+        hold();
+        await tab.reload('first');
+        await tab.until(() => feltlinePage.last);
+        await tab.run(() => {
+          while (feltlinePage.again.length < 20_000) feltlinePage.again.push(() => {});
+          feltlinePage.finish();
+        });
+        release();
+        await complete(2);
+      }, url);
+    }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
   /** The full module does not come: what was drawn while something waited for it stays, by the first one. */
   async incomplete() {
     let release = null;
