@@ -661,7 +661,7 @@ class Page {
 
   /** True if closing the page would lose lines: they are in no file, and the browser does not store them. */
   is_lost_by_closing() {
-    const is_stored = this.storage && !this.storage.is_broken && !this.is_paused && !this.last;
+    const { storage } = this, is_stored = storage && !storage.is_broken && !storage.is_mending && !this.is_paused && !this.last;
     return !is_stored && this.unsaved();
   }
 
@@ -1091,8 +1091,15 @@ class Page {
     const slot = await this.dialog(t('Other drawings…'), '', [make('button', { value: '' }, t('Cancel')),
       ...others.map((other) => make('button', { value: other.slot }, text(other)))]);
     if (!slot) return undefined;
-    this.leave();
-    await this.storage.change_to(slot);
+    this.guard((core) => core.finish());
+    this.retried = -Infinity;
+    this.store();
+    const is_written = await Promise.race([this.storage.written, pause(kAnswerMs)]);
+    if (this.unsaved() && (!is_written || this.is_lost_by_closing())) {
+      if (!(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return undefined;
+      this.saved();  // so that closing does not ask again
+    }
+    this.storage.change_to(slot);
     return location.reload();
   }
 

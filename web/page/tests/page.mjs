@@ -663,6 +663,82 @@ const topics = {
     });
   },
 
+  /** Another drawing is opened only when the present one is stored, or the user gives it up. The tab keeps its slot until the page
+   * has ended, and a tab that loses its slot takes none with a drawing. */
+  async others() {
+    for (const has_locks of [true, false]) {
+      const prepare = has_locks ? null : (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument',
+        { source: 'delete Navigator.prototype.locks' });
+      await with_tab({ prepare }, async (first, browser) => {
+        await draw(first, wave(200, 200));
+        await stored(first);
+        const tab = await browser.open(file_url, { prepare });
+        await browser.send('Target.closeTarget', { targetId: first.target });
+        await tab.until(async () => (await feltlinePage.storage.others()).length === 1);
+        for (const y of [300, 400]) await draw(tab, wave(200, y));
+        await stored(tab);
+        const slot = await tab.run(() => feltlinePage.storage.slot);
+        /** Chooses the other drawing. */
+        const choose = async () => {
+          await tab.run(() => { feltlinePage.show_others(); });
+          await tab.until(() => document.querySelectorAll('dialog button').length === 2);
+          await tab.run(() => { setTimeout(() => [...document.querySelectorAll('dialog button')].at(-1).click()); });
+        };
+        // The write fails after the page has begun it: the user is asked, and stays.
+        await tab.run(() => {
+          globalThis.put = IDBObjectStore.prototype.put;
+          IDBObjectStore.prototype.put = function (...all) {
+            const request = globalThis.put.apply(this, all);
+            this.transaction.abort();
+            return request;
+          };
+        });
+        await draw(tab, wave(200, 500));
+        await stored(tab);
+        await choose();
+        await tab.until(() => document.querySelector('dialog h2')?.textContent.startsWith('Replace the drawing?'));
+        await tab.run(() => document.querySelector('dialog button').click());
+        await tab.until(() => !document.querySelector('dialog'));
+        assert.equal(await strokes(tab), 3);
+        await tab.run(() => { IDBObjectStore.prototype.put = globalThis.put; });
+        await stored(tab);
+        // The slot is still that of the tab.
+        const keeps = await tab.run(async (slot) => {
+          const { storage } = feltlinePage;
+          storage.change_to(1);
+          const { held } = await (navigator.locks?.query() ?? { held: [{ name: `feltline-drawing-${slot}` }] });
+          const owner = await new Promise((done) => {
+            const request = storage.bases.get(`owner-${slot}`);
+            request.onsuccess = () => done(request.result);
+          });
+          return [held.some(({ name }) => name === `feltline-drawing-${slot}`), owner?.time !== 0];
+        }, slot);
+        assert.deepEqual(keeps, [true, true], 'the tab has lost its slot');
+        if (!has_locks) {
+          // Another tab takes the slot: the drawing goes to an empty one, not to that of the closed tab.
+          await tab.run((slot) => new Promise((done) => {
+            const bases = feltlinePage.storage.database.transaction('bases', 'readwrite').objectStore('bases');
+            bases.put({ id: 'another', time: Date.now() + 1e9 }, `owner-${slot}`).onsuccess = done;
+          }).then(() => {}), slot);
+          await draw(tab, wave(200, 600));
+          await tab.until((slot) => feltlinePage.storage.slot > slot, slot);
+          await stored(tab);
+          assert.equal(await strokes(tab), 4);
+        }
+        // The write succeeds: the other drawing is opened without a question.
+        const count = await strokes(tab), loaded = new Promise((done) => { tab.loaded = done; });
+        await tab.run(() => { feltlinePage.leave(); });
+        await stored(tab);
+        await choose();
+        await loaded;
+        await restored(tab, 1, 'the drawing of the closed tab');
+        await tab.until(async (count) => (await feltlinePage.storage.others()).some(({ strokes }) => strokes === count), count);
+        assert.equal(tab.asked, 0, 'the page asked when it closed');
+        assert.deepEqual(tab.errors, []);
+      });
+    }
+  },
+
   /** Storage that is denied or never answers: the user can draw within seconds, the notice stays, and closing asks. */
   async silent() {
     const breaks = {
