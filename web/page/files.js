@@ -123,7 +123,7 @@ export class Files {
       if (!png || png.size > kMaxPictureBytes) throw new Error(t('it is too large'));
     }
     // The autosave keeps pictures in .felt files.
-    const loaded = await this.ready(true);
+    const loaded = await this.ready(() => true);
     if (!loaded.ok) return loaded;
     const { page } = this.page.core.state();
     const scale = Math.min(25.4 / 96, (kPictureShare * page.width) / width, (kPictureShare * page.height) / height);
@@ -189,17 +189,20 @@ export class Files {
   }
 
   async read(bytes, name, adds) {
-    this.page.core.finish();
-    const loaded = await this.ready(this.page.core.isFelt(bytes));
+    const loaded = await this.ready((core) => core.isFelt(bytes));
     if (!loaded.ok) return loaded;
-    const { core } = this.page;  // another one, if the former one has ended meanwhile
+    const { core } = this.page;
+    core.finish();
     return adds ? core.add(bytes, name) : core.open(bytes, name);
   }
 
-  /** Loads what the core needs for files; `is_felt`: for .felt files. */
-  async ready(is_felt = false) {
-    const done = await this.page.complete();
-    return done.ok && is_felt ? this.page.core.prepareFelt() : done;
+  /** Waits until the page has a core with what it needs for files; `needs_felt(core)`: for .felt files. */
+  async ready(needs_felt = () => false) {
+    const done = await this.page.complete(), { core } = this.page;
+    if (!done.ok || !needs_felt(core)) return done;
+    const loaded = await core.prepareFelt();
+    // Another one, if this one has ended meanwhile.
+    return this.page.core === core ? loaded : this.ready(needs_felt);
   }
 
   file_name(ending) {
@@ -217,7 +220,7 @@ export class Files {
 
   save(format) {
     return this.try_to(async () => {
-      const loaded = await this.ready(format === 'felt');
+      const loaded = await this.ready(() => format === 'felt');
       if (!loaded.ok) return loaded;
       const { core } = this.page;
       core.finish();

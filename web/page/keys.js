@@ -195,7 +195,7 @@ export class Keys {
 /** The table of the keys, for the dialog. */
 export function key_table(keys, page) {
   const row = (name, text) => make('div', {}, make('dt', {}, make('kbd', {}, key_name(name))), make('dd', {}, text));
-  const tools = page.catalog.tools.filter((tool) => tool.shortcut)
+  const tools = (page.catalog?.tools ?? []).filter((tool) => tool.shortcut)
     .map((tool) => row(tool.shortcut.toUpperCase(), d('tools', tool.label)));
   const commands = keys.commands().filter(([, , text]) => text)
     .map(([name, context, text]) => row(name, context ? d(context, text) : text));

@@ -782,6 +782,7 @@ class Page {
   }
 
   borrow(kind) {
+    if (!this.core) return undefined;
     if (this.is_waiting) return this.when_complete(() => this.borrow(kind));
     const { tool } = this.core.state(), other = this.tool_of_kind(kind);
     if (!other || other === tool) return undefined;
@@ -810,7 +811,7 @@ class Page {
 
   set_color(color) {
     this.set_option('ink.color', color);
-    if (this.core.state().selected > 0) this.apply({ event: 'restyle', color });
+    if (this.core?.state().selected > 0) this.apply({ event: 'restyle', color });
   }
 
   set_size(mm) {
@@ -831,6 +832,7 @@ class Page {
   }
 
   rename_layer() {
+    if (!this.core) return;
     if (!this.shown.layers) this.toggle('layers');
     this.layers.show(this.core.state());
     this.layers.edit();
@@ -866,10 +868,12 @@ class Page {
   }
 
   life_size() {
+    if (!this.core) return;
     this.zoom_middle(kLifeSize / this.core.view().scale);
   }
 
   fit() {
+    if (!this.core) return undefined;
     const { width, height } = this.core.state().page;
     // A sheet that was made for this window fills it.
     const window = this.window_page();
@@ -964,7 +968,7 @@ class Page {
 
   set_strength(share) {
     this.strength = share;
-    this.core.setStrength(share);
+    this.core?.setStrength(share);
     this.wake();
   }
 
@@ -1074,8 +1078,9 @@ class Page {
   }
 
   async new_drawing() {
-    const done = await this.complete();
+    await this.complete();
     if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+    const done = await this.complete();
     if (!done.ok) return this.say(this.reason(done));
     this.core.clear(this.window_page());
     this.files.name = '';
@@ -1114,7 +1119,7 @@ class Page {
     const texts = ['Feltline is a sketching program you can feel: pull a line and it resists. On this page you draw with the same tools and see and hear the forces.',
       'Force-feedback devices work with the desktop program and the command line only. There, the safety chain checks each force on the way to the device; a web page must not bypass it.',
       'The drawing stays in this browser until you save it as a file. The page sends nothing and loads nothing.'];
-    this.dialog(`Feltline ${this.catalog.version}`, make('div', {}, ...texts.map((text) => make('p', {}, t(text)))),
+    this.dialog(`Feltline ${this.catalog?.version ?? ''}`, make('div', {}, ...texts.map((text) => make('p', {}, t(text)))),
       [make('button', { className: 'main' }, t('Close'))]);
   }
 

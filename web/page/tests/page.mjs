@@ -370,7 +370,7 @@ const topics = {
       await stored(tab);
       const other = await browser.open(file_url);
       await browser.send('Target.closeTarget', { targetId: tab.target });
-      await other.until(async () => (await feltlinePage.storage.others()).length === 1);
+      await other.until(async () => (await feltlinePage.storage?.others())?.length === 1);
       assert.deepEqual(other.errors, []);
     });
   },
@@ -674,7 +674,7 @@ const topics = {
         await stored(first);
         const tab = await browser.open(file_url, { prepare });
         await browser.send('Target.closeTarget', { targetId: first.target });
-        await tab.until(async () => (await feltlinePage.storage.others()).length === 1);
+        await tab.until(async () => (await feltlinePage.storage?.others())?.length === 1);
         for (const y of [300, 400]) await draw(tab, wave(200, y));
         await stored(tab);
         const slot = await tab.run(() => feltlinePage.storage.slot);
@@ -998,6 +998,47 @@ const topics = {
       await tab.reload();
       assert.equal(await strokes(tab), kept, 'the drawing was replaced');
       tab.errors = tab.errors.filter((text) => !/^Feltline/.test(text));
+    });
+  },
+
+  /** Without a core, while it is loaded or restarted, commands wait for it. */
+  async waits() {
+    await with_tab({}, async (tab) => {
+      await tab.stroke(wave(200, 200));
+      const svg = text_of(await saved(tab, 'svg'));
+      await tab.run((svg) => {
+        globalThis.former = feltlinePage.core;
+        globalThis.names = [];
+        HTMLAnchorElement.prototype.click = function () { names.push(this.download); };
+        feltlinePage.saved();
+        feltlinePage.core = null;
+        const file = new File([svg], 'a.svg', { type: 'image/svg+xml' }), { files, clipboard } = feltlinePage;
+        globalThis.commands = Promise.all([files.load(file, true), clipboard.paste_data({ svg, text: '', files: [], has_html: false }, false),
+          files.save('svg'), files.export_png()]);
+        // These do nothing without a core.
+        for (const act of ['fit', 'life_size', 'rename_layer', 'show_about', 'show_keys']) feltlinePage[act]();
+        document.querySelectorAll('dialog').forEach((one) => one.close());
+        feltlinePage.borrow('erases');
+        feltlinePage.set_strength(1);
+      }, svg);
+      await tab.run(async () => {
+        await new Promise((done) => setTimeout(done, 300));
+        feltlinePage.core = former;
+        await commands;
+      });
+      assert.equal(await strokes(tab), 3, await notice_of(tab));
+      assert.deepEqual((await tab.run(() => names)).sort(), ['Drawing.png', 'Drawing.svg']);
+      await tab.frames(5);
+      const fresh = await tab.run(async () => {
+        feltlinePage.saved();
+        feltlinePage.core = null;
+        const done = feltlinePage.new_drawing();
+        await new Promise((next) => setTimeout(next));
+        feltlinePage.core = former;
+        await done;
+        return feltlinePage.core.state().strokes;
+      });
+      assert.equal(fresh, 0);
     });
   },
 
