@@ -1837,6 +1837,66 @@ const topics = {
         await count(0, 'cut by the menu');
         await choose('Paste');
         await count(2 * expected, 'pasted after a cut by the menu');
+        // Lines that were copied here come back beside their originals by the menu, too, and with other ends of lines.
+        await put({ 'text/plain': 'x' });
+        await tab.run(() => feltlinePage.apply({ event: 'select', what: 'none' }));
+        await choose('Copy');
+        await tab.until(async () => (await navigator.clipboard.readText()).includes('<svg'));
+        const beside = async (what, paste) => {
+          const before = await points_of(tab);
+          await paste();
+          await count(2 * before.length, what);
+          const after = await points_of(tab), moved = after[before.length][0][0] - before[0][0][0];
+          assert.ok(Math.abs(moved - 5) < 0.01, `${what}: moved by ${moved} mm`);
+          await key('z');
+          await tab.run(() => { feltlinePage.clipboard.pastes = 0; });
+        };
+        await beside('by the menu', () => choose('Paste'));
+        await beside('with CRLF', () => tab.run(() => {
+          const text = feltlinePage.clipboard.copied.replace(/\n/g, '\r\n');
+          return feltlinePage.clipboard.paste_data({ svg: '', text, files: [], has_html: false });
+        }));
+        // A cut by the menu removes only what was copied.
+        await tab.run(async () => {
+          const { clipboard } = feltlinePage;
+          feltlinePage.apply({ event: 'select', what: 'all' });
+          clipboard.write = async () => { feltlinePage.apply({ event: 'duplicate' }); };
+          await clipboard.copy(true);
+          delete clipboard.write;
+        });
+        await count(4 * expected, 'cut something else');
+        await key('z');
+        await count(2 * expected, 'undone');
+        // A cut of nothing leaves the clipboard as it is.
+        await put({ 'text/plain': 'kept' });
+        await tab.run(() => feltlinePage.apply({ event: 'select', what: 'none' }));
+        await key('x');
+        assert.deepEqual(await clipboard(), { 'text/plain': 'kept' });
+        // Texts that only mention drawings, or begin like one.
+        for (const text of ['{ color: red }', '<p>pen and ink, svg</p>', '<ink-bar/>', '{', 'a <svg>']) {
+          await put({ 'text/plain': text });
+          await tab.run(() => feltlinePage.say(''));
+          await key('v');
+          await tab.until(() => document.getElementById('notice').textContent !== '');
+          assert.match(await notice_of(tab), /The clipboard holds no strokes/, text);
+        }
+        await put({ 'text/plain': svg.replace('<svg xmlns=', '<s:svg xmlns:s=').replace('<path', '<s:path').replace('</svg', '</s:svg') });
+        await key('v');
+        await count(2 * expected + 1, 'a prefix');
+        await key('z');
+        // A plain picture does not ask for a permission.
+        await tab.run(async () => {
+          const { clipboard } = feltlinePage, { query } = navigator.permissions, { read } = clipboard;
+          navigator.permissions.query = async () => ({ state: 'prompt' });
+          clipboard.read = () => { throw new Error('asked'); };
+          const files = [new File([''], 'a.png', { type: 'image/png' })], { load_all } = feltlinePage.files;
+          feltlinePage.files.load_all = async (all) => { globalThis.pasted = all.length; };
+          await clipboard.paste_data({ svg: '', text: '', files, has_html: false });
+          navigator.permissions.query = query;
+          Object.assign(clipboard, { read });
+          feltlinePage.files.load_all = load_all;
+        });
+        assert.equal(await tab.run(() => globalThis.pasted), 1);
         // A field keeps its own commands.
         await put({ 'text/plain': 'Name' });
         await tab.run(() => feltlinePage.rename_layer());
