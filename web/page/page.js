@@ -498,7 +498,7 @@ class Page {
     this.forces.show(state);
     by_id('empty').hidden = has_content(state) || state.gesture || this.touched_once || Boolean(this.last);
     const { hint, shift, ctrl, alt } = state.use;
-    const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl], ['Alt', alt]];
+    const keys = [['Shift+', shift], ['Ctrl+', ctrl], ['Alt+', alt]].map(([key, what]) => [key_name(key).replace('+', ''), what]);
     const texts = [d('tools', hint), ...keys.filter(([, what]) => what).map(([key, what]) => `${key}: ${d('tools', what)}`)];
     if (texts.join() !== this.hint) {
       this.hint = texts.join();
@@ -712,6 +712,7 @@ class Page {
   /** A gesture begins, of a pointer or of the keys. */
   begins() {
     this.gestures += 1;
+    if (this.input.modifiers & 4) this.keys.keeps_alt = true;
     this.touched_once = true;
     by_id('empty').hidden = true;
     if (this.plays) this.stop_hand();

@@ -1501,6 +1501,47 @@ const topics = {
     });
   },
 
+  /** Alt belongs to the page while something is drawn; the hints name the keys as the system does. */
+  async modifiers() {
+    for (const [platform, names] of [['MacIntel', ['⇧', '⌘', '⌥']], ['Linux x86_64', ['Shift', 'Ctrl', 'Alt']]]) {
+      const source = `Object.defineProperty(navigator, 'platform', { value: '${platform}' })`;
+      await with_tab({ prepare: (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source }) }, async (tab) => {
+        const hints = await tab.run(() => {
+          const { core } = feltlinePage, { state } = core, use = { hint: 'a', shift: 'b', ctrl: 'c', alt: 'd' };
+          core.state = () => ({ ...state.call(core), use });
+          feltlinePage.show_state();
+          delete core.state;
+          return Array.from(document.querySelectorAll('#hint span'), (one) => one.textContent.trim());
+        });
+        assert.deepEqual(hints, ['a', ...names.map((name, i) => `${name}: ${'bcd'[i]}`)]);
+      });
+    }
+    await with_tab({}, async (tab) => {
+      /** Returns whether the browser gets Alt. */
+      const alt = (type) => tab.run((type) => document.getElementById('sheet').dispatchEvent(new KeyboardEvent(type,
+        { key: 'Alt', code: 'AltLeft', altKey: type === 'keydown', bubbles: true, cancelable: true })), type);
+      const both = async () => [await alt('keydown'), await alt('keyup')];
+      assert.deepEqual(await both(), [true, true], 'nothing is drawn');
+      await tab.mouse('mouseMoved', 300, 300, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', 300, 300);
+      assert.deepEqual(await both(), [false, false], 'a line in progress');
+      // Released after the line.
+      assert.equal(await alt('keydown'), false);
+      await tab.mouse('mouseReleased', 300, 300);
+      assert.deepEqual([await alt('keyup'), ...await both()], [false, true, true]);
+      // Pressed before the line and released after it, and with the pen of the keys.
+      assert.equal(await alt('keydown'), true);
+      await tab.mouse('mousePressed', 300, 400);
+      await tab.mouse('mouseReleased', 300, 400);
+      assert.deepEqual([await alt('keyup'), ...await both()], [false, true, true]);
+      assert.equal(await alt('keydown'), true);
+      await tab.key('Enter', { code: 'Enter' });
+      assert.deepEqual([await alt('keyup'), ...await both()], [false, false, false]);
+      await tab.key('Enter', { code: 'Enter' });
+      assert.deepEqual(await both(), [true, true]);
+    });
+  },
+
   /** The lasso: what it takes is chosen in the bar, and does what it says. */
   async lasso() {
     await with_tab({}, async (tab) => {
