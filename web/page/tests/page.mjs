@@ -1951,7 +1951,7 @@ const topics = {
 
   /** In every state, each visible control is hit at its centre, by mouse and by finger. */
   async covered() {
-    const sizes = [[1920, 1080], [1280, 800], [1010, 700], [820, 1180], [844, 390], [390, 844]];
+    const sizes = [[1920, 1080], [1280, 800], [1010, 700], [820, 1180], [844, 390], [390, 844], [360, 740], [320, 568]];
     const offers = [['ink', false], ['rectangle', true], ['delete', false], ['select', false]].map(([id, applies]) => ({ id, applies, count: 12 }));
     const states = {
       start: () => {},
