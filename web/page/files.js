@@ -144,7 +144,8 @@ export class Files {
     if (files.length > 1 && all.length > 0) this.say_all(all);
   }
 
-  /** Shows sentences: the first ones and, if there are more, their number and a button that shows all. */
+  /** Shows sentences: the first ones and, if there are more, their number, a button that shows all, and one that closes the
+   * message, which stays. */
   say_all(texts) {
     const more = texts.length - kMaxNotices;
     const shown = texts.slice(0, kMaxNotices).concat(more > 0 ? t('And %1 more.', more) : []);
@@ -152,10 +153,12 @@ export class Files {
     if (more <= 0) return texts;
     const show = () => {
       this.page.end_notice();
+      this.page.sheet.focus({ preventScroll: true });  // to which the dialog returns the focus
       this.page.dialog(t('Left out or changed'), make('ul', {}, ...texts.map((text) => make('li', {}, text))),
         [make('button', { className: 'main' }, t('Close'))]);
     };
-    document.getElementById('notice').firstChild.append(' ', make('button', { type: 'button', onclick: show }, t('Show all')));
+    const button = (text, onclick) => make('button', { type: 'button', onclick }, text);
+    document.getElementById('notice').firstChild.append(' ', button(t('Show all'), show), button(t('Close'), () => this.page.end_notice()));
     return texts;
   }
 

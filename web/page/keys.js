@@ -32,6 +32,8 @@ export class Keys {
       ['Ctrl+Z', 'EditActions', 'Undo', event({ event: 'undo' })],
       ['Ctrl+Shift+Z', 'EditActions', 'Redo', event({ event: 'redo' })],
       ['Ctrl+Y', '', '', event({ event: 'redo' })],
+      // The browser itself handles these: clipboard.js.
+      ...[['X', 'Cut'], ['C', 'Copy'], ['V', 'Paste']].map(([key, text]) => [`Ctrl+${key}`, 'ClipboardActions', text, null]),
       ['Ctrl+A', 'EditActions', 'Select all', event({ event: 'select', what: 'all' })],
       ['Ctrl+Shift+A', 'EditActions', 'Select none', event({ event: 'select', what: 'none' })],
       ['Delete', 'EditActions', 'Delete', event({ event: 'delete' })],

@@ -1043,14 +1043,21 @@ class Page {
   /** Shows a message, for a while if it does not stay. */
   say(text, stays = false) {
     clearTimeout(this.notice);
-    by_id('notice').replaceChildren(make('p', {}, text));
+    this.show_notice(text);
     if (!stays) this.notice = setTimeout(() => this.end_notice(), kNoticeMs);
   }
 
   /** Removes the message; one about a state that lasts comes back. */
   end_notice() {
     clearTimeout(this.notice);
-    by_id('notice').replaceChildren(...(this.lasting ? [make('p', {}, this.lasting)] : []));
+    this.show_notice(this.lasting);
+  }
+
+  /** Shows this text, or nothing. The focus of a button that goes with the former one is the sheet's. */
+  show_notice(text, className = '') {
+    const notice = by_id('notice'), had_focus = notice.contains(document.activeElement);
+    notice.replaceChildren(...(text ? [make('p', { className }, text)] : []));
+    if (had_focus) this.sheet.focus({ preventScroll: true });
   }
 
   /** Returns why something was not done. */
@@ -1060,7 +1067,8 @@ class Page {
 
   /** Tells a screen reader. */
   tell(text) {
-    by_id('notice').replaceChildren(make('p', { className: 'unseen' }, text));
+    this.show_notice(text, 'unseen');
+    if (this.lasting) by_id('notice').append(make('p', {}, this.lasting));
   }
 
   dialog(title, content, buttons) {

@@ -1131,7 +1131,7 @@ const topics = {
       for (const adds of [false, true]) {
         await open('many.svg', svg(parts.join('\n')), adds);
         const lines = await notice();
-        const count = Number(/^And (\d+) more\. *Show all$/.exec(lines.at(-1))?.[1]);
+        const count = Number(/^And (\d+) more\. *Show all *Close$/.exec(lines.at(-1))?.[1]);
         assert.ok(lines.length === 4 && count >= 2, lines.join(' | '));
         const [x, y] = await tab.run(() => {
           const box = document.querySelector('#notice button').getBoundingClientRect();
@@ -1147,6 +1147,16 @@ const topics = {
         }
         await tab.run(() => document.querySelector('dialog').close());
         assert.equal(await tab.run(() => document.getElementById('notice').textContent), '');
+        assert.equal(await tab.run(() => document.activeElement.id), 'sheet', 'the focus is lost');
+        // It can also be closed.
+        await open('many.svg', svg(parts.join('\n')), adds);
+        await tab.run(() => {
+          const close = [...document.querySelectorAll('#notice button')].at(-1);
+          close.focus();
+          close.click();
+        });
+        assert.equal(await tab.run(() => document.querySelector('#notice p')), null);
+        assert.deepEqual(await tab.run(() => [document.activeElement.id, Boolean(document.querySelector('dialog'))]), ['sheet', false]);
       }
       // Three notices, and fewer, are shown without a list.
       await open('three.svg', svg(parts.slice(0, 3).join('') + '<path d="M1 1 L50 50" stroke="#000" stroke-linecap="round"/>'), false);
@@ -1492,6 +1502,12 @@ const topics = {
       await state(() => { feltlinePage.menu.open(); [...document.querySelectorAll('.menu button')].at(-1).click(); });
       await state(() => document.querySelector('dialog').close());
       assert.deepEqual(await menu(), [false, 'Menu']);
+      // The list of the keys has those of the clipboard, which the browser handles.
+      await state(() => feltlinePage.show_keys());
+      const keys = await state(() => Object.fromEntries([...document.querySelectorAll('dialog dl div')]
+        .map((row) => [row.querySelector('dt').textContent, row.querySelector('dd').textContent])));
+      assert.deepEqual(['X', 'C', 'V'].map((one) => keys[`Ctrl+${one}`]), ['Cut', 'Copy', 'Paste']);
+      await state(() => document.querySelector('dialog').close());
       // Language and theme.
       await tab.run(() => feltlinePage.set_language('de'));
       assert.equal(await state(() => document.querySelector('#tools button').getAttribute('aria-label')), 'Bleistift');
