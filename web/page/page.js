@@ -131,7 +131,7 @@ class Page {
   /** The storage has answered: it is used from now on. */
   async use_storage(storage, last) {
     this.others = await storage.others().catch(() => []);
-    await this.has_core();
+    await this.wait_for_core();
     const { core } = this, is_late = last && core.isComplete, loaded = is_late && await this.prepare(core, last);
     this.settle();
     const stays = last && this.has_own_drawing(core);
@@ -235,13 +235,13 @@ class Page {
     return this.completing;
   }
 
-  /** Waits for the core, which the page does not have while the program is loaded or restarted. */
-  async has_core() {
+  /** Resolves when the page has a core, which it does not while the program is loaded or restarted. */
+  async wait_for_core() {
     while (!this.core) await pause(kWarmUpMs);
   }
 
   async complete_core() {
-    await this.has_core();
+    await this.wait_for_core();
     const { core } = this, was_complete = core.isComplete;
     let done, loaded = { ok: true }, stays = false;
     // Resolves to the stored drawing that the full module continues with.
