@@ -481,6 +481,19 @@ const topics = {
         });
         release();
         await complete(2);
+        // The pen comes down when all tools are there and the storage answers: the line counts.
+        await tab.run(() => { sessionStorage.held = 'yes'; });
+        await tab.reload();
+        await says('does not store');
+        await tab.mouse('mouseMoved', 300, 700, { button: 'none', buttons: 0 });
+        await tab.mouse('mousePressed', 300, 700);
+        await tab.run(() => answer());
+        await tab.until(() => feltlinePage.storage);
+        assert.equal(await strokes(tab), 0, 'the stored drawing came under the pen');
+        await tab.mouse('mouseMoved', 400, 720);
+        await tab.mouse('mouseReleased', 400, 720);
+        await complete(1);
+        assert.equal((await tab.run(() => feltlinePage.storage.others())).length, 3);
       }, url);
     }, undefined, (path) => (path.includes('core_full') ? held : undefined));
   },
