@@ -71,6 +71,7 @@ export class Bars {
     const { page } = this;
     this.hand = icon_button('hand', '', () => page.toggle_hand());
     this.sound = icon_button('sound', t('Sound of drawing'), () => page.toggle_sound());
+    this.sound.classList.add('sound');
     this.fit = icon_button('fit', t('Fit page'), () => page.fit(), '3');
     this.panels = {
       forces: icon_button('force-plot', t('Show forces'), () => page.toggle('forces')),
@@ -201,8 +202,8 @@ export class Menu {
     const { page } = this;
     const entry = (name, text, act, keys = '') => make('button', { type: 'button', onclick: () => { this.close(); page.bars.menu.focus(); act(); } },
       icon(name), make('span', {}, text), keys ? make('kbd', {}, page.key_name(keys)) : null);
-    const small = (button) => {
-      button.classList.add('small');
+    const only = (width, button) => {
+      button.classList.add(width);
       return button;
     };
     const choice = (text, value, entries, act) => {
@@ -228,8 +229,9 @@ export class Menu {
         ['paste', 'Paste', 'Ctrl+V', () => page.clipboard.paste()]]
         .map(([name, text, keys, act]) => entry(name, d('ClipboardActions', text), act, keys)),
       make('hr', { className: 'small' }),
-      small(entry('hand', page.plays ? t('Stop the simulated hand') : t('Let the simulated hand draw the cat'), () => page.toggle_hand())),
-      small(entry('fit', t('Fit page'), () => page.fit())),
+      only('small', entry('hand', page.plays ? t('Stop the simulated hand') : t('Let the simulated hand draw the cat'), () => page.toggle_hand())),
+      only('small', entry('fit', t('Fit page'), () => page.fit())),
+      only('narrow', entry('sound', `${t('Sound of drawing')}: ${t(page.sound.is_on ? 'on' : 'off')}`, () => page.toggle_sound())),
       make('hr'),
       choice('Theme', page.theme_choice(), [['', t('as in the system')], ['light', t('light')], ['dark', t('dark')]],
         (value) => page.set_theme(value)),

@@ -8,7 +8,10 @@ const kSvg = 'image/svg+xml', kText = 'text/plain', kPng = 'image/png';
 const words = (text) => d('ClipboardActions', text);
 
 /** Returns true if a text is a drawing: SVG, InkML, a journal, or lines of JSON. */
-const is_drawing = (text) => /^\s*(<[^]{0,4000}?\b(svg|ink|xournal)\b|\{)/.test(text);
+const is_drawing = (text) => /^\s*((?=<)[^]{0,4000}?<(\w+:)?(svg|ink|xournal)(?=[\s/>])|\{\s*")/.test(text);
+
+/** Some systems change the ends of lines. */
+const same_text = (a, b) => a.replaceAll('\r', '') === b.replaceAll('\r', '');
 
 /** Returns true if the browser itself cuts, copies and pastes here. */
 const is_text = ({ target }) => Boolean(target.closest?.('input:not([type=range], [type=checkbox], [type=color]), textarea') ||
@@ -27,8 +30,7 @@ export class Clipboard {
     for (const type of ['copy', 'cut']) {
       addEventListener(type, (event) => {
         if (is_text(event) || String(getSelection()) !== '') return;  // such as a marked message
-        event.preventDefault();
-        this.copy(type === 'cut', event.clipboardData);
+        this.copy(type === 'cut', event);
       });
     }
     addEventListener('paste', (event) => {
@@ -40,9 +42,9 @@ export class Clipboard {
     });
   }
 
-  /** Copies the selected lines, or all if none is selected. `cuts`: removes them, which only whole lines can be. `data`: the
-   * clipboard of the browser's own command, if it is one. */
-  copy(cuts, data = null) {
+  /** Copies the selected lines, or all if none is selected. `cuts`: removes them, which only whole lines can be. `event`: that of
+   * the browser's own command, if it is one. */
+  copy(cuts, event = null) {
     const { page } = this;
     if (!page.core?.isComplete || page.is_waiting) return page.when_complete(() => this.copy(cuts));
     page.settle();
@@ -55,13 +57,23 @@ export class Clipboard {
     }
     this.copied = made.svg;
     this.pastes = cuts ? -1 : 0;  // after a cut, the first paste is in the old place
-    data?.setData(kText, made.svg);
-    data?.setData(kSvg, made.svg);
-    if (cuts && data) page.apply({ event: 'delete' });
-    return this.write(made).then(() => { if (cuts && !data) page.apply({ event: 'delete' }); }).catch((error) => {
+    if (event) {
+      for (const type of [kText, kSvg]) event.clipboardData?.setData(type, made.svg);
+      event.preventDefault();  // only now, because it empties the clipboard if there is nothing to copy
+      if (cuts) page.apply({ event: 'delete' });
+    }
+    return this.write(made).then(() => { if (cuts && !event) this.remove(made); }).catch((error) => {
       console.info('Feltline: clipboard:', error);
-      if (!data) page.say(t('The browser does not let the page copy. Press %1.', page.key_name(cuts ? 'Ctrl+X' : 'Ctrl+C')));
+      if (!event) page.say(t('The browser does not let the page copy. Press %1.', page.key_name(cuts ? 'Ctrl+X' : 'Ctrl+C')));
     });
+  }
+
+  /** Removes what was copied, unless something else is selected meanwhile. */
+  remove({ svg }) {
+    const { page } = this;
+    page.settle();
+    const now = page.guard((core) => (core.state().selected > 0 ? core.copied({ whole: true, dpi: 10 }) : null));
+    if (now?.svg === svg) page.apply({ event: 'delete' });
   }
 
   /** Writes for other programs, which the browser's own command does not. */
@@ -79,6 +91,12 @@ export class Clipboard {
     return this.page.say(t('The browser does not let the page paste. Press %1.', this.page.key_name('Ctrl+V')));
   }
 
+  /** Returns true if the browser reads the clipboard without asking the user. */
+  async may_read() {
+    const permission = await navigator.permissions?.query({ name: 'clipboard-read' }).catch(() => null);
+    return permission?.state === 'granted';
+  }
+
   /** Returns what is on the clipboard, or null if the browser does not say it. */
   async read() {
     try {
@@ -94,13 +112,14 @@ export class Clipboard {
     }
   }
 
-  /** Adds a drawing or, if there is none, pictures. A browser's own command may hide an SVG file behind its picture; then the
-   * browser is asked for it (`may_ask`). A picture with a text in HTML was copied from a web page and has none. */
+  /** Adds a drawing or, if there is none, pictures. The text comes before the SVG file, which browsers write anew. A browser's own
+   * command may hide an SVG file behind its picture; then the browser is asked for it, if `may_ask` and the user has already
+   * permitted it. A picture with a text in HTML was copied from a web page and has none. */
   async paste_data(content, may_ask = true) {
     const { page } = this, { svg, text, files, has_html } = content;
-    const drawing = svg || (is_drawing(text) ? text : '');
+    const drawing = is_drawing(text) ? text : svg;
     if (drawing) return this.add(drawing);
-    if (may_ask && text === '' && !has_html && files.every(({ type }) => type === kPng) && navigator.clipboard?.read) {
+    if (may_ask && text === '' && !has_html && files.every(({ type }) => type === kPng) && await this.may_read()) {
       const all = await this.read();
       if (all?.svg) return this.add(all.svg);
     }
@@ -112,7 +131,7 @@ export class Clipboard {
   async add(text) {
     const { page } = this, refuse = (error) => page.say(`${words('The clipboard cannot be pasted')}: ${error}`);
     if (text.length > kMaxBytes) return refuse(t('it is too large'));
-    const loaded = await page.files.ready(), is_own = text === this.copied, name = words('the clipboard');
+    const loaded = await page.files.ready(), is_own = same_text(text, this.copied ?? ''), name = words('the clipboard');
     if (!loaded.ok) return refuse(page.reason(loaded));
     const beside = is_own ? kBesideMm * ++this.pastes : 0;
     page.guard((core) => core.finish());

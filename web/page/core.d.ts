@@ -364,7 +364,10 @@ export interface State {
     blend: string;
     /** The id of its group; 0 if it is in none. */
     group: number;
+    /** Strokes and fills. */
     strokes: number;
+    /** It has a picture below the strokes. */
+    picture: boolean;
     current: boolean;
   }[];
   /** The groups of layers, highest first. */

@@ -123,7 +123,7 @@ export class Files {
       if (!png || png.size > kMaxPictureBytes) throw new Error(t('it is too large'));
     }
     // The autosave keeps pictures in .felt files.
-    const loaded = await this.ready(true);
+    const loaded = await this.ready(() => true);
     if (!loaded.ok) return loaded;
     const { page } = this.page.core.state();
     const scale = Math.min(25.4 / 96, (kPictureShare * page.width) / width, (kPictureShare * page.height) / height);
@@ -144,7 +144,8 @@ export class Files {
     if (files.length > 1 && all.length > 0) this.say_all(all);
   }
 
-  /** Shows sentences: the first ones and, if there are more, their number and a button that shows all. */
+  /** Shows sentences: the first ones and, if there are more, their number, a button that shows all, and one that closes the
+   * message, which stays. */
   say_all(texts) {
     const more = texts.length - kMaxNotices;
     const shown = texts.slice(0, kMaxNotices).concat(more > 0 ? t('And %1 more.', more) : []);
@@ -152,10 +153,12 @@ export class Files {
     if (more <= 0) return texts;
     const show = () => {
       this.page.end_notice();
+      this.page.sheet.focus({ preventScroll: true });  // to which the dialog returns the focus
       this.page.dialog(t('Left out or changed'), make('ul', {}, ...texts.map((text) => make('li', {}, text))),
         [make('button', { className: 'main' }, t('Close'))]);
     };
-    document.getElementById('notice').firstChild.append(' ', make('button', { type: 'button', onclick: show }, t('Show all')));
+    const button = (text, onclick) => make('button', { type: 'button', onclick }, text);
+    document.getElementById('notice').firstChild.append(' ', button(t('Show all'), show), button(t('Close'), () => this.page.end_notice()));
     return texts;
   }
 
@@ -189,17 +192,20 @@ export class Files {
   }
 
   async read(bytes, name, adds) {
-    this.page.core.finish();
-    const loaded = await this.ready(this.page.core.isFelt(bytes));
+    const loaded = await this.ready((core) => core.isFelt(bytes));
     if (!loaded.ok) return loaded;
-    const { core } = this.page;  // another one, if the former one has ended meanwhile
+    const { core } = this.page;
+    core.finish();
     return adds ? core.add(bytes, name) : core.open(bytes, name);
   }
 
-  /** Loads what the core needs for files; `is_felt`: for .felt files. */
-  async ready(is_felt = false) {
-    const done = await this.page.complete();
-    return done.ok && is_felt ? this.page.core.prepareFelt() : done;
+  /** Waits until the page has a core with what it needs for files; `needs_felt(core)`: for .felt files. */
+  async ready(needs_felt = () => false) {
+    const done = await this.page.complete(), { core } = this.page;
+    if (!done.ok || !needs_felt(core)) return done;
+    const loaded = await core.prepareFelt();
+    // Another one, if this one has ended meanwhile.
+    return this.page.core === core ? loaded : this.ready(needs_felt);
   }
 
   file_name(ending) {
@@ -217,7 +223,7 @@ export class Files {
 
   save(format) {
     return this.try_to(async () => {
-      const loaded = await this.ready(format === 'felt');
+      const loaded = await this.ready(() => format === 'felt');
       if (!loaded.ok) return loaded;
       const { core } = this.page;
       core.finish();

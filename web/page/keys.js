@@ -15,7 +15,7 @@ export function key_name(keys) {
 
 export class Keys {
   constructor(page, input) {
-    Object.assign(this, { page, input, held: null, key: '', repeats: 0, pen: null });
+    Object.assign(this, { page, input, held: null, key: '', repeats: 0, pen: null, keeps_alt: false });
     addEventListener('keydown', (event) => this.down(event));
     addEventListener('keyup', (event) => this.up(event));
     addEventListener('pointerdown', () => document.body.classList.remove('keys'), true);
@@ -32,6 +32,8 @@ export class Keys {
       ['Ctrl+Z', 'EditActions', 'Undo', event({ event: 'undo' })],
       ['Ctrl+Shift+Z', 'EditActions', 'Redo', event({ event: 'redo' })],
       ['Ctrl+Y', '', '', event({ event: 'redo' })],
+      // The browser itself handles these: clipboard.js.
+      ...[['X', 'Cut'], ['C', 'Copy'], ['V', 'Paste']].map(([key, text]) => [`Ctrl+${key}`, 'ClipboardActions', text, null]),
       ['Ctrl+A', 'EditActions', 'Select all', event({ event: 'select', what: 'all' })],
       ['Ctrl+Shift+A', 'EditActions', 'Select none', event({ event: 'select', what: 'none' })],
       ['Delete', 'EditActions', 'Delete', event({ event: 'delete' })],
@@ -72,6 +74,7 @@ export class Keys {
     if (event.target.matches?.('input:not([type=range], [type=checkbox], [type=color]), textarea') || document.querySelector('dialog[open]')) return;
     if (event.key === 'Tab' || event.key in kArrows) document.body.classList.add('keys');
     this.input.set_modifiers(event);
+    if (event.key === 'Alt') this.keep_alt(event);
     // AltGr writes brackets on many keyboards.
     const alt_graph = event.getModifierState?.('AltGraph') ?? false;
     if (event.isComposing || (event.altKey && !alt_graph)) return;
@@ -88,6 +91,12 @@ export class Keys {
     command[3]();
   }
 
+  /** Keeps Alt from the browser, whose menu would take the focus, if it was down while something was drawn. */
+  keep_alt(event) {
+    this.keeps_alt ||= this.page.draws;
+    if (this.keeps_alt) event.preventDefault();
+  }
+
   name_of(event) {
     const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
     const is_letter = event.key.length > 1 || key !== event.key.toLowerCase();
@@ -96,6 +105,10 @@ export class Keys {
 
   up(event) {
     this.input.set_modifiers(event);
+    if (event.key === 'Alt') {
+      this.keep_alt(event);
+      this.keeps_alt = false;
+    }
     if (event.code === 'Space') this.set_space(false);
     if (event.key === this.key) [this.key, this.repeats] = ['', 0];
     if (this.held && event.code === this.held.code) this.give_back();
@@ -195,7 +208,7 @@ export class Keys {
 /** The table of the keys, for the dialog. */
 export function key_table(keys, page) {
   const row = (name, text) => make('div', {}, make('dt', {}, make('kbd', {}, key_name(name))), make('dd', {}, text));
-  const tools = page.catalog.tools.filter((tool) => tool.shortcut)
+  const tools = (page.catalog?.tools ?? []).filter((tool) => tool.shortcut)
     .map((tool) => row(tool.shortcut.toUpperCase(), d('tools', tool.label)));
   const commands = keys.commands().filter(([, , text]) => text)
     .map(([name, context, text]) => row(name, context ? d(context, text) : text));

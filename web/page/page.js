@@ -22,6 +22,7 @@ const kNoticeMs = 6000, kSlowMs = 3000;
 const kAnswerMs = 2000;           // a browser that does not answer within this time has no storage for now
 const kReadMs = 10_000;           // the same for the drawing, which may be large
 const kSettleMs = 40;
+const kMaxAgain = 20_000;         // calls of samples(), some minutes of drawing
 const kMarginPx = 16;             // around a sheet that is fitted into the window
 const kWarmUpMs = 100;
 const kFirstEvents = ['undo', 'redo', 'cancel'];  // the first module handles them
@@ -56,6 +57,9 @@ function in_the_middle(lines, page) {
   for (const point of points) [point[0], point[1]] = [point[0] + dx, point[1] + dy];
   return { text: strokes.map((stroke) => JSON.stringify(stroke)).join('\n'), mmPerUnit };
 }
+
+/** Returns true if a layer has a stroke, a fill or a picture; `state`: of the core. */
+const has_content = ({ layers }) => layers.some(({ strokes, picture }) => strokes > 0 || picture);
 
 class Page {
   constructor() {
@@ -126,49 +130,85 @@ class Page {
 
   /** The storage has answered: it is used from now on. */
   async use_storage(storage, last) {
-    // The page has no core while the program is loaded or restarted.
-    while (!this.core) await pause(kWarmUpMs);
     this.others = await storage.others().catch(() => []);
+    await this.wait_for_core();
     const { core } = this, is_late = last && core.isComplete, loaded = is_late && await this.prepare(core, last);
-    const stays = is_late && !this.is_blank();
+    this.settle();
+    const stays = last && this.has_own_drawing(core);
     if (stays) await storage.leave_slot();
-    if (this.lasting) {
-      this.lasting = null;
-      this.end_notice();
-    }
-    if (stays) this.say(t('Other drawings are in the menu.'));
-    this.last = stays ? null : last;
     this.storage = storage;
+    this.last = stays ? null : last;
     this.watch_storage();
     // Otherwise a browser may delete the drawing when it needs room. Some ask the user, so there must be a drawing.
     this.sheet.addEventListener('pointerup', () => navigator.storage?.persist?.().catch(() => {}), { once: true });
     if (!this.last) {
-      this.again = null;
-      this.guard((one) => one.rebase());
-      this.store_due = true;
+      this.begin_to_store(stays);
     } else if (is_late) {
       this.guard(() => this.continue_with(loaded.ok ? this.begin_with(this.core, last) : loaded));
-    }  // otherwise complete_core() continues with it
+    } else {
+      // complete_core() continues with it. Until then nothing is stored, which the user must know if it takes long.
+      setTimeout(() => {
+        this.is_slow = true;
+        this.wake();
+      }, kAnswerMs);
+      if (this.lasting) this.say_loading();
+      // Otherwise start() does this later.
+      if (document.readyState === 'complete') this.complete();
+    }
     this.wake();
   }
 
-  /** True if nothing was drawn and nothing can be undone. */
+  /** True if something was drawn that cannot be drawn again into the stored drawing. */
+  has_own_drawing(core) {
+    return (core.isComplete || !this.again) && !this.is_blank();
+  }
+
+  /** The present drawing is stored from now on. `stays`: the stored one stays in another slot. */
+  begin_to_store(stays) {
+    this.last = this.again = null;
+    this.end_lasting();
+    this.guard((core) => core.rebase());
+    this.store_due = true;
+    if (stays) this.say(t('Other drawings are in the menu.'));
+  }
+
+  /** Keeps what was done in the first module, for continue_with(). If it becomes too much, the stored drawing stays where it is. */
+  remember(act) {
+    if (this.core && this.again?.length >= kMaxAgain) {
+      this.settle();
+      this.again = this.is_blank() ? [] : null;
+    }
+    this.again?.push(act);
+  }
+
+  /** True while a pointer or the keys draw. The core starts the gesture a moment later. */
+  get draws() {
+    return Boolean(this.input) && (this.input.drawing !== null || this.input.keys_draw);
+  }
+
+  /** True if the drawing has nothing, nothing can be undone or redone, and nothing is being drawn. */
   is_blank() {
-    const { strokes, undo, redo, gesture } = this.core.state();
-    return strokes === 0 && undo === null && redo === null && !gesture;
+    return !this.draws && !this.core.state().gesture && this.is_empty();
+  }
+
+  /** Does not count a line in progress. */
+  is_empty() {
+    const state = this.core.state();
+    return !has_content(state) && state.undo === null && state.redo === null;
   }
 
   /** The core has begun with the stored drawing, or has refused it. Draws again what was drawn before that. */
   continue_with(done) {
     const { last, again } = this;
     this.last = this.again = null;
+    if (!this.storage?.is_broken) this.end_lasting();
     this.is_paused = !done.ok;
     this.record_bytes = last.recorded.length;
     const view = this.core.view();
     if (again?.length > 0) {
       this.is_replaying = true;
       this.sample_time = null;
-      if (this.is_blank()) this.guard((core) => core.setPage(this.window_page()));
+      if (this.is_empty()) this.guard((core) => core.setPage(this.window_page()));
       this.guard((core) => core.event({ event: 'tool', id: 'pencil' }));
       for (const act of again) this.guard(act);
       this.settle();
@@ -179,7 +219,7 @@ class Page {
     }
     if (this.storage?.is_broken) this.guard((core) => core.rebase());
     if (!done.ok) this.ask_about(last, this.reason(done));
-    else if (this.core.state().strokes > 0) {
+    else if (has_content(this.core.state())) {
       this.say(t('Restored the drawing of your last visit.') + (this.others.length > 0 ? ` ${t('Other drawings are in the menu.')}` : ''));
     }
     this.wake();
@@ -187,41 +227,50 @@ class Page {
 
   /**
    * Loads the full module, which has everything that the first one lacks, and continues with it. This takes a moment, so it
-   * waits until no line is drawn. Then does what has waited for it.
+   * waits until no line is drawn. Then does what has waited for it. If the page has no core, or another one meanwhile, waits for
+   * that one.
    */
   complete() {
     this.completing ??= this.complete_core().finally(() => { this.completing = null; });
     return this.completing;
   }
 
+  /** Resolves when the page has a core, which it does not while the program is loaded or restarted. */
+  async wait_for_core() {
+    while (!this.core) await pause(kWarmUpMs);
+  }
+
   async complete_core() {
-    const { core } = this;
-    let done, loaded = { ok: true };
+    await this.wait_for_core();
+    const { core } = this, was_complete = core.isComplete;
+    let done, loaded = { ok: true }, stays = false;
     // Resolves to the stored drawing that the full module continues with.
     const is_free = async () => {
       await this.answered;
-      const draws = () => this.input && (this.input.drawing !== null || this.input.keys_draw);
       let last;
       do {
         ({ last } = this);
         if (last?.base && core.isFelt(last.base)) loaded = await core.prepareFelt();
-        while (draws() && this.waiting.length === 0) await pause(kWarmUpMs);
+        while (this.draws && this.waiting.length === 0) await pause(kWarmUpMs);
       } while (last !== this.last);
       this.settle();
       if (this.again && this.is_blank()) this.again = [];
-      return loaded.ok ? last : null;
+      stays = Boolean(last) && this.has_own_drawing(core);
+      return loaded.ok && !stays ? last : null;
     };
     try {
       done = await core.complete(is_free);
     } catch (error) {
       this.recover(core, error);
-      return { ok: false, error: error.message };
     }
-    if (this.core !== core) return done;  // it has ended meanwhile
+    if (this.core !== core) return this.complete_core();  // it has ended meanwhile
     this.incomplete = !done.ok;
-    // Without the full module, the first one has what was drawn.
-    if (this.last && (!done.ok || !loaded.ok)) this.again = null;
-    if (this.last) this.guard(() => this.continue_with(done.continued ?? (done.ok ? loaded : done)));
+    if (this.last && !was_complete) {
+      // Without the full module, the first one has what was drawn.
+      if (!done.ok || !loaded.ok) this.again = null;
+      if (done.ok && stays) await this.storage.leave_slot().then(() => this.begin_to_store(true), () => this.say_not_stored());
+      else this.guard(() => this.continue_with(done.continued ?? (done.ok ? loaded : done)));
+    }
     if (done.ok) this.again = null;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
@@ -365,14 +414,13 @@ class Page {
     this.wake();
   }
 
-  /** A sheet without a drawing fills the window. Returns false if there is a drawing. */
+  /** A sheet without a drawing fills the window. It does not move under the first line. Returns false if there is a drawing. */
   resize_blank() {
-    const { strokes, undo, redo } = this.core.state();
-    if (strokes > 0 || undo !== null || redo !== null) return false;
+    if (!this.is_empty()) return false;
     this.core.setPage(this.window_page());
     this.core.rebase();
     this.store_due = true;
-    this.fill_window();
+    if (this.is_blank()) this.fill_window();
     return true;
   }
 
@@ -448,9 +496,9 @@ class Page {
     this.options.show(state);
     this.layers.show(state);
     this.forces.show(state);
-    by_id('empty').hidden = state.strokes > 0 || state.gesture || this.touched_once || Boolean(this.last);
+    by_id('empty').hidden = has_content(state) || state.gesture || this.touched_once || Boolean(this.last);
     const { hint, shift, ctrl, alt } = state.use;
-    const keys = [[key_name('Shift+').slice(0, -1), shift], [key_name('Ctrl+').replace('+', ''), ctrl], ['Alt', alt]];
+    const keys = [['Shift+', shift], ['Ctrl+', ctrl], ['Alt+', alt]].map(([key, what]) => [key_name(key).replace('+', ''), what]);
     const texts = [d('tools', hint), ...keys.filter(([, what]) => what).map(([key, what]) => `${key}: ${d('tools', what)}`)];
     if (texts.join() !== this.hint) {
       this.hint = texts.join();
@@ -517,10 +565,11 @@ class Page {
       const rebased = core.rebased(), base = rebased ? core.base() : null, recorded = core.recorded();
       this.record_bytes = (rebased ? 0 : this.record_bytes) + recorded.length;
       if (this.record_bytes > kRebaseBytes) core.rebase();
+      if (this.last && this.is_slow && this.unsaved()) this.say_loading();
       if (!storage || this.is_paused || this.last) return;
       const page = rebased ? core.state().page : null;
       try {
-        storage.strokes = core.state().strokes;
+        Object.assign(storage, { strokes: core.state().strokes, is_empty: this.is_empty() });
         if (rebased) storage.restart(base, page, recorded);
         else storage.append(recorded);
       } catch (error) {
@@ -542,9 +591,7 @@ class Page {
     };
     storage.restarted = () => {
       is_said = false;
-      if (!this.lasting) return;
-      this.lasting = null;
-      this.end_notice();
+      this.end_lasting();
     };
     storage.moved = () => {
       this.guard((core) => core.rebase());
@@ -553,9 +600,20 @@ class Page {
   }
 
   /** Shows this until the drawing is stored; other messages replace it only for a while. */
-  say_not_stored() {
-    this.lasting = t('This browser does not store the drawing. Save it before you close the page.');
-    if (this.core) this.say(this.lasting);  // otherwise the page has more to say
+  say_not_stored(text = t('This browser does not store the drawing. Save it before you close the page.')) {
+    if (this.lasting === text) return;
+    this.lasting = text;
+    if (this.core) this.say(text);  // otherwise the page has more to say
+  }
+
+  say_loading() {
+    this.say_not_stored(t('The page is still loading, so your lines are not stored yet. Keep it open.'));
+  }
+
+  end_lasting() {
+    if (!this.lasting) return;
+    this.lasting = null;
+    this.end_notice();
   }
 
   /** A stored drawing could not be continued. It stays stored, and nothing else is, until the user decides. */
@@ -594,7 +652,7 @@ class Page {
   }
 
   unsaved() {
-    return this.is_unsaved && this.core.state().strokes > 0;
+    return Boolean(this.is_unsaved && this.core && has_content(this.core.state()));
   }
 
   saved() {
@@ -603,8 +661,8 @@ class Page {
 
   /** True if closing the page would lose lines: they are in no file, and the browser does not store them. */
   is_lost_by_closing() {
-    const is_stored = this.storage && !this.storage.is_broken && !this.is_paused && !this.last;
-    return !is_stored && Boolean(this.unsaved());
+    const { storage } = this, is_stored = storage && !storage.is_broken && !storage.is_mending && !this.is_paused && !this.last;
+    return !is_stored && this.unsaved();
   }
 
   // --- Events
@@ -613,8 +671,9 @@ class Page {
   apply(event) {
     const is_first = kFirstEvents.includes(event.event);
     if (!is_first || this.is_waiting) return this.when_complete(() => this.apply_now(event), is_first);
+    if (this.again) this.settle();
     // A step that there is not here may be one of the stored drawing.
-    if (event.event === 'cancel' || this.core?.state()[event.event]) this.again?.push(() => this.apply_now(event));
+    if (event.event === 'cancel' || this.core?.state()[event.event]) this.remember(() => this.apply_now(event));
     return this.apply_now(event);
   }
 
@@ -631,7 +690,7 @@ class Page {
     this.sampled = performance.now();
     if (this.again && this.core) {
       const view = this.core.view();
-      this.again.push(() => {
+      this.remember(() => {
         this.core.setView(view);
         this.samples(samples);
       });
@@ -653,6 +712,7 @@ class Page {
   /** A gesture begins, of a pointer or of the keys. */
   begins() {
     this.gestures += 1;
+    if (this.input.modifiers & 4) this.keys.keeps_alt = true;
     this.touched_once = true;
     by_id('empty').hidden = true;
     if (this.plays) this.stop_hand();
@@ -689,7 +749,7 @@ class Page {
 
   finish() {
     if (this.is_waiting) return this.when_complete(() => this.finish(), true);
-    this.again?.push(() => this.finish());
+    this.remember(() => this.finish());
     this.settle();
     this.guard((core) => core.finish());
     this.wake();
@@ -723,6 +783,7 @@ class Page {
   }
 
   borrow(kind) {
+    if (!this.core) return undefined;
     if (this.is_waiting) return this.when_complete(() => this.borrow(kind));
     const { tool } = this.core.state(), other = this.tool_of_kind(kind);
     if (!other || other === tool) return undefined;
@@ -751,7 +812,7 @@ class Page {
 
   set_color(color) {
     this.set_option('ink.color', color);
-    if (this.core.state().selected > 0) this.apply({ event: 'restyle', color });
+    if (this.core?.state().selected > 0) this.apply({ event: 'restyle', color });
   }
 
   set_size(mm) {
@@ -772,6 +833,7 @@ class Page {
   }
 
   rename_layer() {
+    if (!this.core) return;
     if (!this.shown.layers) this.toggle('layers');
     this.layers.show(this.core.state());
     this.layers.edit();
@@ -807,10 +869,12 @@ class Page {
   }
 
   life_size() {
+    if (!this.core) return;
     this.zoom_middle(kLifeSize / this.core.view().scale);
   }
 
   fit() {
+    if (!this.core) return undefined;
     const { width, height } = this.core.state().page;
     // A sheet that was made for this window fills it.
     const window = this.window_page();
@@ -905,7 +969,7 @@ class Page {
 
   set_strength(share) {
     this.strength = share;
-    this.core.setStrength(share);
+    this.core?.setStrength(share);
     this.wake();
   }
 
@@ -962,7 +1026,7 @@ class Page {
     const { core } = this;
     core?.setDesk(getComputedStyle(document.documentElement).getPropertyValue('--desk').trim());
     // The dark theme has a surround. A sheet that the user has moved stays.
-    if (is_new && core && !this.resize_blank() && JSON.stringify(core.view()) === this.fitted) this.fit();
+    if (is_new && core && !this.resize_blank() && !this.draws && JSON.stringify(core.view()) === this.fitted) this.fit();
     this.wake();
   }
 
@@ -979,14 +1043,21 @@ class Page {
   /** Shows a message, for a while if it does not stay. */
   say(text, stays = false) {
     clearTimeout(this.notice);
-    by_id('notice').replaceChildren(make('p', {}, text));
+    this.show_notice(text);
     if (!stays) this.notice = setTimeout(() => this.end_notice(), kNoticeMs);
   }
 
   /** Removes the message; one about a state that lasts comes back. */
   end_notice() {
     clearTimeout(this.notice);
-    by_id('notice').replaceChildren(...(this.lasting ? [make('p', {}, this.lasting)] : []));
+    this.show_notice(this.lasting);
+  }
+
+  /** Shows this text, or nothing. The focus of a button that goes with the former one is the sheet's. */
+  show_notice(text, className = '') {
+    const notice = by_id('notice'), had_focus = notice.contains(document.activeElement);
+    notice.replaceChildren(...(text ? [make('p', { className }, text)] : []));
+    if (had_focus) this.sheet.focus({ preventScroll: true });
   }
 
   /** Returns why something was not done. */
@@ -996,7 +1067,8 @@ class Page {
 
   /** Tells a screen reader. */
   tell(text) {
-    by_id('notice').replaceChildren(make('p', { className: 'unseen' }, text));
+    this.show_notice(text, 'unseen');
+    if (this.lasting) by_id('notice').append(make('p', {}, this.lasting));
   }
 
   dialog(title, content, buttons) {
@@ -1015,8 +1087,9 @@ class Page {
   }
 
   async new_drawing() {
-    const done = await this.complete();
+    await this.complete();
     if (this.unsaved() && !(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return;
+    const done = await this.complete();
     if (!done.ok) return this.say(this.reason(done));
     this.core.clear(this.window_page());
     this.files.name = '';
@@ -1032,8 +1105,15 @@ class Page {
     const slot = await this.dialog(t('Other drawings…'), '', [make('button', { value: '' }, t('Cancel')),
       ...others.map((other) => make('button', { value: other.slot }, text(other)))]);
     if (!slot) return undefined;
-    this.leave();
-    await this.storage.change_to(slot);
+    this.guard((core) => core.finish());
+    this.retried = -Infinity;
+    this.store();
+    const is_written = await Promise.race([this.storage.written, pause(kAnswerMs)]);
+    if (this.unsaved() && (!is_written || this.is_lost_by_closing())) {
+      if (!(await this.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return undefined;
+      this.saved();  // so that closing does not ask again
+    }
+    this.storage.change_to(slot);
     return location.reload();
   }
 
@@ -1048,7 +1128,7 @@ class Page {
     const texts = ['Feltline is a sketching program you can feel: pull a line and it resists. On this page you draw with the same tools and see and hear the forces.',
       'Force-feedback devices work with the desktop program and the command line only. There, the safety chain checks each force on the way to the device; a web page must not bypass it.',
       'The drawing stays in this browser until you save it as a file. The page sends nothing and loads nothing.'];
-    this.dialog(`Feltline ${this.catalog.version}`, make('div', {}, ...texts.map((text) => make('p', {}, t(text)))),
+    this.dialog(`Feltline ${this.catalog?.version ?? ''}`, make('div', {}, ...texts.map((text) => make('p', {}, t(text)))),
       [make('button', { className: 'main' }, t('Close'))]);
   }
 

@@ -78,6 +78,8 @@ export class Storage {
     this.next = 0;
     this.is_leaving = false;  // the page may end now
     this.is_broken = false;   // the stored drawing ends before the present one; only restart() mends that
+    this.is_mending = false;  // that restart() is being written
+    this.written = Promise.resolve(true);  // what the last write resolves to: whether it succeeded
   }
 
   async connect() {
@@ -152,13 +154,17 @@ export class Storage {
   /** Moves to a slot without a drawing. The drawing of the former one stays. */
   async leave_slot() {
     if (!navigator.locks) this.seen(0);
-    await this.find_slot(async (slot, bases = this.bases) => !await done(bases.get(slot)));
-    this.next = 0;
-    this.is_broken = false;
+    await this.find_free_slot();
+    this.is_broken = this.is_mending = false;
   }
 
-  /** Returns the drawings that are open in no tab, the newest first: { slot, time, strokes }. Those without lines are left
-   * out. */
+  /** Finds a slot that has no drawing. That of a closed tab has one. */
+  async find_free_slot() {
+    await this.find_slot(async (slot, bases = this.bases) => !await done(bases.get(slot)));
+    this.next = 0;
+  }
+
+  /** Returns the drawings that are open in no tab, the newest first: { slot, time, strokes }. Those with nothing are left out. */
   async others() {
     const { bases } = this, texts = IDBKeyRange.lowerBound('');
     const [slots_used, keys, values, locks] = await Promise.all([done(bases.getAllKeys(IDBKeyRange.upperBound(Infinity))),
@@ -167,17 +173,12 @@ export class Storage {
     const is_open = (slot) => slot === this.slot || locks?.held.some(({ name }) => name === lock_name(slot)) ||
       (!locks && Date.now() - (found[owner_key(slot)]?.time ?? 0) < kLostMs);
     return slots_used.filter((slot) => !is_open(slot)).map((slot) => ({ slot, ...found[info_key(slot)] }))
-      .filter(({ strokes }) => strokes !== 0).sort((a, b) => (b.time ?? 0) - (a.time ?? 0));
+      .filter(({ strokes, is_empty = strokes === 0 }) => !is_empty).sort((a, b) => (b.time ?? 0) - (a.time ?? 0));
   }
 
-  /** Gives the slot back. The next page of this tab, such as after a reload, begins with this one. */
-  async change_to(slot) {
-    this.release?.();
-    clearInterval(this.beat);
-    if (!navigator.locks) {
-      const bases = this.database.transaction('bases', 'readwrite').objectStore('bases');
-      await done(bases.put({ id: this.id, time: 0 }, owner_key(this.slot)));
-    }
+  /** The next page of this tab, such as after a reload, begins with this slot. The present one stays locked until then, because
+   * the user may stay on the page. */
+  change_to(slot) {
     of_tab.set('slot', slot);
   }
 
@@ -205,6 +206,7 @@ export class Storage {
   /** Begins a new drawing, followed by these events: all events so far are removed. `base` is null for an empty drawing,
    * whose page is `page`. */
   restart(base, page, recorded) {
+    this.is_mending ||= this.is_broken;
     this.is_broken = false;
     this.write({ base, page, first: ++this.next }, recorded);
   }
@@ -215,9 +217,14 @@ export class Storage {
 
   /** Writes a base, or null, and events; all or nothing. */
   write(base, recorded) {
+    const { strokes, is_empty } = this;
     try {
       const transaction = this.database.transaction(kStores, 'readwrite', { durability: 'relaxed' });
       transaction.onabort = () => this.fail(transaction.error);
+      this.written = new Promise((resolve) => {
+        transaction.addEventListener('complete', () => resolve(true));
+        transaction.addEventListener('abort', () => resolve(false));
+      });
       if (!this.is_leaving) this.check_owner(transaction);
       const records = transaction.objectStore('records');
       if (base) {
@@ -225,11 +232,17 @@ export class Storage {
         transaction.objectStore('bases').put(base, this.slot);
       }
       if (recorded) records.put(recorded, [this.slot, this.next++]);
-      if (base || recorded) transaction.objectStore('bases').put({ time: Date.now(), strokes: this.strokes }, info_key(this.slot));
-      if (base) transaction.oncomplete = () => this.restarted?.();
+      if (base || recorded) transaction.objectStore('bases').put({ time: Date.now(), strokes, is_empty }, info_key(this.slot));
+      if (base) {
+        transaction.oncomplete = () => {
+          this.is_mending = false;
+          this.restarted?.();
+        };
+      }
       // The end of the page would abort a transaction that waits for the answers of its requests.
       if (navigator.locks || this.is_leaving) transaction.commit();
     } catch (error) {
+      this.written = Promise.resolve(false);
       this.fail(error);
     }
   }
@@ -245,8 +258,7 @@ export class Storage {
   async move() {
     this.is_taken = false;
     try {
-      await this.find_slot();
-      this.next = 0;
+      await this.find_free_slot();
       this.moved?.();
     } catch (error) {
       this.failed?.(error);

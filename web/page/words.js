@@ -106,6 +106,10 @@ const own = {
     'Dieser Browser bewahrt die Zeichnung nicht auf. Speichern Sie sie, bevor Sie die Seite schließen.',
     'Deze browser bewaart de tekening niet. Sla haar op voordat u de pagina sluit.',
   ],
+  'The page is still loading, so your lines are not stored yet. Keep it open.': [
+    'Die Seite wird noch geladen, darum sind Ihre Linien noch nicht gespeichert. Lassen Sie sie geöffnet.',
+    'De pagina wordt nog geladen, daarom zijn uw lijnen nog niet opgeslagen. Houd haar open.',
+  ],
   'An error occurred. The drawing was restored up to the last step.': [
     'Ein Fehler ist aufgetreten. Die Zeichnung wurde bis zum letzten Schritt wiederhergestellt.',
     'Er is een fout opgetreden. De tekening is tot de laatste stap hersteld.',

@@ -131,6 +131,7 @@ std::string layer_rows(const Session& session) {
     row.add_text("blend", blend_mode_name(layer->blend));
     row.add_number("group", layer->group ? static_cast<double>(layer->group->id.value) : 0.0);
     row.add_number("strokes", static_cast<double>(layer->strokes.size() + layer->fills.size()));
+    row.add_bool("picture", layer->picture != nullptr);
     row.add_bool("current", layer->id == session.layer());
     rows.push_back(row.text());
   }

@@ -129,7 +129,7 @@ export class Tab {
 
   async until(code, ...args) {
     for (let i = 0; i < 600; ++i) {
-      if (await this.run(`(...a) => Boolean((${code})(...a))`, ...args)) return;
+      if (await this.run(`async (...a) => Boolean(await (${code})(...a))`, ...args)) return;
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
     throw new Error(`never true: ${code}; console: ${this.errors.join('; ')}`);

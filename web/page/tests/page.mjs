@@ -330,6 +330,174 @@ const topics = {
     }, undefined, (path) => (path.includes('core_full') ? held : undefined));
   },
 
+  /** A drawing is blank only if it has nothing: a picture alone, a line on a hidden layer and a line in progress are a drawing. The
+   * sheet does not move under the pen. */
+  async blank() {
+    await with_tab({}, async (tab, browser) => {
+      const blank = () => tab.run(() => [feltlinePage.is_blank(), feltlinePage.is_empty()]);
+      assert.deepEqual(await blank(), [true, true]);
+      // A line in progress, also before the core has it.
+      const before = await tab.run(() => feltlinePage.set_view({ x: 10, y: 20, scale: 8 }) ?? feltlinePage.view());
+      await tab.mouse('mouseMoved', 300, 300, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', 300, 300);
+      await tab.until(() => feltlinePage.input.drawing !== null);
+      assert.deepEqual(await blank(), [false, true]);
+      await tab.run(() => feltlinePage.resize_blank());
+      assert.deepEqual(await tab.run(() => feltlinePage.view()), before, 'the sheet moved under the pen');
+      await tab.run(() => feltlinePage.escape());
+      await tab.mouse('mouseReleased', 300, 300);
+      await tab.frames(3);
+      assert.deepEqual(await blank(), [true, true]);
+      // A picture alone, as the base of a stored drawing, which cannot be undone.
+      await tab.run(async () => {
+        const canvas = new OffscreenCanvas(40, 20);
+        canvas.getContext('2d').fillRect(0, 0, 40, 20);
+        const blob = await canvas.convertToBlob({ type: 'image/png' });
+        await feltlinePage.files.load(new File([blob], 'photo.png', { type: 'image/png' }), true);
+        const { core } = feltlinePage, ink = core.state().layers.find(({ name }) => name !== 'photo');
+        core.event({ event: 'layer', do: 'remove', id: ink.id });
+        core.rebase();
+      });
+      await stored(tab);
+      await tab.reload();
+      const state = await tab.run(() => feltlinePage.core.state());
+      assert.deepEqual([state.strokes, state.layers.length, state.undo], [0, 1, null]);
+      assert.deepEqual(await blank(), [false, false], 'a picture alone');
+      const page = { width: state.page.width, height: state.page.height };
+      await tab.run(() => feltlinePage.resize_blank());
+      assert.deepEqual(await tab.run(() => feltlinePage.core.state().page), page);
+      // The other tab lists it.
+      await stored(tab);
+      const other = await browser.open(file_url);
+      await browser.send('Target.closeTarget', { targetId: tab.target });
+      await other.until(async () => (await feltlinePage.storage?.others())?.length === 1);
+      assert.deepEqual(other.errors, []);
+    });
+  },
+
+  /** The full module takes long, or is not wanted yet: lines that cannot be stored are announced, and closing asks. Storage that
+   * answers late brings its drawing nevertheless. What was drawn too long for a repetition stays apart. */
+  async slow() {
+    let held = null, release = null;
+    const hold = () => { held = new Promise((done) => { release = done; }); };
+    const source = `(${() => {
+      const { open } = IDBFactory.prototype;
+      IDBFactory.prototype.open = function (...all) {
+        if (!sessionStorage.held) return open.apply(this, all);
+        const late = {};
+        globalThis.answer = () => {
+          const request = open.apply(this, all);
+          request.onupgradeneeded = () => { late.result = request.result; late.onupgradeneeded(); };
+          request.onsuccess = () => { late.result = request.result; late.onsuccess(); };
+        };
+        return late;
+      };
+      if (sessionStorage.saves) Object.defineProperty(navigator, 'connection', { value: { saveData: true } });
+    }})()`;
+    const prepare = (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source });
+    await served(async (url) => {
+      await with_tab({ prepare }, async (tab) => {
+        const says = (words) => tab.until((words) => document.getElementById('notice').textContent.includes(words), words);
+        const asks = () => tab.run(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
+        const complete = async (count) => {
+          await tab.until((count) => feltlinePage.core.isComplete && !feltlinePage.last && feltlinePage.core.state().strokes === count, count);
+          assert.ok(!/not stored|does not store/.test(await notice_of(tab)), await notice_of(tab));
+          assert.equal(await tab.run(() => feltlinePage.lasting ?? null), null);
+          await stored(tab);
+          assert.equal(await asks(), false);
+        };
+        await tab.stroke(wave(200, 150));
+        await stored(tab);
+        // The storage has answered, the full module has not come.
+        hold();
+        await tab.reload('first');
+        await tab.stroke(wave(200, 250));
+        await says('lines are not stored yet');
+        assert.ok(await asks(), 'the page closes without asking');
+        release();
+        await complete(2);
+        // The storage answers late, too. An undo in the same moment as the line is known.
+        hold();
+        await tab.run(() => { sessionStorage.held = 'yes'; });
+        await tab.reload('first');
+        assert.equal(await tab.run(() => {
+          const event = (type, x) => document.getElementById('sheet').dispatchEvent(new PointerEvent(type, { pointerId: 1, pointerType: 'mouse',
+            clientX: x, clientY: 450, button: type === 'pointermove' ? -1 : 0, buttons: type === 'pointerup' ? 0 : 1, isPrimary: true }));
+          event('pointerdown', 300);
+          for (let x = 310; x < 500; x += 10) event('pointermove', x);
+          event('pointerup', 500);
+          feltlinePage.undo();
+          return feltlinePage.core.state().strokes;
+        }), 0);
+        await tab.stroke(wave(200, 350));
+        await says('does not store');
+        await tab.run(() => answer());
+        await says('lines are not stored yet');
+        assert.ok(await asks(), 'the page closes without asking');
+        release();
+        await complete(3);
+        // Nothing has asked for the full module: the late drawing does.
+        await tab.run(() => { sessionStorage.saves = 'yes'; });
+        await tab.reload('first');
+        await says('does not store');
+        assert.equal(await tab.run(() => feltlinePage.core.isComplete), false);
+        await tab.run(() => answer());
+        await complete(3);
+        // Too much was done for a repetition: both drawings stay.
+        await tab.reload('first');
+        await tab.stroke(wave(200, 550));
+        await says('does not store');
+        await tab.run(() => {
+          while (feltlinePage.again?.length < 20_000) feltlinePage.again.push(() => {});
+          feltlinePage.finish();
+        });
+        assert.equal(await tab.run(() => feltlinePage.again), null);
+        await tab.run(() => answer());
+        await tab.until(() => feltlinePage.storage);
+        await tab.run(() => { feltlinePage.complete(); });
+        await complete(1);
+        assert.deepEqual(await tab.run(async () => (await feltlinePage.storage.others()).map(({ strokes }) => strokes)), [3]);
+        // The same after the storage has answered.
+        hold();
+        await tab.run(() => { for (const name of ['held', 'saves']) sessionStorage.removeItem(name); });
+        await tab.reload('first');
+        await tab.stroke(wave(200, 600));
+        await tab.stroke(wave(200, 650));
+        await tab.until(() => feltlinePage.last);
+        await tab.run(() => {
+          while (feltlinePage.again?.length < 20_000) feltlinePage.again.push(() => {});
+          feltlinePage.finish();
+        });
+        release();
+        await complete(2);
+        assert.equal((await tab.run(() => feltlinePage.storage.others())).length, 2);
+        // Without anything drawn, the list only begins again.
+        hold();
+        await tab.reload('first');
+        await tab.until(() => feltlinePage.last);
+        await tab.run(() => {
+          while (feltlinePage.again.length < 20_000) feltlinePage.again.push(() => {});
+          feltlinePage.finish();
+        });
+        release();
+        await complete(2);
+        // The pen comes down when all tools are there and the storage answers: the line counts.
+        await tab.run(() => { sessionStorage.held = 'yes'; });
+        await tab.reload();
+        await says('does not store');
+        await tab.mouse('mouseMoved', 300, 700, { button: 'none', buttons: 0 });
+        await tab.mouse('mousePressed', 300, 700);
+        await tab.run(() => answer());
+        await tab.until(() => feltlinePage.storage);
+        assert.equal(await strokes(tab), 0, 'the stored drawing came under the pen');
+        await tab.mouse('mouseMoved', 400, 720);
+        await tab.mouse('mouseReleased', 400, 720);
+        await complete(1);
+        assert.equal((await tab.run(() => feltlinePage.storage.others())).length, 3);
+      }, url);
+    }, undefined, (path) => (path.includes('core_full') ? held : undefined));
+  },
+
   /** The full module does not come: what was drawn while something waited for it stays, by the first one. */
   async incomplete() {
     let release = null;
@@ -506,6 +674,82 @@ const topics = {
       await tab.reload();
       assert.equal(await strokes(tab), 5, 'events behind a gap were read');
     });
+  },
+
+  /** Another drawing is opened only when the present one is stored, or the user gives it up. The tab keeps its slot until the page
+   * has ended, and a tab that loses its slot takes none with a drawing. */
+  async others() {
+    for (const has_locks of [true, false]) {
+      const prepare = has_locks ? null : (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument',
+        { source: 'delete Navigator.prototype.locks' });
+      await with_tab({ prepare }, async (first, browser) => {
+        await draw(first, wave(200, 200));
+        await stored(first);
+        const tab = await browser.open(file_url, { prepare });
+        await browser.send('Target.closeTarget', { targetId: first.target });
+        await tab.until(async () => (await feltlinePage.storage?.others())?.length === 1);
+        for (const y of [300, 400]) await draw(tab, wave(200, y));
+        await stored(tab);
+        const slot = await tab.run(() => feltlinePage.storage.slot);
+        /** Chooses the other drawing. */
+        const choose = async () => {
+          await tab.run(() => { feltlinePage.show_others(); });
+          await tab.until(() => document.querySelectorAll('dialog button').length === 2);
+          await tab.run(() => { setTimeout(() => [...document.querySelectorAll('dialog button')].at(-1).click()); });
+        };
+        // The write fails after the page has begun it: the user is asked, and stays.
+        await tab.run(() => {
+          globalThis.put = IDBObjectStore.prototype.put;
+          IDBObjectStore.prototype.put = function (...all) {
+            const request = globalThis.put.apply(this, all);
+            this.transaction.abort();
+            return request;
+          };
+        });
+        await draw(tab, wave(200, 500));
+        await stored(tab);
+        await choose();
+        await tab.until(() => document.querySelector('dialog h2')?.textContent.startsWith('Replace the drawing?'));
+        await tab.run(() => document.querySelector('dialog button').click());
+        await tab.until(() => !document.querySelector('dialog'));
+        assert.equal(await strokes(tab), 3);
+        await tab.run(() => { IDBObjectStore.prototype.put = globalThis.put; });
+        await stored(tab);
+        // The slot is still that of the tab.
+        const keeps = await tab.run(async (slot) => {
+          const { storage } = feltlinePage;
+          storage.change_to(1);
+          const { held } = await (navigator.locks?.query() ?? { held: [{ name: `feltline-drawing-${slot}` }] });
+          const owner = await new Promise((done) => {
+            const request = storage.bases.get(`owner-${slot}`);
+            request.onsuccess = () => done(request.result);
+          });
+          return [held.some(({ name }) => name === `feltline-drawing-${slot}`), owner?.time !== 0];
+        }, slot);
+        assert.deepEqual(keeps, [true, true], 'the tab has lost its slot');
+        if (!has_locks) {
+          // Another tab takes the slot: the drawing goes to an empty one, not to that of the closed tab.
+          await tab.run((slot) => new Promise((done) => {
+            const bases = feltlinePage.storage.database.transaction('bases', 'readwrite').objectStore('bases');
+            bases.put({ id: 'another', time: Date.now() + 1e9 }, `owner-${slot}`).onsuccess = done;
+          }).then(() => {}), slot);
+          await draw(tab, wave(200, 600));
+          await tab.until((slot) => feltlinePage.storage.slot > slot, slot);
+          await stored(tab);
+          assert.equal(await strokes(tab), 4);
+        }
+        // The write succeeds: the other drawing is opened without a question.
+        const count = await strokes(tab), loaded = new Promise((done) => { tab.loaded = done; });
+        await tab.run(() => { feltlinePage.leave(); });
+        await stored(tab);
+        await choose();
+        await loaded;
+        await restored(tab, 1, 'the drawing of the closed tab');
+        await tab.until(async (count) => (await feltlinePage.storage.others()).some(({ strokes }) => strokes === count), count);
+        assert.equal(tab.asked, 0, 'the page asked when it closed');
+        assert.deepEqual(tab.errors, []);
+      });
+    }
   },
 
   /** Storage that is denied or never answers: the user can draw within seconds, the notice stays, and closing asks. */
@@ -770,6 +1014,47 @@ const topics = {
     });
   },
 
+  /** Without a core, while it is loaded or restarted, commands wait for it. */
+  async waits() {
+    await with_tab({}, async (tab) => {
+      await tab.stroke(wave(200, 200));
+      const svg = text_of(await saved(tab, 'svg'));
+      await tab.run((svg) => {
+        globalThis.former = feltlinePage.core;
+        globalThis.names = [];
+        HTMLAnchorElement.prototype.click = function () { names.push(this.download); };
+        feltlinePage.saved();
+        feltlinePage.core = null;
+        const file = new File([svg], 'a.svg', { type: 'image/svg+xml' }), { files, clipboard } = feltlinePage;
+        globalThis.commands = Promise.all([files.load(file, true), clipboard.paste_data({ svg, text: '', files: [], has_html: false }, false),
+          files.save('svg'), files.export_png()]);
+        // These do nothing without a core.
+        for (const act of ['fit', 'life_size', 'rename_layer', 'show_about', 'show_keys']) feltlinePage[act]();
+        document.querySelectorAll('dialog').forEach((one) => one.close());
+        feltlinePage.borrow('erases');
+        feltlinePage.set_strength(1);
+      }, svg);
+      await tab.run(async () => {
+        await new Promise((done) => setTimeout(done, 300));
+        feltlinePage.core = former;
+        await commands;
+      });
+      assert.equal(await strokes(tab), 3, await notice_of(tab));
+      assert.deepEqual((await tab.run(() => names)).sort(), ['Drawing.png', 'Drawing.svg']);
+      await tab.frames(5);
+      const fresh = await tab.run(async () => {
+        feltlinePage.saved();
+        feltlinePage.core = null;
+        const done = feltlinePage.new_drawing();
+        await new Promise((next) => setTimeout(next));
+        feltlinePage.core = former;
+        await done;
+        return feltlinePage.core.state().strokes;
+      });
+      assert.equal(fresh, 0);
+    });
+  },
+
   /** Save and open: the same lines. A damaged file changes nothing and says why. */
   async files() {
     await with_tab({}, async (tab) => {
@@ -859,7 +1144,7 @@ const topics = {
       for (const adds of [false, true]) {
         await open('many.svg', svg(parts.join('\n')), adds);
         const lines = await notice();
-        const count = Number(/^And (\d+) more\. *Show all$/.exec(lines.at(-1))?.[1]);
+        const count = Number(/^And (\d+) more\. *Show all *Close$/.exec(lines.at(-1))?.[1]);
         assert.ok(lines.length === 4 && count >= 2, lines.join(' | '));
         const [x, y] = await tab.run(() => {
           const box = document.querySelector('#notice button').getBoundingClientRect();
@@ -875,6 +1160,16 @@ const topics = {
         }
         await tab.run(() => document.querySelector('dialog').close());
         assert.equal(await tab.run(() => document.getElementById('notice').textContent), '');
+        assert.equal(await tab.run(() => document.activeElement.id), 'sheet', 'the focus is lost');
+        // It can also be closed.
+        await open('many.svg', svg(parts.join('\n')), adds);
+        await tab.run(() => {
+          const close = [...document.querySelectorAll('#notice button')].at(-1);
+          close.focus();
+          close.click();
+        });
+        assert.equal(await tab.run(() => document.querySelector('#notice p')), null);
+        assert.deepEqual(await tab.run(() => [document.activeElement.id, Boolean(document.querySelector('dialog'))]), ['sheet', false]);
       }
       // Three notices, and fewer, are shown without a list.
       await open('three.svg', svg(parts.slice(0, 3).join('') + '<path d="M1 1 L50 50" stroke="#000" stroke-linecap="round"/>'), false);
@@ -1220,12 +1515,59 @@ const topics = {
       await state(() => { feltlinePage.menu.open(); [...document.querySelectorAll('.menu button')].at(-1).click(); });
       await state(() => document.querySelector('dialog').close());
       assert.deepEqual(await menu(), [false, 'Menu']);
+      // The list of the keys has those of the clipboard, which the browser handles.
+      await state(() => feltlinePage.show_keys());
+      const keys = await state(() => Object.fromEntries([...document.querySelectorAll('dialog dl div')]
+        .map((row) => [row.querySelector('dt').textContent, row.querySelector('dd').textContent])));
+      assert.deepEqual(['X', 'C', 'V'].map((one) => keys[`Ctrl+${one}`]), ['Cut', 'Copy', 'Paste']);
+      await state(() => document.querySelector('dialog').close());
       // Language and theme.
       await tab.run(() => feltlinePage.set_language('de'));
       assert.equal(await state(() => document.querySelector('#tools button').getAttribute('aria-label')), 'Bleistift');
       assert.equal(await state(() => document.documentElement.lang), 'de');
       await tab.run(() => feltlinePage.set_theme('dark'));
       assert.equal(await state(() => document.documentElement.dataset.theme), 'dark');
+    });
+  },
+
+  /** Alt belongs to the page while something is drawn; the hints name the keys as the system does. */
+  async modifiers() {
+    for (const [platform, names] of [['MacIntel', ['⇧', '⌘', '⌥']], ['Linux x86_64', ['Shift', 'Ctrl', 'Alt']]]) {
+      const source = `Object.defineProperty(navigator, 'platform', { value: '${platform}' })`;
+      await with_tab({ prepare: (tab) => tab.send('Page.addScriptToEvaluateOnNewDocument', { source }) }, async (tab) => {
+        const hints = await tab.run(() => {
+          const { core } = feltlinePage, { state } = core, use = { hint: 'a', shift: 'b', ctrl: 'c', alt: 'd' };
+          core.state = () => ({ ...state.call(core), use });
+          feltlinePage.show_state();
+          delete core.state;
+          return Array.from(document.querySelectorAll('#hint span'), (one) => one.textContent.trim());
+        });
+        assert.deepEqual(hints, ['a', ...names.map((name, i) => `${name}: ${'bcd'[i]}`)]);
+      });
+    }
+    await with_tab({}, async (tab) => {
+      /** Returns whether the browser gets Alt. */
+      const alt = (type) => tab.run((type) => document.getElementById('sheet').dispatchEvent(new KeyboardEvent(type,
+        { key: 'Alt', code: 'AltLeft', altKey: type === 'keydown', bubbles: true, cancelable: true })), type);
+      const both = async () => [await alt('keydown'), await alt('keyup')];
+      assert.deepEqual(await both(), [true, true], 'nothing is drawn');
+      await tab.mouse('mouseMoved', 300, 300, { button: 'none', buttons: 0 });
+      await tab.mouse('mousePressed', 300, 300);
+      assert.deepEqual(await both(), [false, false], 'a line in progress');
+      // Released after the line.
+      assert.equal(await alt('keydown'), false);
+      await tab.mouse('mouseReleased', 300, 300);
+      assert.deepEqual([await alt('keyup'), ...await both()], [false, true, true]);
+      // Pressed before the line and released after it, and with the pen of the keys.
+      assert.equal(await alt('keydown'), true);
+      await tab.mouse('mousePressed', 300, 400);
+      await tab.mouse('mouseReleased', 300, 400);
+      assert.deepEqual([await alt('keyup'), ...await both()], [false, true, true]);
+      assert.equal(await alt('keydown'), true);
+      await tab.key('Enter', { code: 'Enter' });
+      assert.deepEqual([await alt('keyup'), ...await both()], [false, false, false]);
+      await tab.key('Enter', { code: 'Enter' });
+      assert.deepEqual(await both(), [true, true]);
     });
   },
 
@@ -1565,6 +1907,66 @@ const topics = {
         await count(0, 'cut by the menu');
         await choose('Paste');
         await count(2 * expected, 'pasted after a cut by the menu');
+        // Lines that were copied here come back beside their originals by the menu, too, and with other ends of lines.
+        await put({ 'text/plain': 'x' });
+        await tab.run(() => feltlinePage.apply({ event: 'select', what: 'none' }));
+        await choose('Copy');
+        await tab.until(async () => (await navigator.clipboard.readText()).includes('<svg'));
+        const beside = async (what, paste) => {
+          const before = await points_of(tab);
+          await paste();
+          await count(2 * before.length, what);
+          const after = await points_of(tab), moved = after[before.length][0][0] - before[0][0][0];
+          assert.ok(Math.abs(moved - 5) < 0.01, `${what}: moved by ${moved} mm`);
+          await key('z');
+          await tab.run(() => { feltlinePage.clipboard.pastes = 0; });
+        };
+        await beside('by the menu', () => choose('Paste'));
+        await beside('with CRLF', () => tab.run(() => {
+          const text = feltlinePage.clipboard.copied.replace(/\n/g, '\r\n');
+          return feltlinePage.clipboard.paste_data({ svg: '', text, files: [], has_html: false });
+        }));
+        // A cut by the menu removes only what was copied.
+        await tab.run(async () => {
+          const { clipboard } = feltlinePage;
+          feltlinePage.apply({ event: 'select', what: 'all' });
+          clipboard.write = async () => { feltlinePage.apply({ event: 'duplicate' }); };
+          await clipboard.copy(true);
+          delete clipboard.write;
+        });
+        await count(4 * expected, 'cut something else');
+        await key('z');
+        await count(2 * expected, 'undone');
+        // A cut of nothing leaves the clipboard as it is.
+        await put({ 'text/plain': 'kept' });
+        await tab.run(() => feltlinePage.apply({ event: 'select', what: 'none' }));
+        await key('x');
+        assert.deepEqual(await clipboard(), { 'text/plain': 'kept' });
+        // Texts that only mention drawings, or begin like one.
+        for (const text of ['{ color: red }', '<p>pen and ink, svg</p>', '<ink-bar/>', '{', 'a <svg>']) {
+          await put({ 'text/plain': text });
+          await tab.run(() => feltlinePage.say(''));
+          await key('v');
+          await tab.until(() => document.getElementById('notice').textContent !== '');
+          assert.match(await notice_of(tab), /The clipboard holds no strokes/, text);
+        }
+        await put({ 'text/plain': svg.replace('<svg xmlns=', '<s:svg xmlns:s=').replace('<path', '<s:path').replace('</svg', '</s:svg') });
+        await key('v');
+        await count(2 * expected + 1, 'a prefix');
+        await key('z');
+        // A plain picture does not ask for a permission.
+        await tab.run(async () => {
+          const { clipboard } = feltlinePage, { query } = navigator.permissions, { read } = clipboard;
+          navigator.permissions.query = async () => ({ state: 'prompt' });
+          clipboard.read = () => { throw new Error('asked'); };
+          const files = [new File([''], 'a.png', { type: 'image/png' })], { load_all } = feltlinePage.files;
+          feltlinePage.files.load_all = async (all) => { globalThis.pasted = all.length; };
+          await clipboard.paste_data({ svg: '', text: '', files, has_html: false });
+          navigator.permissions.query = query;
+          Object.assign(clipboard, { read });
+          feltlinePage.files.load_all = load_all;
+        });
+        assert.equal(await tab.run(() => globalThis.pasted), 1);
         // A field keeps its own commands.
         await put({ 'text/plain': 'Name' });
         await tab.run(() => feltlinePage.rename_layer());
@@ -1578,7 +1980,7 @@ const topics = {
 
   /** In every state, each visible control is hit at its centre, by mouse and by finger. */
   async covered() {
-    const sizes = [[1920, 1080], [1280, 800], [1010, 700], [820, 1180], [844, 390], [390, 844]];
+    const sizes = [[1920, 1080], [1280, 800], [1010, 700], [820, 1180], [844, 390], [390, 844], [360, 740], [320, 568]];
     const offers = [['ink', false], ['rectangle', true], ['delete', false], ['select', false]].map(([id, applies]) => ({ id, applies, count: 12 }));
     const states = {
       start: () => {},
