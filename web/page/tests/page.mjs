@@ -928,7 +928,10 @@ const topics = {
     await with_tab({ prepare }, async (first, browser) => {
       await draw(first, wave(200, 200));
       await stored(first);
-      await first.run(() => feltlinePage.storage.seen(1));
+      await first.run(() => {
+        clearInterval(feltlinePage.storage.beat);  // which would say before the second tab is there that the first one lives
+        feltlinePage.storage.seen(1);
+      });
       const second = await browser.open(file_url, { prepare });
       await restored(second, 1, 'the slot of the first tab');
       await draw(second, wave(200, 300));
