@@ -261,6 +261,10 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
       edit.changes.push_back(follows->follows->with(follows->before, edit.label).changes.front());
     }
   }
+  const auto followers = edit.changes.begin() + static_cast<std::ptrdiff_t>(own);
+  edit.changes.erase(std::remove_if(followers, edit.changes.end(),
+                                    [](const StrokeChange& c) { return c.before == c.after; }),
+                     edit.changes.end());
 }
 
 }  // namespace felt
