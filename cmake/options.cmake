@@ -1,5 +1,6 @@
 # The options of the build, and the flags of every target of the project.
 option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(FELT_FOLDER_TESTS "With FELT_TESTS: also the tests beside the code, not only those in tests/" ON)
 option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
 option(FELT_PROGRAMS "Build the programs" ${PROJECT_IS_TOP_LEVEL})

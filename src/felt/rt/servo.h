@@ -43,6 +43,9 @@ struct ServoOptions {
   SafetyLimits limits;
   /// True: the forces of every tick are queued for a recorder (Servo::for_recorder).
   bool queues_forces = false;
+  /// Size of the queues of samples and forces, rounded down to a power of two, 2..16384 (16 s at
+  /// 1 kHz). Fewer only for a loop of which nobody reads the queues.
+  std::size_t queued = 16384;
 };
 
 /// The forces of one tick, for a recorder.
@@ -65,7 +68,7 @@ struct TickForces {
 /// object is large (tens of KiB), so allocate it on the heap.
 class Servo {
  public:
-  static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
+  static constexpr std::size_t kRingSamples = ServoOptions{}.queued;  ///< at most
   using Ring = SpscRing<PenSample, kRingSamples>;
   using ForceRing = SpscRing<TickForces, kRingSamples>;
   static constexpr int kMaxBetween = 32;           ///< samples between two ticks (Device::between)

@@ -27,7 +27,10 @@ Servo::Servo(Device& device, const ServoOptions& options)
       is_arm_(device.is_arm()),
       chain_(options_.limits),
       leaps_(std::make_unique<LeapFilter>(options_.limits)),
-      force_ring_(options_.queues_forces ? std::make_unique<ForceRing>() : nullptr) {}
+      edit_ring_(options_.queued),
+      autosave_ring_(options_.queued),
+      force_ring_(options_.queues_forces ? std::make_unique<ForceRing>(options_.queued) : nullptr) {
+}
 
 Servo::~Servo() = default;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,8 +12,8 @@
 namespace felt {
 
 /// A queue from one producer thread to one consumer thread that delivers every element in order.
-/// Producer and consumer are wait-free. If the consumer falls N elements behind, new elements are
-/// dropped and counted; the producer never waits. N is a power of two.
+/// Producer and consumer are wait-free. If the consumer falls capacity() elements behind, new
+/// elements are dropped and counted; the producer never waits. N is a power of two.
 ///
 /// The constructor allocates and touches all memory, so that a push causes neither an allocation
 /// nor a page fault.
@@ -27,24 +28,28 @@ class SpscRing {
   static_assert(N > 1 && (N & (N - 1)) == 0, "a power of two");
 
  public:
-  SpscRing() : slots_(new T[N]()) {}
+  SpscRing() : SpscRing(N) {}
+  /// Makes a queue for fewer elements: `capacity`, rounded down to a power of two, 2..N.
+  explicit SpscRing(std::size_t capacity)
+      : mask_(std::bit_floor(std::clamp<std::size_t>(capacity, 2, N)) - 1),
+        slots_(new T[mask_ + 1]()) {}
   SpscRing(const SpscRing&) = delete;
   SpscRing& operator=(const SpscRing&) = delete;
 
-  static constexpr std::size_t capacity() noexcept { return N; }
+  [[nodiscard]] std::size_t capacity() const noexcept { return mask_ + 1; }
 
   /// Adds an element. If the ring is full, drops and counts the element and returns false. Producer
   /// thread only.
   bool push(const T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
-    if (tail - head_seen_ == N) {
+    if (tail - head_seen_ > mask_) {
       head_seen_ = head_.load(std::memory_order_acquire);
-      if (tail - head_seen_ == N) {
+      if (tail - head_seen_ > mask_) {
         dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
         return false;
       }
     }
-    slots_[tail & (N - 1)] = value;
+    slots_[tail & mask_] = value;
     tail_.store(tail + 1, std::memory_order_release);
     return true;
   }
@@ -57,7 +62,7 @@ class SpscRing {
   std::size_t pop(std::span<T> out) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t count = std::min(tail_.load(std::memory_order_acquire) - head, out.size());
-    for (std::size_t i = 0; i < count; ++i) out[i] = slots_[(head + i) & (N - 1)];
+    for (std::size_t i = 0; i < count; ++i) out[i] = slots_[(head + i) & mask_];
     head_.store(head + count, std::memory_order_release);
     return count;
   }
@@ -66,7 +71,7 @@ class SpscRing {
   /// threads the number is an estimate.
   [[nodiscard]] std::size_t size() const noexcept {
     const std::size_t head = head_.load(std::memory_order_acquire);
-    return std::min(tail_.load(std::memory_order_acquire) - head, N);
+    return std::min(tail_.load(std::memory_order_acquire) - head, capacity());
   }
 
   /// Returns the number of elements dropped because the consumer was too slow. Safe to call from
@@ -78,7 +83,8 @@ class SpscRing {
  private:
   static constexpr std::size_t kCacheLine = 64;  // separates the counters of producer and consumer
 
-  std::unique_ptr<T[]> slots_;
+  const std::size_t mask_;
+  const std::unique_ptr<T[]> slots_;
   alignas(kCacheLine) std::atomic<std::size_t> tail_{0};  // written by the producer
   std::size_t head_seen_ = 0;                             // the producer's last copy of head_
   std::atomic<std::uint64_t> dropped_{0};

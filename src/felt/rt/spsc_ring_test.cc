@@ -52,6 +52,20 @@ RC_GTEST_PROP(SpscRing, IsAQueueThatDropsWhatDoesNotFit, (const std::vector<int>
   }
 }
 
+TEST(SpscRing, MayBeMadeForFewerElements) {
+  for (const auto& [asked, expected] :
+       std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}, {1, 2}, {7, 4}, {8, 8}, {64, 8}}) {
+    SpscRing<int, 8> ring(asked);
+    EXPECT_EQ(ring.capacity(), expected);
+    for (int i = 0; i < 20; ++i) ring.push(i);
+    EXPECT_EQ(ring.size(), expected);
+    EXPECT_EQ(ring.dropped(), 20 - expected);
+    int first = -1;
+    EXPECT_TRUE(ring.pop(first));
+    EXPECT_EQ(first, 0);
+  }
+}
+
 TEST(SpscRing, TwoThreadsEverythingArrivesOnceInOrderAndWhole) {
   constexpr std::uint64_t kElements = 200'000;
   const auto ring = std::make_unique<SpscRing<Element, 64>>();

@@ -75,15 +75,10 @@ sed -nE 's|^\* \[([^]]+\.h)\].*|felt/\1|p' "$source_dir/src/felt/API.md" | LC_AL
   diff - <(printf '%s\n' "${headers[@]}")
 printf '#include "%s"\n' "${headers[@]}" "${headers[@]}" | compiles  # fails if one includes a missing header
 
-# built_alone HEADER: true if the source or test of the same name includes HEADER first. Then the build
-# has already compiled the header alone.
-built_alone() {
-  local own
-  for own in "$source_dir/src/${1%.h}.cc" "$source_dir/src/${1%.h}_test.cc"; do
-    ! grep -sm 1 '^#include' "$own" | grep -qF "\"$1\"" || return 0
-  done
-  return 1
-}
+# A header that a source includes first was already compiled without other headers before it.
+first_included=$(find "$source_dir/src" "$source_dir/apps" -name '*.cc' -exec grep -hm 1 '^#include "' {} + |
+  sed -E 's/^#include "([^"]*)".*/\1/' | LC_ALL=C sort -u)
+built_alone() { grep -qxF "$1" <<<"$first_included"; }
 
 echo "every header compiles alone:"
 alone=0

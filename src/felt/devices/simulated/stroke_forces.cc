@@ -74,7 +74,7 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
   const Point start = kMiddle + tremor.place();
   stylus.place({start.x, start.y, kHoverMm});
   const auto servo = std::make_unique<Servo>(
-      stylus, ServoOptions{.period_ns = plan.period_ns, .limits = limits_for(can)});
+      stylus, ServoOptions{.period_ns = plan.period_ns, .limits = limits_for(can), .queued = 2});
   const HeightField* grain = plan.has_grain ? surface_grain(*plan.surface) : nullptr;
   servo->publish(ForceModel(make_surface_force(*plan.surface, *plan.tool, can, grain)));
   servo->arm();
