@@ -43,8 +43,13 @@ Result<void> LayerGatherer::press(const std::vector<StrokeId>& members) {
 
 Result<void> LayerGatherer::gather(const Layer& layer) {
   std::vector<RoughLine> lines;
-  for (const StrokeId id : layer.strokes) lines.push_back(rough_line(*document_.find(id)));
-  const Result<std::vector<std::uint32_t>> groups = line_groups(lines);
+  std::vector<StrokePtr> strokes;
+  for (const StrokeId id : layer.strokes) {
+    strokes.push_back(document_.find(id));
+    lines.push_back(rough_line(*strokes.back()));
+  }
+  const Result<std::vector<std::uint32_t>> groups =
+      line_groups(lines, {.ink_mm = usual_width_mm(strokes)});
   if (!groups) return tl::unexpected(groups.error());
   if (groups->empty()) return {};
   std::vector<std::vector<StrokeId>> members(*std::max_element(groups->begin(), groups->end()) + 1);

@@ -17,14 +17,6 @@ namespace {
 
 constexpr double kPointsPerSegment = 16.0, kMaxPointsPerSegment = 1024.0;
 
-double middle_width_mm(std::span<const std::shared_ptr<const Stroke>> strokes) {
-  std::vector<double> widths;
-  for (const auto& stroke : strokes) {
-    widths.push_back(stroke->width_mm(stroke->segment_count() / 2.0));
-  }
-  return percentile(widths, 0.5);
-}
-
 // Returns the median of the strokes' tones, where the tone of a stroke is its median along the
 // stroke. Without it the line would get the default tone of its width, which is almost nothing for
 // a thin line of a dry medium.
@@ -71,6 +63,14 @@ std::vector<RoughLine> without_copies(std::vector<RoughLine> lines) {
 
 }  // namespace
 
+double usual_width_mm(std::span<const std::shared_ptr<const Stroke>> strokes) {
+  std::vector<double> widths;
+  for (const auto& stroke : strokes) {
+    widths.push_back(stroke->width_mm(stroke->segment_count() / 2.0));
+  }
+  return percentile(widths, 0.5);
+}
+
 RoughLine rough_line(const Stroke& stroke) {
   RoughLine line{stroke.position(0.0)};
   for (int i = 0; i < stroke.segment_count(); ++i) {
@@ -110,7 +110,7 @@ Result<Stroke> gathered_stroke(std::span<const std::shared_ptr<const Stroke>> st
     if (Result<Stroke> ring = as_ring(*stroke)) stroke = std::move(ring);
   }
   StrokeData data = stroke->data();
-  const double median_mm = middle_width_mm(strokes);
+  const double median_mm = usual_width_mm(strokes);
   const double width_mm =
       options.width == GatheredWidth::kStrip ? path->strip_mm + median_mm : median_mm;
   const double tone = middle_tone(strokes);

@@ -26,6 +26,9 @@ struct GatherOptions {
 /// Returns points on a stroke, at most 1 mm and a 16th of a segment apart.
 RoughLine rough_line(const Stroke& stroke);
 
+/// Returns the median of the strokes' widths in their middle, in mm; 0 without strokes.
+double usual_width_mm(std::span<const std::shared_ptr<const Stroke>> strokes);
+
 /// Returns one stroke through the middle of the strip of `strokes` (bundle_path), with constant
 /// width and the median tone of the strokes. It has the colour and medium of the longest stroke,
 /// and is closed if the strip is. Dabs count only if there is nothing else. Fails with

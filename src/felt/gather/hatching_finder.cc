@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace felt {
 namespace {
 
-/// Largest distance of a line of a hatching from its chord, as a share of the chord. Bent lines
-/// beside each other are not told from the strips of a broad brush.
-constexpr double kMaxBend = 0.05;
 /// Smallest share of the shorter line along which both are the nearest to each other.
 constexpr double kMinBeside = 0.5;
 /// Largest standard deviation of the gap along two lines, as a share of the gap.
@@ -16,13 +14,30 @@ constexpr double kMaxGapDeviation = 0.3;
 /// Largest ratio of two gaps of a hatching.
 constexpr double kMaxGapRatio = 1.8;
 
-bool is_straight(std::span<const Point> points) {
-  if (points.size() < 2) return false;
+/// A kind of hatching: the more lines, the less regular they may be.
+struct HatchingKind {
+  std::size_t lines;  ///< at least
+  double bend;        ///< largest distance of a line from its chord, as a share of the chord
+  double deviation;   ///< largest standard deviation of a gap, as a share of the gap
+  double beside;      ///< smallest share of the shorter line of two that lies beside the other
+  double gap_inks;    ///< smallest gap, in widths of the ink
+  double gap_share;   ///< the same, as a share of the shorter line
+};
+/// The values leave the groups of the labelled drawings of StrokeStrip as they are
+/// (docs/design/gather.md).
+constexpr HatchingKind kKinds[] = {{2, 0.02, 0.15, 0.8, 1.5, 0.015},  // parallels
+                                   {4, 0.05, 0.3, 0.5, 0.0, 0.0},     // straight lines
+                                   {5, 0.5, 0.2, 0.5, 0.0, 0.0}};     // bent lines
+
+/// Returns the largest distance of a point from the chord of a line, as a share of the chord.
+double bend_of(std::span<const Point> points) {
+  if (points.size() < 2) return 0.0;
   const Vec chord = points.back() - points.front();
-  const double allowed = kMaxBend * dot(chord, chord);
-  return std::all_of(points.begin(), points.end(), [&](Point p) {
-    return std::fabs(cross(chord, p - points.front())) <= allowed;
-  });
+  double largest = 0.0;
+  for (const Point p : points) {
+    largest = std::max(largest, std::fabs(cross(chord, p - points.front())));
+  }
+  return largest / std::max(dot(chord, chord), std::numeric_limits<double>::min());
 }
 
 }  // namespace
@@ -42,7 +57,6 @@ HatchingFinder::Neighbour HatchingFinder::usual_neighbour(std::vector<Nearest>& 
   std::stable_sort(hits.begin(), hits.end(),
                    [](const Nearest& a, const Nearest& b) { return a.line < b.line; });
   Neighbour usual;
-  double deviation_mm = 0.0;
   for (auto first = hits.begin(); first != hits.end();) {
     double sum = 0.0, squares = 0.0;
     auto last = first;
@@ -53,27 +67,28 @@ HatchingFinder::Neighbour HatchingFinder::usual_neighbour(std::vector<Nearest>& 
     const auto count = static_cast<double>(last - first);
     if (count / sections > usual.share) {
       const double mean = sum / count;
-      usual = {first->line, count / sections, mean};
-      deviation_mm = std::sqrt(std::max(0.0, squares / count - mean * mean));
+      usual = {first->line, count / sections, mean,
+               std::sqrt(std::max(0.0, squares / count - mean * mean))};
     }
     first = last;
   }
-  return deviation_mm <= kMaxGapDeviation * usual.gap_mm ? usual : Neighbour{};
+  return usual.deviation_mm <= kMaxGapDeviation * usual.gap_mm ? usual : Neighbour{};
 }
 
 void HatchingFinder::end_line(std::uint32_t line, std::span<const Point> points) {
-  if (is_straight(points)) {
-    const auto sections = static_cast<double>(points.size() - 1);
-    const auto crosses = [&](const Neighbour& n, Side other_side) {
-      const std::vector<Nearest>& hits = hits_[other_side];
-      return std::any_of(hits.begin(), hits.end(),
-                         [&](const Nearest& hit) { return hit.line == n.line; });
-    };
-    const Neighbour below = usual_neighbour(hits_[kBelow], sections);
-    const Neighbour above = usual_neighbour(hits_[kAbove], sections);
-    if (!crosses(below, kAbove)) neighbours_[line][kBelow] = below;
-    if (!crosses(above, kBelow)) neighbours_[line][kAbove] = above;
+  if (!points.empty()) {
+    shapes_[line] = {bend_of(points), norm(points.back() - points.front())};
   }
+  const double sections = std::max(1.0, static_cast<double>(points.size()) - 1.0);
+  const auto crosses = [&](const Neighbour& n, Side other_side) {
+    const std::vector<Nearest>& hits = hits_[other_side];
+    return std::any_of(hits.begin(), hits.end(),
+                       [&](const Nearest& hit) { return hit.line == n.line; });
+  };
+  const Neighbour below = usual_neighbour(hits_[kBelow], sections);
+  const Neighbour above = usual_neighbour(hits_[kAbove], sections);
+  if (!crosses(below, kAbove)) neighbours_[line][kBelow] = below;
+  if (!crosses(above, kBelow)) neighbours_[line][kAbove] = above;
   for (std::vector<Nearest>& hits : hits_) hits.clear();
 }
 
@@ -87,9 +102,18 @@ const HatchingFinder::Neighbour* HatchingFinder::next(std::uint32_t line, Side s
   return nullptr;
 }
 
-double HatchingFinder::gap_mm(std::uint32_t a, std::uint32_t b) const {
-  const auto& sides = neighbours_[a];
-  return sides[kBelow].line == b ? sides[kBelow].gap_mm : sides[kAbove].gap_mm;
+HatchingFinder::Couple HatchingFinder::couple(std::uint32_t a, std::uint32_t b) const {
+  Couple couple{.bend = std::max(shapes_[a].bend, shapes_[b].bend),
+                .length_mm = std::min(shapes_[a].length_mm, shapes_[b].length_mm)};
+  for (const auto& [line, other] : {std::pair(b, a), std::pair(a, b)}) {
+    for (const Neighbour& n : neighbours_[line]) {
+      if (n.line != other) continue;
+      couple.gap_mm = n.gap_mm;
+      couple.deviation = std::max(couple.deviation, n.deviation_mm / n.gap_mm);
+      couple.beside = std::max(couple.beside, n.share);
+    }
+  }
+  return couple;
 }
 
 /// Returns the lines beside each other, beginning with a line that has at most one neighbour.
@@ -111,24 +135,45 @@ std::vector<std::uint32_t> HatchingFinder::row_from(std::uint32_t line,
   return row;
 }
 
-/// Numbers the parts of a row in which the gaps are alike.
+/// Returns the number of couples from `first` on that `fits` and whose gaps are alike.
+std::size_t HatchingFinder::run_length(std::span<const Couple> couples, std::size_t first,
+                                       const std::function<bool(std::size_t)>& fits) {
+  double smallest = couples[first].gap_mm, largest = smallest;
+  std::size_t end = first;
+  for (; end < couples.size() && fits(end); ++end) {
+    smallest = std::min(smallest, couples[end].gap_mm);
+    largest = std::max(largest, couples[end].gap_mm);
+    if (largest > kMaxGapRatio * smallest) break;
+  }
+  return end - first;
+}
+
+/// Numbers the parts of a row that are hatchings.
 void HatchingFinder::number_runs(const std::vector<std::uint32_t>& row, std::uint32_t& last,
                                  std::vector<Numbers>& numbers) const {
-  for (std::size_t first = 0; first + 1 < row.size();) {
-    double smallest = gap_mm(row[first], row[first + 1]), largest = smallest;
-    std::size_t end = first + 2;
-    for (; end < row.size(); ++end) {
-      const double gap = gap_mm(row[end - 1], row[end]);
-      if (std::max(largest, gap) > kMaxGapRatio * std::min(smallest, gap)) break;
-      smallest = std::min(smallest, gap);
-      largest = std::max(largest, gap);
+  std::vector<Couple> couples;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) couples.push_back(couple(row[i], row[i + 1]));
+  std::vector<bool> is_held(couples.size(), false);
+  for (const HatchingKind& kind : kKinds) {
+    const auto fits = [&](std::size_t i) {
+      return couples[i].bend <= kind.bend && couples[i].deviation <= kind.deviation &&
+             couples[i].beside >= kind.beside && couples[i].gap_mm >= kind.gap_inks * ink_mm_ &&
+             couples[i].gap_mm >= kind.gap_share * couples[i].length_mm;
+    };
+    for (std::size_t first = 0, length; first < couples.size();
+         first += std::max<std::size_t>(length, 1)) {
+      length = run_length(couples, first, fits);
+      for (std::size_t i = first; length + 1 >= kind.lines && i < first + length; ++i)
+        is_held[i] = true;
     }
-    if (end - first >= kMinLines) {
-      ++last;
-      for (std::size_t i = first; i < end; ++i)
-        numbers[row[i]][numbers[row[i]][0] == 0 ? 0 : 1] = last;
-    }
-    first = end - 1;
+  }
+  for (std::size_t first = 0, length; first < couples.size();
+       first += std::max<std::size_t>(length, 1)) {
+    length = run_length(couples, first, [&](std::size_t i) { return is_held[i]; });
+    if (length == 0) continue;
+    ++last;
+    for (std::size_t i = first; i <= first + length; ++i)
+      numbers[row[i]][numbers[row[i]][0] == 0 ? 0 : 1] = last;
   }
 }
 

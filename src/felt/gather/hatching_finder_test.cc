@@ -72,6 +72,49 @@ RC_GTEST_PROP(HatchingFinder, AnyHatchingDrawnByHandStaysAsItIs, (std::uint32_t 
   RC_ASSERT(group_count(lines) == lines.size());
 }
 
+RC_GTEST_PROP(HatchingFinder, TwoOrThreeParallelsStayAsTheyAre, (std::uint32_t seed)) {
+  const int count = *rc::gen::inRange(2, 4);
+  const double spacing_mm = 0.1 * *rc::gen::inRange(18, 60);
+  const double irregular = 0.01 * *rc::gen::inRange(0, 11);
+  std::vector<RoughLine> lines = hatching(count, spacing_mm, 100.0, irregular, seed);
+  turn(lines, 0.01 * *rc::gen::inRange(0, 628));
+  RC_ASSERT(group_count(lines, {.ink_mm = 0.5}) == lines.size());
+}
+
+TEST(HatchingFinder, ParallelsWhoseInkNearlyTouchesAreOneLine) {
+  for (const int count : {2, 3}) {
+    EXPECT_EQ(group_count(hatching(count, 0.7, 100.0, 0.0, 1), {.ink_mm = 0.5}), 1U) << count;
+  }
+}
+
+/// Returns lines that are bent like arcs of one circle or like copies of one wave.
+std::vector<RoughLine> bent_hatching(int count, double spacing_mm, bool is_fan, double irregular,
+                                     std::uint64_t seed) {
+  TestRandom random(seed);
+  std::vector<RoughLine> lines;
+  for (int i = 0; i < count; ++i) {
+    const double off = (i + 0.5 * irregular * random.signed_unit()) * spacing_mm;
+    RoughLine line;
+    for (int k = 0; k <= 60; ++k) {
+      const double t = k / 60.0, radius_mm = 40.0 + off;
+      line.push_back(is_fan ? Point{radius_mm * std::cos(1.5 * t), radius_mm * std::sin(1.5 * t)}
+                            : Point{60.0 * t, off + 8.0 * std::sin(4.0 * t)});
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+RC_GTEST_PROP(HatchingFinder, AnyBentHatchingStaysAsItIs, (std::uint32_t seed)) {
+  const int count = *rc::gen::inRange(5, 30);
+  const double spacing_mm = 0.1 * *rc::gen::inRange(8, 30);
+  const double irregular = 0.01 * *rc::gen::inRange(0, 20);
+  std::vector<RoughLine> lines =
+      bent_hatching(count, spacing_mm, *rc::gen::arbitrary<bool>(), irregular, seed);
+  turn(lines, 0.01 * *rc::gen::inRange(0, 628));
+  RC_ASSERT(group_count(lines) == lines.size());
+}
+
 TEST(HatchingFinder, StavesStayAsTheyAre) {
   for (const int staves : {1, 2, 6}) {
     TestRandom random(7);

@@ -47,11 +47,11 @@ void add_side(std::span<const SectionHit> side, double reach_mm, std::vector<Gap
 /// Measures all lines, one after the other.
 class PairMeter {
  public:
-  PairMeter(std::span<const RoughLine> lines, double scale_mm)
+  PairMeter(std::span<const RoughLine> lines, double scale_mm, double ink_mm)
       : scale_mm_(scale_mm),
         grid_(lines, pair_sections(scale_mm)),
         sides_(lines.size()),
-        hatchings_(lines.size()) {}
+        hatchings_(lines.size(), ink_mm) {}
 
   /// Fails if the lines are too dense.
   [[nodiscard]] Result<std::vector<LinePair>> run() {
@@ -171,8 +171,9 @@ SectionOptions pair_sections(double scale_mm) {
   return {.step_mm = kStepShare * scale_mm, .reach_mm = kHatchingReach * kReachShare * scale_mm};
 }
 
-Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm) {
-  return PairMeter(lines, scale_mm).run();
+Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm,
+                                         double ink_mm) {
+  return PairMeter(lines, scale_mm, ink_mm).run();
 }
 
 std::array<double, kOddsTerms> odds_terms(

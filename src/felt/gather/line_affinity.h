@@ -34,7 +34,8 @@ SectionOptions pair_sections(double scale_mm);
 /// Returns all pairs of lines that lie beside each other within 6 % of `scale_mm`, sorted by a and
 /// b. Requires points in range and scale_mm > 0. Fails with kUnsupported and the position if so
 /// many lines lie on each other that the comparison would take more than 400 million tests.
-Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm);
+Result<std::vector<LinePair>> line_pairs(std::span<const RoughLine> lines, double scale_mm,
+                                         double ink_mm = 0.0);
 
 /// Returns the logarithm of the odds that both lines of a pair belong to the same strip: positive
 /// if they probably do.

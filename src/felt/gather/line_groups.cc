@@ -115,7 +115,7 @@ Result<std::vector<std::uint32_t>> groups_at_scale(std::span<const RoughLine> li
     index_of[i] = static_cast<std::uint32_t>(unique.size());
     unique.push_back(lines[i]);
   }
-  const Result<std::vector<LinePair>> pairs = line_pairs(unique, scale_mm);
+  const Result<std::vector<LinePair>> pairs = line_pairs(unique, scale_mm, options.ink_mm);
   if (!pairs) return tl::unexpected(pairs.error());
   std::vector<std::uint32_t> groups = GroupMerger(unique.size(), *pairs, options).run();
   std::vector<std::uint32_t> result(lines.size());

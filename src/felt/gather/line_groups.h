@@ -18,6 +18,8 @@ struct GroupOptions {
   /// Keeps the lines of hatchings (HatchingFinder) apart. Switch it off for lines that the user has
   /// chosen to gather.
   bool keeps_hatchings = true;
+  /// The usual width of the lines, in mm: parallels whose ink nearly touches are no hatching.
+  double ink_mm = 0.0;
 };
 
 /// Finds the rough lines that a person drew as one line, and returns the group of each line: groups
