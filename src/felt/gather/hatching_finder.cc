@@ -26,6 +26,7 @@ struct HatchingKind {
 /// The values leave the groups of the labelled drawings of StrokeStrip as they are
 /// (docs/design/gather.md).
 constexpr HatchingKind kKinds[] = {{2, 0.02, 0.15, 0.8, 1.5, 0.015},  // parallels
+                                   {2, 0.6, 0.05, 0.8, 1.5, 0.015},   // bent parallels
                                    {4, 0.05, 0.3, 0.5, 0.0, 0.0},     // straight lines
                                    {5, 0.5, 0.2, 0.5, 0.0, 0.0}};     // bent lines
 

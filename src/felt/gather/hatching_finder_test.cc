@@ -115,6 +115,15 @@ RC_GTEST_PROP(HatchingFinder, AnyBentHatchingStaysAsItIs, (std::uint32_t seed)) 
   RC_ASSERT(group_count(lines) == lines.size());
 }
 
+TEST(HatchingFinder, BentParallelsStayAsTheyAre) {
+  for (const int count : {2, 3}) {
+    for (const bool is_fan : {false, true}) {
+      EXPECT_EQ(group_count(bent_hatching(count, 3.0, is_fan, 0.0, 1), {.ink_mm = 0.5}),
+                static_cast<std::size_t>(count));
+    }
+  }
+}
+
 TEST(HatchingFinder, StavesStayAsTheyAre) {
   for (const int staves : {1, 2, 6}) {
     TestRandom random(7);
