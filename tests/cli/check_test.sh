@@ -64,3 +64,21 @@ run 2 "$feltline" check good.ndjson
 run 2 "$feltline" check --tactile
 
 finish
+
+# The trips that draw flat ends and pointed corners are no lines, in a check or in a conversion.
+cat >flat.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">
+<g fill="none" stroke="#000" stroke-width="6"><path d="M20 20H80"/><path d="M20 60L50 45L80 60"/>
+<path d="M20 90H80V140H20Z"/></g></svg>
+SVG
+run 0 "$feltline" check --tactile flat.svg
+has out "flat.svg: no faults"
+for to in ndjson xopp inkml; do
+  run 0 "$feltline" convert flat.svg -o "flat.$to"
+  has err "flat.$to: 3 strokes with flat ends or pointed corners became round"
+  run 0 "$feltline" convert "flat.$to" --to ndjson
+  [ "$(python3 -c 'import json
+print(*(len(json.loads(line)["segments"]) for line in open("out")))')" = "1 2 4" ] || fail "$to: $(head -c 300 out)"
+done
+run 0 "$feltline" convert flat.ndjson -o again.xopp
+is_empty err

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "felt/base/atomic_file.h"
@@ -17,6 +18,7 @@
 #include "felt/io/xopp/xopp_writer.h"
 #include "felt/render/page_painter.h"
 #include "felt/store/felt_file.h"
+#include "felt/stroke/edit/corner_trips.h"
 
 namespace felt {
 namespace {
@@ -60,17 +62,41 @@ std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
   return std::make_unique<WholeFile>(std::move(bytes));
 }
 
-/// Returns the drawing with the opacity of each layer and its group applied to its strokes and
-/// fills, for formats without translucent layers. Where those of such a layer overlap, they show
-/// through.
-Drawing with_faded_strokes(const Drawing& drawing) {
-  Drawing faded = drawing;
-  Edit edit{"Fade", {}, {}};
-  std::size_t position = 0;
-  for (const Layer& layer : drawing.document.layers()) {
-    const std::size_t at = position++;
-    const double opacity = layer.opacity * (layer.group ? layer.group->opacity : 1.0);
-    if (opacity == 1.0) continue;
+/// What a format cannot hold of a drawing, so that its strokes must change.
+struct PlainNeeds {
+  bool fades = false;   ///< it has no translucent layers
+  bool rounds = false;  ///< it has only round ends and corners
+
+  static PlainNeeds of(FileFormat format) {
+    PlainNeeds needs;
+    needs.fades = format == FileFormat::kXopp || format == FileFormat::kNdjson;
+    needs.rounds = needs.fades || format == FileFormat::kInkml;
+    return needs;
+  }
+};
+
+double opacity_of(const Layer& layer) {
+  return layer.opacity * (layer.group ? layer.group->opacity : 1.0);
+}
+
+/// Returns the stroke with this opacity, or nullptr if nothing changes.
+StrokePtr plain_stroke(const Stroke& stroke, PlainNeeds needs, double opacity) {
+  std::optional<Stroke> plain;
+  if (needs.rounds) plain = without_corner_trips(stroke);
+  if (opacity != 1.0) {
+    StrokeData data = (plain ? *plain : stroke).data();
+    data.color.a = static_cast<std::uint8_t>(std::lround(opacity * data.color.a));
+    plain = Stroke::create(std::move(data)).value();
+  }
+  return plain ? std::make_shared<const Stroke>(*std::move(plain)) : nullptr;
+}
+
+/// Adds the change of a layer to an edit: its opacity and that of its group go to its strokes and
+/// fills. Where those of such a layer overlap, they show through.
+void make_plain(const Document& document, std::size_t at, PlainNeeds needs, Edit& edit) {
+  const Layer& layer = document.layers()[at];
+  const double opacity = needs.fades ? opacity_of(layer) : 1.0;
+  if (opacity != 1.0) {
     LayerState state = layer.state();
     state.opacity = 1.0;
     if (state.group) {
@@ -79,30 +105,33 @@ Drawing with_faded_strokes(const Drawing& drawing) {
       state.group = std::make_shared<const LayerGroup>(std::move(group));
     }
     edit.layers.push_back({layer.id, layer.state(), std::move(state), at, at});
-    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
-      const StrokePtr stroke = drawing.document.find(layer.strokes[i]);
-      StrokeData data = stroke->data();
-      data.color.a = static_cast<std::uint8_t>(std::lround(opacity * data.color.a));
-      const StrokePlace place{layer.id, i};
-      edit.changes.push_back(
-          {layer.strokes[i], stroke,
-           std::make_shared<const Stroke>(Stroke::create(std::move(data)).value()), place, place});
-    }
-    for (std::size_t i = 0; i < layer.fills.size(); ++i) {
-      const FillPtr fill = drawing.document.find_fill(layer.fills[i]);
-      Fill other = *fill;
-      other.color.a = static_cast<std::uint8_t>(std::lround(opacity * other.color.a));
-      const StrokePlace place{layer.id, i};
-      edit.fills.push_back(
-          {layer.fills[i], fill, std::make_shared<const Fill>(std::move(other)), place, place});
-    }
   }
-  FELT_CHECK(faded.document.apply(edit).has_value());
-  return faded;
+  for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+    const StrokePtr stroke = document.find(layer.strokes[i]);
+    StrokePtr plain = plain_stroke(*stroke, needs, opacity);
+    const StrokePlace place{layer.id, i};
+    if (plain) edit.changes.push_back({layer.strokes[i], stroke, std::move(plain), place, place});
+  }
+  for (std::size_t i = 0; opacity != 1.0 && i < layer.fills.size(); ++i) {
+    const FillPtr fill = document.find_fill(layer.fills[i]);
+    Fill other = *fill;
+    other.color.a = static_cast<std::uint8_t>(std::lround(opacity * other.color.a));
+    const StrokePlace place{layer.id, i};
+    edit.fills.push_back(
+        {layer.fills[i], fill, std::make_shared<const Fill>(std::move(other)), place, place});
+  }
 }
 
-/// Same as drawing_parts(), for a drawing whose strokes have the opacity of their layers if they
-/// must.
+/// Returns the edit after which a format can hold the strokes of a drawing.
+Edit plain_edit(const Document& document, FileFormat format) {
+  Edit edit{"Make plain", {}, {}};
+  const PlainNeeds needs = PlainNeeds::of(format);
+  if (!needs.fades && !needs.rounds) return edit;
+  for (std::size_t i = 0; i < document.layers().size(); ++i) make_plain(document, i, needs, edit);
+  return edit;
+}
+
+/// Same as drawing_parts(), for a drawing whose strokes the format can hold.
 Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, FileFormat format,
                                                         const WriteOptions& options);
 
@@ -127,15 +156,6 @@ class PartsOfCopy final : public DrawingParts {
   Drawing drawing_;
   std::unique_ptr<DrawingParts> parts_;
 };
-
-/// Returns true if the format cannot show a translucent layer as a whole.
-bool must_fade_strokes(const Drawing& drawing, FileFormat format) {
-  const std::span<const Layer> layers = drawing.document.layers();
-  const bool has_lines_only = format == FileFormat::kXopp || format == FileFormat::kNdjson;
-  return has_lines_only && std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
-           return layer.opacity < 1.0 || (layer.group && layer.group->opacity < 1.0);
-         });
-}
 
 Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, FileFormat format,
                                                         const WriteOptions& options) {
@@ -175,10 +195,13 @@ Result<std::unique_ptr<DrawingParts>> parts_as_they_are(const Drawing& drawing, 
 
 Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options) {
-  if (!must_fade_strokes(drawing, format)) {
+  const Edit edit = plain_edit(drawing.document, format);
+  if (edit.layers.empty() && edit.changes.empty()) {
     return parts_as_they_are(drawing, format, options);
   }
-  auto parts = std::make_unique<PartsOfCopy>(with_faded_strokes(drawing));
+  Drawing plain = drawing;
+  FELT_CHECK(plain.document.apply(edit).has_value());
+  auto parts = std::make_unique<PartsOfCopy>(std::move(plain));
   return parts->begin(format, options).map([&]() -> std::unique_ptr<DrawingParts> {
     return std::move(parts);
   });

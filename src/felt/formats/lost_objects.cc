@@ -1,7 +1,10 @@
 #include "felt/formats/lost_objects.h"
 
+#include <algorithm>
+
 #include "felt/formats/format_traits.h"
 #include "felt/io/import.h"
+#include "felt/stroke/edit/corner_trips.h"
 
 namespace felt {
 namespace {
@@ -18,12 +21,14 @@ struct Kept {
     motion = format == FileFormat::kFelt || is_picture;
     media = format != FileFormat::kXopp;
     materials = media && format != FileFormat::kNdjson;
+    sharp_ends = fills;
   }
   bool fills, pictures;
   bool blends;              ///< also the opacity of layers
   bool is_layered_picture;  ///< groups, locks and names are kept or not seen
   bool motion;              ///< timings, body edits, guides and symmetry groups
   bool media, materials;
+  bool sharp_ends;  ///< flat ends and pointed corners
 };
 
 void add_group(const LayerGroup& group, bool has_layers, LostObjects& lost) {
@@ -46,6 +51,13 @@ std::size_t media_of(const Document& document, const Layer& layer) {
     if (document.find(id)->medium() != kSolidMedium) ++count;
   }
   return count;
+}
+
+/// Counts the strokes with flat ends or pointed corners.
+std::size_t sharp_ends_of(const Document& document, const Layer& layer) {
+  return static_cast<std::size_t>(std::count_if(
+      layer.strokes.begin(), layer.strokes.end(),
+      [&](StrokeId id) { return without_corner_trips(*document.find(id)).has_value(); }));
 }
 
 }  // namespace
@@ -77,6 +89,7 @@ LostObjects lost_objects(const Drawing& drawing, FileFormat format, bool compact
     if (!kept.pictures && layer.picture) ++lost.pictures;
     if (!kept.motion && layer.timing) ++lost.timings;
     if (!kept.media) lost.media += media_of(document, layer);
+    if (!kept.sharp_ends) lost.sharp_ends += sharp_ends_of(document, layer);
     const bool begins_group = layer.group && (!last || last->id != layer.group->id);
     last = layer.group.get();
     if (kept.is_layered_picture) continue;
@@ -120,6 +133,9 @@ std::vector<std::string> loss_texts(const LostObjects& lost) {
       {lost.guides, "# guide was left out", "# guides were left out", none},
       {lost.symmetries, "# symmetry group was dissolved", "# symmetry groups were dissolved",
        ", because the format has none; the strokes stay"},
+      {lost.sharp_ends, "# stroke with flat ends or pointed corners became round",
+       "# strokes with flat ends or pointed corners became round",
+       ", because the format has only round ones"},
       {lost.media, "the medium of # stroke became a plain pen",
        "the media of # strokes became a plain pen", none},
       {lost.materials, "# custom material was left out", "# custom materials were left out", none},

@@ -24,6 +24,7 @@ struct LostObjects {
   std::size_t locks = 0;       ///< locked layers, which become unlocked
   std::size_t hidden_strokes = 0;  ///< strokes of hidden layers, which are left out
   std::size_t shown_strokes = 0;   ///< strokes of hidden layers, which become visible
+  std::size_t sharp_ends = 0;      ///< strokes whose flat ends and pointed corners become round
   std::size_t media = 0;           ///< strokes of a medium that becomes a plain pen
   std::size_t materials = 0;       ///< texts of custom materials
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/stroke/edit/corner_trips.h"
+
 namespace felt {
 namespace {
 
@@ -13,20 +15,6 @@ int steps_of(const Cubic& c) noexcept {
   const double leg =
       std::max({distance(c.p[0], c.p[1]), distance(c.p[1], c.p[2]), distance(c.p[2], c.p[3])});
   return std::max(1, static_cast<int>(std::ceil(3.0 * leg / TouchLine::kStepMm)));
-}
-
-/// Returns true if segment i and the next one are a short trip to a pointed corner or a corner of a
-/// flat end, and back: the ink narrows to a point, and the line returns along itself. Files write
-/// such corners like this (docs/formats/svg.md).
-bool is_corner_trip(const Stroke& stroke, int i) {
-  constexpr double kSameMm = 1e-3;       // files round coordinates
-  constexpr double kPointedShare = 0.5;  // of the width, at the tip
-  if (i + 1 >= stroke.segment_count()) return false;
-  const double width = std::min(stroke.width_mm(i), stroke.width_mm(i + 2.0));
-  if (!(stroke.width_mm(i + 1.0) < kPointedShare * width)) return false;
-  const Cubic out = stroke.segment(i), back = reversed(stroke.segment(i + 1));
-  return std::equal(out.p.begin(), out.p.end(), back.p.begin(),
-                    [](Point a, Point b) { return distance(a, b) <= kSameMm; });
 }
 
 }  // namespace

@@ -207,6 +207,20 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
   EXPECT_EQ(areas[0].color, (Rgba{255, 0, 0, 255}));
 }
 
+TEST(SvgForeign, OnlyCornersThatShowAreNamed) {
+  const auto notices = [](const std::string& d) {
+    return notice_lines(
+        imported(svg("<path stroke='red' fill='none' stroke-linecap='round' d='" + d + "'/>")));
+  };
+  for (const char* smooth : {"M0 5A5 5 0 0 1 10 5A5 5 0 0 1 0 5Z", "M0 0C3 0 6 1 9 1S15 0 18 0",
+                             "M0 0H9H20", "M5 5Z", "M0 0H5L10 0.5"}) {
+    EXPECT_THAT(notices(smooth), Not(HasSubstr("corners"))) << smooth;
+  }
+  for (const char* angular : {"M0 0H9V9", "M0 0H9V9Z", "M0 0C3 3 6 3 9 0Z", "M0 0H9L0 1"}) {
+    EXPECT_THAT(notices(angular), HasSubstr("corners")) << angular;
+  }
+}
+
 TEST(SvgForeign, LayersOfInkscape) {
   const std::string path = "<path" + std::string(kLine) + " d='M1 1h9'/>";
   const Imported drawing = imported(svg(

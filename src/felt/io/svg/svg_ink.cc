@@ -214,18 +214,28 @@ void set_widths(std::vector<WidthKnot>& knots, const SvgCenterLine& line,
   }
 }
 
+/// Returns true if the line turns at a joint by an angle that shows: up to 10 degrees, a pointed
+/// corner reaches at most 0.4 % of half the width beyond a round one.
+bool has_corner(const SvgContour& contour) {
+  constexpr double kSeenDeg = 10.0;
+  const std::size_t joints = contour.segment_count() - (contour.closed ? 0 : 1);
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (svg_joint_angle_deg(contour.points, i) > kSeenDeg) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void SvgInk::notice_ends(const SvgShape& shape) {
   const bool has_ends =
       !shape.line->dashes.empty() || std::any_of(shape.contours.begin(), shape.contours.end(),
                                                  [](const SvgContour& c) { return !c.closed; });
-  const bool has_joints = std::any_of(shape.contours.begin(), shape.contours.end(),
-                                      [](const SvgContour& c) { return c.segment_count() > 1; });
   if (has_ends && shape.line->cap != SvgCap::kRound) {
     say(shape, "has flat or square ends, which became round");
   }
-  if (has_joints && shape.line->join != SvgJoin::kRound) {
+  if (shape.line->join != SvgJoin::kRound &&
+      std::any_of(shape.contours.begin(), shape.contours.end(), has_corner)) {
     say(shape, "has pointed or cut corners, which became round");
   }
 }
