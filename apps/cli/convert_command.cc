@@ -5,6 +5,7 @@
 #include "drawing_output.h"
 #include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
+#include "felt/formats/joined_pieces.h"
 #include "felt/formats/lost_objects.h"
 #include "input.h"
 #include "overwrite_check.h"
@@ -22,6 +23,7 @@ struct ConvertArguments {
   std::string to;
   std::string layers;
   bool salvage = false;
+  bool join = false;
   bool compact = false;
   bool pictures = false;
   bool swell = false;
@@ -44,6 +46,9 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
       ->check(not_empty());
   command.add_flag("--salvage", args.salvage,
                    "Recover the readable parts of a damaged .felt, and report what is missing");
+  command.add_flag("--join", args.join,
+                   "Join lines of one colour that follow each other end on start: many programs\n"
+                   "write a stroke of changing width as short lines");
   command
       .add_flag("--compact", args.compact,
                 "Make a small .svg for web pages: only the visible ink, as outlines rounded to\n"
@@ -98,6 +103,18 @@ void note_losses(const Drawing& drawing, Format format, const ConvertArguments& 
   for (const std::string& text : texts) console.notice(args.output + ": " + text);
 }
 
+/// Joins the pieces of strokes if the user wants that, and prints how many there were.
+Result<void> join_lines(Drawing& drawing, const ConvertArguments& args, Console& console) {
+  if (!args.join) return {};
+  const std::size_t before = drawing.document.stroke_count();
+  const Result<std::size_t> joined = join_pieces(drawing);
+  if (!joined) return tl::unexpected(joined.error());
+  const std::size_t strokes = *joined - (before - drawing.document.stroke_count());
+  console.notice(args.output + ": " + std::to_string(*joined) + " lines became " +
+                 std::to_string(strokes) + (strokes == 1 ? " stroke" : " strokes"));
+  return {};
+}
+
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
                    PictureOptions picture, Console& console) {
   Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
@@ -110,6 +127,7 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   }
   const Result<void> done =
       choose_layers(args.layers, opened->drawing)
+          .and_then([&]() -> Result<void> { return join_lines(opened->drawing, args, console); })
           .and_then([&]() -> Result<void> {
             if (!args.swell) return {};
             return make_swell_drawing(opened->drawing, picture, args.output, console);
@@ -149,7 +167,7 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   // Compressed output, compact output, and output that shows the drawing's surface, cannot be
   // written stroke by stroke.
   const bool is_stream = input->is_lines() && !is_compressed_name(args.output) &&
-                         !picture->wants_grain && !args.compact && !args.swell;
+                         !picture->wants_grain && !args.compact && !args.swell && !args.join;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);
   convert_whole(*input, args, format, *picture, console);
 }

@@ -69,6 +69,7 @@ complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l matches -r -F
 complete -c feltline -n '__fish_seen_subcommand_from inbetween' -l lone -x -a 'fade grow' -d 'How strokes without partner come and go'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -x -a 'visible all' -d 'Layers to keep and show'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Recover the readable parts of a damaged .felt'
+complete -c feltline -n '__fish_seen_subcommand_from render convert' -l join -d 'Join lines of one colour that follow each other'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l compact -d 'Make a small .svg for web pages'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l pictures -d 'Show the pictures below layers'
 complete -c feltline -n '__fish_seen_subcommand_from render convert' -l swell -d 'Make an .svg or .pdf for swell paper'

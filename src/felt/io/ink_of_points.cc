@@ -113,8 +113,11 @@ class InkOfPoints::Pieces {
   bool after_straight_ = false;
 };
 
-InkOfPoints::InkOfPoints(const InkFitOptions& fit)
-    : fit_(fit), pencil_(fit), ruler_(drawn_line_options()) {}
+InkOfPoints::InkOfPoints(const InkFitOptions& fit, double width_tolerance_mm)
+    : fit_(fit),
+      width_tolerance_mm_(width_tolerance_mm),
+      pencil_(fit),
+      ruler_(drawn_line_options()) {}
 
 Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples) {
   return of_samples(samples, fit_.width_map);
@@ -199,7 +202,7 @@ Result<StrokeData> InkOfPoints::fitted_run() {
   const auto widest = std::max_element(run_.begin(), run_.end(), [](const auto& a, const auto& b) {
     return a.width_mm < b.width_mm;
   });
-  WidthFitter width({.tolerance_mm = kDrawnWidthToleranceMm, .max_mm = widest->width_mm});
+  WidthFitter width({.tolerance_mm = width_tolerance_mm_, .max_mm = widest->width_mm});
   for (std::size_t i = 0; i < run_.size(); ++i) width.push(curve.sample_u[i], run_[i].width_mm);
   width.finish(curve.segment_count());
   StrokeData data = data_of(curve);

@@ -34,8 +34,10 @@ inline constexpr double kRuledMm = 20.0;
 /// file. Not thread-safe.
 class InkOfPoints {
  public:
-  /// `fit` is used for pen samples. Drawn lines are fitted with the tolerances above.
-  explicit InkOfPoints(const InkFitOptions& fit);
+  /// `fit` is used for pen samples. Drawn lines are fitted with the tolerances above, or
+  /// with another one for their widths, mm.
+  explicit InkOfPoints(const InkFitOptions& fit,
+                       double width_tolerance_mm = kDrawnWidthToleranceMm);
 
   /// Converts pen samples, in mm, to the stroke that the pencil tool would have drawn. Samples at a
   /// single position become a dab. Fails if no sample is usable.
@@ -57,6 +59,7 @@ class InkOfPoints {
   Result<StrokeData> fitted_run();
 
   InkFitOptions fit_;
+  double width_tolerance_mm_;
   InkFitter pencil_;
   InkFitter ruler_;
   std::size_t inserted_ = 0;           // number of points inserted between others so far

@@ -1,0 +1,107 @@
+#include "felt/formats/joined_pieces.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "felt/document/edit_builder.h"
+#include "felt/io/ink_of_points.h"
+
+namespace felt {
+namespace {
+
+constexpr double kMeetMm = 0.02;  // files round coordinates
+constexpr double kWidthToleranceMm = 0.005;
+constexpr int kPointsPerCurve = 8;  // of a piece that is not straight
+
+bool is_piece(const Stroke& stroke) {
+  const auto widths = stroke.widths();
+  return stroke.segment_count() == 1 && !stroke.closed() &&
+         std::all_of(widths.begin(), widths.end(), [&](const WidthKnot& knot) {
+           return knot.width_mm == widths.front().width_mm;
+         });
+}
+
+bool follows(const Stroke& before, const Stroke& after) {
+  return distance(before.position(1.0), after.position(0.0)) <= kMeetMm &&
+         before.color() == after.color() && before.medium() == after.medium();
+}
+
+/// Returns the points of pieces that follow each other. Each piece has its width in the middle.
+std::vector<WidePoint> line_of(const std::vector<StrokePtr>& pieces) {
+  std::vector<WidePoint> line{{pieces.front()->position(0.0), pieces.front()->width_mm(0.0)}};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Stroke& piece = *pieces[i];
+    const double width_mm = piece.width_mm(0.5);
+    const double next_mm = i + 1 < pieces.size() ? pieces[i + 1]->width_mm(0.5) : width_mm;
+    for (int k = 1; k < kPointsPerCurve; ++k) {
+      line.push_back({piece.position(static_cast<double>(k) / kPointsPerCurve), width_mm});
+    }
+    line.push_back({piece.position(1.0), 0.5 * (width_mm + next_mm)});
+  }
+  return line;
+}
+
+/// Joins the pieces of a document.
+class Joiner {
+ public:
+  explicit Joiner(const Document& document)
+      : document_(document), edit_(document), ink_({}, kWidthToleranceMm) {}
+
+  Result<void> add(const Layer& layer) {
+    for (const StrokeId id : layer.strokes) {
+      StrokePtr stroke = document_.find(id);
+      const bool is_next = is_piece(*stroke);
+      if (!is_next || pieces_.empty() || !follows(*pieces_.back(), *stroke)) {
+        if (Result<void> done = finish(); !done) return done;
+      }
+      if (!is_next) continue;
+      ids_.push_back(id);
+      pieces_.push_back(std::move(stroke));
+    }
+    return finish();
+  }
+  [[nodiscard]] std::size_t joined() const { return joined_; }
+  [[nodiscard]] Edit edit() && { return std::move(edit_).build("Join"); }
+
+ private:
+  /// Replaces the collected pieces by one stroke.
+  Result<void> finish() {
+    const std::vector<StrokeId> ids = std::exchange(ids_, {});
+    const std::vector<StrokePtr> pieces = std::exchange(pieces_, {});
+    if (ids.size() < 2) return {};
+    Result<StrokeData> data = ink_.of_line(line_of(pieces));
+    if (!data) return tl::unexpected(data.error());
+    data->color = pieces.front()->color();
+    data->medium = pieces.front()->medium();
+    Result<Stroke> stroke = Stroke::create(*std::move(data));
+    if (!stroke) return tl::unexpected(stroke.error());
+    edit_.replace(ids.front(), std::make_shared<const Stroke>(*std::move(stroke)));
+    for (std::size_t i = 1; i < ids.size(); ++i) edit_.remove(ids[i]);
+    joined_ += ids.size();
+    return {};
+  }
+
+  const Document& document_;
+  EditBuilder edit_;
+  InkOfPoints ink_;
+  std::vector<StrokeId> ids_;
+  std::vector<StrokePtr> pieces_;
+  std::size_t joined_ = 0;
+};
+
+}  // namespace
+
+Result<std::size_t> join_pieces(Drawing& drawing) {
+  Joiner joiner(drawing.document);
+  for (const Layer& layer : drawing.document.layers()) {
+    if (Result<void> added = joiner.add(layer); !added) return tl::unexpected(added.error());
+  }
+  const std::size_t joined = joiner.joined();
+  if (Result<void> applied = drawing.document.apply(std::move(joiner).edit()); !applied) {
+    return tl::unexpected(applied.error());
+  }
+  return joined;
+}
+
+}  // namespace felt
