@@ -69,9 +69,9 @@ void StrokeIndex::update(const Edit& edit, const Document& document) {
     if (c.before) unindexed_.take_around(*c.before, near);
   }
   index(near);
+  remove_tips(edit);
   for (const StrokeChange& c : edit.changes) {
-    if (c.before) remove(c.id, *c.before);
-    if (!c.after) continue;
+    if (!c.after || c.before == c.after) continue;  // only its place among the strokes changed
     measure(*c.after);
     add_tips(c.id, *c.after);
   }
@@ -137,21 +137,27 @@ void StrokeIndex::add_tips(StrokeId id, const Stroke& stroke) const {
   }
 }
 
-void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
-  if (stroke.closed()) return;
-  for (StrokeTip tip : kTips) {
-    const Point p = tip_point(stroke, tip);
-    const auto cell = cells_.find(grid_cell(p, cell_mm_));
-    if (cell == cells_.end()) continue;
-    auto& entries = cell->second;
-    const TipId wanted{id, tip};
-    const auto entry = std::find_if(entries.begin(), entries.end(),
-                                    [&](const Entry& e) { return e.id == wanted; });
-    if (entry == entries.end()) continue;
-    *entry = entries.back();
-    entries.pop_back();
-    if (entries.empty()) cells_.erase(cell);
-    --tips_;
+/// Removes the ends of the strokes that the edit changes. Visits each cell once, because all
+/// strokes of a large edit may end in one cell.
+void StrokeIndex::remove_tips(const Edit& edit) {
+  std::vector<std::pair<CellAddress, TipId>> gone;
+  for (const StrokeChange& c : edit.changes) {
+    if (!c.before || c.before == c.after || c.before->closed()) continue;
+    for (StrokeTip tip : kTips) {
+      gone.push_back({grid_cell(tip_point(*c.before, tip), cell_mm_), {c.id, tip}});
+    }
+  }
+  std::sort(gone.begin(), gone.end());
+  for (auto first = gone.begin(); first != gone.end();) {
+    const auto last = std::find_if(first, gone.end(),
+                                   [&](const auto& other) { return other.first != first->first; });
+    if (const auto cell = cells_.find(first->first); cell != cells_.end()) {
+      tips_ -= std::erase_if(cell->second, [&](const Entry& entry) {
+        return std::binary_search(first, last, std::pair(first->first, entry.id));
+      });
+      if (cell->second.empty()) cells_.erase(cell);
+    }
+    first = last;
   }
 }
 

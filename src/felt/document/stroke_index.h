@@ -148,7 +148,7 @@ class StrokeIndex {
   void add_tips(StrokeId id, const Stroke& stroke) const;
   void index_strokes_in(const Rect& area) const;
   void index(std::span<const UnindexedStrokes::Entry> entries) const;
-  void remove(StrokeId id, const Stroke& stroke);
+  void remove_tips(const Edit& edit);
 
   [[nodiscard]] std::optional<StrokeHit> nearest_within(Point place, double radius_mm,
                                                         StrokeReach reach) const;

@@ -213,19 +213,20 @@ Edit removed_group(const Document& document, LayerRange range) {
   return edit;
 }
 
-Edit copied_group(const Document& document, LayerRange range) {
+Result<Edit> copied_group(const Document& document, LayerRange range) {
+  const Result<CopiedStrokes> copies =
+      copied_strokes(document, document.layers().subspan(range.first, range.size()));
+  if (!copies) return tl::unexpected(copies.error());
   LayerGroup group = *document.layers()[range.first].group;
   group.id = document.new_group_id();
   group.name = copied_name(group.name);
   const auto shared = std::make_shared<const LayerGroup>(std::move(group));
-  const CopiedStrokes copies =
-      copied_strokes(document, document.layers().subspan(range.first, range.size()));
   Edit edit{label_of(Do::kDuplicate), {}, {}};
   for (std::size_t i = range.first; i < range.last; ++i) {
     const Layer& layer = document.layers()[i];
     LayerState state = layer.state();
     state.group = shared;
-    add_copy(document, layer, std::move(state), i + range.size(), copies, edit);
+    add_copy(document, layer, std::move(state), i + range.size(), *copies, edit);
   }
   return edit;
 }

@@ -7,6 +7,7 @@
 
 #include "felt/base/utf8.h"
 #include "felt/document/edit_builder.h"
+#include "felt/session/copy_limit.h"
 #include "felt/session/group_edit.h"
 
 namespace felt {
@@ -99,12 +100,13 @@ KeyTimingPtr merged_timing(const Layer& below, const Layer& layer) {
 }
 
 /// Returns an edit that adds a copy of the layer with all its strokes and fills above it.
-Edit copy_of(const Document& document, const Layer& layer) {
+Result<Edit> copy_of(const Document& document, const Layer& layer) {
+  const Result<CopiedStrokes> copies = copied_strokes(document, {&layer, 1});
+  if (!copies) return tl::unexpected(copies.error());
   LayerState state = layer.state();
   state.name = copied_name(state.name);
   Edit edit{label_of(Do::kDuplicate), {}, {}};
-  add_copy(document, layer, std::move(state), document.layer_index(layer.id) + 1,
-           copied_strokes(document, {&layer, 1}), edit);
+  add_copy(document, layer, std::move(state), document.layer_index(layer.id) + 1, *copies, edit);
   return edit;
 }
 
@@ -264,7 +266,12 @@ void keep_one_open(const Document& document, Edit& edit) {
   if (!other_is_open) edit.layers.push_back(new_layer(document, {}, count));
 }
 
-CopiedStrokes copied_strokes(const Document& document, std::span<const Layer> layers) {
+Result<CopiedStrokes> copied_strokes(const Document& document, std::span<const Layer> layers) {
+  InkSize size;
+  for (const Layer& layer : layers) size.add(document, layer);
+  if (Result<void> fits = check_copies(document, size); !fits) {
+    return tl::unexpected(fits.error());
+  }
   CopiedStrokes copies;
   std::size_t made = 0;
   for (const Layer& layer : layers) {

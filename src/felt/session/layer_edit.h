@@ -61,8 +61,8 @@ void keep_one_open(const Document& document, Edit& edit);
 using CopiedStrokes = std::map<StrokeId, StrokeId>;
 
 /// Returns the ids that add_copy() gives to the strokes of these layers, if it is called for each
-/// of them in this order.
-CopiedStrokes copied_strokes(const Document& document, std::span<const Layer> layers);
+/// of them in this order. Fails if check_copies() refuses the copies.
+Result<CopiedStrokes> copied_strokes(const Document& document, std::span<const Layer> layers);
 
 /// Adds a copy of a layer with all its strokes and fills to `edit`, at the position `index` and
 /// with this state. The pieces of the copied fills and the pairs of the timing name the copies of

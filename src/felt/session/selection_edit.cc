@@ -8,6 +8,7 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/session/copy_limit.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/edit/mend_joints.h"
 
@@ -77,12 +78,20 @@ Edit delete_edit(const Document& document, const Selection& selection) {
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection) {
   EditBuilder builder(document);
   if (selection.empty()) return std::move(builder).build("Duplicate");
+  const auto is_chosen = [&](StrokeId id) { return selection.is_whole(id); };
+  InkSize size;
+  for (const auto& [id, marks] : selection.strokes()) {
+    if (is_chosen(id)) size.add(*document.find(id));
+  }
+  if (Result<void> fits = check_copies(document, size); !fits) {
+    return tl::unexpected(fits.error());
+  }
   const Vec shift{kDuplicateShiftMm, kDuplicateShiftMm};
   std::map<StrokeId, StrokeId> copies;
   // Visits the strokes in drawing order, because a selection does not store it.
   for (const Layer& layer : document.layers()) {
     for (const StrokeId id : layer.strokes) {
-      if (!selection.is_whole(id)) continue;
+      if (!is_chosen(id)) continue;
       StrokeData data = document.find(id)->data();
       for (Point& p : data.points) p = p + shift;
       Result<Stroke> copy = Stroke::create(std::move(data));

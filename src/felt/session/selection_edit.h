@@ -25,7 +25,7 @@ Edit delete_edit(const Document& document, const Selection& selection);
 /// Copies the strokes that are wholly selected, in drawing order, to the top of their layers. The
 /// copies are shifted by kDuplicateShiftMm. The edit is empty if no stroke is wholly selected.
 /// Fails if a shifted stroke breaks an invariant: at very large coordinates, rounding can make its
-/// points invalid. The message names the stroke.
+/// points invalid. The message names the stroke. Also fails if check_copies() refuses the copies.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
 /// Moves the strokes that are wholly selected. The edit is empty if no stroke is wholly selected or

@@ -158,6 +158,45 @@ TEST(SessionSelection, DeleteRemovesWhatIsWhollySelected) {
   EXPECT_EQ(fixture.session.document(), before);
 }
 
+/// Returns strokes with 1,000 segments each.
+Document long_strokes(int count) {
+  StrokeData data;
+  data.points.push_back({0, 0});
+  for (int i = 0; i < 1000; ++i) {
+    const Cubic c = straight(data.points.back(), {0.1 * (i + 1), 0.0});
+    data.points.insert(data.points.end(), c.p.begin() + 1, c.p.end());
+    if (i > 0) data.joints.push_back(JointKind::kCorner);
+  }
+  data.widths = {{0.0, 0.5}, {1000.0, 0.5}};
+  const auto stroke = std::make_shared<const Stroke>(Stroke::create(data).value());
+  Document document;
+  EditBuilder builder(document);
+  for (int i = 0; i < count; ++i) builder.add({1}, stroke);
+  EXPECT_TRUE(document.apply(std::move(builder).build("Add")));
+  return document;
+}
+
+/// Each copy of everything doubles a drawing. Without a session, which would index all segments.
+TEST(SessionSelection, CopiesStopBeforeTheyFillTheMemory) {
+  const LayerEvent duplicate{Do::kDuplicate, {1}, {}};
+  Document document = long_strokes(1000);
+  int doubled = 0;
+  for (; doubled < 10; ++doubled) {
+    const Result<Edit> copy = layer_edit(document, duplicate, {1});
+    if (!copy) {
+      EXPECT_THAT(copy.error().message, ::testing::HasSubstr("stop at 1000000 and 20000000"));
+      break;
+    }
+    ASSERT_TRUE(document.apply(*copy));
+    const LayerEvent merge{Do::kMerge, document.layers().back().id, {}};
+    ASSERT_TRUE(document.apply(layer_edit(document, merge, {1}).value()));
+  }
+  EXPECT_EQ(doubled, 2) << "to 12,004,000 control points";
+  const Result<Edit> refused = duplicate_edit(document, selected(document, {}, What::kAll));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, ::testing::HasSubstr("would have 8000 strokes"));
+}
+
 TEST(SessionSelection, DuplicateAddsShiftedCopiesWhichAreSelectedThen) {
   CommandFixture fixture;
   fixture.line(0, 0);
