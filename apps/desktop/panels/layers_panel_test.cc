@@ -210,9 +210,21 @@ TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
   EXPECT_EQ(said.count(), 1);
   fixture.click(LayerDelegate::eye_of(fixture.row(2)).center());
   said.clear();
-  fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+  for (const bool locks : {true, false, true}) {
+    fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+    EXPECT_EQ(fixture.layer(3)->locked, locks) << "the second click unlocks it again";
+    EXPECT_EQ(fixture.list->model()->rowCount(), 3);
+    EXPECT_EQ(fixture.panel.chosen(), LayerId{3});
+  }
+  EXPECT_EQ(said.count(), 0);
+  testing::draw_lines(fixture.studio, 1);
   EXPECT_EQ(fixture.list->model()->rowCount(), 4);
-  EXPECT_EQ(said.count(), 1) << "a layer came by itself";
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{4});
+  ASSERT_EQ(said.count(), 1) << "a layer came by itself";
+  EXPECT_TRUE(said.front().front().toString().contains(QStringLiteral("Layer 4")));
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(fixture.list->model()->rowCount(), 3) << "one step";
+  EXPECT_EQ(said.count(), 1);
 }
 
 TEST(LayersPanel, TheSliderSetsTheOpacityOfTheHighlightedLayerAsOneStep) {

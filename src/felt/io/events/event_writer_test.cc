@@ -311,7 +311,8 @@ Event any_event(std::int64_t time_ns) {
       event.what = *rc::gen::arbitrary<bool>() ? UseView{} : UseView{{{1}, {7}}};
       break;
     case 15:
-      event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};
+      event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place(),
+                              *rc::gen::inRange(0, 1001) / 1000.0};
       break;
     default:
       event.what = ImportEvent{*event_texts(), *rc::gen::arbitrary<bool>()};
