@@ -1695,7 +1695,8 @@ const topics = {
       for (const id of [1, 2, 1, 1]) await press(`[data-mark=lock-${id}]`);
       assert.equal((await state()).layers.length, 2);
       await tab.stroke(wave(200, 300));
-      assert.equal((await state()).layers.length, 3);
+      await tab.until(() => feltlinePage.core.state().layers.length === 3);
+      await tab.frames(3);
       assert.match(await notice_of(tab), /All layers were hidden or locked, so .* was added/);
     });
   },
