@@ -372,6 +372,8 @@ export interface State {
   }[];
   /** The groups of layers, highest first. */
   groups: { id: number; name: string; visible: boolean; locked: boolean; opacity: number; blend: string }[];
+  /** The number of layers that were added because ink needed one. */
+  inkLayers: number;
   undo: string | null;
   redo: string | null;
   strokes: number;

@@ -222,6 +222,7 @@ class Page {
     else if (has_content(this.core.state())) {
       this.say(t('Restored the drawing of your last visit.') + (this.others.length > 0 ? ` ${t('Other drawings are in the menu.')}` : ''));
     }
+    this.layers.ink_layers = this.core.state().inkLayers;  // those of the last visit were announced then
     this.wake();
   }
 

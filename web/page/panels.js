@@ -116,8 +116,11 @@ export class LayersPanel {
       this.list, this.keys);
   }
 
-  show({ layers, groups }) {
+  show({ layers, groups, inkLayers }) {
     const current = layers.find((layer) => layer.current) ?? layers[0];
+    const known = this.ink_layers ?? inkLayers;
+    this.ink_layers = inkLayers;
+    if (inkLayers > known) this.page.say(word('All layers were hidden or locked, so “%1” was added to draw on.', current.name));
     if (current.id !== this.current?.id) this.chosen = null;
     this.current = current;
     this.layers = layers;
@@ -163,11 +166,7 @@ export class LayersPanel {
   }
 
   apply(what, values = {}, target = this.target()) {
-    const { page } = this, count = () => page.core?.state().layers.length ?? 0, before = count();
-    page.apply({ event: 'layer', do: what, ...target, ...values });
-    if (!['hide', 'lock'].includes(what) || count() <= before) return;
-    const added = page.core.state().layers.find(({ current }) => current);
-    page.say(word('All layers were hidden or locked, so “%1” was added to draw on.', added.name));
+    this.page.apply({ event: 'layer', do: what, ...target, ...values });
   }
 
   /** Dissolves the chosen group, takes the chosen layer out of its group, or groups it with the one below. */

@@ -159,8 +159,13 @@ QString Canvas::view_text() const {
 
 bool Canvas::shows_first_minute() const {
   const Session& session = studio_.session();
-  return has_first_hints_ && session.document().stroke_count() == 0 &&
-         !session.gesture_in_progress() && shown_->overlay.ink.empty() && !shown_->wet.is_drying();
+  const Document& document = session.document();
+  const auto layers = document.layers();
+  const bool is_empty =
+      document.stroke_count() == 0 && document.fill_count() == 0 &&
+      std::none_of(layers.begin(), layers.end(), [](const Layer& l) { return l.picture; });
+  return has_first_hints_ && is_empty && !session.gesture_in_progress() &&
+         shown_->overlay.ink.empty() && !shown_->wet.is_drying();
 }
 
 bool Canvas::shows_first_hints() const {

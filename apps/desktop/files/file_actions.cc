@@ -205,6 +205,10 @@ bool FileActions::open(const QString& given) {
     if (!may_replace()) return false;
     if (changed_at(path) != read_at) opened = read(path);  // the user has just saved to this file
   }
+  // A photo is not a drawing, but one can draw over it.
+  if (!opened && is_picture_path(path) && QFileInfo(path).isFile()) {
+    return pictures_->add_file(path);
+  }
   if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be opened").arg(QFileInfo(path).fileName()),
                          error_words(opened.error()), text_of(opened.error()));

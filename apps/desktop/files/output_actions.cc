@@ -19,6 +19,9 @@
 namespace felt::desktop {
 namespace {
 
+/// About as many dots per inch as a preview shows of a whole page.
+constexpr double kPreviewDpi = 100.0;
+
 /// Returns a printer whose paper has the size of the page.
 std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& name) {
   auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
@@ -100,8 +103,8 @@ void OutputActions::print() {
   if (dialog.exec() == QDialog::Accepted) print_to(*printer, drawing);
 }
 
-bool OutputActions::print_to(QPrinter& printer, const Drawing& drawing) {
-  const Result<void> done = print_drawing(printer, drawing);
+bool OutputActions::print_to(QPrinter& printer, const Drawing& drawing, double max_dpi) {
+  const Result<void> done = print_drawing(printer, drawing, max_dpi);
   if (!done) {
     files_.dialogs().show_error(window_, tr("“%1” was not printed").arg(files_.display_name()),
                                 error_words(done.error()),
@@ -120,7 +123,7 @@ void OutputActions::preview() {
   }
   bool has_failed = false;
   connect(&dialog, &QPrintPreviewDialog::paintRequested, this, [&](QPrinter* target) {
-    if (has_failed || print_to(*target, drawing)) return;
+    if (has_failed || print_to(*target, drawing, kPreviewDpi)) return;
     has_failed = true;  // the message is shown once, instead of an empty preview
     QMetaObject::invokeMethod(&dialog, "reject", Qt::QueuedConnection);
   });

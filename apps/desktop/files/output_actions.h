@@ -25,7 +25,7 @@ class OutputActions : public QObject {
   void export_to(const QString& path, const ExportOptions& options);
   /// Prints a drawing. Returns false if nothing was printed because of an error, which is shown to
   /// the user.
-  bool print_to(QPrinter& printer, const Drawing& drawing);
+  bool print_to(QPrinter& printer, const Drawing& drawing, double max_dpi = 1e9);
 
  Q_SIGNALS:
   /// The export to `path` has ended. `lost` counts what the format cannot hold; `changed` says what

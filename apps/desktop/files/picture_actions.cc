@@ -11,12 +11,20 @@
 
 namespace felt::desktop {
 
+namespace {
+
+/// So faint that lines can be seen over any picture, and the picture below them.
+constexpr double kOpacity = 0.5;
+
+}  // namespace
+
 PictureActions::PictureActions(Studio& studio, Actions& actions, FileDialogs& dialogs,
                                QWidget* window)
     : QObject(window), studio_(studio), dialogs_(dialogs), window_(window) {
   actions.add(QStringLiteral("file.import_picture"), tr("Import p&icture…"), {},
               tr("Add a picture or a page of a PDF file to draw over"),
               [this] { ask(Settings::the().text(files_keys::kLastFolder)); });
+  connect(&studio, &Studio::tool_changed, this, &PictureActions::return_to_layer);
 }
 
 void PictureActions::ask(const QString& folder) {
@@ -52,10 +60,23 @@ bool PictureActions::add(const QString& name, const Result<ReadPicture>& picture
     show_error(name, event.error());
     return false;
   }
+  event->opacity = kOpacity;
+  const LayerId before = studio_.session().layer();
   studio_.apply(SelectStrokes{SelectStrokes::What::kNone});
   if (!studio_.apply(*std::move(event))) return false;
+  if (before != placed_) drawn_on_ = before;  // several pictures may come one after the other
   studio_.apply(SelectTool{"transform"});
+  placed_ = studio_.session().layer();
   return true;
+}
+
+void PictureActions::return_to_layer() {
+  if (studio_.session().tool().info().kind == ToolKind::kTransforms) return;
+  if (std::exchange(placed_, {}) != studio_.session().layer()) return;
+  const Layer* layer = studio_.session().document().layer(drawn_on_);
+  if (layer && layer->visible && !layer->locked) {
+    studio_.apply(LayerEvent{LayerEvent::Do::kUse, drawn_on_});
+  }
 }
 
 void PictureActions::show_error(const QString& name, const Error& error) {

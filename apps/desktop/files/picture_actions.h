@@ -12,8 +12,9 @@
 namespace felt::desktop {
 
 /// Adds pictures to draw over: "file.import_picture", and pictures that are dropped or pasted. A
-/// picture becomes a layer below the current one, which is then the current layer, and the
-/// transform tool is chosen, so that the user can move the picture to its place.
+/// picture becomes a faded layer below the current one, which is then the current layer, and the
+/// transform tool is chosen, so that the user can move the picture to its place. With the next
+/// tool, the former layer becomes current again, so that new ink does not go to the picture.
 class PictureActions : public QObject {
   Q_OBJECT
 
@@ -30,11 +31,14 @@ class PictureActions : public QObject {
 
  private:
   bool add(const QString& name, const Result<ReadPicture>& picture);
+  /// Makes the layer current that was so before the picture, when the picture is placed.
+  void return_to_layer();
   void show_error(const QString& name, const Error& error);
 
   Studio& studio_;
   FileDialogs& dialogs_;
   QWidget* window_;
+  LayerId placed_, drawn_on_;  // the layer of the last picture, and the current one before it
 };
 
 }  // namespace felt::desktop

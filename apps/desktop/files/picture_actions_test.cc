@@ -56,6 +56,54 @@ TEST(PictureActions, ADroppedPictureBecomesALayerThatFitsThePage) {
   EXPECT_EQ(fixture.document().layers().size(), 1u);
 }
 
+TEST(PictureActions, InkDoesNotGoToThePicture) {
+  StudioFixture fixture;
+  const LayerId own = fixture.studio.session().layer();
+  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
+  ASSERT_TRUE(red_image(20, 30).save(fixture.at("b.jpg")));
+  fixture.files->take_dropped({fixture.at("a.jpg"), fixture.at("b.jpg")});
+  ASSERT_EQ(fixture.document().layers().size(), 3u);
+  EXPECT_EQ(lowest(fixture).opacity, 0.5);
+  EXPECT_EQ(fixture.document().layers().back().opacity, 1.0);
+  EXPECT_NE(fixture.studio.session().layer(), own) << "the picture can be moved";
+  fixture.studio.apply(SelectTool{"pencil"});
+  EXPECT_EQ(fixture.studio.session().layer(), own);
+  // The user wants to draw on the layer of the picture.
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, lowest(fixture).id});
+  fixture.studio.apply(SelectTool{"shape"});
+  EXPECT_EQ(fixture.studio.session().layer(), lowest(fixture).id);
+}
+
+TEST(PictureActions, ALayerThatWasLockedMeanwhileIsNotUsed) {
+  StudioFixture fixture;
+  const LayerId own = fixture.studio.session().layer();
+  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
+  fixture.files->take_dropped({fixture.at("a.jpg")});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kLock, own});
+  fixture.studio.apply(SelectTool{"pencil"});
+  EXPECT_EQ(fixture.studio.session().layer(), lowest(fixture).id);
+}
+
+TEST(PictureActions, APictureThatIsOpenedIsImported) {
+  for (const char* name : {"photo.jpg", "photo.png", "photo.bmp"}) {
+    StudioFixture fixture;
+    const QString path = fixture.at(name);
+    ASSERT_TRUE(red_image(30, 20).save(path));
+    EXPECT_TRUE(fixture.files->open(path)) << name;
+    ASSERT_EQ(fixture.document().layers().size(), 2u) << name;
+    EXPECT_TRUE(lowest(fixture).picture) << name;
+    EXPECT_TRUE(fixture.person->errors.isEmpty()) << name;
+  }
+}
+
+TEST(PictureActions, ADamagedPictureThatIsOpenedIsNamed) {
+  StudioFixture fixture;
+  write_bytes(fixture.at("photo.jpg"), "no picture");
+  EXPECT_FALSE(fixture.files->open(fixture.at("photo.jpg")));
+  EXPECT_EQ(fixture.person->errors.size(), 1);
+  EXPECT_EQ(fixture.document().layers().size(), 1u);
+}
+
 TEST(PictureFile, AJpegInAnSvgIsRead) {
   StudioFixture fixture;
   ASSERT_TRUE(red_image(30, 20).save(fixture.at("photo.jpg")));
@@ -180,6 +228,9 @@ TEST(PictureActions, AnExportShowsThePictureOnlyIfAsked) {
   StudioFixture fixture;
   ASSERT_TRUE(red_image(30, 30).save(fixture.at("a.png")));
   fixture.files->take_dropped({fixture.at("a.png")});
+  LayerEvent opaque{LayerEvent::Do::kOpacity, lowest(fixture).id};
+  opaque.opacity = 1.0;
+  fixture.studio.apply(opaque);
   ExportOptions options;
   options.format = FileFormat::kPng;
   options.dpi = 30.0;

@@ -106,13 +106,14 @@ void paint_picture(QPainter& painter, const LayerPicture& picture) {
 /// Paints layers as vector shapes.
 class VectorPainter {
  public:
-  VectorPainter(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain)
+  VectorPainter(QPainter& painter, const Drawing& drawing, const std::optional<Grain>& grain,
+                double grain_dpi)
       : painter_(painter), document_(drawing.document), styles_(styles_of(drawing)), grain_(grain) {
     painter.setPen(Qt::NoPen);
     // If the drawing has too much ink, the grain of all strokes is coarser, or all strokes are
     // painted without grain, so that all strokes look alike.
     const Rect area = drawing.page.area();
-    const auto dpi = GrainMasks::dpi_for_all(visible_strokes(document_), area, kPrintGrainDpi);
+    const auto dpi = GrainMasks::dpi_for_all(visible_strokes(document_), area, grain_dpi);
     if (grain && dpi) masks_.emplace(GrainPrint{*grain, *dpi}, area);
   }
 
@@ -183,6 +184,7 @@ Result<PrintedPage> PrintedPage::create(Drawing drawing, double dpi,
                                         const std::optional<Grain>& grain) {
   PrintedPage page(std::move(drawing));
   page.grain_ = grain;
+  page.grain_dpi_ = std::min(dpi, kPrintGrainDpi);
   if (auto ok = page.make_parts(dpi); !ok) return tl::unexpected(ok.error());
   return page;
 }
@@ -276,7 +278,7 @@ Result<PrintedPage::Part> PrintedPage::whole_layer(const Document& document, con
 
 void PrintedPage::paint(QPainter& painter, double dpi) const {
   painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   painter.scale(dpi / kMmPerInch, dpi / kMmPerInch);
   const Page& page = drawing_.page;
   const QRectF area(0.0, 0.0, page.width_mm, page.height_mm);
@@ -294,7 +296,7 @@ void PrintedPage::paint(QPainter& painter, double dpi) const {
 }
 
 void PrintedPage::paint_layers(QPainter& painter) const {
-  VectorPainter vectors(painter, drawing_, grain_);
+  VectorPainter vectors(painter, drawing_, grain_, grain_dpi_);
   for (const Layer& layer : drawing_.document.layers()) {
     if (!layer.visible) continue;
     painter.setOpacity(layer.opacity);
@@ -307,11 +309,12 @@ void PrintedPage::paint_layers(QPainter& painter) const {
   }
 }
 
-Result<void> print_drawing(QPrinter& printer, const Drawing& drawing) {
+Result<void> print_drawing(QPrinter& printer, const Drawing& drawing, double max_dpi) {
   const bool shows = Settings::the().flag(kShowsGrain, kShowsGrainDefault);
   const Result<Grain> grain = grain_of(drawing);
-  const Result<PrintedPage> page = PrintedPage::create(
-      drawing, printer.resolution(), shows && grain ? std::optional(*grain) : std::nullopt);
+  const Result<PrintedPage> page =
+      PrintedPage::create(drawing, std::min<double>(printer.resolution(), max_dpi),
+                          shows && grain ? std::optional(*grain) : std::nullopt);
   if (!page) return tl::unexpected(page.error());
   QPainter painter;
   if (!painter.begin(&printer)) return fail(ErrorCode::kIo, "the printer cannot be used");

@@ -26,9 +26,9 @@ namespace felt::desktop {
 class PrintedPage {
  public:
   /// Prepares a page for a resolution of `dpi`. If `grain` is given, strokes that show grain are
-  /// painted as pictures with 300 dots per inch, or with a lower resolution if all pictures
-  /// together would be too large. Fails if a picture is damaged or does not fit into memory; the
-  /// message names its layer.
+  /// painted as pictures with 300 dots per inch, or with a lower resolution if `dpi` is lower or
+  /// all pictures together would be too large. Fails if a picture is damaged or does not fit into
+  /// memory; the message names its layer.
   static Result<PrintedPage> create(Drawing drawing, double dpi,
                                     const std::optional<Grain>& grain = {});
 
@@ -53,12 +53,14 @@ class PrintedPage {
 
   Drawing drawing_;
   std::optional<Grain> grain_;
+  double grain_dpi_ = 0.0;
   std::optional<Part> page_;       // set if the whole page is one picture
   std::map<LayerId, Part> parts_;  // the layers that are pictures
 };
 
-/// Prints the drawing, with the grain if the screen shows it. Fails like PrintedPage::create, or if
-/// the printer cannot be used; nothing is printed then.
-Result<void> print_drawing(QPrinter& printer, const Drawing& drawing);
+/// Prints the drawing, with the grain if the screen shows it. Pictures have at most `max_dpi` dots
+/// per inch: a preview that shows the page smaller would leave out pixels of finer ones. Fails like
+/// PrintedPage::create, or if the printer cannot be used; nothing is printed then.
+Result<void> print_drawing(QPrinter& printer, const Drawing& drawing, double max_dpi = 1e9);
 
 }  // namespace felt::desktop

@@ -6,6 +6,7 @@
 #include <QImageReader>
 #include <QPainter>
 #include <QPrinter>
+#include <cstdlib>
 #include <functional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/small_picture.h"
+#include "felt/formats/drawing_grain.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/view.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -63,6 +65,47 @@ Drawing crossed_lines(double opacity) {
   EXPECT_TRUE(drawing.document.apply(std::move(builder).build("Cross")));
   set_layer(drawing, [opacity](LayerState& state) { state.opacity = opacity; });
   return drawing;
+}
+
+/// Returns a page with a thin slanted line of a soft pencil, painted for `dpi` and shown with this
+/// number of pixels per mm, as a preview shows it.
+QImage preview_of_line(double dpi, double px_per_mm) {
+  Drawing drawing;
+  drawing.page = {60.0, 40.0, {255, 255, 255, 255}};
+  StrokeData data = testing::straight_stroke({2, 5}, {58, 35}, 0.3, 0.3).data();
+  data.medium = "pencil-soft";
+  EditBuilder builder(drawing.document);
+  builder.add(drawing.document.layers()[0].id,
+              std::make_shared<const Stroke>(Stroke::create(std::move(data)).value()));
+  EXPECT_TRUE(drawing.document.apply(std::move(builder).build("Draw")));
+  QImage shown(static_cast<int>(60 * px_per_mm), static_cast<int>(40 * px_per_mm),
+               QImage::Format_RGBA8888_Premultiplied);
+  shown.fill(Qt::white);
+  QPainter painter(&shown);
+  painter.scale(px_per_mm * kMmPerInch / dpi, px_per_mm * kMmPerInch / dpi);
+  paint_page(painter, drawing, dpi, grain_of(drawing).value());
+  return shown;
+}
+
+/// Returns by which share of the ink a preview differs from a sharp picture that is made smaller.
+double wrong_share_of_preview(double dpi) {
+  const QImage shown = preview_of_line(dpi, 2.5);
+  const QImage sharp = preview_of_line(dpi, 20.0).scaled(shown.size(), Qt::IgnoreAspectRatio,
+                                                         Qt::SmoothTransformation);
+  double wrong = 0.0, ink = 0.0;
+  for (int y = 0; y < shown.height(); ++y) {
+    for (int x = 0; x < shown.width(); ++x) {
+      const int is = shown.pixelColor(x, y).lightness(), ought = sharp.pixelColor(x, y).lightness();
+      wrong += std::abs(is - ought);
+      ink += 255 - ought;
+    }
+  }
+  return wrong / ink;
+}
+
+TEST(Print, APreviewShowsThinLinesWithoutSteps) {
+  const double coarse = wrong_share_of_preview(100.0), fine = wrong_share_of_preview(300.0);
+  EXPECT_LT(coarse, 0.7 * fine) << "pixels of a fine picture are left out: " << fine;
 }
 
 TEST(Print, ThePageIsPaintedAtItsTrueSize) {

@@ -3,7 +3,7 @@
 #include <QGuiApplication>
 #include <QPainter>
 #include <algorithm>
-#include <vector>
+#include <cmath>
 
 #include "felt/render/page_painter.h"
 #include "felt/render/view.h"
@@ -13,6 +13,38 @@ namespace {
 
 constexpr int kDelayMs = 400;
 constexpr int kPictureSide = 128;
+/// A usual line covers a fifteenth of a pixel of such a small picture. Ink is shown as if it lay in
+/// so many layers one over the other, at least and at most, and between these in so many that the
+/// darkest pixel has kDarkest.
+constexpr double kMinLayers = 12.0, kMaxLayers = 100.0, kDarkest = 0.75;
+
+/// Makes pale ink visible. Opaque ink and the colours stay.
+void darken(QImage& ink) {
+  int most = 0;
+  for (int y = 0; y < ink.height(); ++y) {
+    const uchar* byte = ink.constScanLine(y);
+    for (int x = 0; x < ink.width(); ++x) most = std::max<int>(most, byte[4 * x + 3]);
+  }
+  const double clear = std::clamp(1.0 - most / 255.0, 1e-3, 1.0 - 1e-3);
+  const double layers =
+      std::clamp(std::log(1.0 - kDarkest) / std::log(clear), kMinLayers, kMaxLayers);
+  for (int y = 0; y < ink.height(); ++y) {
+    uchar* byte = ink.scanLine(y);
+    for (int x = 0; x < ink.width(); ++x, byte += 4) {
+      if (byte[3] == 0 || byte[3] == 255) continue;
+      const double alpha = byte[3] / 255.0;
+      const double gain = (1.0 - std::pow(1.0 - alpha, layers)) / alpha;
+      for (int i = 0; i < 4; ++i) byte[i] = static_cast<uchar>(std::min(gain * byte[i], 255.0));
+    }
+  }
+}
+
+/// Calls `use` with all indices below `count`, or with at most kMaxShown that are spread evenly.
+template <class Use>
+void for_some(std::size_t count, Use use) {
+  const std::size_t step = (count + LayerThumbnails::kMaxShown - 1) / LayerThumbnails::kMaxShown;
+  for (std::size_t i = 0; i < count; i += step) use(i);
+}
 
 }  // namespace
 
@@ -34,6 +66,10 @@ QPixmap LayerThumbnails::of(LayerId layer) const {
 void LayerThumbnails::follow(const Edit& edit) {
   for (const LayerChange& c : edit.layers) dirty_.insert(c.id);
   for (const StrokeChange& c : edit.changes) {
+    if (c.before) dirty_.insert(c.before_place.layer);
+    if (c.after) dirty_.insert(c.after_place.layer);
+  }
+  for (const FillChange& c : edit.fills) {
     if (c.before) dirty_.insert(c.before_place.layer);
     if (c.after) dirty_.insert(c.after_place.layer);
   }
@@ -64,6 +100,27 @@ void LayerThumbnails::paint_now() {
   Q_EMIT painted();
 }
 
+/// Returns the fills and strokes of a layer, or a null image if they cannot be drawn.
+QImage LayerThumbnails::ink_of(const Layer& layer, double px_per_mm) const {
+  const Document& document = studio_.session().document();
+  Result<PagePainter> page =
+      PagePainter::create({}, {.dpi = px_per_mm * kMmPerInch,
+                               .area = studio_.page().area(),
+                               .paper = {255, 255, 255, 0},
+                               .grain = Grain::solid(studio_.session().materials())});
+  if (!page) return {};
+  const Pixels pixels = page->image().pixels();
+  Rasterizer rasterizer;
+  for_some(layer.fills.size(), [&](std::size_t i) {
+    rasterizer.draw_fill(*document.find_fill(layer.fills[i]), page->view(), pixels.rect(), pixels);
+  });
+  for_some(layer.strokes.size(),
+           [&](std::size_t i) { page->draw(*document.find(layer.strokes[i])); });
+  return QImage(pixels.data, pixels.width, pixels.height, static_cast<qsizetype>(pixels.stride),
+                QImage::Format_RGBA8888_Premultiplied)
+      .copy();
+}
+
 QPixmap LayerThumbnails::paint(const Layer& layer) {
   const Page& page = studio_.page();
   const double ratio = qGuiApp->devicePixelRatio();
@@ -89,21 +146,9 @@ QPixmap LayerThumbnails::paint(const Layer& layer) {
                       small);
     painter.resetTransform();
   }
-  std::vector<StrokePtr> strokes;
-  const std::size_t count = layer.strokes.size();
-  for (std::size_t i = count - std::min(count, kMaxStrokes); i < count; ++i) {
-    strokes.push_back(studio_.session().document().find(layer.strokes[i]));
-  }
-  Result<Image> ink = render_page(strokes, {.dpi = scale * kMmPerInch,
-                                            .area = page.area(),
-                                            .paper = {255, 255, 255, 0},
-                                            .grain = Grain::solid(studio_.session().materials())});
-  if (ink) {
-    const Pixels pixels = ink->pixels();
-    painter.drawImage(
-        0, 0,
-        QImage(pixels.data, pixels.width, pixels.height, static_cast<qsizetype>(pixels.stride),
-               QImage::Format_RGBA8888_Premultiplied));
+  if (QImage ink = ink_of(layer, scale); !ink.isNull()) {
+    darken(ink);
+    painter.drawImage(0, 0, ink);
   }
   painter.end();
   pixmap.setDevicePixelRatio(ratio);

@@ -12,16 +12,18 @@
 
 namespace felt::desktop {
 
-/// Small pictures of the layers of a studio's drawing: the page with the strokes and the picture of
-/// one layer. They are painted again soon after an edit, and not while edits follow each other.
+/// Small pictures of the layers of a studio's drawing: the page with the strokes, the fills and the
+/// picture of one layer. Thin lines are darkened, because they cover little of a pixel. They are
+/// painted again soon after an edit, and not while edits follow each other.
 class LayerThumbnails : public QObject {
   Q_OBJECT
 
  public:
   /// Largest size, in device-independent pixels.
   static constexpr QSize kSize{34, 24};
-  /// If a layer has more strokes, only the highest are shown, so that painting stays fast.
-  static constexpr std::size_t kMaxStrokes = 1000;
+  /// If a layer has more strokes, or more fills, only so many of them are shown, evenly spread, so
+  /// that painting stays fast.
+  static constexpr std::size_t kMaxShown = 1000;
 
   LayerThumbnails(Studio& studio, QObject* parent);
 
@@ -38,6 +40,7 @@ class LayerThumbnails : public QObject {
   void follow(const Edit& edit);
   void forget_all();
   [[nodiscard]] QPixmap paint(const Layer& layer);
+  [[nodiscard]] QImage ink_of(const Layer& layer, double px_per_mm) const;
 
   Studio& studio_;
   QTimer timer_;

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "desktop/panels/layer_delegate.h"
 #include "desktop/panels/tool_icons.h"
@@ -97,7 +98,11 @@ void LayersPanel::connect_list(LayerDelegate& delegate) {
           });
   connect(model_, &LayersModel::refreshed, this, &LayersPanel::follow_model);
   connect(&studio_, &Studio::layer_changed, this, [this] { choose(studio_.session().layer()); });
-  connect(&studio_, &Studio::opened, this, [this] { choose(studio_.session().layer()); });
+  connect(&studio_, &Studio::opened, this, [this] {
+    ink_layers_ = 0;
+    choose(studio_.session().layer());
+  });
+  connect(&studio_, &Studio::edited, this, &LayersPanel::report_layer_for_ink);
 }
 
 void LayersPanel::add_opacity(QVBoxLayout& lines) {
@@ -279,14 +284,12 @@ void LayersPanel::choose(LayerId layer) {
 }
 
 void LayersPanel::apply(Do what) {
-  apply(what == Do::kAdd ? LayerEvent{what, {}} : event_of(what));
+  studio_.apply(what == Do::kAdd ? LayerEvent{what, {}} : event_of(what));
 }
 
-void LayersPanel::apply(const LayerEvent& event) {
-  const auto count = [this] { return studio_.session().document().layers().size(); };
-  const std::size_t before = count();
-  const bool adds = event.what == Do::kAdd || event.what == Do::kDuplicate;
-  if (!studio_.apply(event) || adds || count() <= before) return;
+void LayersPanel::report_layer_for_ink() {
+  const std::uint64_t count = studio_.session().layers_added_for_ink();
+  if (std::exchange(ink_layers_, count) >= count) return;
   const Layer* added = studio_.session().document().layer(studio_.session().layer());
   Q_EMIT studio_.refused(tr("All layers were hidden or locked, so “%1” was added to draw on.")
                              .arg(LayersModel::shown_name(*added)));
@@ -295,21 +298,21 @@ void LayersPanel::apply(const LayerEvent& event) {
 void LayersPanel::toggle_visible(LayerId id) {
   const Document& document = studio_.session().document();
   if (const LayerGroupPtr group = id ? nullptr : document.group(chosen_group())) {
-    apply(event_of(group->visible ? Do::kHide : Do::kShow));
+    studio_.apply(event_of(group->visible ? Do::kHide : Do::kShow));
     return choose_group(group->id);  // another layer may have become current
   }
   const Layer* layer = document.layer(id ? id : chosen());
-  if (layer) apply(LayerEvent{layer->own_visible ? Do::kHide : Do::kShow, layer->id});
+  if (layer) studio_.apply(LayerEvent{layer->own_visible ? Do::kHide : Do::kShow, layer->id});
 }
 
 void LayersPanel::toggle_locked(LayerId id) {
   const Document& document = studio_.session().document();
   if (const LayerGroupPtr group = id ? nullptr : document.group(chosen_group())) {
-    apply(event_of(group->locked ? Do::kUnlock : Do::kLock));
+    studio_.apply(event_of(group->locked ? Do::kUnlock : Do::kLock));
     return choose_group(group->id);
   }
   const Layer* layer = document.layer(id ? id : chosen());
-  if (layer) apply(LayerEvent{layer->own_locked ? Do::kUnlock : Do::kLock, layer->id});
+  if (layer) studio_.apply(LayerEvent{layer->own_locked ? Do::kUnlock : Do::kLock, layer->id});
 }
 
 void LayersPanel::use_next(bool above) {

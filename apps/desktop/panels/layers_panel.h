@@ -89,7 +89,8 @@ class LayersPanel : public QWidget {
   void use_chosen();
   void use_clicked();
   [[nodiscard]] QString why_not_open(const Layer& layer) const;
-  void apply(const LayerEvent& event);
+  /// Reports a layer that the session has added because no layer was open to draw on.
+  void report_layer_for_ink();
 
   Studio& studio_;
   LayersModel* model_;
@@ -101,6 +102,7 @@ class LayersPanel : public QWidget {
   QToolButton* merge_ = nullptr;
   QToolButton* remove_ = nullptr;
   bool was_icon_ = false;                     // the current click was on an eye or a lock
+  std::uint64_t ink_layers_ = 0;              // Session::layers_added_for_ink()
   std::optional<std::size_t> dragged_steps_;  // steps of undo after the last value of a drag
   LayerId kept_;        // layer that was highlighted before the list was rebuilt
   GroupId kept_group_;  // set if the row of a group was highlighted

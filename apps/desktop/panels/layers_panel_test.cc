@@ -6,11 +6,16 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include "desktop/panels/layer_delegate.h"
 #include "desktop/panels/testing/panels_fixture.h"
+#include "felt/document/fill.h"
 #include "felt/document/testing/small_picture.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::desktop::layers_panel_test {
 namespace {
@@ -205,9 +210,21 @@ TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
   EXPECT_EQ(said.count(), 1);
   fixture.click(LayerDelegate::eye_of(fixture.row(2)).center());
   said.clear();
-  fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+  for (const bool locks : {true, false, true}) {
+    fixture.click(LayerDelegate::lock_of(fixture.row(0)).center());
+    EXPECT_EQ(fixture.layer(3)->locked, locks) << "the second click unlocks it again";
+    EXPECT_EQ(fixture.list->model()->rowCount(), 3);
+    EXPECT_EQ(fixture.panel.chosen(), LayerId{3});
+  }
+  EXPECT_EQ(said.count(), 0);
+  testing::draw_lines(fixture.studio, 1);
   EXPECT_EQ(fixture.list->model()->rowCount(), 4);
-  EXPECT_EQ(said.count(), 1) << "a layer came by itself";
+  EXPECT_EQ(fixture.panel.chosen(), LayerId{4});
+  ASSERT_EQ(said.count(), 1) << "a layer came by itself";
+  EXPECT_TRUE(said.front().front().toString().contains(QStringLiteral("Layer 4")));
+  fixture.studio.apply(UndoEvent{});
+  EXPECT_EQ(fixture.list->model()->rowCount(), 3) << "one step";
+  EXPECT_EQ(said.count(), 1);
 }
 
 TEST(LayersPanel, TheSliderSetsTheOpacityOfTheHighlightedLayerAsOneStep) {
@@ -261,6 +278,63 @@ TEST(LayersPanel, ThumbnailsShowTheInkAndThePictureOfEachLayer) {
   const QImage empty = thumbnails->of({1}).toImage();
   EXPECT_NE(empty.pixelColor(2, empty.height() / 2), QColor(Qt::red));
   EXPECT_TRUE(fixture.spoken(1).contains(QStringLiteral("picture")));
+}
+
+/// Returns the lightness of the darkest pixel, 0 to 255, in the columns of a thumbnail.
+int darkest_of(const QImage& image, int from, int to) {
+  int darkest = 255;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = from; x < to; ++x) {
+      darkest = std::min(darkest, image.pixelColor(x, y).lightness());
+    }
+  }
+  return darkest;
+}
+
+TEST(LayersPanel, ThinLinesAreSeenInThumbnails) {
+  for (const double width_mm : {0.1, 0.3, 0.6, 2.0}) {
+    LayerFixture fixture;
+    const Page& page = fixture.studio.page();
+    std::vector<StrokePtr> lines;
+    for (const double y : {0.31, 0.5, 0.7}) {
+      lines.push_back(std::make_shared<const Stroke>(felt::testing::straight_stroke(
+          {0.0, y * page.height_mm}, {0.5 * page.width_mm, y * page.height_mm}, width_mm,
+          width_mm)));
+    }
+    ASSERT_TRUE(fixture.studio.import(QStringLiteral("test"), lines));
+    auto* thumbnails = fixture.panel.findChild<LayerThumbnails*>();
+    thumbnails->paint_now();
+    const QImage small = thumbnails->of(fixture.studio.session().layer()).toImage();
+    EXPECT_LT(darkest_of(small, 2, small.width() / 2 - 2), 170) << width_mm << " mm";
+    EXPECT_EQ(darkest_of(small, small.width() / 2 + 2, small.width()), 255) << "paper stays white";
+  }
+}
+
+TEST(LayersPanel, ThumbnailsShowFillsAndAllOfManyLines) {
+  LayerFixture fixture;
+  const Page& page = fixture.studio.page();
+  const double w = page.width_mm, h = page.height_mm;
+  FillLoop loop;
+  const Point corners[] = {{0, 0}, {w / 4, 0}, {w / 4, h}, {0, h}, {0, 0}};
+  loop.points.push_back(corners[0]);
+  for (int i = 0; i < 4; ++i) {
+    const Cubic side = straight(corners[i], corners[i + 1]);
+    loop.points.insert(loop.points.end(), {side.p[1], side.p[2], side.p[3]});
+  }
+  const FillPtr red = std::make_shared<const Fill>(Fill{{loop}, {255, 0, 0, 255}, 0.0});
+  std::vector<StrokePtr> lines;  // the first ones are on the right, the last ones in the middle
+  for (std::size_t i = 0; i < 3 * LayerThumbnails::kMaxShown; ++i) {
+    const double x = w * (i < LayerThumbnails::kMaxShown ? 0.9 : 0.6);
+    lines.push_back(std::make_shared<const Stroke>(
+        felt::testing::straight_stroke({x, 0.2 * h}, {x, 0.8 * h}, 0.5, 0.5)));
+  }
+  ASSERT_TRUE(fixture.studio.import(QStringLiteral("test"), lines, std::vector{red}));
+  auto* thumbnails = fixture.panel.findChild<LayerThumbnails*>();
+  thumbnails->paint_now();
+  const QImage small = thumbnails->of(fixture.studio.session().layer()).toImage();
+  EXPECT_EQ(small.pixelColor(small.width() / 8, small.height() / 2), QColor(Qt::red));
+  EXPECT_LT(darkest_of(small, small.width() / 2, 7 * small.width() / 10), 100);
+  EXPECT_LT(darkest_of(small, 8 * small.width() / 10, small.width()), 100);
 }
 
 TEST(LayersPanel, TheBoxSetsTheBlendModeOfTheHighlightedLayer) {

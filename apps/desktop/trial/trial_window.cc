@@ -51,10 +51,10 @@ TrialWindow::TrialWindow(TrialRun& run, Studio& studio)
   connect(&run_, &TrialRun::touched, trial_, &TrialScreen::begin_drawing);
   connect(&run_, &TrialRun::device_failed, trial_, &TrialScreen::show_problem);
   connect(&studio, &Studio::refused, trial_, &TrialScreen::show_problem);
-  show_welcome();
+  show_welcome(studio.session().device().has_force());
 }
 
-void TrialWindow::show_welcome() {
+void TrialWindow::show_welcome(bool device_has_force) {
   const StudyFiles& files = run_.files();
   std::vector<StudyTask> tasks;
   bool has_forces = false;
@@ -66,7 +66,8 @@ void TrialWindow::show_welcome() {
   QStringList lines;
   for (const StudyTask task : tasks) lines.push_back(task_text(task));
   lines.push_back(tr("After each drawing, press Space or the button “Done”."));
-  if (has_forces) lines.push_back(tr("You may feel forces in the pen. Hold it before you begin."));
+  if (has_forces && device_has_force)
+    lines.push_back(tr("You may feel forces in the pen. Hold it before you begin."));
   message_->show_message(text_of(files.study.label), lines.join(QStringLiteral("\n\n")),
                          run_.session().results.empty() ? tr("Begin") : tr("Continue"));
   stack_->setCurrentWidget(message_);

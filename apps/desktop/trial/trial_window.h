@@ -39,7 +39,7 @@ class TrialWindow : public QWidget {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void show_welcome();
+  void show_welcome(bool device_has_force);
   void go_on();
   void show_before_trial();
   void begin_trial();

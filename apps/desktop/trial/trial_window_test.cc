@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QMessageBox>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 #include <fstream>
 #include <memory>
+#include <string_view>
 
 #include "desktop/trial/testing/test_participant.h"
 #include "desktop/trial/trial_start.h"
@@ -179,6 +181,20 @@ TEST_F(TrialWindowTest, AWholeStudyIsPlayedAndSaved) {
   EXPECT_EQ(session.answers[0].values, std::vector<double>(6, 10.0));
   EXPECT_EQ(session.answers[1].values, std::vector<double>(8, 3.0));
   EXPECT_THAT(prepare().error().message, HasSubstr("participant 3 has already finished"));
+}
+
+TEST_F(TrialWindowTest, ForcesArePromisedOnlyByADeviceThatHasThem) {
+  write_study(kOneTrial);
+  for (const char* device : {"mouse", "touch"}) {
+    open(device);
+    QString shown;
+    for (const QLabel* label : window_->message_screen().findChildren<QLabel*>()) {
+      shown += label->text();
+    }
+    EXPECT_TRUE(shown.contains(QStringLiteral("press Space"))) << shown.toStdString();
+    EXPECT_EQ(shown.contains(QStringLiteral("forces")), std::string_view(device) == "touch");
+    crash();
+  }
 }
 
 TEST_F(TrialWindowTest, OptionsOfATrialDoNotReachTheNext) {

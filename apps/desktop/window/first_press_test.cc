@@ -1,9 +1,13 @@
-// Chooses a colour in the well of the top bar and draws on, as a user does: the line must be drawn,
-// and nothing may move the page under the pen.
+// Chooses a colour in the well of the top bar, or opens a list or a menu, and draws on, as a user
+// does: the line must be drawn, and nothing may move the page under the pen.
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QMenu>
+#include <QMenuBar>
+#include <QPointingDevice>
+#include <QTabletEvent>
 #include <QTest>
 #include <QToolButton>
 #include <QWindow>
@@ -12,7 +16,9 @@
 #include "desktop/engine/message_bar.h"
 #include "desktop/panels/colors_panel.h"
 #include "desktop/panels/swatch_view.h"
+#include "desktop/panels/tool_bar.h"
 #include "desktop/window/main_window.h"
+#include "desktop/window/size_field.h"
 
 namespace felt::desktop::first_press_test {
 namespace {
@@ -80,6 +86,54 @@ class FirstPress : public ::testing::Test {
     return *menu->findChild<ColorsPanel*>();
   }
 
+  /// Opens a pop-up and returns true if it is open. As on X11, Qt does not send presses beside it
+  /// once more.
+  bool opens(const std::function<void()>& open) {
+    open();
+    QApplication::processEvents();
+    QWidget* popup = QApplication::activePopupWidget();
+    if (popup) popup->setAttribute(Qt::WA_NoMouseReplay);
+    return popup != nullptr;
+  }
+  struct Popup {
+    QString name;
+    std::function<void()> open;
+  };
+  /// Returns all pop-ups that can be opened in the window as it is.
+  QList<Popup> popups() {
+    QList<Popup> all;
+    for (QComboBox* box : window_.findChildren<QComboBox*>()) {
+      if (!box->isVisible() || !box->isEnabled() || box->count() == 0) continue;
+      all.push_back({QStringLiteral("list ") + box->accessibleName(), [box] { box->showPopup(); }});
+    }
+    for (QToolButton* button : window_.findChildren<QToolButton*>()) {
+      if (!button->isVisible() || !button->menu()) continue;
+      all.push_back(
+          {QStringLiteral("menu of ") + button->accessibleName() + button->objectName(),
+           [button] { button->menu()->popup(button->mapToGlobal(QPoint(0, button->height()))); }});
+    }
+    for (QAction* title : window_.menuBar()->actions()) {
+      all.push_back({QStringLiteral("menu ") + title->text(), [this, title] {
+                       const QRect place = window_.menuBar()->actionGeometry(title);
+                       title->menu()->popup(window_.menuBar()->mapToGlobal(place.bottomLeft()));
+                     }});
+    }
+    all.push_back({QStringLiteral("palette"),
+                   [this] { Q_EMIT window_.canvas().popup_wanted(QPointF(330, 120)); }});
+    return all;
+  }
+  /// Returns a pixel of the canvas, such that it and the pixels up to 40 below it are free.
+  [[nodiscard]] QPoint free_place() {
+    const QWidget& page = window_.canvas();
+    const QRect popup = QApplication::activePopupWidget()->geometry();
+    for (int x = page.width() - 30; x > 20; x -= 10) {
+      const QRect line(page.mapToGlobal(QPoint(x, page.height() - 90)), QSize(1, 41));
+      if (!popup.intersects(line)) return {x, page.height() - 90};
+    }
+    ADD_FAILURE() << "the pop-up covers the page";
+    return {};
+  }
+
   MainWindow window_{StudioOptions{.device = QStringLiteral("tablet"), .live = false}};
   Point from_mm_, to_mm_;
   double px_per_mm_ = 1.0;
@@ -96,6 +150,110 @@ TEST_F(FirstPress, AfterASwatchDraws) {
   EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << "the menu stays open";
   draw();
   expect_whole_line();
+}
+
+TEST_F(FirstPress, BesideAnOpenPopUpDraws) {
+  std::size_t drawn = 0;
+  for (const Popup& popup : popups()) {
+    SCOPED_TRACE(popup.name.toStdString());
+    ASSERT_TRUE(opens(popup.open));
+    const QPoint at = free_place();
+    const QWidget& page = window_.canvas();
+    mouse(QEvent::MouseButtonPress, page, at);
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << "it stays open";
+    for (int y = 0; y <= 40; y += 4) mouse(QEvent::MouseMove, page, at + QPoint(0, y));
+    mouse(QEvent::MouseButtonRelease, page, at + QPoint(0, 40));
+    window_.studio().advance(1'000'000'000);
+    EXPECT_EQ(window_.studio().session().document().stroke_count(), ++drawn);
+  }
+  EXPECT_GE(drawn, 12U) << "lists, menus of buttons, titles, the palette";
+}
+
+TEST_F(FirstPress, BesideAnOpenPopUpActsOnTheControl) {
+  QAction* eraser = window_.actions().find(QStringLiteral("tool.eraser"));
+  QAction* pencil = window_.actions().find(QStringLiteral("tool.pencil"));
+  QWidget* button = window_.findChild<ToolBar*>()->widgetForAction(eraser);
+  ASSERT_TRUE(button && button->isVisible());
+  for (const Popup& popup : popups()) {
+    SCOPED_TRACE(popup.name.toStdString());
+    pencil->trigger();
+    ASSERT_TRUE(opens(popup.open));
+    const QRect place(button->mapToGlobal(QPoint()), button->size());
+    if (QApplication::activePopupWidget()->geometry().intersects(place)) {
+      QApplication::activePopupWidget()->close();
+      continue;
+    }
+    click(*button, button->rect().center());
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+    EXPECT_EQ(window_.studio().session().tool().info().id, "eraser");
+  }
+}
+
+// A press on the control itself only closes its list.
+TEST_F(FirstPress, OnTheControlOfAnOpenListClosesIt) {
+  int lists = 0;
+  for (QComboBox* box : window_.findChildren<QComboBox*>()) {
+    if (!box->isVisible() || !box->isEnabled() || box->count() == 0) continue;
+    SCOPED_TRACE(box->accessibleName().toStdString());
+    ASSERT_TRUE(opens([box] { box->showPopup(); }));
+    const QRect popup = QApplication::activePopupWidget()->geometry();
+    if (popup.contains(box->mapToGlobal(box->rect().center()))) {
+      QApplication::activePopupWidget()->close();
+      continue;
+    }
+    ++lists;
+    click(*box, box->rect().center());
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+  }
+  auto* well = window_.findChild<QToolButton*>(QStringLiteral("top_color"));
+  ASSERT_TRUE(opens([well] { well->menu()->popup(well->mapToGlobal(QPoint(0, well->height()))); }));
+  click(*well, well->rect().center());
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+  EXPECT_EQ(window_.studio().session().document().stroke_count(), 0U);
+}
+
+// A number that is being typed is no pop-up, but it may not cost the line either.
+TEST_F(FirstPress, AfterATypedSizeDraws) {
+  auto* size = window_.findChild<SizeField*>();
+  ASSERT_TRUE(size && size->isVisible());
+  click(*size, size->rect().center());
+  size->selectAll();
+  QTest::keyClicks(size, QStringLiteral("2"));
+  draw();
+  expect_whole_line();
+}
+
+TEST_F(FirstPress, OfATabletBesideAnOpenPopUpDraws) {
+  const auto* pen =
+      new QPointingDevice(QStringLiteral("test pen"), 31, QInputDevice::DeviceType::Stylus,
+                          QPointingDevice::PointerType::Pen,
+                          QInputDevice::Capability::Position | QInputDevice::Capability::Pressure,
+                          1, 3, {}, QPointingDeviceUniqueId::fromNumericId(31), qApp);
+  const auto send = [&](QEvent::Type type, QPoint at) {
+    const QWidget* popup = QApplication::activePopupWidget();
+    QWindow* target = (popup ? popup : static_cast<const QWidget*>(&window_))->windowHandle();
+    const QPointF global = window_.canvas().mapToGlobal(QPointF(at));
+    const bool touches = type != QEvent::TabletRelease;
+    QTabletEvent event(type, pen, target->mapFromGlobal(global), global, touches ? 0.5 : 0.0, 0, 0,
+                       0, 0, 0, {}, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+                       touches ? Qt::LeftButton : Qt::NoButton);
+    event.setTimestamp(1000 + quint64(window_.studio().now_ns() / 1'000'000));
+    QApplication::sendEvent(target, &event);
+    QApplication::processEvents();
+    window_.studio().advance(10'000'000);
+  };
+  std::size_t drawn = 0;
+  for (const Popup& popup : popups()) {
+    SCOPED_TRACE(popup.name.toStdString());
+    ASSERT_TRUE(opens(popup.open));
+    const QPoint at = free_place();
+    send(QEvent::TabletPress, at);
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+    for (int y = 0; y <= 40; y += 4) send(QEvent::TabletMove, at + QPoint(0, y));
+    send(QEvent::TabletRelease, at + QPoint(0, 40));
+    window_.studio().advance(1'000'000'000);
+    EXPECT_EQ(window_.studio().session().document().stroke_count(), ++drawn);
+  }
 }
 
 TEST_F(FirstPress, AMessageDuringALineLeavesThePageInPlace) {

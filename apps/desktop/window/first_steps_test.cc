@@ -8,6 +8,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/window/main_window.h"
 #include "desktop/window/window_setting_keys.h"
+#include "felt/document/testing/small_picture.h"
 #include "felt/document/visible_strokes.h"
 
 namespace felt::desktop::first_steps_test {
@@ -48,6 +49,17 @@ class FirstSteps : public ::testing::Test {
 
   MainWindow window_{StudioOptions{.device = QStringLiteral("tablet"), .live = false}};
 };
+
+TEST_F(FirstSteps, NothingLiesOverAPictureToDrawOver) {
+  EXPECT_TRUE(button().isVisible());
+  window_.studio().apply(AddPicture{"Photo", felt::testing::picture_data(), {9, 0, 0, 9, 9, 9}});
+  refresh();
+  EXPECT_FALSE(window_.canvas().shows_first_hints());
+  EXPECT_FALSE(button().isVisible());
+  window_.studio().apply(UndoEvent{});
+  refresh();
+  EXPECT_TRUE(button().isVisible());
+}
 
 TEST_F(FirstSteps, TheFirstLineSaysHowToPullIt) {
   EXPECT_FALSE(hint().isVisible());

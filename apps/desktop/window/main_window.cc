@@ -375,10 +375,8 @@ void MainWindow::add_material_actions() {
 }
 
 void MainWindow::hide_panels(bool hide) {
-  if (!hide) {
-    for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
-    return;
-  }
+  if (!hide) return show_panels();
+  if (hidden_.isEmpty()) layout_ = saveState(kLayoutVersion);
   QList<QWidget*> all;
   for (QDockWidget* panel : panels_) all.push_back(panel);
   for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) all.push_back(bar);
@@ -389,6 +387,18 @@ void MainWindow::hide_panels(bool hide) {
     widget->hide();
   }
   canvas_->setFocus();
+}
+
+/// Shows the panels that hide_panels() has hidden, with their former sizes. Qt alone would give
+/// each panel a size as if it were added to those that are there already. If another panel was
+/// opened meanwhile, it needs space of theirs.
+void MainWindow::show_panels() {
+  if (hidden_.isEmpty()) return;
+  const bool is_same = std::all_of(panels_.begin(), panels_.end(),
+                                   [](const QDockWidget* panel) { return panel->isHidden(); });
+  for (QWidget* widget : hidden_) widget->show();
+  if (is_same) restoreState(layout_, kLayoutVersion);
+  hidden_.clear();  // not earlier, because the panels are hidden and shown once more
 }
 
 void MainWindow::set_full_screen(bool on) {

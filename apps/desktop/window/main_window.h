@@ -67,6 +67,7 @@ class MainWindow : public QMainWindow {
   void add_window_actions();
   void add_material_actions();
   void hide_panels(bool hide);
+  void show_panels();
   void set_full_screen(bool on);
   void go_to_next_part();
   void show_title();
@@ -81,6 +82,7 @@ class MainWindow : public QMainWindow {
   DeviceCare* care_ = nullptr;
   QList<QDockWidget*> panels_;
   QList<QWidget*> hidden_;  // the widgets that hide_panels() has hidden
+  QByteArray layout_;       // before they were hidden
   QPointer<QDialog> preferences_;
   QPointer<MaterialEditor> material_editor_;
 };

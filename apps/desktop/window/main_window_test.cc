@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QMap>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
@@ -35,6 +36,7 @@
 #include "desktop/window/shortcuts_page.h"
 #include "desktop/window/signal_watch.h"
 #include "desktop/window/tool_keys.h"
+#include "desktop/window/window_setting_keys.h"
 #include "desktop/window/windows.h"
 
 namespace felt::desktop::main_window_test {
@@ -421,6 +423,58 @@ TEST(MainWindow, TabHidesThePanelsWhileTheCanvasHasTheFocus) {
   field->setFocus();
   QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
   EXPECT_FALSE(hide->isChecked()) << "elsewhere it goes to the next control";
+}
+
+/// Returns where the visible panels of the window are.
+QMap<QString, QRect> panel_places(const MainWindow& window) {
+  QMap<QString, QRect> all;
+  for (const QDockWidget* panel : window.findChildren<QDockWidget*>()) {
+    if (panel->isVisible()) all[panel->objectName()] = panel->geometry();
+  }
+  return all;
+}
+
+TEST(MainWindow, PanelsThatWereHiddenComeBackWithTheirSizes) {
+  QMap<QString, QRect> before;
+  for (const bool is_restarted : {false, true}) {
+    const auto window = shown_window();
+    window->resize(1200, 900);
+    QApplication::processEvents();
+    auto* options = window->findChild<QDockWidget*>(QStringLiteral("options"));
+    auto* layers = window->findChild<QDockWidget*>(QStringLiteral("layers"));
+    if (!is_restarted) {
+      window->resizeDocks({options, layers}, {options->height() + 90, layers->height() - 90},
+                          Qt::Vertical);
+      QApplication::processEvents();
+      before = panel_places(*window);
+    }
+    EXPECT_EQ(panel_places(*window), before) << is_restarted;
+    EXPECT_GE(before.size(), 2);
+    for (int time = 0; time < 3; ++time) {
+      QTest::keyClick(&window->canvas(), Qt::Key_Tab);
+      QApplication::processEvents();
+      EXPECT_TRUE(panel_places(*window).isEmpty());
+      QTest::keyClick(&window->canvas(), Qt::Key_Tab);
+      QApplication::processEvents();
+      EXPECT_EQ(panel_places(*window), before) << time;
+    }
+    QTest::keyClick(&window->canvas(), Qt::Key_Tab);
+    EXPECT_TRUE(window->close()) << "while they are hidden";
+  }
+  Settings::the().reset(window_keys::kLayout);
+  Settings::the().reset(window_keys::kGeometry);
+}
+
+TEST(MainWindow, APanelThatIsOpenedWhileAllAreHiddenStays) {
+  const auto window = shown_window();
+  QAction* hide = window->actions().find(QStringLiteral("view.hide_panels"));
+  hide->setChecked(true);
+  window->actions().find(QStringLiteral("view.panel_forces"))->setChecked(true);
+  hide->setChecked(false);
+  QApplication::processEvents();
+  for (const char* name : {"forces", "options", "layers"}) {
+    EXPECT_FALSE(window->findChild<QDockWidget*>(QString::fromLatin1(name))->isHidden()) << name;
+  }
 }
 
 TEST(MainWindow, SingleCharactersCanBeSwitchedOffAsKeys) {

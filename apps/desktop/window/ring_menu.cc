@@ -228,8 +228,22 @@ void RingMenu::focus_choice(const QObject* watched, Qt::FocusReason reason) {
   if (button != buttons_.end()) choose(static_cast<std::size_t>(button - buttons_.begin()));
 }
 
+/// Returns true if a press at this pixel of the canvas begins something else: it is outside of the
+/// ring, no button is held that chooses by its direction, and no device chooses.
+bool RingMenu::is_beside(QPointF px) const {
+  if (is_pressed_ || holds_device()) return false;
+  const QPointF off = px - canvas_.view().to_px(ring_->middle());
+  return std::hypot(off.x(), off.y()) > middle_px_.x();
+}
+
 /// Handles an event of the canvas. Returns false if the ring does not handle it.
 bool RingMenu::take_pointer(QEvent& event) {
+  const bool presses =
+      event.type() == QEvent::MouseButtonPress || event.type() == QEvent::TabletPress;
+  if (presses && is_beside(static_cast<const QSinglePointEvent&>(event).position())) {
+    close_ring();
+    return false;
+  }
   switch (event.type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:

@@ -61,6 +61,7 @@ class RingMenu : public QWidget {
   void fill();
   void place(QPointF px);
   bool take_pointer(QEvent& event);
+  [[nodiscard]] bool is_beside(QPointF px) const;
   void take_touch(const QTouchEvent& event);
   void focus_choice(const QObject* watched, Qt::FocusReason reason);
   bool skip_rest_of_press(const QEvent& event);

@@ -348,8 +348,41 @@ TEST_F(RingMenuTest, ALineRightAfterAChoiceIsDrawn) {
     studio.advance(20 * kMs);
   }
   mouse(QEvent::MouseButtonRelease, top + QPointF(100, 0), Qt::LeftButton, {});
-  studio.advance(300 * kMs);
-  EXPECT_EQ(studio.session().document().stroke_count(), 1u);
+  studio.advance(1000 * kMs);
+  const Document& drawn = studio.session().document();
+  ASSERT_EQ(drawn.stroke_count(), 1u);
+  const StrokePtr line = drawn.find(drawn.layers().front().strokes.front());
+  EXPECT_LT(distance(line->position(0.0), canvas().view().to_mm(top)), 0.7);
+}
+
+// With the hand of a mouse or a tablet, and on every simulated device.
+TEST_F(RingMenuTest, APressBesideAnOpenRingDraws) {
+  for (const PenDeviceInfo& device : pen_devices()) {
+    if (device.id != QStringLiteral("tablet") &&
+        !device.id.startsWith(QStringLiteral("simulated"))) {
+      continue;
+    }
+    SCOPED_TRACE(device.id.toStdString());
+    Studio& studio = window_.studio();
+    studio.open(Document(), studio.page());
+    ASSERT_TRUE(studio.use_device(device.id));
+    studio.advance(1000 * kMs);
+    drag_to(kAt, {});
+    Q_EMIT canvas().ring_wanted(kAt);
+    release(kAt);
+    ASSERT_TRUE(menu().isVisible());
+    const QPointF beside = kAt + QPointF(250, 100);
+    mouse(QEvent::MouseButtonPress, beside, Qt::LeftButton, Qt::LeftButton);
+    EXPECT_FALSE(menu().isVisible());
+    for (int y = 0; y <= 100; y += 5) {
+      drag_to(beside + QPointF(0, y), Qt::LeftButton);
+      studio.advance(10 * kMs);
+    }
+    mouse(QEvent::MouseButtonRelease, beside + QPointF(0, 100), Qt::LeftButton, {});
+    studio.advance(1000 * kMs);
+    EXPECT_EQ(studio.session().document().stroke_count(), 1u);
+    EXPECT_EQ(tool(), "pencil");
+  }
 }
 
 // The pen touches and rests, moves in a direction, and lifts.

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "felt/material/material_file.h"
+#include "felt/session/layer_edit.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt {
@@ -32,6 +33,12 @@ bool depends_on_selection(const Session& session) {
   return session.tool().info().id == "transform";
 }
 
+/// Returns the current layer, or an empty id if no layer is open.
+LayerId layer_of_ink(const Session& session) {
+  const Layer* layer = session.document().layer(session.layer());
+  return layer && is_open(*layer) ? layer->id : LayerId{};
+}
+
 /// Returns the events that set the state on which the next gesture of a new session depends.
 std::vector<Event> context_of(const Session& session) {
   std::vector<Event> events;
@@ -47,7 +54,7 @@ std::vector<Event> context_of(const Session& session) {
   }
   for (const std::string& id : session.option_ids()) add_option(id);
   add(SelectTool{std::string(session.tool().info().id)});
-  add(LayerEvent{LayerEvent::Do::kUse, session.layer(), {}});
+  add(LayerEvent{LayerEvent::Do::kUse, layer_of_ink(session), {}});
   if (!session.out_of_view().empty()) add(UseView{session.out_of_view()});
   return events;
 }
@@ -78,7 +85,7 @@ Autosave::~Autosave() {
 
 void Autosave::session_began(const Session& session, Drawing drawing, std::string name,
                              std::string path, bool modified) {
-  layer_ = session.layer();
+  layer_ = layer_of_ink(session);
   selection_count_ = 0;
   post({.drawing = std::make_unique<Drawing>(std::move(drawing)),
         .name = std::move(name),
@@ -106,7 +113,8 @@ void Autosave::edit_applied(const Session& session, const Edit& edit) {
 }
 
 void Autosave::add_layer_in_use(const Session& session, AutosaveMessage& message) {
-  if (std::exchange(layer_, session.layer()) == session.layer()) return;
+  const LayerId now = layer_of_ink(session);
+  if (std::exchange(layer_, now) == now) return;
   message.context.push_back({0, LayerEvent{LayerEvent::Do::kUse, layer_, {}}});
 }
 
@@ -309,7 +317,7 @@ void Autosave::set_modified(bool modified) {
 /// Applies events that change the drawing outside its document.
 void Autosave::apply_to_head(const Event& event) {
   if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
-    if (layer->what != LayerEvent::Do::kUse) return;
+    if (layer->what != LayerEvent::Do::kUse || !layer->layer) return;
     drawing_.layer = layer->layer;
     is_info_written_ = false;
   }

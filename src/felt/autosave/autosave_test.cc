@@ -54,6 +54,26 @@ TEST(Autosave, EveryToolsGestureIsThere) {
   }
 }
 
+/// The process dies in a line that had to add its layer.
+TEST(Autosave, ALineIsThereAlthoughNoLayerWasOpen) {
+  for (const auto what : {LayerEvent::Do::kLock, LayerEvent::Do::kHide}) {
+    for (const int steps : {6, 12, 30, 52, 80}) {
+      const TestFolder folder;
+      AutosaveFixture fixture({.roots = {folder.path}});
+      fixture.apply(LayerEvent{what, fixture.session->layer()});
+      for (int i = 0; i < steps; ++i) {
+        fixture.step();
+        if (i % 5 == 2) fixture.autosave->process();
+      }
+      fixture.autosave->process();
+      const Recovered recovered = fixture.crashed();
+      EXPECT_TRUE(recovered.problems.empty()) << recovered.problems.front();
+      EXPECT_EQ(recovered.drawing.document.layers().size(), 2u) << steps;
+      EXPECT_TRUE(recovered.drawing.document == fixture.ended()) << steps;
+    }
+  }
+}
+
 /// The edit thread hangs at every point of a gesture, and the user continues to draw.
 TEST(Autosave, AHungEditThreadCostsNoInk) {
   for (const char* tool : {"pencil", "pull", "eraser", "transform"}) {

@@ -180,6 +180,21 @@ bool History::extend(const Edit& edit) {
   return true;
 }
 
+bool History::join(Edit& edit) {
+  if (done_ == 0 || can_redo() || edit.empty() || !edit.layers.empty()) return false;
+  Step& step = steps_.back();
+  edit.layers = std::exchange(step.edit.layers, {});
+  if (!step.edit.empty()) {  // it does more
+    step.edit.layers = std::exchange(edit.layers, {});
+    return false;
+  }
+  step.edit = std::move(edit);
+  bytes_ -= std::exchange(step.bytes, memory_of(step.edit));
+  bytes_ += step.bytes;
+  step.number = ++recorded_;
+  return true;
+}
+
 Result<Edit> History::undo(Document& document) {
   if (!can_undo()) return fail(ErrorCode::kNotFound, "there is nothing to undo");
   Edit back = steps_[done_ - 1].edit.inverse();

@@ -35,6 +35,12 @@ class History {
   /// symmetry groups and states of layers of the step.
   bool extend(const Edit& edit);
 
+  /// Moves an edit that has just been applied into the newest step, if this step does nothing but
+  /// change layers: both are undone together, with the label of the edit. Returns false and does
+  /// nothing if this is impossible: if there are undone steps or no step, if the step does more, or
+  /// if the edit is empty or changes layers, too.
+  bool join(Edit& edit);
+
   /// Undoes the last step. Returns the edit that was applied for this. Fails without a change if no
   /// step can be undone, or if the document was changed without record().
   Result<Edit> undo(Document& document);

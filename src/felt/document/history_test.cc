@@ -100,6 +100,41 @@ TEST(History, AStepIsExtendedOnlyByAReplacementOfTheSameStrokes) {
   EXPECT_EQ(d, after);
 }
 
+TEST(History, AStepOfLayersIsJoinedByInk) {
+  Document d;
+  History history;
+  const auto layer = [&d](std::string name) {
+    const LayerId id = d.new_layer_id();
+    return Edit{
+        "Add layer", {}, {{id, std::nullopt, LayerState{std::move(name)}, 0, d.layers().size()}}};
+  };
+  const auto apply = [&](const Edit& edit) { ASSERT_TRUE(d.apply(edit)); };
+  Edit ink = draw(d);
+  EXPECT_FALSE(history.join(ink)) << "there is no step";
+  const Document before = d;
+  const Edit added = layer("b");
+  apply(added);
+  history.record(added);
+  const std::uint64_t position = history.position();
+  Edit other = layer("c");
+  EXPECT_FALSE(history.join(other)) << "it changes layers, too";
+  ink = draw(d, "Draw");
+  apply(ink);
+  EXPECT_TRUE(history.join(ink));
+  EXPECT_EQ(history.undo_count(), 1U);
+  EXPECT_EQ(history.undo_label(), "Draw");
+  EXPECT_NE(history.position(), position);
+  const Document after = d;
+  Edit second = draw(d, "Draw");
+  EXPECT_FALSE(history.join(second)) << "the step does more than change layers";
+  EXPECT_EQ(second.layers.size(), 0U);
+  ASSERT_TRUE(history.undo(d));
+  EXPECT_EQ(d, before);
+  EXPECT_FALSE(history.join(second)) << "a step is undone";
+  ASSERT_TRUE(history.redo(d));
+  EXPECT_EQ(d, after);
+}
+
 /// A step that adds or removes pictures holds their bytes, also if the layers are in a group.
 TEST(History, TheBytesOfPicturesCount) {
   auto data = std::make_shared<PictureData>();

@@ -63,9 +63,10 @@ struct LayerEvent {
 struct AddPicture {
   std::string name = {};  ///< name of the layer; empty gives "Layer N"
   std::shared_ptr<const PictureData> data = {};
-  Affine place = {};  ///< LayerPicture::place
+  Affine place = {};     ///< LayerPicture::place
+  double opacity = 1.0;  ///< of the layer, 0..1
   friend bool operator==(const AddPicture& a, const AddPicture& b) {
-    return a.name == b.name && a.place == b.place &&
+    return a.name == b.name && a.place == b.place && a.opacity == b.opacity &&
            (a.data == b.data || (a.data && b.data && *a.data == *b.data));
   }
 };

@@ -252,7 +252,19 @@ Result<Edit> new_group(const Document& document, const LayerEvent& event) {
   return stack.edit(label_of(Do::kGroup));
 }
 
-Result<Edit> edit_of_group(const Document& document, const LayerEvent& event) {
+/// Returns the group of a layer after it was moved to `index` of the other layers. If the layer
+/// stays next to the others of its group, it stays in the group.
+LayerGroupPtr group_at(const LayerStack& others, std::size_t index, const LayerGroupPtr& own) {
+  if (others.splits(index)) return others.group(index);
+  if (!own) return nullptr;
+  const LayerRange range = others.range_of(own->id);
+  const bool is_next = index == range.first || index == range.last;
+  return range.size() == 0 || is_next ? own : nullptr;
+}
+
+}  // namespace
+
+Result<Edit> group_edit(const Document& document, const LayerEvent& event) {
   if (event.what == Do::kGroup) return new_group(document, event);
   LayerStack stack(document);
   const LayerRange range = stack.range_of(event.group.value_or(GroupId{}));
@@ -274,24 +286,6 @@ Result<Edit> edit_of_group(const Document& document, const LayerEvent& event) {
     default:
       return changed_group(stack, range, event);
   }
-}
-
-/// Returns the group of a layer after it was moved to `index` of the other layers. If the layer
-/// stays next to the others of its group, it stays in the group.
-LayerGroupPtr group_at(const LayerStack& others, std::size_t index, const LayerGroupPtr& own) {
-  if (others.splits(index)) return others.group(index);
-  if (!own) return nullptr;
-  const LayerRange range = others.range_of(own->id);
-  const bool is_next = index == range.first || index == range.last;
-  return range.size() == 0 || is_next ? own : nullptr;
-}
-
-}  // namespace
-
-Result<Edit> group_edit(const Document& document, const LayerEvent& event) {
-  Result<Edit> edit = edit_of_group(document, event);
-  if (edit) keep_one_open(document, *edit);
-  return edit;
 }
 
 Result<Edit> layer_move(const Document& document, const LayerEvent& event) {
@@ -322,9 +316,7 @@ Result<Edit> layer_move(const Document& document, const LayerEvent& event) {
     set_group(group_at(stack, index, own));
   }
   stack.insert(index, std::move(taken));
-  Edit edit = stack.edit(label_of(event.what));
-  keep_one_open(document, edit);
-  return edit;
+  return stack.edit(label_of(event.what));
 }
 
 }  // namespace felt

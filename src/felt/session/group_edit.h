@@ -7,8 +7,7 @@
 namespace felt {
 
 /// Returns the effect of kGroup, or of an event that is for a group (LayerEvent::group), as one
-/// edit, which is one undo step. The edit is empty if nothing changes. If no open layer would
-/// remain, the edit also adds one on top.
+/// edit, which is one undo step. The edit is empty if nothing changes.
 ///
 /// Fails if the group or a layer does not exist, if a value is out of range, or if the event cannot
 /// be for a group.

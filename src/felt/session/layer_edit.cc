@@ -19,16 +19,53 @@ std::string title_of(const Layer& layer) {
   return "layer " + std::to_string(layer.id.value) + " (" + layer.name + ")";
 }
 
+tl::unexpected<Error> bad_opacity() {
+  return fail(ErrorCode::kInvalidArgument, "opacity: is not a number from 0 to 1");
+}
+
 LayerChange new_layer(const Document& document, std::string name, std::size_t index) {
   const LayerId id = document.new_layer_id();
   if (name.empty()) name = "Layer " + std::to_string(id.value);
   return {id, std::nullopt, LayerState{std::move(name)}, 0, index};
 }
 
-/// Returns the group of the current layer, in which new layers next to it are put, too.
-LayerGroupPtr group_in_use(const Document& document, LayerId in_use) {
+/// A position for a new layer, and its group.
+struct Beside {
+  std::size_t index = 0;
+  LayerGroupPtr group;
+};
+
+/// Returns the position below or above the current layer, in its group. If that group is hidden or
+/// locked, the new layer would be so, too; returns the position on top.
+Beside beside(const Document& document, LayerId in_use, std::size_t above) {
+  const std::size_t top = document.layers().size();
   const Layer* layer = document.layer(in_use);
-  return layer ? layer->group : nullptr;
+  if (!layer) return {top, nullptr};
+  const LayerGroupPtr& group = layer->group;
+  if (group && (!group->visible || group->locked)) return {top, nullptr};
+  return {std::min(document.layer_index(in_use) + above, top), group};
+}
+
+/// Completes an edit of layers: if no layer would remain, or if `open` is true no open layer, the
+/// edit also adds one on top.
+void keep_one(const Document& document, bool open, Edit& edit) {
+  if (edit.layers.empty()) return;
+  const auto stays = [open](const LayerState& state) {
+    return !open || (is_visible(state) && !is_locked(state));
+  };
+  std::set<LayerId> changed;
+  std::size_t count = document.layers().size();
+  for (const LayerChange& c : edit.layers) {
+    if (c.after && stays(*c.after)) return;
+    changed.insert(c.id);
+    if (!c.before) ++count;
+    if (!c.after) --count;
+  }
+  const std::span<const Layer> layers = document.layers();
+  const bool other_stays = std::any_of(layers.begin(), layers.end(), [&](const Layer& l) {
+    return !changed.contains(l.id) && (!open || is_open(l));
+  });
+  if (!other_stays) edit.layers.push_back(new_layer(document, {}, count));
 }
 
 /// Returns the state of the layer after the event. Position and removal are not part of this state.
@@ -181,7 +218,7 @@ Result<void> check_event(const Document& document, const Layer& layer, const Lay
                                 ": you cannot draw on it");
     case Do::kOpacity:
       if (event.opacity >= 0.0 && event.opacity <= 1.0) return {};
-      return fail(ErrorCode::kInvalidArgument, "opacity: is not a number from 0 to 1");
+      return bad_opacity();
     case Do::kMerge:
       return check_merge(document, layer);
     case Do::kPlace:
@@ -244,26 +281,6 @@ std::string label_of(Do what) {
       break;
   }
   return "Use layer";
-}
-
-void keep_one_open(const Document& document, Edit& edit) {
-  if (edit.layers.empty()) return;
-  const auto stays_open = [](const LayerState& state) {
-    return is_visible(state) && !is_locked(state);
-  };
-  std::set<LayerId> changed;
-  std::size_t count = document.layers().size();
-  for (const LayerChange& c : edit.layers) {
-    if (c.after && stays_open(*c.after)) return;
-    changed.insert(c.id);
-    if (!c.before) ++count;
-    if (!c.after) --count;
-  }
-  const std::span<const Layer> layers = document.layers();
-  const bool other_is_open = std::any_of(layers.begin(), layers.end(), [&](const Layer& l) {
-    return !changed.contains(l.id) && is_open(l);
-  });
-  if (!other_is_open) edit.layers.push_back(new_layer(document, {}, count));
 }
 
 Result<CopiedStrokes> copied_strokes(const Document& document, std::span<const Layer> layers) {
@@ -344,10 +361,10 @@ Result<Edit> unchecked_layer_edit(const Document& document, const LayerEvent& ev
                                   LayerId in_use) {
   if (auto ok = check_name(event.name); !ok) return tl::unexpected(ok.error());
   if (event.what == Do::kAdd) {
-    const std::size_t above = std::min(document.layer_index(in_use) + 1, document.layers().size());
-    Edit edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
+    const Beside place = beside(document, in_use, 1);
+    Edit edit{label_of(event.what), {}, {new_layer(document, event.name, place.index)}};
     LayerState& added = *edit.layers.front().after;
-    added.group = group_in_use(document, in_use);
+    added.group = place.group;
     if (!event.timing_of) return edit;
     const Layer* key = document.layer(event.timing_of);
     if (!key) return no_layer(event.timing_of);
@@ -367,17 +384,17 @@ Result<Edit> unchecked_layer_edit(const Document& document, const LayerEvent& ev
   const bool moves =
       event.what == Do::kMove || event.what == Do::kRaise || event.what == Do::kLower;
   if (moves) return layer_move(document, event);
-  Edit edit =
-      event.what == Do::kRemove ? removal_of(document, *layer) : change_of(document, *layer, event);
-  keep_one_open(document, edit);
-  return edit;
+  if (event.what == Do::kRemove) return removal_of(document, *layer);
+  return change_of(document, *layer, event);
 }
 
 }  // namespace
 
-Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
+Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use,
+                        bool keeps_one_open) {
   Result<Edit> edit = unchecked_layer_edit(document, event, in_use);
   if (!edit) return edit;
+  keep_one(document, keeps_one_open, *edit);
   if (Result<void> fits = check_layer_count(document, *edit); !fits) {
     return tl::unexpected(fits.error());
   }
@@ -390,9 +407,11 @@ Result<Edit> picture_edit(const Document& document, const AddPicture& event, Lay
   if (!is_picture_place(event.place)) {
     return fail(ErrorCode::kInvalidArgument, "matrix: a picture cannot be placed like this");
   }
-  const std::size_t index = std::min(document.layer_index(in_use), document.layers().size());
-  LayerChange change = new_layer(document, event.name, index);
-  change.after->group = group_in_use(document, in_use);
+  if (!(event.opacity >= 0.0 && event.opacity <= 1.0)) return bad_opacity();
+  const Beside place = beside(document, in_use, 0);
+  LayerChange change = new_layer(document, event.name, place.index);
+  change.after->group = place.group;
+  change.after->opacity = event.opacity;
   change.after->picture =
       std::make_shared<const LayerPicture>(LayerPicture{event.data, event.place});
   Edit edit{"Add picture", {}, {std::move(change)}};

@@ -17,17 +17,16 @@ inline bool is_open(const Layer& layer) noexcept {
   return layer.visible && !layer.locked;
 }
 
-/// Returns the highest open layer, which receives new ink if the current layer cannot; an empty id
-/// if no layer is open.
+/// Returns the highest open layer, which becomes the current one if the current one is closed; an
+/// empty id if no layer is open.
 LayerId highest_open_layer(const Document& document) noexcept;
 
 /// Returns the edit with these layers hidden, before and after it. `hidden` is ascending.
 Edit with_layers_hidden(Edit edit, std::span<const LayerId> hidden);
 
 /// Returns the whole effect of a layer event on a document as one edit, which is one undo step. The
-/// edit is empty if nothing changes; for kUse it is always empty. If no open layer would remain,
-/// the edit also adds an open layer on top, because ink must never go to a layer that the user
-/// cannot see.
+/// edit is empty if nothing changes; for kUse it is always empty. If no layer would remain, or with
+/// `keeps_one_open` no open layer, the edit also adds one on top.
 ///
 /// If the event is for a group, the edit is that of group_edit().
 ///
@@ -36,11 +35,12 @@ Edit with_layers_hidden(Edit edit, std::span<const LayerId> hidden);
 /// layer has none, or is locked; or if layers cannot be merged: both must be open, in the same
 /// group and have the same opacity and blend mode, and the upper one must have no picture. The
 /// message names the layer and the reason. Also fails if check_layer_count() refuses the edit.
-Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use);
+Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use,
+                        bool keeps_one_open = false);
 
-/// Returns an edit that adds a layer with a picture below the layer `in_use`. Fails if the event
-/// has no data, or a place that is_picture_place() refuses, or if check_layer_count() refuses the
-/// edit.
+/// Returns an edit that adds a layer with a picture below the layer `in_use`, or on top if the
+/// group of that layer is hidden or locked. Fails if the event has no data, an opacity that is not
+/// in 0..1, or a place that is_picture_place() refuses, or if check_layer_count() refuses the edit.
 Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use);
 
 /// Returns the layer that the event makes the current one; an empty id if it leaves the current
@@ -53,9 +53,6 @@ Result<void> check_layer_count(const Document& document, const Edit& edit);
 
 /// Returns the name of an event in the undo menu.
 std::string label_of(LayerEvent::Do what);
-
-/// Completes an edit of layers: if no open layer would remain, the edit also adds one on top.
-void keep_one_open(const Document& document, Edit& edit);
 
 /// The ids of the copies of strokes.
 using CopiedStrokes = std::map<StrokeId, StrokeId>;

@@ -71,9 +71,16 @@ TEST(LayerEvents, APictureComesBelowTheCurrentLayerAndIsUsed) {
   ASSERT_TRUE(f.at(0).picture);
   EXPECT_EQ(f.at(0).picture->place, place);
   EXPECT_FALSE(f.at(0).picture->exported);
+  EXPECT_EQ(f.at(0).opacity, 1.0);
   EXPECT_EQ(f.session->layer(), f.at(0).id);
   EXPECT_EQ(f.apply(UndoEvent{}), "");
   EXPECT_EQ(f.session->document().layers().size(), 1U);
+  EXPECT_EQ(f.apply(AddPicture{"Faded", testing::picture_data(), place, 0.25}), "");
+  EXPECT_EQ(f.at(0).opacity, 0.25);
+  for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THAT(f.apply(AddPicture{"", testing::picture_data(), place, bad}),
+                HasSubstr("from 0 to 1"));
+  }
   EXPECT_EQ(f.apply(AddPicture{"", nullptr, place}), "picture: has no data");
   EXPECT_THAT(f.apply(AddPicture{"", testing::picture_data(), {0, 0, 0, 0, 1, 1}}),
               HasSubstr("cannot be placed"));
@@ -162,6 +169,26 @@ TEST(LayerEvents, NamesStayShortEnoughForFiles) {
   EXPECT_EQ(f.at(0).name, longest);
 }
 
+TEST(LayerEvents, ALockedPictureStaysWhereItIsAlsoIfNoOtherLayerIsThere) {
+  for (const bool locks : {false, true}) {
+    Session session(make_tools(), {});
+    std::int64_t time_ns = 0;
+    const auto apply = [&](decltype(Event::what) what) {
+      EXPECT_TRUE(session.apply({time_ns += 20'000'000, std::move(what)}));
+    };
+    const Affine place{10, 0, 0, 10, 20, 20};
+    apply(AddPicture{"Photo", testing::picture_data(), place});
+    apply(LayerEvent{Do::kRemove, {1}});
+    if (locks) apply(LayerEvent{Do::kLock, {2}});
+    apply(SelectTool{"transform"});
+    apply(PenEvent{{30.0, 25.0, 5.0}, {}, 0});
+    for (const double x : {30.0, 35.0, 45.0}) apply(PenEvent{{x, 25.0, -1.0}, {}, 0});
+    for (int i = 0; i < 20; ++i) apply(PenEvent{{45.0, 25.0, 5.0}, {}, 0});
+    EXPECT_EQ(session.document().layers()[0].picture->place == place, locks);
+    EXPECT_EQ(session.document().layers().size(), 1U);
+  }
+}
+
 /// A script may add layers one by one. The work for each of them does not grow with their number.
 TEST(LayerEvents, ManyLayersAreAddedAndUndoneWithoutMovingTheOthers) {
   LayerFixture f;
@@ -190,10 +217,19 @@ TEST(LayerEvents, NoEventAddsMoreLayersThanFilesMayHave) {
   tools.push_back(std::make_unique<FakePencil>());
   f.session = std::make_unique<Session>(std::move(tools), std::move(options));
   const AddPicture picture{"Photo", testing::picture_data(), {}};
-  for (const auto& refused : {f.apply(LayerEvent{}), f.layer(Do::kDuplicate, 1),
-                              f.layer(Do::kHide, 1), f.layer(Do::kLock, 1), f.apply(picture)}) {
+  for (const auto& refused :
+       {f.apply(LayerEvent{}), f.layer(Do::kDuplicate, 1), f.apply(picture)}) {
     EXPECT_THAT(refused, HasSubstr("at most 10000 layers"));
   }
+  EXPECT_EQ(f.session->document(), document);
+  EXPECT_EQ(f.layer(Do::kLock, 1), "") << "now no layer is open";
+  const std::vector strokes{std::make_shared<const Stroke>(testing::random_stroke(1))};
+  EXPECT_THAT(f.session->import(1, ImportEvent{"a.svg"}, strokes).error().message,
+              HasSubstr("at most 10000 layers"));
+  for (const double z : {5.0, -1.0, -1.0, 5.0}) {
+    EXPECT_EQ(f.apply(PenEvent{{10.0 * z, 0.0, z}, {}, 0}), "") << "there is no layer for the line";
+  }
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
   EXPECT_EQ(f.session->document(), document);
   EXPECT_EQ(f.layer(Do::kRemove, 2), "");
   EXPECT_EQ(f.apply(LayerEvent{}), "");

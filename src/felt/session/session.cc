@@ -165,7 +165,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
   if (first != tools_.end()) active_ = static_cast<std::size_t>(first - tools_.begin());
   parts_->surface.follow(options_.materials);
   parts_->ink_medium = drawing_medium(*this);
-  if (!highest_open_layer(document_)) {
+  if (document_.layers().empty()) {
     const Edit edit = add_layer_on_top(document_);
     FELT_CHECK(document_.apply(edit).has_value());
     follow(edit);
@@ -207,6 +207,7 @@ Result<void> Session::sample(const PenSample& reported) {
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
   sample.velocity = parts_->velocity.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
+  if (begins_ink(sample) && !open_layer_for_ink()) must_lift_ = true;  // before the gesture begins
   if (options_.on_event) {
     record({sample.time_ns,
             PenEvent{sample.position, sample.pressure, sample.buttons, sample.tilt_deg}});
@@ -233,6 +234,7 @@ Result<void> Session::sample(const PenSample& reported) {
 Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
                              std::span<const StrokePtr> strokes, std::span<const FillPtr> fills) {
   if (Result<void> ended = finish(); !ended) return ended;
+  if (Result<void> opened = open_layer_for_ink(); !opened) return opened;
   Edit edit = import_edit(document_, layer_, strokes, fills);
   Selection added = made_by(edit);
   if (Result<void> done = commit(std::move(edit)); !done) return done;

@@ -48,11 +48,11 @@ struct ExactOffer;
 /// or none if it changes nothing. The offer ends with a choice, with the next touch, with any other
 /// change of the document, and with tool, device, finish and cancel.
 ///
-/// New ink goes to the *current layer*, which is always *open*: visible and unlocked. If this layer
-/// is hidden, locked or removed, the highest open layer becomes current. If a layer event would
-/// leave no open layer, its edit also adds an open layer. The *selection* is updated by every edit;
-/// strokes in hidden or locked layers are deselected. Undo does not restore the current layer or
-/// the selection.
+/// New ink goes to the *current layer*. It is *open*, that is, visible and unlocked, as long as any
+/// layer is: if it is hidden, locked or removed, the highest open layer becomes current. If no
+/// layer is open, a touch that adds ink first adds a layer on top, and so does an import; both are
+/// one undo step with the ink. The *selection* is updated by every edit; strokes in hidden or
+/// locked layers are deselected. Undo does not restore the current layer or the selection.
 ///
 /// Samples with a coordinate that is not finite or exceeds 1e9 mm are dropped. Pressures are
 /// clamped to 0..1 and tilts to 0..90 degrees (NaN counts as unknown). Velocities are computed from
@@ -114,8 +114,10 @@ class Session {
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
   /// Returns the current device.
   [[nodiscard]] const Capabilities& device() const noexcept { return options_.device; }
-  /// Returns the current layer.
+  /// Returns the current layer. It is hidden or locked only if all layers are.
   [[nodiscard]] LayerId layer() const noexcept { return layer_; }
+  /// Returns the number of layers that were added because ink needed one.
+  [[nodiscard]] std::uint64_t layers_added_for_ink() const noexcept { return ink_layers_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }
   /// Returns the known surfaces and media. A UseMaterial may invalidate references to them.
   [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
@@ -215,6 +217,10 @@ class Session {
   void follow_ring(PenSample& sample);
   void draw_ring(Overlay& overlay) const;
   void keep_layer_open();
+  /// Returns true if the sample begins a gesture of a tool that adds ink.
+  [[nodiscard]] bool begins_ink(const PenSample& sample) const;
+  /// Adds a layer if no layer is open. Fails if the drawing has too many layers.
+  Result<void> open_layer_for_ink();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
   /// Completes an edit of a command and commits it.
@@ -246,6 +252,9 @@ class Session {
   Selection selection_;
   History history_;
   LayerId layer_;
+  std::uint64_t ink_layers_ = 0;
+  // The position in the history after the last layer was added for ink.
+  std::optional<std::uint64_t> ink_layer_step_;
   std::optional<Edit> preview_;
   mutable std::optional<Edit> shown_preview_;      // preview_with_fills()
   mutable bool shown_is_current_ = true;           // shown_preview_ belongs to preview_

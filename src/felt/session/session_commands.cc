@@ -127,11 +127,12 @@ Result<void> Session::restyle_selected(const RestyleEvent& event) {
 Result<void> Session::change_layer(const LayerEvent& event) {
   if (gesture_in_progress()) return {};
   // Reports an error before anything changes. The call of settle() below does not change layers.
-  if (Result<Edit> edit = layer_edit(document_, event, layer_); !edit) {
+  const bool keeps_one_open = option_defaults_ < kLateLayerDefaults;
+  if (Result<Edit> edit = layer_edit(document_, event, layer_, keeps_one_open); !edit) {
     return tl::unexpected(edit.error());
   }
   if (Result<void> settled = settle(); !settled) return settled;
-  Result<Edit> edit = layer_edit(document_, event, layer_);
+  Result<Edit> edit = layer_edit(document_, event, layer_, keeps_one_open);
   if (!edit) return tl::unexpected(edit.error());
   const LayerId used = used_after(document_, event, *edit);
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
@@ -199,9 +200,27 @@ Result<void> Session::change_body(const BodyEvent& event) {
 void Session::keep_layer_open() {
   const Layer* layer = seen().layer(layer_);
   if (layer && is_open(*layer)) return;
-  if (!highest_open_layer(seen())) set_view({});
-  // After every step of a session at least one layer is open.
+  if (!highest_open_layer(seen()) && highest_open_layer(document_)) set_view({});
   if (const LayerId open = highest_open_layer(seen())) layer_ = open;
+  if (!document_.layer(layer_)) layer_ = document_.layers().back().id;
+}
+
+bool Session::begins_ink(const PenSample& sample) const {
+  const bool adds = draws_ink() || tool().info().kind == ToolKind::kFills;
+  return adds && in_contact(sample) && !pen_is_down_ && !must_lift_ && !ring_;
+}
+
+Result<void> Session::open_layer_for_ink() {
+  const Layer* layer = seen().layer(layer_);
+  if (layer && is_open(*layer)) return {};
+  Edit edit = add_layer_on_top(document_);
+  if (Result<void> fits = check_layer_count(document_, edit); !fits) return fits;
+  layer_ = edit.layers.front().id;
+  ++ink_layers_;
+  show({});
+  if (Result<void> done = commit(std::move(edit)); !done) return done;
+  ink_layer_step_ = history_.position();
+  return {};
 }
 
 Result<void> Session::use_view(const UseView& event) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <random>
+#include <set>
 
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_fills.h"
@@ -343,8 +344,17 @@ TEST(SessionLayers, ARemovedLayerTakesItsFillsAlong) {
   EXPECT_EQ(document, before);
 }
 
-TEST(SessionLayers, ThereIsAlwaysOneOpenToDrawOn) {
-  for (const Do what : {Do::kHide, Do::kLock, Do::kRemove}) {
+/// Returns the ids of the layers in which strokes are.
+std::set<LayerId> layers_with_ink(const Document& document) {
+  std::set<LayerId> layers;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.strokes.empty()) layers.insert(layer.id);
+  }
+  return layers;
+}
+
+TEST(SessionLayers, InkGetsALayerIfNoneIsOpen) {
+  for (const Do what : {Do::kHide, Do::kLock}) {
     SCOPED_TRACE(static_cast<int>(what));
     CommandFixture fixture;
     fixture.layer(Do::kAdd);
@@ -354,21 +364,126 @@ TEST(SessionLayers, ThereIsAlwaysOneOpenToDrawOn) {
     EXPECT_EQ(fixture.session.layer().value, 3U) << "the highest other one";
     fixture.layer(what, 3);
     EXPECT_EQ(fixture.session.layer().value, 2U);
-    const std::size_t steps = fixture.steps();
     fixture.layer(what, 2);
-    EXPECT_EQ(fixture.steps(), steps + 1);
-    EXPECT_EQ(fixture.session.layer().value, 4U) << "a new one, on top, by the same step";
-    EXPECT_EQ(fixture.layers().back(), 4U);
+    EXPECT_EQ(fixture.layers(), (std::vector<std::uint64_t>{1, 2, 3})) << "none is added yet";
+    EXPECT_EQ(fixture.session.layer().value, 2U) << "it stays the current one";
+    const Document before = fixture.session.document();
+    const std::size_t steps = fixture.steps();
     fixture.line(0, 0);
+    EXPECT_EQ(fixture.tool->layer.value, 4U);
+    EXPECT_EQ(fixture.session.layer().value, 4U);
+    EXPECT_EQ(fixture.session.layers_added_for_ink(), 1U);
+    EXPECT_EQ(fixture.layers().back(), 4U);
     EXPECT_EQ(visible_strokes(fixture.session.document()).size(), 1U) << "ink that one can see";
+    EXPECT_EQ(fixture.steps(), steps + 1) << "the layer and its ink are one step";
+    const Document after = fixture.session.document();
     fixture.must(UndoEvent{});
-    fixture.must(UndoEvent{});
-    EXPECT_EQ(fixture.session.layer().value, 2U);
-    EXPECT_EQ(fixture.session.document().layer({4}), nullptr);
+    EXPECT_EQ(fixture.session.document(), before);
+    fixture.must(RedoEvent{});
+    EXPECT_EQ(fixture.session.document(), after);
+    fixture.line(0, 10);
+    EXPECT_EQ(fixture.steps(), steps + 2) << "the next line is a step of its own";
+    EXPECT_EQ(layers_with_ink(fixture.session.document()), std::set{LayerId{4}});
   }
 }
 
-TEST(SessionLayers, ADocumentWithoutAnOpenLayerGetsOneAtTheStart) {
+TEST(SessionLayers, ALayerThatIsLockedAndUnlockedStaysTheOnlyOne) {
+  for (const auto& [closes, opens] :
+       {std::pair{Do::kLock, Do::kUnlock}, std::pair{Do::kHide, Do::kShow}}) {
+    CommandFixture fixture;
+    for (int i = 0; i < 3; ++i) {
+      fixture.layer(closes, 1);
+      fixture.layer(opens, 1);
+    }
+    EXPECT_EQ(fixture.layers(), std::vector<std::uint64_t>{1});
+    fixture.line(0, 0);
+    EXPECT_EQ(layers_with_ink(fixture.session.document()), std::set{LayerId{1}});
+    EXPECT_EQ(fixture.session.layers_added_for_ink(), 0U);
+  }
+}
+
+TEST(SessionLayers, AToolThatAddsNoInkAddsNoLayer) {
+  CommandFixture fixture;
+  fixture.layer(Do::kLock, 1);
+  fixture.must(SelectTool{"eraser"});
+  fixture.line(0, 0);
+  EXPECT_EQ(fixture.layers(), std::vector<std::uint64_t>{1});
+}
+
+TEST(SessionLayers, AnImportGetsALayerIfNoneIsOpen) {
+  CommandFixture fixture;
+  fixture.layer(Do::kLock, 1);
+  const Document before = fixture.session.document();
+  const std::vector strokes{std::make_shared<const Stroke>(testing::random_stroke(1))};
+  ASSERT_TRUE(fixture.session.import(1, ImportEvent{.path = "a.svg", .select = true}, strokes));
+  EXPECT_EQ(layers_with_ink(fixture.session.document()), std::set{LayerId{2}});
+  EXPECT_FALSE(fixture.session.selection().empty());
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.session.document(), before);
+}
+
+// The ink of a tool that has no result is lost, but its layer can be undone.
+TEST(SessionLayers, ACancelledLineLeavesItsLayerAsAStep) {
+  CommandFixture fixture;
+  fixture.layer(Do::kHide, 1);
+  const std::size_t steps = fixture.steps();
+  fixture.pen(0, 0, 5);
+  fixture.pen(0, 0, -1);
+  fixture.must(CancelEvent{});
+  fixture.pen(0, 0, 5);
+  EXPECT_EQ(fixture.layers(), (std::vector<std::uint64_t>{1, 2}));
+  EXPECT_EQ(fixture.steps(), steps + 1);
+  fixture.must(UndoEvent{});
+  EXPECT_EQ(fixture.layers(), std::vector<std::uint64_t>{1});
+  EXPECT_EQ(fixture.session.layer().value, 1U);
+}
+
+TEST(SessionLayers, TheLastLayerIsReplacedWhenItIsRemoved) {
+  CommandFixture fixture;
+  const std::size_t steps = fixture.steps();
+  fixture.layer(Do::kRemove, 1);
+  EXPECT_EQ(fixture.steps(), steps + 1);
+  EXPECT_EQ(fixture.layers(), std::vector<std::uint64_t>{2});
+  fixture.layer(Do::kAdd);
+  fixture.layer(Do::kLock, 2);
+  fixture.layer(Do::kRemove, 3);
+  EXPECT_EQ(fixture.layers(), std::vector<std::uint64_t>{2}) << "a locked layer remains";
+  EXPECT_EQ(fixture.session.layer().value, 2U);
+}
+
+TEST(SessionLayers, ANewLayerIsNotPutIntoALockedGroup) {
+  for (const Do what : {Do::kHide, Do::kLock}) {
+    CommandFixture fixture;
+    fixture.layer(Do::kAdd);
+    LayerEvent group{Do::kGroup, {}};
+    group.layers = {{1}};
+    fixture.must(group);
+    fixture.layer(what, 2);
+    LayerEvent close{what, {}};
+    close.group = GroupId{1};
+    fixture.must(close);
+    ASSERT_EQ(fixture.session.layer().value, 1U);
+    fixture.layer(Do::kAdd);
+    EXPECT_EQ(fixture.layers(), (std::vector<std::uint64_t>{1, 2, 3})) << "on top";
+    EXPECT_TRUE(is_open(*fixture.session.document().layer({3})));
+    EXPECT_EQ(fixture.session.layer().value, 3U);
+  }
+}
+
+// Recordings of earlier versions may use the layer that was added.
+TEST(SessionLayers, AnOlderRecordingGetsItsLayerAtOnce) {
+  for (const Do what : {Do::kHide, Do::kLock, Do::kRemove}) {
+    CommandFixture fixture;
+    fixture.must(UseDevice{{}, kLateLayerDefaults - 1});
+    const std::size_t steps = fixture.steps();
+    fixture.layer(what, 1);
+    EXPECT_EQ(fixture.steps(), steps + 1);
+    EXPECT_EQ(fixture.session.layer().value, 2U) << "a new one, on top, by the same step";
+    fixture.layer(Do::kRename, 2, "New");
+  }
+}
+
+TEST(SessionLayers, ADocumentWithoutAnOpenLayerGetsOneByTheFirstInk) {
   Document document;
   ASSERT_TRUE(document.apply(
       {"Lock", {}, {{{1}, LayerState{"Ink"}, LayerState{"Ink", true, true}, 0, 0}}}));
@@ -377,8 +492,11 @@ TEST(SessionLayers, ADocumentWithoutAnOpenLayerGetsOneAtTheStart) {
   options.document = document;
   options.on_edit = [&copy](const Edit& edit) { ASSERT_TRUE(copy.apply(edit)); };
   CommandFixture fixture(std::move(options));
+  EXPECT_EQ(fixture.session.layer().value, 1U);
+  EXPECT_EQ(fixture.session.document(), document) << "to open a file is no change";
+  fixture.line(0, 0);
   EXPECT_EQ(fixture.session.layer().value, 2U);
-  EXPECT_EQ(fixture.steps(), 0U);
+  EXPECT_EQ(fixture.steps(), 1U);
   EXPECT_TRUE(copy == fixture.session.document());
 }
 
@@ -488,7 +606,7 @@ void expect_consistent(const Session& session) {
   held.hold_to(document);
   ASSERT_EQ(held, session.selection());
   const Layer* in_use = document.layer(session.layer());
-  ASSERT_TRUE(in_use && in_use->visible && !in_use->locked);
+  ASSERT_TRUE(in_use && (is_open(*in_use) || !highest_open_layer(document)));
 }
 
 Event random_event(const Session& session, std::mt19937& random) {

@@ -95,7 +95,8 @@ Result<void> Session::apply_and_record(Edit edit) {
   if (edit.empty()) return {};
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
-  history_.record(std::move(edit));
+  const bool has_new_layer = ink_layer_step_ == history_.position();
+  if (!has_new_layer || !history_.join(edit)) history_.record(std::move(edit));
   return {};
 }
 

@@ -57,6 +57,14 @@ TEST_F(TrialSetupTest, ChecksWhatTheDeviceCanDo) {
               HasSubstr("s.toml:3: condition.guidance is \"groove\""));
 }
 
+TEST_F(TrialSetupTest, AStudyOfShareCanBeTriedWithoutForces) {
+  const Result<StudyFiles> files = read_study_files("share/studies/stabilisers.toml");
+  ASSERT_TRUE(files);
+  EXPECT_TRUE(check_conditions(*files, Materials::built_in(), Capabilities(), "s.toml"));
+  for (const StudyCondition& condition : files->study.conditions)
+    EXPECT_FALSE(condition.has_forces);
+}
+
 TEST_F(TrialSetupTest, AGuideFollowsTheShape) {
   const std::pair<const char*, GuideKind> kinds[] = {
       {"groove", GuideKind::kGroove},

@@ -28,8 +28,9 @@ class SelectionView {
   /// Control points read by one look(): 30 us at most, even for strokes that are scattered in
   /// memory.
   static constexpr std::size_t kPointsPerLook = 500;
-  /// Maximum number of marked segments. In a larger selection only the first kMaxSpans are marked,
-  /// and a frame is drawn around the whole selection.
+  /// Maximum number of marked segments. In a larger selection every second, fourth, eighth, ...
+  /// stroke is marked, so that marks are everywhere (of a few very long strokes, the first
+  /// segments), and a frame is drawn around the whole selection.
   static constexpr std::size_t kMaxSpans = 2'000;
   static constexpr double kBesideMm = 3.0;
 
@@ -70,12 +71,18 @@ class SelectionView {
     std::uint64_t fingerprint = 0;
     std::size_t strokes = 0;
     std::size_t partial = 0;
+    std::size_t stride = 1;  // one stroke of so many is marked
     std::vector<Overlay::Span> spans;
+    std::vector<std::size_t> span_ends;  // the number of spans after each marked stroke
   };
 
   /// Reads up to `points` control points. Returns true if the pass is then complete.
   bool go_on(const Document& document, const Selection& selection, std::size_t points);
   void add(StrokeId id, const Stroke& stroke, const Selection::Marks& marks);
+  /// Marks the segments of a stroke, if it is one of those that are marked.
+  void mark(const Stroke& stroke, const Selection::Marks& marks);
+  /// Unmarks every second of the marked strokes.
+  void thin_out();
 
   Sight seen_;          // result of the last complete pass
   Sight round_;         // pass in progress

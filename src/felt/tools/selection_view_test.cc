@@ -97,20 +97,53 @@ TEST(SelectionView, LeavesLockedLayersOut) {
   EXPECT_TRUE(view.empty());
 }
 
-TEST(SelectionView, AFrameGoesRoundMoreThanItMarks) {
-  Fixture fixture;
-  for (std::size_t i = 0; i < SelectionView::kMaxSpans + 1; ++i) {
-    const double x = static_cast<double>(i);
-    const StrokeId id = fixture.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
-    fixture.selection.set_whole(id, 4);
+TEST(SelectionView, MarksOfALargeSelectionAreEverywhereAndAFrameGoesRoundIt) {
+  for (const std::size_t count :
+       {SelectionView::kMaxSpans + 1, 2 * SelectionView::kMaxSpans, 7 * SelectionView::kMaxSpans}) {
+    Fixture fixture;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = static_cast<double>(i);
+      const StrokeId id = fixture.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
+      fixture.selection.set_whole(id, 4);
+    }
+    SelectionView view;
+    for (int round = 0; round < 2; ++round) {  // the second one reuses the memory
+      view.look_at_all(fixture.document, fixture.selection);
+      Overlay overlay;
+      view.draw(overlay);
+      EXPECT_LE(overlay.spans.size(), SelectionView::kMaxSpans);
+      EXPECT_GT(overlay.spans.size(), SelectionView::kMaxSpans / 3);
+      // The same number of lines is between two marked ones, also before the first and the last.
+      const double step = overlay.spans[1].curve.p[0].x - overlay.spans[0].curve.p[0].x;
+      EXPECT_EQ(overlay.spans[0].curve.p[0].x, 0.0);
+      for (std::size_t i = 0; i < overlay.spans.size(); ++i) {
+        EXPECT_EQ(overlay.spans[i].curve.p[0].x, static_cast<double>(i) * step);
+      }
+      EXPECT_LE(static_cast<double>(count) - overlay.spans.back().curve.p[0].x, step);
+      ASSERT_EQ(overlay.outlines.size(), 1U);
+      EXPECT_NEAR(overlay.outlines[0].points[2].x, double(count - 1), 1e-9);
+    }
   }
+}
+
+TEST(SelectionView, AVeryLongStrokeIsMarkedAsFarAsPossible) {
+  Fixture fixture;
+  const StrokeId shorter = fixture.add(straight_stroke({0, 0}, {0, 10}, 1, 1));
+  fixture.selection.set_whole(shorter, 4);
+  StrokeData data;
+  const std::size_t segments = 2 * SelectionView::kMaxSpans;
+  for (std::size_t i = 0; i <= 3 * segments; ++i) data.points.push_back({0.1 * double(i), 5.0});
+  data.joints.assign(segments - 1, JointKind::kSmooth);
+  data.widths = {{0.0, 1.0}, {double(segments), 1.0}};
+  const std::size_t points = data.points.size();
+  const StrokeId longer = fixture.add(*Stroke::create(std::move(data)));
+  fixture.selection.set_whole(longer, points);
   SelectionView view;
   view.look_at_all(fixture.document, fixture.selection);
   Overlay overlay;
   view.draw(overlay);
   EXPECT_EQ(overlay.spans.size(), SelectionView::kMaxSpans);
-  ASSERT_EQ(overlay.outlines.size(), 1U);
-  EXPECT_EQ(overlay.outlines[0].points[2], (Point{double(SelectionView::kMaxSpans), 10}));
+  EXPECT_EQ(overlay.outlines.size(), 1U);
 }
 
 }  // namespace

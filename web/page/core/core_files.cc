@@ -7,6 +7,7 @@
 #include "felt/io/events/event_writer.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/render/page_painter.h"
+#include "felt/session/layer_edit.h"
 #include "web/page/core/api_state.h"
 
 namespace felt::page {
@@ -40,7 +41,10 @@ void Core::rebase() {
     if (value) append_event_line(written_, {now, SetOption{id, *value}});
   }
   append_event_line(written_, {now, SelectTool{std::string(session.tool().info().id)}});
-  append_event_line(written_, {now, LayerEvent{LayerEvent::Do::kUse, session.layer()}});
+  const Layer* layer = session.document().layer(session.layer());
+  if (layer && is_open(*layer)) {  // otherwise no layer is open
+    append_event_line(written_, {now, LayerEvent{LayerEvent::Do::kUse, layer->id}});
+  }
   base_position_ = position_ = session.history().position();
   replaces_ = true;
 }

@@ -242,6 +242,7 @@ std::string state_text(const Studio& studio) {
   out.add_raw("page", page.text());
   out.add_raw("layers", layer_rows(session));
   out.add_raw("groups", group_rows(session));
+  out.add_number("inkLayers", static_cast<double>(session.layers_added_for_ink()));
   const History& history = session.history();
   out.add_raw("undo", label_text(history.can_undo(), history.undo_label()));
   out.add_raw("redo", label_text(history.can_redo(), history.redo_label()));

@@ -1691,9 +1691,12 @@ const topics = {
       await press('[data-mark=name-3]');
       await press('[aria-label="Remove the layer"]');
       assert.equal((await state()).layers.length, 2);
-      // If nothing is left to draw on, a layer is added, and the page says so.
-      for (const id of [1, 2]) await press(`[data-mark=lock-${id}]`);
-      assert.equal((await state()).layers.length, 3);
+      // If nothing is left to draw on, the first line adds a layer, and the page says so.
+      for (const id of [1, 2, 1, 1]) await press(`[data-mark=lock-${id}]`);
+      assert.equal((await state()).layers.length, 2);
+      await tab.stroke(wave(200, 300));
+      await tab.until(() => feltlinePage.core.state().layers.length === 3);
+      await tab.frames(3);
       assert.match(await notice_of(tab), /All layers were hidden or locked, so .* was added/);
     });
   },

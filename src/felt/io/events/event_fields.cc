@@ -213,10 +213,13 @@ constexpr std::array kOrderFields = {kEvent, kTime,
                                                   return parse_word(v, "to", kOrderWords, e.order);
                                                 }}};
 constexpr std::array kPictureFields = {
-    kEvent, kTime,
+    kEvent,
+    kTime,
     EventField{"name", false,
                [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }},
-    EventField{"png", true, parse_png}, EventField{"matrix", true, parse_matrix}};
+    EventField{"png", true, parse_png},
+    EventField{"matrix", true, parse_matrix},
+    EventField{"opacity", false, parse_opacity}};
 constexpr std::array kMaterialFields = {
     kEvent, kTime, EventField{"text", true, [](Value& v, EventFields& e) {
                                 return parse_text(v, "text", e.text, kMaxMaterialBytes);

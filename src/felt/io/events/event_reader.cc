@@ -101,7 +101,7 @@ decltype(Event::what) content_of(EventName name, EventFields&& fields) {
       return layer_event(std::move(fields));
     case EventName::kPicture:
       return AddPicture{std::move(fields.name), std::move(fields.picture),
-                        fields.matrix.value_or(Affine{})};
+                        fields.matrix.value_or(Affine{}), fields.opacity.value_or(1.0)};
     case EventName::kDevice:
       return UseDevice{fields.device, fields.defaults};
     case EventName::kMaterial:

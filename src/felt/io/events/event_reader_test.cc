@@ -455,9 +455,10 @@ TEST(EventReader, ReadsPicturesAndTheirPlaces) {
   using Do = LayerEvent::Do;
   const std::string png(testing::kRedBluePng);
   EXPECT_EQ(
-      event_of(R"({"event":"picture","t_ms":0,"name":"Photo","matrix":[2,0,0,3,4,5],"png":")" +
-               png + "\"}"),
-      (Event{0, AddPicture{"Photo", testing::picture_data(), {2, 0, 0, 3, 4, 5}}}));
+      event_of(
+          R"({"event":"picture","t_ms":0,"name":"Photo","opacity":0.5,"matrix":[2,0,0,3,4,5],"png":")" +
+          png + "\"}"),
+      (Event{0, AddPicture{"Photo", testing::picture_data(), {2, 0, 0, 3, 4, 5}, 0.5}}));
   LayerEvent faded{Do::kOpacity, {3}};
   faded.opacity = 0.25;
   EXPECT_EQ(event_of(R"({"event":"layer","do":"opacity","id":3,"opacity":0.25,"t_ms":0})"),

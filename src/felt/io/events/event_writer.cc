@@ -162,6 +162,7 @@ struct AddWhat {
     kind("picture");
     if (!e.name.empty()) out.add_text("name", e.name);
     add_matrix(out, e.place);
+    if (e.opacity != 1.0) out.add_number("opacity", e.opacity);
     out.add_text("png", base64_text(e.data ? e.data->png : std::string()));
   }
   void operator()(const UseDevice& e) const {

@@ -85,7 +85,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
       "{\"t_ms\":0,\"event\":\"device\",\"sensed_axes\":3,\"actuated_axes\":3,\"max_force_n\":0,"
       "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
       "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
-      "\"senses_pressure\":false,\"defaults\":4}\n");
+      "\"senses_pressure\":false,\"defaults\":5}\n");
   EXPECT_EQ(line_of({0, ChooseOffer{OfferKind::kCircle}}),
             "{\"t_ms\":0,\"event\":\"choose\",\"what\":\"circle\"}\n");
   EXPECT_EQ(line_of({0, UseGuide{}}), "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"none\"}\n");
@@ -311,7 +311,8 @@ Event any_event(std::int64_t time_ns) {
       event.what = *rc::gen::arbitrary<bool>() ? UseView{} : UseView{{{1}, {7}}};
       break;
     case 15:
-      event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place()};
+      event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place(),
+                              *rc::gen::inRange(0, 1001) / 1000.0};
       break;
     default:
       event.what = ImportEvent{*event_texts(), *rc::gen::arbitrary<bool>()};

@@ -12,6 +12,8 @@ namespace {
 
 /// Directions are measured over chords of kChord places to each side, 2 mm in total.
 constexpr int kChord = 4;
+/// A line is straight if its chord is longer than this share of it.
+constexpr double kStraightShare = 0.95;
 
 /// Returns for each point the mean over `half` points to each side. Near the ends fewer points are
 /// used, and the ends stay in place.
@@ -156,7 +158,24 @@ std::vector<int> IronPlaces::corners() const {
 
 bool IronPlaces::is_corner_at(int joint) const {
   if (stroke_.joint(joint) != JointKind::kCorner) return false;
-  return turns_at(joint, kCornerArmMm) && turns_at(joint, kLongArmMm);
+  return turns_at(joint, kCornerArmMm) && turns_at(joint, kLongArmMm) && !is_spike(joint);
+}
+
+bool IronPlaces::is_spike(int joint) const {
+  const double at = map_.start_of(joint), arm = 0.5 * kShakeLengthMm;
+  if (!closed() && std::min(at, map_.length_mm() - at) < 2.0 * arm) return false;
+  if (map_.length_mm() < 4.0 * arm) return false;
+  const auto point_at = [&](double s) { return stroke_.position(map_.u_at(at + s)); };
+  const Point from = point_at(-arm), to = point_at(arm);
+  const Vec before = from - point_at(-2.0 * arm), across = to - from,
+            after = point_at(2.0 * arm) - to;
+  const double same = std::cos(kCornerDeg * std::numbers::pi / 180.0);
+  const auto goes_on = [same](Vec a, Vec b) { return dot(a, b) > same * norm(a) * norm(b); };
+  // Beside a tooth of a zigzag, the line bends.
+  const bool is_straight = std::min(norm(before), norm(after)) > kStraightShare * arm;
+  const double height = std::sqrt(nearest_on_line(from, to, point_at(0.0)).distance_squared);
+  return is_straight && goes_on(before, across) && goes_on(across, after) &&
+         goes_on(before, after) && height <= kShakeHeightMm;
 }
 
 bool IronPlaces::turns_at(int joint, double arm_mm) const {

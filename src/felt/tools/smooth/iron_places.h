@@ -70,6 +70,9 @@ class IronPlaces {
   [[nodiscard]] std::vector<int> corners() const;
   [[nodiscard]] bool is_corner_at(int joint) const;
   [[nodiscard]] bool turns_at(int joint, double arm_mm) const;
+  /// Returns true if the line goes on behind the corner as before it: within kShakeLengthMm it
+  /// leaves its direction by at most kShakeHeightMm and comes back.
+  [[nodiscard]] bool is_spike(int joint) const;
   [[nodiscard]] double turn(int k) const;
 
   const Stroke& stroke_;

@@ -178,6 +178,83 @@ TEST(Ironing, TheCornersOfAShakyLineAreNoCorners) {
   }
 }
 
+/// Returns the largest turn of a stroke, measured between arms of 2 mm, in degrees.
+double sharpest_deg(const Stroke& stroke) {
+  const ArcMap map(stroke, 1e-5);
+  constexpr double kArm = 2.0;
+  double sharpest = 0.0;
+  for (double s = kArm; s <= map.length_mm() - kArm; s += 0.25) {
+    const Point p = stroke.position(map.u_at(s));
+    sharpest = std::max(sharpest, angle_between(p - stroke.position(map.u_at(s - kArm)),
+                                                stroke.position(map.u_at(s + kArm)) - p));
+  }
+  return sharpest * 180.0 / std::numbers::pi;
+}
+
+/// Returns a path of 120 mm along a wave from which a shaky hand deviates.
+testing::Way shaky_way(double rms_mm, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal(0.0, rms_mm);
+  std::vector<Point> points;
+  Vec off;
+  for (int i = 0; i <= 250; ++i) {
+    off = 0.6 * off + Vec{0.5 * normal(random), 0.8 * normal(random)};
+    const double t = i / 250.0;
+    points.push_back(Point{120 * t, 10 * std::sin(2.0 * std::numbers::pi * t)} + off);
+  }
+  return [points](double t) {
+    const double at = std::min(t * 250.0, 249.999);
+    const auto i = static_cast<std::size_t>(at);
+    return lerp(points[i], points[i + 1], at - static_cast<double>(i));
+  };
+}
+
+TEST(Ironing, ThreePassesLeaveNoSpikeOfAShakyLine) {
+  for (const double rms : {0.2, 0.35, 0.5}) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE(std::to_string(rms) + " mm, seed " + std::to_string(seed));
+      Stroke stroke = jittery(shaky_way(rms, seed), {0.0, 0.0}, seed);
+      for (int pass = 0; pass < 3; ++pass) stroke = ironed(stroke, 3.0);
+      EXPECT_LT(sharpest_deg(stroke), 50.0);
+    }
+  }
+}
+
+TEST(Ironing, ASingleCornerOfALineStays) {
+  for (const double turn_deg : {38.0, 60.0, 90.0, 150.0}) {
+    for (const double jitter : {0.0, 0.03}) {
+      const double turn = turn_deg * std::numbers::pi / 180.0;
+      const testing::Way corner = [turn](double t) {
+        const double s = 60 * t - 30;
+        return s < 0 ? Point{s, 0} : Point{s * std::cos(turn), s * std::sin(turn)};
+      };
+      Stroke stroke = jittery(corner, {jitter, 0.0}, 3);
+      const auto corners = std::ranges::count(stroke.data().joints, JointKind::kCorner);
+      if (turn_deg >= 90.0) EXPECT_EQ(corners, 1);
+      for (int pass = 0; pass < 3; ++pass) stroke = ironed(stroke, 3.0);
+      EXPECT_EQ(std::ranges::count(stroke.data().joints, JointKind::kCorner), corners) << turn_deg;
+    }
+  }
+}
+
+// Teeth that are drawn are higher than those of a shaky hand.
+TEST(Ironing, DrawnTeethStay) {
+  for (const double slope : {0.9, 1.5, 3.0}) {
+    for (const double tooth_mm : {6.0, 9.0}) {
+      const testing::Way teeth = [=](double t) {
+        const double x = 90 * t, phase = std::fmod(x / tooth_mm, 1.0);
+        return Point{x, slope * tooth_mm * std::min(phase, 1.0 - phase)};
+      };
+      const Stroke before = jittery(teeth, {0.0, 0.0}, 1);
+      const auto corners = std::ranges::count(before.data().joints, JointKind::kCorner);
+      ASSERT_GT(corners, 10);
+      const Stroke after = ironed(before, 3.0);
+      EXPECT_EQ(std::ranges::count(after.data().joints, JointKind::kCorner), corners)
+          << slope << ' ' << tooth_mm;
+    }
+  }
+}
+
 TEST(Ironing, BeyondTheReachSegmentsStayBitForBit) {
   int kept = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -86,7 +86,8 @@ void TransformTool::follow_selection(const Scene& scene) {
   }
   frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
   const Layer* layer = scene.document.layer(scene.layer);
-  picture_ = scene.selection.empty() && layer ? layer->picture : nullptr;
+  const bool is_open = layer && layer->visible && !layer->locked;
+  picture_ = scene.selection.empty() && is_open ? layer->picture : nullptr;
   if (picture_) frame_ = TransformFrame(bounds_of(*picture_));
 }
 
