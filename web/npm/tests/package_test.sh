@@ -17,6 +17,7 @@ skip_without() { command -v "$1" >/dev/null || { echo "skipped: $1 is not instal
 case $topic in
   use) node use.mjs && node use.cjs && node worker.mjs ;;
   input) node input.mjs ;;
+  growing) node growing.mjs ;;
   memory) node memory.mjs ;;
   size)
     for name in feltline.mjs feltline.cjs; do
