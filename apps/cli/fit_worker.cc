@@ -56,7 +56,7 @@ void FitWorker::process_whole(const FitItem& item, const Imported& imported, Fit
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) {
-      const NamedStroke named{stroke_name(id), *document.find(id)};
+      const NamedStroke named{name_in_file(imported.drawing, id), *document.find(id)};
       ++output.stats.strokes;
       output.stats.segments += named.stroke.segment_count();
       output.stats.corners += count_corners(named.stroke);
