@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "felt/base/check.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
@@ -25,20 +26,19 @@ constexpr double kMarginMm = 5.0;
 
 /// Returns the area of all ink and a margin. If the same strokes are written one by one, the area
 /// is the same.
-Rect ink_area(const Drawing& drawing, Format format) {
-  const Rect ink = ink_bounds(drawing.document);
+Rect ink_area(const Rect& ink, Format format) {
   if (format == Format::kSvg) return picture_area(ink, std::nullopt, kMarginMm);
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 
 /// Sets the drawing's page to the requested page. Returns the area that a picture shows, or nullopt
-/// if it shows the page.
-Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
+/// if it shows the page. `ink` is the box of all ink.
+Result<std::optional<Rect>> shown_area(Drawing& drawing, const Rect& ink, Format format,
                                        const PictureOptions& picture) {
   const bool is_picture = traits_of(format).picture;
   if (!picture.area) {
     const bool whole_ink = is_picture && (picture.fit || !drawing.has_page);
-    return whole_ink ? std::optional(ink_area(drawing, format)) : std::nullopt;
+    return whole_ink ? std::optional(ink_area(ink, format)) : std::nullopt;
   }
   Result<Page> page = page_for(*picture.area, drawing.page.paper);
   if (page) {
@@ -51,8 +51,10 @@ Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
   return picture.area;  // a picture may have any size
 }
 
-/// Sets the drawing's page to the requested page. Returns the options for writing.
-Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptions picture) {
+/// Sets the drawing's page to the requested page. Returns the options for writing a drawing whose
+/// ink has the box `ink`.
+Result<WriteOptions> write_options(Drawing& drawing, const Rect& ink, Format format,
+                                   PictureOptions picture) {
   if (auto ok = use_surface_of(drawing, picture); !ok) return tl::unexpected(ok.error());
   WriteOptions options;
   if (picture.wants_grain) options.grain_print = GrainPrint{picture.grain, picture.grain_dpi};
@@ -61,7 +63,7 @@ Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptio
   options.compact = picture.compact;
   options.pictures = picture.pictures;
   const bool came_with_page = drawing.has_page;
-  const Result<std::optional<Rect>> area = shown_area(drawing, format, picture);
+  const Result<std::optional<Rect>> area = shown_area(drawing, ink, format, picture);
   if (!area) return tl::unexpected(area.error());
   options.area = *area;
   if (picture.paper) {
@@ -153,7 +155,8 @@ Result<DrawingOutput> DrawingOutput::create(const std::string& path, Format form
 }
 
 Result<void> DrawingOutput::write(Drawing drawing) {
-  const Result<WriteOptions> options = write_options(drawing, format_, picture_);
+  const Result<WriteOptions> options =
+      write_options(drawing, ink_bounds(drawing.document), format_, picture_);
   if (!options) return tl::unexpected(options.error());
   const std::string name = path_ == "-" ? "stdout" : path_;
   if (format_ == Format::kFelt) {
@@ -181,24 +184,31 @@ Result<void> DrawingOutput::finish() {
   return format_ == Format::kPng ? finish_png() : finish_drawing();
 }
 
-/// Reserves space for the head of the file. The head is written last, because it contains the size
-/// of the picture.
+/// Reserves space for the head of the file, and begins the layer that a drawing with these strokes
+/// has. The head is written last, because it contains the size of the picture.
 Result<void> DrawingOutput::begin_svg() {
   if (std::exchange(has_begun_, true)) return {};
   std::string text(kSvgHeadBytes, ' ');
-  append_svg_group_begin(text);
-  return output_.write(text);
+  return append_svg_layer_begin(text, Document().layers().front(), 1).and_then([&] {
+    return output_.write(text);
+  });
 }
 
+/// Writes the same file as write() does for a drawing with these strokes.
 Result<void> DrawingOutput::finish_svg() {
-  std::string head, tail;
-  append_svg_head(head, picture_area(ink_, picture_.area, kMarginMm),
-                  picture_.paper.value_or(Rgba{255, 255, 255, 0}));
+  Drawing frame{.has_page = false};
+  const Result<WriteOptions> options = write_options(frame, ink_, format_, picture_);
+  if (!options) return tl::unexpected(options.error());
+  const Rgba paper = options->paper.value_or(frame.page.paper);
+  const Result<std::string> head = svg_head(frame, {.area = options->area, .paper = paper}, ink_);
+  if (!head) return tl::unexpected(head.error());
+  FELT_CHECK(head->size() == kSvgHeadBytes);
+  std::string tail;
   append_svg_group_end(tail);
   append_svg_tail(tail);
   return begin_svg()
       .and_then([&] { return output_.write(tail); })
-      .and_then([&] { return output_.overwrite(head); })
+      .and_then([&] { return output_.overwrite(*head); })
       .and_then([&] { return output_.commit(); });
 }
 

@@ -38,7 +38,8 @@ Format stroke_format(const std::string& path, Format format);
 ///
 /// A whole drawing is written with its layers (hidden ones too), its surface, its page and the
 /// texts of its materials, as far as the format supports these. The picture options may specify
-/// another page. Single strokes have neither layers nor a page. For .ndjson, .svg and .png outputs,
+/// another page. Single strokes are written as a
+/// drawing with one layer and no page. For .ndjson, .svg and .png outputs,
 /// the memory use does not depend on the number of strokes; for the other formats, all strokes are
 /// first collected in a drawing with one layer.
 class DrawingOutput {

@@ -56,7 +56,7 @@ void FitWorker::process_whole(const FitItem& item, const Imported& imported, Fit
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) {
-      const NamedStroke named{stroke_name(id), *document.find(id)};
+      const NamedStroke named{name_in_file(imported.drawing, id), *document.find(id)};
       ++output.stats.strokes;
       output.stats.segments += named.stroke.segment_count();
       output.stats.corners += count_corners(named.stroke);
@@ -104,18 +104,11 @@ Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t rec
 Result<void> FitWorker::process_raw(const NdjsonLine& line, std::int64_t number,
                                     FitOutput& output) {
   if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
-  bool has_no_clock = false;
-  if (steady_) {
-    has_no_clock = drop_bad_times(raw_.samples);
-    steady_->begin();
-    for (const InkSample& sample : raw_.samples) steady_->push(sample);
-    raw_.samples = steady_->smoothed();
-  }
+  SampleFaults before;
+  if (steady_) before = steady_samples(*steady_, raw_.samples);
   Result<Stroke> stroke = fit(raw_.samples, output.stats);
   if (!stroke) return tl::unexpected(stroke.error());
-  SampleFaults faults = fitter_.faults();
-  faults.has_no_clock = faults.has_no_clock || has_no_clock;
-  faults.needs_times = faults.needs_times || steady_.has_value();
+  const SampleFaults faults = combined_faults(fitter_.faults(), before);
   for (std::string& clause : fault_clauses(faults)) {
     output.faults.push_back(
         {line.number(), name_with_faults("stroke '" + raw_.id + "'", faults), std::move(clause)});

@@ -81,8 +81,7 @@ void run_gather(const GatherArguments& args, Console& console) {
   }
   const GatheredWidth width =
       args.width == "strip" ? GatheredWidth::kStrip : GatheredWidth::kMedian;
-  const Result<GatheredDrawing> gathered =
-      gather_drawing(opened->drawing.document, {.width = width});
+  const Result<GatheredDrawing> gathered = gather_drawing(opened->drawing, {.width = width});
   if (!gathered) return console.error(input->name() + ": " + gathered.error().message);
   if (gathered->left_alone > 0) {
     console.notice(fmt::format("{}: left {} strokes of locked or hidden layers as they are",

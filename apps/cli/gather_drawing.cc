@@ -13,8 +13,11 @@ namespace {
 /// Gathers the layers of a document, one after the other.
 class LayerGatherer {
  public:
-  LayerGatherer(const Document& document, const GatherOptions& options)
-      : document_(document), options_(options), edit_(document) {}
+  LayerGatherer(const Drawing& drawing, const GatherOptions& options)
+      : drawing_(drawing),
+        document_(drawing.document),
+        options_(options),
+        edit_(drawing.document) {}
 
   Result<void> gather(const Layer& layer);
   [[nodiscard]] Edit edit() && { return std::move(edit_).build("Gather"); }
@@ -23,6 +26,7 @@ class LayerGatherer {
  private:
   Result<void> press(const std::vector<StrokeId>& members);
 
+  const Drawing& drawing_;
   const Document& document_;
   GatherOptions options_;
   EditBuilder edit_;
@@ -56,7 +60,7 @@ Result<void> LayerGatherer::gather(const Layer& layer) {
   for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
     const std::uint32_t group = (*groups)[i];
     members[group].push_back(layer.strokes[i]);
-    groups_.push_back({stroke_name(layer.strokes[i]), first_group_ + group});
+    groups_.push_back({name_in_file(drawing_, layer.strokes[i]), first_group_ + group});
   }
   first_group_ += static_cast<std::uint32_t>(members.size());
   for (const std::vector<StrokeId>& group : members) {
@@ -67,10 +71,10 @@ Result<void> LayerGatherer::gather(const Layer& layer) {
 
 }  // namespace
 
-Result<GatheredDrawing> gather_drawing(Document& document, const GatherOptions& options) {
-  LayerGatherer gatherer(document, options);
+Result<GatheredDrawing> gather_drawing(Drawing& drawing, const GatherOptions& options) {
+  LayerGatherer gatherer(drawing, options);
   std::size_t left_alone = 0;
-  for (const Layer& layer : document.layers()) {
+  for (const Layer& layer : drawing.document.layers()) {
     if (layer.locked || !layer.visible) {
       left_alone += layer.strokes.size();
       continue;
@@ -78,7 +82,7 @@ Result<GatheredDrawing> gather_drawing(Document& document, const GatherOptions& 
     if (Result<void> done = gatherer.gather(layer); !done) return tl::unexpected(done.error());
   }
   std::vector<StrokeGroup> groups = std::move(gatherer).groups();
-  if (Result<void> applied = document.apply(std::move(gatherer).edit()); !applied) {
+  if (Result<void> applied = drawing.document.apply(std::move(gatherer).edit()); !applied) {
     return tl::unexpected(applied.error());
   }
   return GatheredDrawing{std::move(groups), left_alone};

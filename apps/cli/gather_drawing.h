@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "felt/base/result.h"
-#include "felt/document/document.h"
+#include "felt/document/drawing.h"
 #include "felt/gather/gathered_stroke.h"
 
 namespace felt::cli {
 
 /// The group that a stroke of the input belongs to.
 struct StrokeGroup {
-  std::string stroke;  ///< stroke_name(), such as "s12"
+  std::string stroke;  ///< its name in the file, such as "s12"
   std::uint32_t group = 0;
 };
 
@@ -28,6 +28,6 @@ struct GatheredDrawing {
 /// strokes without companions stay as they are, and a gathered stroke lies where the lowest stroke
 /// of its group was. Locked and hidden layers do not change. Fails, and changes nothing, if the
 /// strokes cannot be gathered.
-Result<GatheredDrawing> gather_drawing(Document& document, const GatherOptions& options);
+Result<GatheredDrawing> gather_drawing(Drawing& drawing, const GatherOptions& options);
 
 }  // namespace felt::cli

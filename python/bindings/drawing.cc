@@ -93,7 +93,8 @@ py::list strokes_of(const ReadDrawing& self) {
 
 py::list names_of(const ReadDrawing& self) {
   py::list names;
-  for_each_stroke(self, [&](const Layer&, StrokeId id) { names.append(stroke_name(id)); });
+  for_each_stroke(self,
+                  [&](const Layer&, StrokeId id) { names.append(name_in_file(self.drawing, id)); });
   return names;
 }
 
@@ -190,7 +191,9 @@ cannot be changed here.
            py::arg("page") = py::none(), py::arg("paper") = "#ffffff")
       .def_property_readonly("strokes", &strokes_of,
                              "All strokes, those of hidden layers too, the lowest first.")
-      .def_property_readonly("names", &names_of, "The name of each stroke in files: 's12'.")
+      .def_property_readonly(
+          "names", &names_of,
+          "The name of each stroke in files: 's12', or that of the file that was read.")
       .def_property_readonly("layers", &layers_of, "The layers, the lowest first.")
       .def_property_readonly("page", &page_size, "(width, height) in mm, or None.")
       .def_property_readonly(

@@ -105,21 +105,16 @@ auto without_gil(Call call) {
 
 Result<Stroke> fitted(InkFitter& fitter, std::vector<InkSample> samples,
                       const std::optional<Shake>& shake, bool refine, SampleFaults& faults) {
-  bool has_no_clock = false;
+  SampleFaults before;
   if (shake) {
-    has_no_clock = drop_bad_times(samples);
     SteadyLine steady(*shake);
-    steady.begin();
-    for (const InkSample& sample : samples) steady.push(sample);
-    samples = steady.smoothed();
+    before = steady_samples(steady, samples);
   }
   fitter.begin();
   for (const InkSample& sample : samples) fitter.push(sample);
   fitter.end();
   if (refine) fitter.refine();
-  faults = fitter.faults();
-  faults.has_no_clock = faults.has_no_clock || has_no_clock;
-  faults.needs_times = faults.needs_times || shake.has_value();
+  faults = combined_faults(fitter.faults(), before);
   return fitter.stroke();
 }
 

@@ -1,6 +1,7 @@
 """Reading and writing files."""
 
 import io
+import json
 import os
 import pickle
 import tempfile
@@ -115,6 +116,39 @@ class Files(FilesCase):
                 feltline.write(ours, feltline.read(source), **dpi)
             self.assertTrue(theirs.read_bytes() == ours.read_bytes(), ending)
             self.assertEqual(len(caught), len(notices.splitlines()), notices)
+
+    @needs_program
+    def test_raw_ink_gives_the_files_of_feltline_convert(self):
+        source = self.file("raw.ndjson", b'{"id":"cat-1","points":[[0,0,0.5],[10,5,0.6],[20,0]]}\n'
+                           b'{"points":[[0,9],[20,9]]}\n{"id":"s1","points":[[0,19],[20,19]]}\n'
+                           b'{"id":"cat-1","points":[[0,29],[20,29],[20,40]]}\n')
+        header = self.file("head.ndjson", b'{"feltline":1}\n\n{"points":[[0,0],[10,5]]}\n')
+        for name in (source, header):
+            drawing = feltline.read(name)
+            for ending in (".felt", ".ndjson", ".svg", ".svgz", ".inkml", ".pdf"):
+                theirs, ours = self.file("theirs" + ending), self.file("ours" + ending)
+                run("convert", name, "-o", theirs)
+                feltline.write(ours, drawing)
+                self.assertEqual(theirs.read_bytes(), ours.read_bytes(), ending)
+
+    def test_strokes_keep_their_names(self):
+        names = ["cat-1", "s7", "\u00fc <&>", "07"]
+        source = self.file("named.ndjson", "".join(
+            json.dumps({"id": name, "points": [[0, 9 * i], [20, 9 * i]]}) + "\n"
+            for i, name in enumerate(names)).encode())
+        drawing = feltline.read(source)
+        self.assertEqual(drawing.names, names)
+        red = drawing.map(lambda stroke: stroke.replace(color="#ff0000"))
+        for changed in (drawing, red, pickle.loads(pickle.dumps(red)), drawing.add([])):
+            for ending in (".felt", ".ndjson", ".svg", ".inkml"):
+                path = self.file("named" + ending)
+                feltline.write(path, changed)
+                self.assertEqual(feltline.read(path).names, names, ending)
+        without = drawing.map(lambda stroke: None if stroke.length < 1e9 else stroke)
+        self.assertEqual(without.names, [])
+        more = drawing.add([drawing.strokes[0]])
+        self.assertEqual(more.names[:4], names)
+        self.assertEqual(len(set(more.names)), 5)
 
     def test_unsupported_content_is_a_counted_warning(self):
         path = self.file("a.svg", b'<svg xmlns="http://www.w3.org/2000/svg" width="50mm" '

@@ -32,6 +32,36 @@ s8,3
 END
 same groups.csv wanted.csv
 
+# Strokes keep the names of their file, through every format. A line has the name of its lowest stroke.
+awk '{ print "{\"id\":\"cat-" NR (NR == 2 ? "" : "&<") "\"," substr($0, 2) }' rough.ndjson >named.ndjson
+names_of() { grep -o '"id":"[^"]*"' "$1" | cut -d'"' -f4 | tr '\n' ' '; }
+run 0 "$feltline" gather --all named.ndjson -o named_clean.ndjson --groups named.csv
+[ "$(names_of named_clean.ndjson)" = 'cat-1&< cat-5&< cat-8&< ' ] || fail "names: $(names_of named_clean.ndjson)"
+grep -q '^cat-2,1$' named.csv || fail "the groups have other names"
+run 0 "$feltline" fit named.ndjson -o named_fit.ndjson
+for format in felt svg svgz inkml ndjson; do
+  run 0 "$feltline" convert named.ndjson -o "named.$format.$format"
+  run 0 "$feltline" convert "named.$format.$format" -o named_back.ndjson
+  same named_back.ndjson named_fit.ndjson
+  run 0 "$feltline" convert "named.$format.$format" -o named_back.ndjson --layers visible
+  same named_back.ndjson named_fit.ndjson
+  run 0 "$feltline" gather --all "named.$format.$format" -o named_again.ndjson
+  same named_again.ndjson named_clean.ndjson
+done
+# A drawing on which a script draws more keeps them, too, and its new strokes get other names.
+printf '{"t_ms":%d,"event":"pen","x":%d,"y":9,"z":%d}\n' 0 5 5 100 5 -1 200 60 -1 300 60 5 >more.ndjson
+run 0 "$feltline" replay more.ndjson --on named.felt.felt -o more.felt
+run 0 "$feltline" convert more.felt -o more_lines.ndjson
+[ "$(names_of more_lines.ndjson)" = "$(names_of named_fit.ndjson)s9 " ] || fail "names: $(names_of more_lines.ndjson)"
+printf '{"t_ms":400,"event":"undo"}\n' | cat more.ndjson - >undone.ndjson
+run 0 "$feltline" replay undone.ndjson --on named.felt.felt -o undone.felt
+run 0 "$feltline" convert undone.felt -o more_lines.ndjson
+same more_lines.ndjson named_fit.ndjson
+# Paths of other programs, too.
+echo '<svg xmlns="http://www.w3.org/2000/svg"><path id="tail" d="M5 5L90 5" stroke="#000" fill="none"/></svg>' >other.svg
+run 0 "$feltline" gather --all other.svg -o other.ndjson
+[ "$(names_of other.ndjson)" = 'tail ' ] || fail "the id of a path is lost"
+
 # A sketch gives the same groups as the raw strokes that it was fitted to; every time the same bytes.
 run 0 "$feltline" fit rough.ndjson -o sketch.svg
 run 0 "$feltline" gather --all sketch.svg -o a.felt --groups a.csv

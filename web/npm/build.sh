@@ -58,7 +58,9 @@ link() {
 
 # bundle NAME SOURCE: makes dist/NAME.mjs and dist/NAME.cjs with their types.
 bundle() {
-  local location='const moduleUrl=typeof document==="undefined"?require("node:url").pathToFileURL(__filename).href:document.baseURI;'
+  # What import.meta.url is in CommonJS. The form for browsers names no module of Node, which bundlers cannot resolve.
+  local location='const moduleUrl=globalThis.document?.baseURI??globalThis.location?.href??"file:///";'
+  [ "$1" != slim_node ] || location='const moduleUrl=require("node:url").pathToFileURL(__filename).href;'
   local options=(--bundle --minify --target=es2022 --log-level=warning --external:node:*)
   esbuild "$folder/src/$2" "${options[@]}" --format=esm --outfile="$package/dist/$1.mjs"
   [[ $1 == slim* ]] || location=

@@ -161,6 +161,10 @@ FELT_EXPORT(fitter_begin) void felt_fitter_begin(InkFitter* fitter) {
   fitter->begin();
 }
 
+FELT_EXPORT(fitter_copy) void felt_fitter_copy(InkFitter* fitter, const InkFitter* other) {
+  fitter->copy_stroke(*other);
+}
+
 /// Adds `count` samples of the input: x, y, pressure, time in ms, tilt in degrees.
 FELT_EXPORT(fitter_push) void felt_fitter_push(InkFitter* fitter, std::size_t count) {
   const double* row = input.data();

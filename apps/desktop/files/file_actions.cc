@@ -150,6 +150,7 @@ Drawing FileActions::drawing() const {
   drawing.color = session.ink_color();
   drawing.layer = session.layer();
   drawing.extras = extras_;
+  drawing.names = names_;
   if (looks_.report) looks_.report(drawing);
   return drawing;
 }
@@ -231,6 +232,7 @@ void FileActions::show_unsaved(Document document, const Page& page, const QStrin
   as_it_looks.layer = {};
   as_it_looks.view.reset();
   as_it_looks.extras = {};
+  as_it_looks.names = {};
   show(std::move(as_it_looks), {}, name);
 }
 
@@ -247,6 +249,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   has_page_of_file_ = false;
   seen_on_disk_ = changed_at(path);
   extras_ = drawing.extras;
+  names_ = drawing.names;
   is_showing_ = true;
   studio_.open(std::move(drawing.document), drawing.page, drawing.materials, drawing.color);
   is_showing_ = false;

@@ -365,10 +365,13 @@ Result<Recovered> recover_autosave(const std::string& folder) {
   Result<Recovered> out = Assembly(*database, std::move(problems)).run();
   if (!out) return tl::unexpected(with_context(out.error(), folder));
   out->changed_at_s = autosave_changed_at(folder);
-  // Recordings, and content of a newer Feltline, do not change while drawing, so they are read from
-  // the user's file. If it cannot be read, only the drawing is recovered.
+  // Recordings, content of a newer Feltline, and names of strokes do not change while drawing, so
+  // they are read from the user's file. If it cannot be read, only the drawing is recovered.
   if (!out->drawing.extras && !out->path.empty()) {
-    if (const Result<Drawing> file = read_felt(out->path)) out->drawing.extras = file->extras;
+    if (const Result<Drawing> file = read_felt(out->path)) {
+      out->drawing.extras = file->extras;
+      out->drawing.names = file->names;
+    }
   }
   return out;
 }

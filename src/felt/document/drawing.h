@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,9 @@ class DrawingExtras {
   DrawingExtras& operator=(const DrawingExtras&) = default;
 };
 
+/// Names of strokes, by their ids.
+using StrokeNames = std::map<StrokeId, std::string>;
+
 /// A whole drawing, as readers return it and writers accept it. It has no undo history and no
 /// selection. A copy shares the strokes and takes linear time in their number.
 struct Drawing {
@@ -56,9 +60,17 @@ struct Drawing {
   /// most limits::kMaxMaterialTexts.
   std::vector<std::string> materials{};
   std::shared_ptr<const DrawingExtras> extras{};  ///< may be null
+  /// The names that strokes had in the file from which they were read, if they differ from
+  /// stroke_name(). May be null, and may contain strokes that the document does not have any more.
+  std::shared_ptr<const StrokeNames> names{};
 
   /// Compares by value, including strokes and extras.
   friend bool operator==(const Drawing& a, const Drawing& b);
 };
+
+/// Returns the names of the strokes that the document has.
+StrokeNames used_names(const Drawing& drawing);
+/// Returns the name of a stroke in files: its own name if it has one, otherwise stroke_name().
+std::string name_in_file(const Drawing& drawing, StrokeId id);
 
 }  // namespace felt

@@ -61,7 +61,7 @@ Result<Imported> import_lines(std::string_view text, const ImportOptions& option
   LineStrokes strokes(options.fit);
   DrawingBuilder builder;
   const std::size_t layer = builder.add_layer({"Ink"});
-  std::size_t count = 0;
+  std::size_t count = 0, records = 0;
   ImportReport report;
   for (;;) {
     const Result<bool> more = lines.fill(batch, kBatchBytes);
@@ -69,12 +69,13 @@ Result<Imported> import_lines(std::string_view text, const ImportOptions& option
     if (!*more) break;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
+      ++records;
       Result<std::optional<NamedStroke>> stroke = strokes.read(line);
       if (!stroke) {
         report.add(line.number(), {}, "was skipped: " + stroke.error().message);
       } else if (*stroke) {
         NamedStroke& named = **stroke;
-        if (named.id.empty()) named.id = stroke_name({count + 1});
+        if (named.id.empty()) named.id = stroke_name({records});
         if (strokes.was_mended()) {
           report.add(line.number(), "stroke '" + named.id + "'", kMendedNotice);
         }
@@ -94,17 +95,17 @@ namespace {
 
 class LineParts final : public DrawingParts {
  public:
-  explicit LineParts(const Document& document)
-      : document_(document), ranges_(stroke_ranges(document, LayerChoice::kVisible)) {}
+  explicit LineParts(const Drawing& drawing)
+      : drawing_(drawing), ranges_(stroke_ranges(drawing.document, LayerChoice::kVisible)) {}
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size(); }
   Result<void> make(std::size_t i, DrawingPart& out) const override {
     out.clear();
     const StrokeRange& range = ranges_[i];
-    const Layer& layer = document_.layers()[range.layer];
+    const Layer& layer = drawing_.document.layers()[range.layer];
     for (std::size_t k = range.first; k < range.last; ++k) {
-      const std::string name = stroke_name(layer.strokes[k]);
-      const StrokePtr stroke = document_.find(layer.strokes[k]);
+      const std::string name = name_in_file(drawing_, layer.strokes[k]);
+      const StrokePtr stroke = drawing_.document.find(layer.strokes[k]);
       if (auto fits = check_sketch_numbers(stroke->data()); !fits) {
         return tl::unexpected(with_context(fits.error(), "stroke " + name));
       }
@@ -114,14 +115,14 @@ class LineParts final : public DrawingParts {
   }
 
  private:
-  const Document& document_;
+  const Drawing& drawing_;
   std::vector<StrokeRange> ranges_;
 };
 
 }  // namespace
 
 std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing) {
-  return std::make_unique<LineParts>(drawing.document);
+  return std::make_unique<LineParts>(drawing);
 }
 
 }  // namespace felt

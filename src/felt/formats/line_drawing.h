@@ -48,7 +48,7 @@ inline constexpr const char* kMendedNotice =
 /// Reads lines of JSON (docs/formats/ndjson.md) into a drawing with one layer and no page. Reads
 /// fitted strokes exactly as given, and fits strokes to raw pen samples (in mm). A line that is not
 /// a stroke is skipped and reported. A stroke without an id gets the name stroke_name(n) if it is
-/// stroke n of the file, counted from 1.
+/// record n of the file, counted from 1 (docs/formats/ndjson.md).
 ///
 /// If the text has lines but none of them could be read, fails with the first error. Also fails if
 /// the lines are events.

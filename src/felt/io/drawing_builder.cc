@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <set>
 
 #include "felt/base/check.h"
 #include "felt/base/utf8.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/limits.h"
 
 namespace felt {
@@ -25,7 +27,8 @@ std::uint64_t id_of_name(std::string_view name, char letter) noexcept {
   return error == std::errc() && rest == end && id < kMaxId ? id : 0;
 }
 
-bool is_layer_name(std::string_view name) {
+/// Returns true if files can have this name, of a layer, a group or a stroke.
+bool is_name(std::string_view name) {
   return !name.empty() && name.size() <= limits::kMaxNameBytes &&
          name.find('\0') == std::string_view::npos && is_utf8(name);
 }
@@ -42,21 +45,22 @@ void make_valid(Page& page) {
 }  // namespace
 
 std::size_t DrawingBuilder::add_layer(LayerState state) {
-  if (!is_layer_name(state.name)) state.name = "Layer " + std::to_string(layers_.size() + 1);
+  if (!is_name(state.name)) state.name = "Layer " + std::to_string(layers_.size() + 1);
   layers_.push_back({std::move(state), {}});
   return layers_.size() - 1;
 }
 
 void DrawingBuilder::set_state(std::size_t layer, LayerState state) {
   FELT_CHECK(layer < layers_.size());
-  if (!is_layer_name(state.name)) state.name = "Layer " + std::to_string(layer + 1);
+  if (!is_name(state.name)) state.name = "Layer " + std::to_string(layer + 1);
   layers_[layer].state = std::move(state);
 }
 
 void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name) {
   FELT_CHECK(layer < layers_.size());
-  layers_[layer].strokes.push_back(
-      {id_of_name(name, 's'), std::make_shared<const Stroke>(std::move(stroke))});
+  layers_[layer].strokes.push_back({id_of_name(name, 's'),
+                                    std::make_shared<const Stroke>(std::move(stroke)),
+                                    std::string(is_name(name) ? name : "")});
 }
 
 void DrawingBuilder::add(std::size_t layer, StrokePtr stroke, StrokeId id) {
@@ -69,7 +73,7 @@ void DrawingBuilder::add_fill(std::size_t layer, FillPtr fill, std::string_view 
   layers_[layer].fills.emplace_back(id_of_name(name, 'f'), std::move(fill));
 }
 
-Edit DrawingBuilder::edit() const {
+Edit DrawingBuilder::edit(StrokeNames& names) const {
   std::uint64_t last_id = 0;
   for (const NewLayer& layer : layers_) {
     for (const Entry& entry : layer.strokes) last_id = std::max(last_id, entry.id);
@@ -87,6 +91,7 @@ Edit DrawingBuilder::edit() const {
       const bool gets_it = entry.id > 0 && taken.insert(entry.id).second;
       const StrokeId id{gets_it ? entry.id : ++last_id};
       edit.changes.push_back({id, nullptr, entry.stroke, {}, StrokePlace{layer, index++}});
+      if (!entry.name.empty() && entry.name != stroke_name(id)) names[id] = entry.name;
     }
     index = 0;
     for (const auto& [asked, fill] : layers_[i].fills) {
@@ -104,7 +109,7 @@ void DrawingBuilder::number_groups() {
   separate_groups(groups, GroupNumbers::kFromOne);
   for (NewLayer& layer : layers_) {
     LayerGroupPtr& shared = layer.state.group;
-    if (!shared || is_layer_name(shared->name)) continue;
+    if (!shared || is_name(shared->name)) continue;
     LayerGroup group = *shared;
     group.name = "Group " + std::to_string(group.id.value);
     shared = std::make_shared<const LayerGroup>(std::move(group));
@@ -114,7 +119,9 @@ void DrawingBuilder::number_groups() {
 Drawing DrawingBuilder::build() && {
   if (layers_.empty()) add_layer({"Ink"});
   number_groups();
-  FELT_CHECK(drawing_.document.apply(edit()).has_value());
+  StrokeNames names;
+  FELT_CHECK(drawing_.document.apply(edit(names)).has_value());
+  if (!names.empty()) drawing_.names = std::make_shared<const StrokeNames>(std::move(names));
   make_valid(drawing_.page);
   return std::move(drawing_);
 }

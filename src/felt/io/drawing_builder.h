@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,7 +23,8 @@ namespace felt {
 /// The first stroke named "s12" gets id 12. Strokes without such a name, and further strokes with
 /// the same name, get new ids above the largest requested id, in the order of the layers and of the
 /// strokes in each layer. The same applies to fills, with names like "f12". A file that was written
-/// with stroke_name() therefore gets its ids back.
+/// with stroke_name() therefore gets its ids back. Names of strokes that are not
+/// those of their ids, such as "cat-1", are kept in Drawing::names.
 class DrawingBuilder {
  public:
   /// Returns the drawing, so that the caller can set everything except its document: page,
@@ -55,13 +57,14 @@ class DrawingBuilder {
   struct Entry {
     std::uint64_t id = 0;  // the requested id; 0 if any id will do
     StrokePtr stroke;
+    std::string name{};  // the name in the file, if it has one that files can have
   };
   struct NewLayer {
     LayerState state;
     std::vector<Entry> strokes;
     std::vector<std::pair<std::uint64_t, FillPtr>> fills{};  // with the requested ids
   };
-  [[nodiscard]] Edit edit() const;
+  [[nodiscard]] Edit edit(StrokeNames& names) const;
   void number_groups();
 
   Drawing drawing_{.has_page = false};

@@ -32,6 +32,22 @@ TEST(DrawingBuilder, NamesThatAreNoIdOfOursGetNewOnes) {
             (std::vector<std::uint64_t>{8, 7, 9, 10, 3, 11, 12, 13}));
 }
 
+TEST(DrawingBuilder, OtherNamesAreKept) {
+  DrawingBuilder builder;
+  builder.add_layer({"a"});
+  for (const char* name : {"cat-1", "s7", "s07", "cat-1", "s7", "", "\xff"}) {
+    builder.add(0, testing::random_stroke(1), name);
+  }
+  builder.add(0, testing::random_stroke(1), std::string_view("a\0b", 3));
+  const Drawing drawing = std::move(builder).build();
+  std::vector<std::string> names;
+  for (const StrokeId id : drawing.document.layers()[0].strokes) {
+    names.push_back(name_in_file(drawing, id));
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"cat-1", "s7", "s07", "cat-1", "s7", "s12", "s13", "s14"}));
+}
+
 TEST(DrawingBuilder, WithoutALayerThereIsAnEmptyOne) {
   const Drawing drawing = DrawingBuilder().build();
   EXPECT_EQ(drawing.document, Document());

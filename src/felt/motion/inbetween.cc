@@ -255,6 +255,7 @@ Drawing Inbetween::at(double t) const {
   drawing.document = plan_->document_at(t);
   drawing.layer = {};
   drawing.extras = nullptr;
+  drawing.names = nullptr;
   return drawing;
 }
 

@@ -23,6 +23,7 @@
 #include "felt/store/material_table.h"
 #include "felt/store/page_scan.h"
 #include "felt/store/stroke_blob.h"
+#include "felt/store/stroke_name_table.h"
 
 namespace felt {
 namespace {
@@ -64,8 +65,8 @@ class Findings {
     if (take_stroke(row) || take_fill(row) || take_layer(row) || take_drawing(row) ||
         take_view(row))
       return;
-    if (take_guide(row) || take_symmetry(row)) return;
-    if (take_material(row) || take_opacity(row) || take_picture(row)) return;
+    if (take_guide(row) || take_symmetry(row) || take_material(row)) return;
+    if (take_opacity(row) || take_picture(row) || salvage_stroke_name(row, names)) return;
     if (take_blend(row) || take_group(row) || take_timing(row) || take_body_edit(row)) return;
     if (!take_color(row)) ++others;
   }
@@ -97,6 +98,7 @@ class Findings {
   std::optional<Drawing> head;  // without the document and the palette's colours
   std::optional<Viewport> view;
   std::map<std::int64_t, std::string> materials;
+  StrokeNames names;
   std::int64_t last_stroke = 0, last_layer = 0;
   std::size_t others = 0;
 
@@ -461,6 +463,7 @@ class Assembly {
       out_.problems.emplace_back("The drawing's palette is lost.");
     }
     for (auto& [id, text] : found_.materials) add_material_text(d.materials, text);
+    if (!found_.names.empty()) d.names = std::make_shared<StrokeNames>(std::move(found_.names));
     d.view = found_.view;
     if (!check_page(d)) d.view.reset();
     if (found_.others > 0) {

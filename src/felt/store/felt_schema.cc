@@ -12,6 +12,7 @@
 #include "felt/store/layer_group_table.h"
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
+#include "felt/store/stroke_name_table.h"
 
 namespace felt {
 namespace {
@@ -191,7 +192,8 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
         PlainTable{"layer_blend", kLayerBlendTable, schema.has_layer_blends},
         PlainTable{"layer_group", kLayerGroupTable, schema.has_layer_groups},
         PlainTable{"key_timing", kKeyTimingTable, schema.has_key_timings},
-        PlainTable{"body_edit", kBodyEditTable, schema.has_body_edits}}) {
+        PlainTable{"body_edit", kBodyEditTable, schema.has_body_edits},
+        PlainTable{"stroke_name", kStrokeNameTable, schema.has_stroke_names}}) {
     if (table.name != plain.name) continue;
     if (table.sql != plain.sql)
       return invalid_data("the table '" + table.name + "' has an unexpected definition");

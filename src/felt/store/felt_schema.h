@@ -38,6 +38,7 @@ struct FeltSchema {
   bool has_layer_groups = false;  ///< the table `layer_group` (layer_group_table.h)
   bool has_key_timings = false;   ///< the table `key_timing` (key_timing_table.h)
   bool has_body_edits = false;    ///< the table `body_edit` (body_edit_table.h)
+  bool has_stroke_names = false;  ///< the table `stroke_name` (stroke_name_table.h)
   /// The three tables of recordings; empty if the file has no recordings.
   std::vector<FeltTable> recordings;
   /// Tables of a newer Feltline, in the order of their names.

@@ -15,6 +15,7 @@
 #include "felt/store/layer_look_table.h"
 #include "felt/store/material_table.h"
 #include "felt/store/stroke_blob.h"
+#include "felt/store/stroke_name_table.h"
 
 namespace felt {
 namespace {
@@ -255,7 +256,8 @@ Result<void> write_tables(Database& database, const Drawing& drawing, const Felt
       .and_then([&] { return write_guides(database, drawing.document); })
       .and_then([&] { return write_body_edits(database, drawing.document); })
       .and_then([&] { return write_page(database, drawing); })
-      .and_then([&] { return write_materials(database, drawing); });
+      .and_then([&] { return write_materials(database, drawing); })
+      .and_then([&] { return write_stroke_names(database, drawing); });
 }
 
 Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
@@ -285,6 +287,7 @@ Result<Drawing> read_tables(const Database& database, const FeltSchema& schema,
     if (done) done = read_page(database, drawing);
   }
   if (done && schema.has_materials) done = read_materials(database, drawing);
+  if (done && schema.has_stroke_names) done = read_stroke_names(database, drawing);
   if (!done) return tl::unexpected(done.error());
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});
   if (auto ok = check_drawing(drawing); !ok) return tl::unexpected(ok.error());

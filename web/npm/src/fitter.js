@@ -45,10 +45,12 @@ function settingsOf(options) {
   };
 }
 
-function newHandle(core, values) {
+export function newHandle(core, values) {
   inputView(core, values.length).set(values);
   return core.exports.fitter_new();
 }
+
+export const sameNumbers = (a, b) => a.every((value, i) => value === b[i]);
 
 function scaleRows(rows, scale) {
   if (scale === 1) return;
@@ -58,9 +60,12 @@ function scaleRows(rows, scale) {
   }
 }
 
-function pushRows(core, handle, rows) {
-  inputView(core, rows.length).set(rows);
-  core.exports.fitter_push(handle, rows.length / COLUMNS);
+export function pushRows(core, handle, rows) {
+  for (let from = 0; from < rows.length; from += PIECE * COLUMNS) {
+    const piece = rows.slice(from, from + PIECE * COLUMNS);
+    inputView(core, piece.length).set(piece);
+    core.exports.fitter_push(handle, piece.length / COLUMNS);
+  }
 }
 
 /** Calls use(rows) for pieces of the points of a reader, in mm. */
@@ -74,27 +79,14 @@ function forPieces({ count, write }, scale, use) {
   }
 }
 
-/**
- * Fits one whole stroke and returns take(core, handle). Keeps the fitter for the next call with the
- * same values, because its buffers can be used again.
- */
-export function fitOnce({ values, refine, scale }, reader, take) {
-  const core = currentCore();
-  const result = run(core, (wasm) => {
-    if (!core.fit || core.fit.values.some((value, i) => value !== values[i])) {
-      if (core.fit) wasm.fitter_free(core.fit.handle);
-      core.fit = null;
-      core.fit = { values, handle: newHandle(core, values) };
-    }
-    const { handle } = core.fit;
-    wasm.fitter_begin(handle);
-    forPieces(reader, scale, (rows) => pushRows(core, handle, rows));
-    wasm.fitter_end(handle);
-    if (refine) wasm.fitter_refine(handle);
-    return take(core, handle);
-  });
-  trim(core);
-  return result;
+/** Returns the fitter for whole strokes. It is kept for the next call with the same values, which reuses its buffers. */
+export function wholeFitter(core, values) {
+  if (!core.fit || !sameNumbers(core.fit.values, values)) {
+    if (core.fit) core.exports.fitter_free(core.fit.handle);
+    core.fit = null;
+    core.fit = { values, handle: newHandle(core, values) };
+  }
+  return core.fit.handle;
 }
 
 /** What can be wrong with pressures and times, in the order of the bits of fitter_faults(). */
@@ -113,9 +105,18 @@ function finished(core, handle, form) {
 }
 
 export function fitStroke(points, options = {}) {
-  const settings = settingsOf(options);
-  return fitOnce(settings, readerOf(points, settings.stride),
-    (core, handle) => finished(core, handle, settings.form));
+  const { values, refine, scale, stride, form } = settingsOf(options);
+  const reader = readerOf(points, stride), core = currentCore();
+  const stroke = run(core, (wasm) => {
+    const handle = wholeFitter(core, values);
+    wasm.fitter_begin(handle);
+    forPieces(reader, scale, (rows) => pushRows(core, handle, rows));
+    wasm.fitter_end(handle);
+    if (refine) wasm.fitter_refine(handle);
+    return finished(core, handle, form);
+  });
+  trim(core);
+  return stroke;
 }
 
 // The fitters of wasm that StrokeFitters have on loan. They are few, however many StrokeFitters there are, because the
@@ -133,7 +134,7 @@ function freeLoan(core) {
 function lend(core, values, owner) {
   const loan = freeLoan(core);
   loan.owner = null;
-  if (loan.values === null || loan.values.some((value, i) => value !== values[i])) {
+  if (loan.values === null || !sameNumbers(loan.values, values)) {
     if (loan.handle) core.exports.fitter_free(loan.handle);
     loan.handle = newHandle(core, values);
     loan.values = values;
@@ -166,9 +167,7 @@ export class StrokeFitter {
     if (before) this.#core.maxLoans = Math.min(1 << 16, 2 * this.#core.maxLoans);
     run(this.#core, (wasm) => {
       const { handle } = this.#loan;
-      for (let from = 0; from < this.#rows.length; from += PIECE * COLUMNS) {
-        pushRows(this.#core, handle, this.#rows.slice(from, from + PIECE * COLUMNS));
-      }
+      pushRows(this.#core, handle, this.#rows);
       if (this.#state !== 'drawing') wasm.fitter_end(handle);
       if (this.#state === 'refined') wasm.fitter_refine(handle);
     });

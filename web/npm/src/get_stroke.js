@@ -1,6 +1,6 @@
 // getStroke(), with the call of perfect-freehand.
 import { check, inputView } from './module.js';
-import { fitOnce } from './fitter.js';
+import { fitGrowing } from './growing.js';
 import { COLUMNS, readerOf } from './points.js';
 import { takePolygons } from './strokes.js';
 
@@ -105,24 +105,23 @@ function outlineOf(samples, options, { size, scale }, tolerance) {
   if (options.simulatePressure ?? true) simulatePressure(samples, size);
 
   const widths = samples.map((sample) => scale * diameterOf(sample[2], size, thinning, easing));
-  const widest = widths.reduce((a, b) => Math.max(a, b), 2 * LEAST_WIDTH_MM);
-  const values = [scale * tolerance, LEAST_WIDTH_MM, widest, 1, 0.5, 20, 7.5, 1, 0.01 * widest, 0];
-  const reader = {
-    count: samples.length,
-    write(from, to, rows) {
-      for (let i = from; i < to; ++i) {
-        const [x, y] = samples[i], share = (widths[i] - LEAST_WIDTH_MM) / (widest - LEAST_WIDTH_MM);
-        rows.set([x * scale, y * scale, share, NaN, NaN], (i - from) * COLUMNS);
-      }
-    },
-  };
+  const most = widths.reduce((a, b) => Math.max(a, b), 0);
+  // Depends on the points as little as possible, so that the fit of the first points does not change when others follow.
+  let widest = 2 * scale * size;
+  while (widest < most && widest < Infinity) widest *= 2;
+  const values = [scale * tolerance, LEAST_WIDTH_MM, widest, 1, 0.5, 20, 7.5, 1, 0.01 * scale * size, 0];
+  const rows = new Float64Array(COLUMNS * samples.length).fill(NaN);
+  samples.forEach(([x, y], i) => {
+    const share = (widths[i] - LEAST_WIDTH_MM) / (widest - LEAST_WIDTH_MM);
+    // -0 becomes 0, because the two are equal when points are compared.
+    rows.set([x * scale + 0, y * scale + 0, share], i * COLUMNS);
+  });
   const length = samples.reduce((sum, p, i) => sum + (i > 0 ? distanceOf(p, samples[i - 1]) : 0), 0);
   const look = [
     ...tipNumbers(options.start, (t) => t * (2 - t), length, size, scale),
     ...tipNumbers(options.end, (t) => 1 + (t - 1) ** 3, length, size, scale),
   ];
-  const settings = { values, refine: options.last === true, scale: 1 };
-  const [polygon] = fitOnce(settings, reader, (core, handle) => {
+  const [polygon] = fitGrowing(values, rows, options.last === true, (core, handle) => {
     inputView(core, look.length).set(look);
     check(core, core.exports.fitter_look(handle, scale * edgeOf(size, smoothing)));
     return takePolygons(core);

@@ -29,8 +29,8 @@ export function setModule(compiled) {
 
 function instantiate() {
   module ??= getModule();
-  // For `loans` and `maxLoans`, see fitter.js; `fit` is the fitter of fitOnce().
-  const core = { alive: true, loans: [], maxLoans: 16, fit: null };
+  // For `loans` and `maxLoans`, see fitter.js; `fit` is wholeFitter(); for `growing`, see growing.js.
+  const core = { alive: true, loans: [], maxLoans: 16, fit: null, growing: [] };
   const instance = new WebAssembly.Instance(module, {
     env: {
       // Prints a number for an error message: small_library.cc.

@@ -17,6 +17,7 @@ skip_without() { command -v "$1" >/dev/null || { echo "skipped: $1 is not instal
 case $topic in
   use) node use.mjs && node use.cjs && node worker.mjs ;;
   input) node input.mjs ;;
+  growing) node growing.mjs ;;
   memory) node memory.mjs ;;
   size)
     for name in feltline.mjs feltline.cjs; do
@@ -45,6 +46,11 @@ globalThis.run = async (wasm) => {
   return JSON.stringify([slimFit([[0, 0], [10, 5], [20, 0]]), fitStroke([[0, 0], [10, 5], [20, 0]])]);
 };
 END
+    cat >entry.cjs <<'END'
+const { fitStroke: slimFit, init } = require('feltline/slim');
+const { fitStroke } = require('feltline');
+END
+    sed '/^import/d' entry.mjs >>entry.cjs
     cat >check.mjs <<'END'
 import { readFileSync } from 'node:fs';
 // What webpack asks a browser for.
@@ -56,20 +62,24 @@ END
     tried=0
     tried_with() { echo "$1"; node check.mjs "./out/$2"; tried=$((tried + 1)); }
     if command -v esbuild >/dev/null; then
-      esbuild entry.mjs --bundle --platform=browser --format=esm --log-level=warning --outfile=out/esbuild.mjs
-      if grep -q 'node:' out/esbuild.mjs; then echo "the bundle names a module of Node"; exit 1; fi
-      tried_with esbuild esbuild.mjs
+      for entry in entry.mjs entry.cjs; do
+        esbuild "$entry" --bundle --platform=browser --format=esm --log-level=warning --outfile="out/esbuild.$entry.mjs"
+        if grep -q 'node:' "out/esbuild.$entry.mjs"; then echo "the bundle names a module of Node"; exit 1; fi
+        tried_with "esbuild $entry" "esbuild.$entry.mjs"
+      done
     fi
     if [ -d "$bundlers/webpack" ]; then
       cat >webpack.mjs <<END
 import webpack from '$bundlers/webpack/lib/index.js';
-webpack({ mode: 'production', target: 'web', entry: './entry.mjs', context: '$folder',
-          output: { path: '$folder/out', filename: 'webpack.js', publicPath: './' } },
+webpack({ mode: 'production', target: 'web', entry: './' + process.argv[2], context: '$folder',
+          output: { path: '$folder/out', filename: \`webpack.\${process.argv[2]}.js\`, publicPath: './' } },
         (error, stats) => { if (error || stats.hasErrors() || stats.hasWarnings()) {
           console.error(error ?? stats.toString()); process.exit(1); } });
 END
-      node webpack.mjs
-      tried_with webpack webpack.js
+      for entry in entry.mjs entry.cjs; do
+        node webpack.mjs "$entry"
+        tried_with "webpack $entry" "webpack.$entry.js"
+      done
     fi
     if [ -d "$bundlers/vite" ]; then
       cat >vite.mjs <<END
@@ -92,7 +102,7 @@ END
       tried_with rollup rollup.mjs
     fi
     [ "$tried" -gt 0 ] || { echo "skipped: no bundler is installed (./dev test -L web)"; exit 77; }
-    echo "$tried bundlers: passed" ;;
+    echo "$tried bundles: passed" ;;
   types)
     skip_without tsc
     tsc --noEmit --strict --target es2022 --lib es2022,dom --module node16 --moduleResolution node16 types.ts ;;

@@ -78,6 +78,7 @@ Drawing drawing_of(const Studio& studio) {
   drawing.palette = carried.palette;
   drawing.view = carried.view;
   drawing.extras = carried.extras;
+  drawing.names = carried.names;
   drawing.materials = texts_of_used(drawing.document, drawing.page.surface, session.materials(),
                                     std::vector<std::string>{drawing_medium(session)});
   return drawing;

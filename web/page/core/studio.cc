@@ -70,7 +70,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
 Result<void> Studio::restore(const Drawing& drawing, std::span<const Event> events) {
   stop_play();
   page_ = drawing.page;
-  carried_ = {drawing.palette, drawing.view, drawing.extras};
+  carried_ = {drawing.palette, drawing.view, drawing.extras, drawing.names};
   const std::int64_t before_ns = now_ns_;
   last_event_ns_ = 0;
   make_session(drawing.document, {}, Options::kDefaults);
@@ -134,7 +134,7 @@ void Studio::open(const Drawing& drawing) {
   stop_play();
   make_session(drawing.document, drawing.materials, Options::kOfLastSession);
   set_page(drawing.page);
-  carried_ = {drawing.palette, drawing.view, drawing.extras};
+  carried_ = {drawing.palette, drawing.view, drawing.extras, drawing.names};
   if (!drawing.page.surface.empty()) {
     static_cast<void>(apply(SetOption{kSurfaceOption, drawing.page.surface}));
   }

@@ -55,6 +55,7 @@ class Studio {
     Palette palette;
     std::optional<Viewport> view;
     std::shared_ptr<const DrawingExtras> extras;
+    std::shared_ptr<const StrokeNames> names;
   };
   [[nodiscard]] const Carried& carried() const noexcept { return carried_; }
   /// Begins a session with this drawing. Options and tool stay, except that of the drawing's

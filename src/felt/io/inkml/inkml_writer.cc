@@ -30,16 +30,18 @@ void append_step(std::string& out, double mm) {
 /// a layer also contains the start tag of the layer, and the last part its end tag.
 class InkmlParts final : public DrawingParts {
  public:
-  explicit InkmlParts(const Document& document)
-      : document_(document), ranges_(stroke_ranges(document, LayerChoice::kAll)) {}
+  explicit InkmlParts(const Drawing& drawing)
+      : drawing_(drawing),
+        document_(drawing.document),
+        ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)) {}
 
-  Result<void> begin(const Drawing& drawing, const std::optional<Rgba>& paper) {
+  Result<void> begin(const std::optional<Rgba>& paper) {
     head_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ink xmlns=\"";
     head_ += inkml::kInkmlNamespace;
     head_ += "\" xmlns:felt=\"";
     head_ += inkml::kFeltNamespace;
     head_ += '"';
-    if (auto ok = inkml::append_page(head_, drawing, paper); !ok) return ok;
+    if (auto ok = inkml::append_page(head_, drawing_, paper); !ok) return ok;
     head_ += ">\n";
     add_definitions();
     return {};
@@ -62,7 +64,8 @@ class InkmlParts final : public DrawingParts {
     for (std::size_t k = range.first; k < range.last; ++k) {
       const StrokeId id = layer.strokes[k];
       const std::string number = std::to_string(range.before + (k - range.first) + 1);
-      if (auto ok = append(out.bytes, stroke_name(id), *document_.find(id), number, buffers); !ok) {
+      const std::string name = xml_stroke_name(drawing_, id);
+      if (auto ok = append(out.bytes, name, *document_.find(id), number, buffers); !ok) {
         return tl::unexpected(with_context(ok.error(), "stroke " + number));
       }
     }
@@ -169,6 +172,7 @@ class InkmlParts final : public DrawingParts {
     return {};
   }
 
+  const Drawing& drawing_;
   const Document& document_;
   std::vector<StrokeRange> ranges_;
   std::string head_;
@@ -179,8 +183,8 @@ class InkmlParts final : public DrawingParts {
 
 Result<std::unique_ptr<DrawingParts>> inkml_parts(const Drawing& drawing,
                                                   const std::optional<Rgba>& paper) {
-  auto parts = std::make_unique<InkmlParts>(drawing.document);
-  if (auto ok = parts->begin(drawing, paper); !ok) return tl::unexpected(ok.error());
+  auto parts = std::make_unique<InkmlParts>(drawing);
+  if (auto ok = parts->begin(paper); !ok) return tl::unexpected(ok.error());
   return parts;
 }
 

@@ -4,6 +4,7 @@
 
 #include "felt/io/drawing_styles.h"
 #include "felt/io/svg/svg_elements.h"
+#include "felt/io/xml/xml_text.h"
 
 namespace felt {
 
@@ -13,13 +14,26 @@ constexpr Rgba kNoPaper{255, 255, 255, 0};
 
 enum class SvgLayers { kWritten, kLeftOut };
 
+/// Returns true if no fill refers to strokes. Otherwise the strokes must keep their numbers, which
+/// a stroke that is written with a name of its own loses.
+bool may_have_names(const Document& document) {
+  for (const Layer& layer : document.layers()) {
+    for (const FillId id : layer.fills) {
+      if (goes_with_strokes(*document.find_fill(id), [](StrokeId) { return true; })) return false;
+    }
+  }
+  return true;
+}
+
 /// Part 0 is the head. The other parts contain the strokes. The first part of a layer also contains
 /// the start tag of the layer, and the last part its end tag. The same applies to groups of layers.
 class SvgParts final : public DrawingParts {
  public:
   SvgParts(const Drawing& drawing, const SvgOptions& options, const Rect& area, std::string head,
            SvgLayers layers)
-      : document_(drawing.document),
+      : drawing_(drawing),
+        document_(drawing.document),
+        has_names_(may_have_names(drawing.document)),
         styles_(options.grain ? options.grain->grain.styles() : styles_of(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
@@ -95,17 +109,19 @@ class SvgParts final : public DrawingParts {
   Result<void> append_stroke(std::string& text, StrokeId id, std::size_t number) const {
     const StrokePtr stroke = document_.find(id);
     const StrokeStyle* style = styles_.find(stroke->medium());
+    const std::string name = has_names_ ? xml_stroke_name(drawing_, id) : stroke_name(id);
     if (!masks_) {
-      return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_, nullptr,
-                               style);
+      return append_svg_stroke(text, name, *stroke, number, tolerance_mm_, nullptr, style);
     }
     const Result<std::optional<GrainMask>> mask = masks_->of(*stroke);
     if (!mask) return tl::unexpected(mask.error());
-    return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_,
-                             *mask ? &**mask : nullptr, style);
+    return append_svg_stroke(text, name, *stroke, number, tolerance_mm_, *mask ? &**mask : nullptr,
+                             style);
   }
 
+  const Drawing& drawing_;
   const Document& document_;
+  bool has_names_;
   StrokeStyles styles_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;
@@ -117,20 +133,39 @@ class SvgParts final : public DrawingParts {
 
 }  // namespace
 
-Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options) {
-  std::optional<Page> page;
-  if (drawing.has_page && !options.area) {
-    page = drawing.page;
-    page->paper = options.paper.value_or(page->paper);
-  }
+namespace {
+
+/// Returns the page that the file shows, or nullopt if it shows an area.
+std::optional<Page> shown_page(const Drawing& drawing, const SvgOptions& options) {
+  if (!drawing.has_page || options.area) return std::nullopt;
+  Page page = drawing.page;
+  page.paper = options.paper.value_or(page.paper);
+  return page;
+}
+
+Rect shown_area(const Drawing& drawing, const SvgOptions& options, const Rect& ink) {
+  const std::optional<Page> page = shown_page(drawing, options);
+  return page ? page->area() : picture_area(ink, options.area, options.margin_mm);
+}
+
+}  // namespace
+
+Result<std::string> svg_head(const Drawing& drawing, const SvgOptions& options, const Rect& ink) {
+  const std::optional<Page> page = shown_page(drawing, options);
   const Result<std::string> model = svg_model_text(drawing, page ? &*page : nullptr);
   if (!model) return tl::unexpected(model.error());
-  const Rect area = page ? page->area()
-                         : picture_area(ink_bounds(drawing.document, LayerChoice::kAll),
-                                        options.area, options.margin_mm);
   std::string head;
-  append_svg_head(head, area, page ? page->paper : options.paper.value_or(kNoPaper), *model);
-  return std::make_unique<SvgParts>(drawing, options, area, std::move(head), SvgLayers::kWritten);
+  append_svg_head(head, shown_area(drawing, options, ink),
+                  page ? page->paper : options.paper.value_or(kNoPaper), *model);
+  return head;
+}
+
+Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options) {
+  const Rect ink = ink_bounds(drawing.document, LayerChoice::kAll);
+  return svg_head(drawing, options, ink).map([&](std::string head) {
+    return std::unique_ptr<DrawingParts>(std::make_unique<SvgParts>(
+        drawing, options, shown_area(drawing, options, ink), std::move(head), SvgLayers::kWritten));
+  });
 }
 
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options) {

@@ -42,8 +42,12 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const Sv
 /// Returns the same file as one text.
 Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options);
 
-/// Returns a file with the ink only, without layers and without a page for import_svg(). Code that
-/// writes strokes one at a time (svg_elements.h) writes the same kind of file.
+/// Returns the start of such a file, before the first layer, if `ink` is the box of all ink. Code
+/// that writes strokes one at a time (svg_elements.h) begins the file with it. Fails like
+/// svg_parts().
+Result<std::string> svg_head(const Drawing& drawing, const SvgOptions& options, const Rect& ink);
+
+/// Returns a file with the ink only, without layers and without a page for import_svg().
 Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options);
 
 }  // namespace felt

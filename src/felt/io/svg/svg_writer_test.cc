@@ -386,6 +386,43 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
   EXPECT_EQ(parsed(text).child("svg").child("path").attribute("felt:id").value(), id);
 }
 
+TEST(SvgWriter, AStreamOfADrawingsStrokesIsTheSameText) {
+  Drawing drawing = testing::drawing_of(strokes_in_rows(7, 12));
+  drawing.has_page = false;
+  drawing.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{2}, "cat-1"}});
+  const SvgOptions options{.area = Rect{-1, -2, 90, 80}};
+  std::string text = svg_head({.has_page = false}, options, {}).value();
+  EXPECT_EQ(text.size(), kSvgHeadBytes);
+  ASSERT_TRUE(append_svg_layer_begin(text, Document().layers()[0], 1));
+  for (const StrokeId id : drawing.document.layers()[0].strokes) {
+    ASSERT_TRUE(append_svg_stroke(text, name_in_file(drawing, id), *drawing.document.find(id),
+                                  id.value, options.tolerance_mm));
+  }
+  append_svg_group_end(text);
+  append_svg_tail(text);
+  EXPECT_EQ(text, svg_text(drawing, options).value());
+}
+
+TEST(SvgWriter, TheHeadHasTheSameSizeForEveryArea) {
+  for (const double mm : {0.001, 12.345, 1e9 - 0.001}) {
+    for (const Rgba paper : {Rgba{255, 255, 255, 0}, Rgba{1, 2, 3, 4}}) {
+      const SvgOptions options{.area = Rect{-mm, -mm, mm, mm}, .paper = paper};
+      EXPECT_EQ(svg_head({.has_page = false}, options, {}).value().size(), kSvgHeadBytes);
+    }
+  }
+  Drawing largest;
+  largest.page = {4999.9999, 4999.9999, {1, 2, 3, 4}, {}};
+  EXPECT_EQ(svg_head(largest, {}, {}).value().size(), kSvgHeadBytes);
+}
+
+TEST(SvgWriter, ANameThatXmlForbidsGivesWayToTheNumber) {
+  Drawing drawing = testing::drawing_of(strokes_in_rows(2, 12));
+  drawing.names =
+      std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{1}, "a\x01"}, {StrokeId{2}, "b"}});
+  const std::string text = svg_text(drawing, {}).value();
+  EXPECT_EQ(text.find("felt:id"), text.find("felt:id=\"b\""));
+}
+
 TEST(SvgWriter, AStreamOfStrokesIsTheSameText) {
   const Drawing drawing = testing::drawing_of(strokes_in_rows(7, 12));
   std::string text;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "felt/base/utf8.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt {
 namespace {
@@ -63,6 +64,11 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
   }
   out += escaped;
   return {};
+}
+
+std::string xml_stroke_name(const Drawing& drawing, StrokeId id) {
+  std::string name = name_in_file(drawing, id), attribute;
+  return append_xml_attribute(attribute, name) ? name : stroke_name(id);
 }
 
 }  // namespace felt

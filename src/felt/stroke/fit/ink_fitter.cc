@@ -76,6 +76,20 @@ void InkFitter::begin() {
   s.has_curve = false;
 }
 
+void InkFitter::copy_stroke(const InkFitter& other) {
+  State& s = *state_;
+  const State& from = *other.state_;
+  s.filter = from.filter;
+  s.online = from.online;
+  s.paper = from.paper;
+  s.samples = from.samples;
+  s.check = from.check;
+  s.ignored = from.ignored;
+  s.ended = from.ended;
+  s.has_curve = from.has_curve;
+  if (s.has_curve) s.curve = from.curve;
+}
+
 void InkFitter::push(const InkSample& reported) {
   State& s = *state_;
   if (!is_ink(reported)) {

@@ -33,6 +33,10 @@ class InkFitter {
 
   /// Discards the last stroke and starts a new one.
   void begin();
+  /// Continues the stroke of `other` here, as if its samples had been pushed to this fitter. Copies
+  /// the samples and fits nothing, so that end() can complete a copy while `other` goes on.
+  /// Requires that both fitters have the same options.
+  void copy_stroke(const InkFitter& other);
   /// Adds the next sample. Ignores and counts it if a coordinate is not finite or exceeds
   /// kMaxCoordinateMm.
   void push(const InkSample& sample);

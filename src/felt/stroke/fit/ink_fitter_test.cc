@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "felt/stroke/fit/curve_fitter.h"
@@ -142,6 +143,54 @@ TEST(InkFitter, RefiningMovesTheCurveByAboutTheToleranceAtMost) {
     const std::vector<Point> before = testing::dense_points(online, 12);
     for (const Point p : testing::dense_points(fitter.curve(), 12)) {
       EXPECT_LE(testing::distance_to_polyline(p, before), 1.1 * 0.15);
+    }
+  }
+}
+
+/// Ends `tried` and checks that it has the stroke of a new fitter with these samples.
+void expect_whole(InkFitter& tried, const InkFitOptions& options,
+                  std::span<const InkSample> samples) {
+  InkFitter whole(options);
+  for (const InkSample& sample : samples) whole.push(sample);
+  whole.end();
+  tried.end();
+  EXPECT_TRUE(tried.samples() == whole.samples());
+  for (const bool refined : {false, true}) {
+    if (refined) whole.refine(), tried.refine();
+    const Result<Stroke> stroke = tried.stroke(), expected = whole.stroke();
+    ASSERT_TRUE(stroke && expected);
+    EXPECT_EQ(*stroke, *expected);
+  }
+  EXPECT_EQ(tried.faults(), whole.faults());
+}
+
+TEST(InkFitter, R7ACopiedStrokeGoesOnLikeItsOriginal) {
+  for (const std::uint64_t kind : {0u, 1u, 2u, 3u}) {
+    InkFitOptions options;
+    options.scheme = kind % 2 == 0 ? FitScheme::kFeltline : FitScheme::kPaper2002;
+    options.filter_artefacts = kind >= 2;
+    InkFitter original(options), copy(options);
+    for (std::uint64_t seed = 0; seed < 15; ++seed) {
+      SCOPED_TRACE(::testing::Message() << kind << ' ' << seed);
+      std::vector<InkSample> ink;
+      for (const Point p : TestInk(seed).draw_any(300)) {
+        const double x = static_cast<double>(ink.size());
+        ink.push_back({p, 0.5 + 0.4 * std::sin(0.03 * x), static_cast<std::int64_t>(8e6 * x)});
+      }
+      const std::span<const InkSample> all(ink);
+      original.begin();
+      for (std::size_t i = 0; i < ink.size(); ++i) {
+        original.push(ink[i]);
+        if (i % 37 != 5) continue;
+        copy.copy_stroke(original);
+        expect_whole(copy, options, all.first(i + 1));
+        copy.copy_stroke(original);  // over a stroke that was refined
+        for (const InkSample& sample : all.subspan(i + 1)) copy.push(sample);
+        expect_whole(copy, options, all);
+      }
+      expect_whole(original, options, all);
+      copy.copy_stroke(original);  // of a refined stroke
+      EXPECT_EQ(*copy.stroke(), *original.stroke());
     }
   }
 }

@@ -64,6 +64,12 @@ bool drop_bad_times(std::span<InkSample> samples) noexcept {
   return true;
 }
 
+SampleFaults combined_faults(SampleFaults of_fit, const SampleFaults& before) noexcept {
+  of_fit.has_no_clock = of_fit.has_no_clock || before.has_no_clock;
+  of_fit.needs_times = of_fit.needs_times || before.needs_times;
+  return of_fit;
+}
+
 bool times_matter(const SampleFaults& faults) noexcept {
   constexpr std::size_t kMinTimed = 4;
   return faults.needs_times && faults.samples >= kMinTimed;

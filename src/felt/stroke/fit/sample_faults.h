@@ -68,6 +68,10 @@ InkSample with_valid_pressure(InkSample sample) noexcept;
 /// Returns true if it removed them.
 bool drop_bad_times(std::span<InkSample> samples) noexcept;
 
+/// Returns the faults that the fit of a stroke found together with those that were found, and
+/// mended, in its samples before the fit.
+SampleFaults combined_faults(SampleFaults of_fit, const SampleFaults& before) noexcept;
+
 /// Returns true if faults of the times are worth a notice: the result depends on the times, and
 /// there are at least four samples. Fewer samples can have been taken in the same millisecond.
 bool times_matter(const SampleFaults& faults) noexcept;

@@ -218,4 +218,14 @@ std::vector<InkSample> SteadyLine::smoothed() const {
   return samples;
 }
 
+SampleFaults steady_samples(SteadyLine& line, std::vector<InkSample>& samples) {
+  SampleFaults before;
+  before.has_no_clock = drop_bad_times(samples);
+  before.needs_times = true;
+  line.begin();
+  for (const InkSample& sample : samples) line.push(sample);
+  samples = line.smoothed();
+  return before;
+}
+
 }  // namespace felt

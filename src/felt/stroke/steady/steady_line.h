@@ -8,6 +8,7 @@
 
 #include "felt/base/chunked_vector.h"
 #include "felt/stroke/fit/ink_fit.h"
+#include "felt/stroke/fit/sample_faults.h"
 #include "felt/stroke/steady/shake.h"
 #include "felt/stroke/steady/shake_filter.h"
 
@@ -103,5 +104,10 @@ class SteadyLine {
   Point tip_;
   std::vector<InkSample> out_, shown_;
 };
+
+/// Replaces the samples of a whole stroke by SteadyLine::smoothed(), without their times if these
+/// cannot be those of a pen (drop_bad_times()). Returns what a fit of the new samples cannot find
+/// any more, for combined_faults(): whether the stroke had no clock, and that its times are needed.
+SampleFaults steady_samples(SteadyLine& line, std::vector<InkSample>& samples);
 
 }  // namespace felt

@@ -189,5 +189,29 @@ TEST(SteadyLine, TheNextLineDoesNotDependOnTheLast) {
   EXPECT_EQ(a.whole, b.whole);
 }
 
+TEST(SteadyLine, ABadClockIsSaidAfterTheFit) {
+  for (const bool has_clock : {true, false}) {
+    Random random(3);
+    Ink ink = sampled(2.0, 0.008, random, [](double s) { return Point{20.0 * s, 0.0}; });
+    for (InkSample& sample : ink) {
+      sample.pressure = 0.5 + 0.3 * std::sin(1e-9 * static_cast<double>(*sample.time_ns));
+      if (!has_clock) *sample.time_ns /= 1000;
+    }
+    SteadyLine line({});
+    const SampleFaults before = steady_samples(line, ink);
+    EXPECT_EQ(before.has_no_clock, !has_clock);
+    EXPECT_EQ(ink.front().time_ns.has_value(), has_clock);
+    SampleCheck check;
+    for (const InkSample& sample : ink) check.add(sample);
+    EXPECT_FALSE(check.faults().has_no_clock);  // of the samples that are left
+    const SampleFaults all = combined_faults(check.faults(), before);
+    EXPECT_EQ(all.has_no_clock, !has_clock);
+    EXPECT_TRUE(all.needs_times);
+    EXPECT_EQ(all.samples, ink.size());
+    EXPECT_EQ(fault_clauses(all).empty(), has_clock);
+    EXPECT_EQ(combined_faults(check.faults(), {}), check.faults());
+  }
+}
+
 }  // namespace
 }  // namespace felt::steady_line_test
