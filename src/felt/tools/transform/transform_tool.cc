@@ -50,6 +50,10 @@ TransformKind kind_of(TransformMode mode) {
   return TransformKind::kMove;
 }
 
+/// Gaps of larger previews are closed only when the pen is lifted, so that a sample takes no
+/// longer.
+constexpr std::size_t kMaxCompleted = 100;
+
 std::string hold_text(std::size_t anchors) {
   return std::to_string(anchors) + (anchors == 1 ? " line holds it" : " lines hold it");
 }
@@ -176,6 +180,11 @@ void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Sele
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
   strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
+  connected_.reset();
+  if (strokes_.may_part()) {
+    connected_.emplace(BrushOptions{});
+    for (const StrokeId id : strokes_.whole_strokes()) connected_->keep_shape(id);
+  }
   drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.min_scale());
   doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
 }
@@ -196,7 +205,11 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0,
                settings_.about_centre || (sample.buttons & kThirdModifier) != 0);
   if (doing_ == Doing::kPicture) return {.preview = picture_edit(scene), .same_preview = true};
-  return {.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
+  ToolResult result{.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
+  if (connected_ && result.preview && result.preview->changes.size() <= kMaxCompleted) {
+    connected_->complete(*result.preview, scene);
+  }
+  return result;
 }
 
 ToolResult TransformTool::end(const Scene& scene) {
@@ -205,7 +218,7 @@ ToolResult TransformTool::end(const Scene& scene) {
     case Doing::kNothing:
       break;
     case Doing::kTransform:
-      result = end_transform();
+      result = end_transform(scene);
       break;
     case Doing::kPicture:
       if (!drag_.is_identity()) result.commit = picture_edit(scene);
@@ -222,15 +235,20 @@ ToolResult TransformTool::end(const Scene& scene) {
   return result;
 }
 
-ToolResult TransformTool::end_transform() {
+ToolResult TransformTool::end_transform(const Scene& scene) {
   ToolResult result;
-  result.selection = std::move(taken_);
+  result.selection = taken_;
   if (drag_.is_identity()) return result;
   Edit edit = strokes_.finished(drag_.map(), width_factor(),
                                 duplicates_ ? std::string("Duplicate") : drag_.label());
   if (edit.empty()) return result;
+  if (connected_) connected_->complete(edit, scene);
+  if (duplicates_) {
+    result.selection = strokes_.copies();
+  } else if (!taken_) {
+    result.selection = strokes_.selection_after(edit, scene.selection);
+  }
   result.commit = std::move(edit);
-  if (duplicates_) result.selection = strokes_.copies();
   if (centre_) centre_ = apply(drag_.map(), *centre_);
   moved_marks_ = selected_.marks_fingerprint();
   selected_.start_over();
@@ -253,6 +271,7 @@ void TransformTool::drop() {
   taken_.reset();
   under_pen_ = nullptr;
   strokes_ = {};
+  connected_.reset();
   drag_ = {};
 }
 
