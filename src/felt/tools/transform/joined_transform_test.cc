@@ -123,6 +123,27 @@ double largest_distance_mm(const JoinedDrawing& d, const Document& a, const Docu
   return largest;
 }
 
+TEST(JoinedTransform, R33_JunctionsHoldThroughManyTransforms) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    Transformed d(seed);
+    d.draw(seed);
+    d.note_gaps();
+    for (int k = 0; k < 5; ++k) {
+      d.fixture.selection.clear();
+      if (d.random.chance(0.5)) {
+        d.select_some();
+      } else {
+        d.select_loop();
+      }
+      if (d.fixture.selection.strokes().empty()) continue;
+      const auto [during, after] = d.drag(k % 2 == 0 ? "stretch" : kModes[seed % 3]);
+      EXPECT_LE(during, kApartMm) << k;
+      EXPECT_LE(after, kApartMm) << k;
+    }
+  }
+}
+
 /// Returns the number of points that the strokes share.
 std::size_t count_junctions(const JoinedDrawing& d) {
   std::size_t count = 0;

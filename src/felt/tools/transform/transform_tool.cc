@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,6 +54,9 @@ TransformKind kind_of(TransformMode mode) {
 /// Gaps of larger previews are closed only when the pen is lifted, so that a sample takes no
 /// longer.
 constexpr std::size_t kMaxCompleted = 100;
+/// Minimum time between two previews whose gaps are closed, per stroke: closing them takes about
+/// half of this.
+constexpr double kCompletionNsPerStroke = 50'000.0;
 
 std::string hold_text(std::size_t anchors) {
   return std::to_string(anchors) + (anchors == 1 ? " line holds it" : " lines hold it");
@@ -181,6 +185,7 @@ void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Sele
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
   strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
   connected_.reset();
+  completion_ns_ = 0.0;
   if (strokes_.may_part()) {
     connected_.emplace(BrushOptions{});
     for (const StrokeId id : strokes_.whole_strokes()) connected_->keep_shape(id);
@@ -205,9 +210,15 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0,
                settings_.about_centre || (sample.buttons & kThirdModifier) != 0);
   if (doing_ == Doing::kPicture) return {.preview = picture_edit(scene), .same_preview = true};
+  // Computed in double, because the difference of two invalid times may overflow 64 bits.
+  const double waited =
+      std::fabs(static_cast<double>(sample.time_ns) - static_cast<double>(completed_ns_));
+  if (connected_ && waited < completion_ns_) return {.same_preview = true};
   ToolResult result{.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
   if (connected_ && result.preview && result.preview->changes.size() <= kMaxCompleted) {
     connected_->complete(*result.preview, scene);
+    completed_ns_ = sample.time_ns;
+    completion_ns_ = kCompletionNsPerStroke * static_cast<double>(result.preview->changes.size());
   }
   return result;
 }

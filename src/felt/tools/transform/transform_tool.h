@@ -88,6 +88,8 @@ class TransformTool final : public GestureTool {
   bool duplicates_ = false;
   MovedStrokes strokes_;
   std::optional<ConnectedPull> connected_;  // set if strokes_ may leave gaps
+  std::int64_t completed_ns_ = 0;           // time of the last preview whose gaps were closed
+  double completion_ns_ = 0.0;              // minimum time until the next one
   TransformDrag drag_;
 };
 
