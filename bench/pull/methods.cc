@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "felt/geometry/nearest.h"
-#include "felt/tools/pull/brush_pull.h"
+#include "felt/tools/brush_pull.h"
 #include "felt/tools/pull/grab_pull.h"
 
 namespace felt::bench {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
+#include <map>
+#include <utility>
 
 #include "felt/geometry/nearest.h"
 
@@ -27,10 +28,14 @@ class Search {
       find_curves_at(StrokeTip::kStart);
       find_curves_at(StrokeTip::kEnd);
     }
-    const auto order = [](const Junction& j) { return std::tuple(j.other, j.other_u, j.u); };
-    std::sort(found_.begin(), found_.end(),
-              [&](const Junction& a, const Junction& b) { return order(a) < order(b); });
-    return std::move(found_);
+    std::vector<Junction> all;
+    for (auto& [other, junctions] : found_) {
+      std::sort(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) {
+        return std::pair(a.other_u, a.u) < std::pair(b.other_u, b.u);
+      });
+      all.insert(all.end(), junctions.begin(), junctions.end());
+    }
+    return all;
   }
 
  private:
@@ -73,18 +78,19 @@ class Search {
   /// Adds a junction unless it is already known, because a point at a joint is found on both of its
   /// segments.
   void add(const Junction& j) {
-    const bool known = std::any_of(found_.begin(), found_.end(), [&](const Junction& k) {
-      return k.other == j.other && k.point == j.point && std::fabs(k.u - j.u) < 1e-3 &&
+    std::vector<Junction>& others = found_[j.other];
+    const bool known = std::any_of(others.begin(), others.end(), [&](const Junction& k) {
+      return k.point == j.point && std::fabs(k.u - j.u) < 1e-3 &&
              std::fabs(k.other_u - j.other_u) < 1e-3;
     });
-    if (!known) found_.push_back(j);
+    if (!known) others.push_back(j);
   }
 
   const Document& document_;
   const StrokeIndex& index_;
   StrokeId id_;
   const Stroke& stroke_;
-  std::vector<Junction> found_;
+  std::map<StrokeId, std::vector<Junction>> found_;  // by the other stroke
 };
 
 }  // namespace

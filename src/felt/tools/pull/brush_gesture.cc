@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
-#include "felt/tools/pull/brush_pull.h"
+#include "felt/tools/brush_pull.h"
 
 namespace felt {
 namespace {

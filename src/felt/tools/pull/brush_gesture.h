@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "felt/document/stroke_index.h"
-#include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/brush_reach.h"
 #include "felt/tools/pull/pull_gesture.h"
 #include "felt/tools/pull/touch_offset.h"
 

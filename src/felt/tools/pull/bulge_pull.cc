@@ -6,8 +6,8 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/edit/subdivide.h"
-#include "felt/tools/pull/brush_reach.h"
-#include "felt/tools/pull/handles.h"
+#include "felt/tools/brush_reach.h"
+#include "felt/tools/handles.h"
 
 namespace felt {
 namespace {

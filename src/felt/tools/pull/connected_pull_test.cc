@@ -1,8 +1,9 @@
-#include "felt/tools/pull/connected_pull.h"
+#include "felt/tools/connected_pull.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <utility>
@@ -179,6 +180,73 @@ TEST(ConnectedPull, ASampleMakesOneMapOfTheLineHoweverManyStandOnIt) {
   }
   EXPECT_LE(connected.work().maps, kSamples + 1);
   EXPECT_LE(connected.work().brushes, 40) << "one for each follower";
+}
+
+/// A line on which posts stand, one each 2 mm.
+struct ManyPosts {
+  Fixture fixture;
+  StrokeId line;
+  std::vector<StrokeId> posts;
+
+  explicit ManyPosts(int count)
+      : line(fixture.add(straight_stroke({0, 0}, {2.0 * count + 2, 0}, 1, 1))) {
+    for (int i = 1; i <= count; ++i) {
+      posts.push_back(fixture.add(straight_stroke({2.0 * i, 5}, {2.0 * i, 0}, 1, 1)));
+    }
+  }
+  /// Moves all posts, each a little differently. The line follows. Returns the work.
+  int move_posts(double mm) {
+    EditBuilder edit(fixture.document);
+    for (std::size_t i = 0; i < posts.size(); ++i) {
+      StrokeData data = fixture.document.find(posts[i])->data();
+      for (Point& p : data.points) p.y += mm + 0.2 * std::sin(static_cast<double>(i));
+      edit.replace(posts[i], std::make_shared<const Stroke>(Stroke::create(data).value()));
+    }
+    return complete(std::move(edit).build("Push"));
+  }
+  /// Bends the line at its middle. The posts there follow. Returns the work.
+  int bend(double mm) {
+    const StrokePtr stroke = fixture.document.find(line);
+    EditBuilder edit(fixture.document);
+    const BrushPull pull(stroke, 0.5 * stroke->segment_count());
+    edit.replace(line, std::make_shared<const Stroke>(pull.at({0, mm}).value()));
+    return complete(std::move(edit).build("Pull"));
+  }
+  [[nodiscard]] double largest_gap_mm() const {
+    double largest = 0.0;
+    for (const StrokeId id : posts) {
+      double gap = 1e300;
+      for (int i = 0; i < fixture.document.find(line)->segment_count(); ++i) {
+        const Point foot = fixture.document.find(id)->position(1.0);
+        gap =
+            std::min(gap, nearest(fixture.document.find(line)->segment(i), foot).distance_squared);
+      }
+      largest = std::max(largest, std::sqrt(gap));
+    }
+    return largest;
+  }
+
+ private:
+  int complete(Edit edit) {
+    ConnectedPull connected{BrushOptions{}};
+    connected.complete(edit, fixture.scene());
+    fixture.apply(edit);
+    return connected.work().looks;
+  }
+};
+
+TEST(ConnectedPull, TheWorkForManyPostsGrowsLittleFasterThanTheirNumber) {
+  ManyPosts few(500), many(2000);
+  const int few_moves = few.move_posts(3.0), many_moves = many.move_posts(3.0);
+  EXPECT_EQ(few.fixture.document.find(few.line)->segment_count(), 1998);
+  EXPECT_LE(few.largest_gap_mm(), 1e-6);
+  EXPECT_LE(many_moves, 5 * few_moves);
+  EXPECT_LE(few_moves, 20 * 500);
+  // Now the line has hundreds of segments.
+  const int few_bends = few.bend(4.0), many_bends = many.bend(4.0);
+  EXPECT_LE(few.largest_gap_mm(), 1e-6);
+  EXPECT_LE(many_bends, 5 * few_bends);
+  EXPECT_LE(few_bends, 20 * 500);
 }
 
 TEST(ConnectedPull, WhatDoesNotChangeIsNotMadeAgain) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/brush_reach.h"
 #include "felt/tools/pull/bulge_gesture.h"
 #include "felt/tools/pull/grab_pull.h"
 #include "felt/tools/pull/push_gesture.h"

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "felt/stroke/arc_map.h"
+#include "felt/tools/connected_pull.h"
 #include "felt/tools/gesture_tool.h"
-#include "felt/tools/pull/connected_pull.h"
 #include "felt/tools/pull/pull_gesture.h"
 #include "felt/tools/pull/pull_options.h"
 

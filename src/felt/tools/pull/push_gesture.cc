@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
+#include "felt/tools/connected_pull.h"
 #include "felt/tools/junctions.h"
-#include "felt/tools/pull/connected_pull.h"
 #include "felt/tools/pull/nib_lines.h"
 
 namespace felt {

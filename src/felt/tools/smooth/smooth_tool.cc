@@ -69,6 +69,7 @@ ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
   if (hold_.map().length_mm() > kLongestLineMm) return {};
   replacement_.emplace(scene.document, hold_.id());
   ironing_.emplace(*hold_.stroke(), hold_.map(), settings_.iron);
+  connected_.emplace(BrushOptions{});
   last_ns_ = preview_ns_ = force_ns_ = sample.time_ns;
   const auto points = static_cast<std::int64_t>(hold_.stroke()->data().points.size());
   preview_interval_ns_ = std::max(kPreviewNs, kPreviewNsPerPoint * points);
@@ -85,8 +86,7 @@ ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
   if (std::exchange(is_caught_up_, false)) {
     std::optional<Stroke> ironed = ironing_->shown();
     if (!ironed) return {.same_preview = true};
-    return {.preview = replacement_->with(std::make_shared<const Stroke>(*std::move(ironed)),
-                                          kSmoothLabel)};
+    return {.preview = edit(*std::move(ironed), scene)};
   }
   const double unshown = seconds_off(preview_ns_, sample.time_ns);
   const double unfelt = seconds_off(force_ns_, sample.time_ns);
@@ -100,6 +100,13 @@ ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
     feel(std::min(unfelt, kLongestStepS));
   }
   return {.same_preview = true};
+}
+
+/// Returns the edit that replaces the stroke, with the changes of the strokes that follow.
+Edit SmoothTool::edit(Stroke ironed, const Scene& scene) {
+  Edit edit = replacement_->with(std::make_shared<const Stroke>(std::move(ironed)), kSmoothLabel);
+  connected_->complete(edit, scene);
+  return edit;
 }
 
 void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near) {
@@ -127,12 +134,11 @@ void SmoothTool::feel(double seconds) {
   rough_mm_ += seconds / (kFeelSeconds + seconds) * (now - rough_mm_);
 }
 
-ToolResult SmoothTool::end(const Scene&) {
+ToolResult SmoothTool::end(const Scene& scene) {
   ToolResult result;
   if (ironing_) {
     if (std::optional<Stroke> done = ironing_->finished()) {
-      result.commit =
-          replacement_->with(std::make_shared<const Stroke>(*std::move(done)), kSmoothLabel);
+      result.commit = edit(*std::move(done), scene);
     }
   }
   stop();
@@ -146,6 +152,7 @@ void SmoothTool::drop() {
 void SmoothTool::stop() {
   ironing_.reset();
   replacement_.reset();
+  connected_.reset();
   hold_.release();  // because the held stroke has changed
   has_changed_ = is_caught_up_ = false;
   rate_ = rough_mm_ = 0.0;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "felt/document/edit_builder.h"
+#include "felt/tools/connected_pull.h"
 #include "felt/tools/gesture_tool.h"
 #include "felt/tools/smooth/ironing.h"
 #include "felt/tools/smooth/smooth_options.h"
@@ -13,7 +14,8 @@
 namespace felt {
 
 /// Irons the jitter out of a line under the pen without shrinking it (smooth.md). The more the user
-/// rubs, the more it irons. A gesture acts on the first line that is within 8 mm of the pen.
+/// rubs, the more it irons. A gesture acts on the first line that is within 8 mm of the pen. Lines
+/// that share a point with the ironed line follow it (R33).
 class SmoothTool final : public GestureTool {
  public:
   static constexpr double kLongestStepS = 0.050;
@@ -42,6 +44,7 @@ class SmoothTool final : public GestureTool {
 
  private:
   ToolResult take(const PenSample& sample, const Scene& scene);
+  [[nodiscard]] Edit edit(Stroke ironed, const Scene& scene);
   void iron(const PenSample& sample, const Scene& scene, bool is_near);
   void feel(double seconds);
   void stop();
@@ -51,6 +54,7 @@ class SmoothTool final : public GestureTool {
   // State of the gesture:
   std::optional<StrokeReplacement> replacement_;
   std::optional<Ironing> ironing_;
+  std::optional<ConnectedPull> connected_;
   double rate_ = 0.0;  // dose per second at the last sample
   std::int64_t last_ns_ = 0;
   std::int64_t preview_ns_ = 0;

@@ -77,7 +77,12 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
     lines.push_back({id, std::move(stroke), marks, std::nullopt});
     close_marks(*lines.back().stroke, lines.back().marks);
   }
-  if (lines.size() <= kMaxConnected) lines = connected_lines(document, index, std::move(lines));
+  selected_ = lines.size();
+  if (lines.size() <= kMaxConnected) {
+    ConnectedLines connected = connected_lines(document, index, std::move(lines));
+    lines = std::move(connected.lines);
+    may_part_ = connected.may_part;
+  }
   EditBuilder builder(document);
   for (MovedLine& line : lines) {
     builder.replace(line.id, line.stroke);
@@ -89,6 +94,35 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
     add(std::move(line));
   }
   places_ = std::move(builder).build("");
+}
+
+std::vector<StrokeId> MovedStrokes::whole_strokes() const {
+  std::vector<StrokeId> whole;
+  for (std::size_t i = 0; i < std::min(selected_, items_.size()); ++i) {
+    if (all_marked(items_[i].marks)) whole.push_back(places_.changes[i].id);
+  }
+  return whole;
+}
+
+std::optional<Selection> MovedStrokes::selection_after(const Edit& edit,
+                                                       const Selection& before) const {
+  std::optional<Selection> after;
+  for (std::size_t i = 0; i < std::min(selected_, edit.changes.size()); ++i) {
+    const StrokeChange& change = edit.changes[i];
+    const Selection::Marks& marks = items_[i].marks;
+    if (!change.before || !change.after) continue;
+    const std::size_t points = change.after->data().points.size();
+    if (points == change.before->data().points.size()) continue;
+    if (!after) after = before;
+    if (points == marks.size()) {
+      after->set(change.id, marks);
+    } else if (all_marked(marks)) {
+      after->set_whole(change.id, points);
+    } else {
+      after->remove(change.id);
+    }
+  }
+  return after;
 }
 
 void MovedStrokes::prepare_copies(const Document& document, const Selection& selection) {

@@ -52,6 +52,16 @@ class MovedStrokes {
   /// Returns a selection of all copies as whole strokes, or nullopt if `duplicates` was false.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
+  /// Returns true if lines that share a point may part (ConnectedLines::may_part).
+  [[nodiscard]] bool may_part() const noexcept { return may_part_; }
+  /// Returns the strokes that are selected as a whole.
+  [[nodiscard]] std::vector<StrokeId> whole_strokes() const;
+  /// Returns the selection after `edit`, which finished() has made, if the edit adds joints to
+  /// selected strokes; otherwise nullopt. `before` is the selection at the touch. A stroke that was
+  /// selected in part is deselected if ConnectedPull has added further joints to it.
+  [[nodiscard]] std::optional<Selection> selection_after(const Edit& edit,
+                                                         const Selection& before) const;
+
   /// Continues the preview in progress, or starts a preview of this map if none is in progress.
   /// Returns the preview if it is now complete. It may be the preview of an earlier map, because
   /// making a preview can take several samples. Returns nullopt if the preview is not complete or a
@@ -93,6 +103,8 @@ class MovedStrokes {
   [[nodiscard]] std::optional<Edit> all_moved(const Aim& aim, std::string label) const;
 
   std::vector<Item> items_;
+  std::size_t selected_ = 0;  // the first items are those of the selection
+  bool may_part_ = false;
   Edit places_;  // changes without `after`; change i belongs to item i
   std::size_t points_ = 0;
   std::vector<Point> anchors_;

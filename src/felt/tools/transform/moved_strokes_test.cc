@@ -30,9 +30,9 @@ StrokeId add_marked(Fixture& fixture, Stroke stroke, Selection::Marks marks) {
 }
 
 /// Returns a line of three segments between corners: 0-10-20-30 along x.
-Stroke three_segments() {
+Stroke three_segments(double y = 0.0) {
   StrokeData d;
-  for (int i = 0; i <= 9; ++i) d.points.push_back({10.0 * i / 3.0, 0.0});
+  for (int i = 0; i <= 9; ++i) d.points.push_back({10.0 * i / 3.0, y});
   d.joints.assign(2, JointKind::kCorner);
   d.widths = {{0.0, 1.0}, {3.0, 1.0}};
   return Stroke::create(std::move(d)).value();
@@ -42,7 +42,10 @@ TEST(MovedStrokes, R33_IsWithMarkedMovedInPlace) {
   Fixture fixture;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     testing::RandomStroke random(seed + 500);
-    Stroke stroke = random_stroke(seed);
+    // Each stroke is in a square of its own, so that no two of them share a point.
+    StrokeData data = random_stroke(seed).data();
+    for (Point& p : data.points) p.x += 60.0 * static_cast<double>(seed);
+    Stroke stroke = Stroke::create(std::move(data)).value();
     Selection::Marks marks(stroke.data().points.size());
     for (auto& m : marks) m = random.chance(0.5) ? 1 : 0;
     if (seed % 4 == 0) {
@@ -68,10 +71,10 @@ TEST(MovedStrokes, R33_IsWithMarkedMovedInPlace) {
 TEST(MovedStrokes, R34_CountsTheAnchorsOfAllStrokes) {
   Fixture fixture;
   add_marked(fixture, three_segments(), {0, 0, 0, 1, 1, 1, 1, 0, 0, 0});
-  add_marked(fixture, three_segments(), {1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
-  add_marked(fixture, three_segments(), Selection::Marks(10, 1));
+  add_marked(fixture, three_segments(5.0), {1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  add_marked(fixture, three_segments(9.0), Selection::Marks(10, 1));
   const MovedStrokes moved(fixture.document, fixture.index, fixture.selection, false);
-  EXPECT_EQ(moved.anchors(), (std::vector<Point>{{0, 0}, {30, 0}, {10, 0}}));
+  EXPECT_EQ(moved.anchors(), (std::vector<Point>{{0, 0}, {30, 0}, {10, 5}}));
   EXPECT_TRUE(
       MovedStrokes(fixture.document, fixture.index, fixture.selection, true).anchors().empty());
 }

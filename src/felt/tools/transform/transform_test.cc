@@ -196,13 +196,20 @@ TEST(Transform, ModesDoTheSameEverywhere) {
   }
 }
 
+/// Returns a random stroke in a square of its own, so that no two of them share a point.
+Stroke random_stroke_apart(std::uint64_t seed, std::uint64_t number) {
+  StrokeData data = random_stroke(seed).data();
+  for (Point& p : data.points) p.x += 60.0 * static_cast<double>(number);
+  return Stroke::create(std::move(data)).value();
+}
+
 TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Transform t;
     testing::RandomStroke random(seed);
     std::vector<StrokeId> ids;
     for (std::uint64_t i = 0; i < 5; ++i) {
-      const StrokeId id = t.add(random_stroke(5 * seed + i), false);
+      const StrokeId id = t.add(random_stroke_apart(5 * seed + i, i), false);
       Selection::Marks marks(t.fixture.document.find(id)->data().points.size());
       for (auto& m : marks) m = random.chance(0.5) ? 1 : 0;
       t.select(id, std::move(marks));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -49,6 +50,13 @@ TransformKind kind_of(TransformMode mode) {
   }
   return TransformKind::kMove;
 }
+
+/// Gaps of larger previews are closed only when the pen is lifted, so that a sample takes no
+/// longer.
+constexpr std::size_t kMaxCompleted = 100;
+/// Minimum time between two previews whose gaps are closed, per stroke: closing them takes about
+/// half of this.
+constexpr double kCompletionNsPerStroke = 50'000.0;
 
 std::string hold_text(std::size_t anchors) {
   return std::to_string(anchors) + (anchors == 1 ? " line holds it" : " lines hold it");
@@ -177,6 +185,12 @@ void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Sele
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
   strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
+  connected_.reset();
+  completion_ns_ = 0.0;
+  if (strokes_.may_part()) {
+    connected_.emplace(BrushOptions{});
+    for (const StrokeId id : strokes_.whole_strokes()) connected_->keep_shape(id);
+  }
   drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.min_scale());
   doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
 }
@@ -197,7 +211,17 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0,
                settings_.about_centre || (sample.buttons & kThirdModifier) != 0);
   if (doing_ == Doing::kPicture) return {.preview = picture_edit(scene), .same_preview = true};
-  return {.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
+  // Computed in double, because the difference of two invalid times may overflow 64 bits.
+  const double waited =
+      std::fabs(static_cast<double>(sample.time_ns) - static_cast<double>(completed_ns_));
+  if (connected_ && waited < completion_ns_) return {.same_preview = true};
+  ToolResult result{.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
+  if (connected_ && result.preview && result.preview->changes.size() <= kMaxCompleted) {
+    connected_->complete(*result.preview, scene);
+    completed_ns_ = sample.time_ns;
+    completion_ns_ = kCompletionNsPerStroke * static_cast<double>(result.preview->changes.size());
+  }
+  return result;
 }
 
 ToolResult TransformTool::end(const Scene& scene) {
@@ -206,7 +230,7 @@ ToolResult TransformTool::end(const Scene& scene) {
     case Doing::kNothing:
       break;
     case Doing::kTransform:
-      result = end_transform();
+      result = end_transform(scene);
       break;
     case Doing::kPicture:
       if (!drag_.is_identity()) result.commit = picture_edit(scene);
@@ -223,15 +247,20 @@ ToolResult TransformTool::end(const Scene& scene) {
   return result;
 }
 
-ToolResult TransformTool::end_transform() {
+ToolResult TransformTool::end_transform(const Scene& scene) {
   ToolResult result;
-  result.selection = std::move(taken_);
+  result.selection = taken_;
   if (drag_.is_identity()) return result;
   Edit edit = strokes_.finished(drag_.map(), width_factor(),
                                 duplicates_ ? std::string("Duplicate") : drag_.label());
   if (edit.empty()) return result;
+  if (connected_) connected_->complete(edit, scene);
+  if (duplicates_) {
+    result.selection = strokes_.copies();
+  } else if (!taken_) {
+    result.selection = strokes_.selection_after(edit, scene.selection);
+  }
   result.commit = std::move(edit);
-  if (duplicates_) result.selection = strokes_.copies();
   if (centre_) centre_ = apply(drag_.map(), *centre_);
   moved_marks_ = selected_.marks_fingerprint();
   selected_.start_over();
@@ -254,6 +283,7 @@ void TransformTool::drop() {
   taken_.reset();
   under_pen_ = nullptr;
   strokes_ = {};
+  connected_.reset();
   drag_ = {};
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "felt/tools/connected_pull.h"
 #include "felt/tools/gesture_tool.h"
 #include "felt/tools/selection_view.h"
 #include "felt/tools/transform/moved_strokes.h"
@@ -58,7 +59,7 @@ class TransformTool final : public GestureTool {
   void take_hold(TransformKind kind, const Scene& scene, const Selection& selection,
                  std::uint32_t buttons);
   void hold_stroke(const Scene& scene, std::uint32_t buttons);
-  [[nodiscard]] ToolResult end_transform();
+  [[nodiscard]] ToolResult end_transform(const Scene& scene);
   [[nodiscard]] ToolResult end_elsewhere(const Scene& scene) const;
   [[nodiscard]] double width_factor() const;
   void draw_gesture(Overlay& overlay) const;
@@ -86,6 +87,9 @@ class TransformTool final : public GestureTool {
   std::optional<Selection> taken_;  // stroke selected by the touch, if nothing was selected
   bool duplicates_ = false;
   MovedStrokes strokes_;
+  std::optional<ConnectedPull> connected_;  // set if strokes_ may leave gaps
+  std::int64_t completed_ns_ = 0;           // time of the last preview whose gaps were closed
+  double completion_ns_ = 0.0;              // minimum time until the next one
   TransformDrag drag_;
 };
 

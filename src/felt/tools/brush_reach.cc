@@ -1,4 +1,4 @@
-#include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/brush_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ constexpr double kJointShare = 0.2;
 class Side {
  public:
   /// `sign` is -1 towards the start, +1 towards the end.
-  Side(const Stroke& stroke, const ArcMap& map, double grab_mm, double sign)
-      : stroke_(stroke), map_(map), grab_(grab_mm), sign_(sign) {}
+  Side(const Stroke& stroke, const ArcMap& map, double grab_u, double sign)
+      : stroke_(stroke), map_(map), grab_u_(grab_u), grab_(map.length_at(grab_u)), sign_(sign) {}
 
   /// Returns the arc length from the grab to joint i, >= 0, or infinity if the joint is on the
   /// other side of the grab.
@@ -36,13 +36,12 @@ class Side {
     if (stroke_.closed()) return kFar;
     return sign_ < 0.0 ? grab_ : map_.length_mm() - grab_;
   }
-  /// Returns the arc lengths to ends and corners on this side, ascending.
-  [[nodiscard]] std::vector<double> pins() const {
+  /// Returns the arc lengths to ends and corners on this side, up to `within_mm`, ascending.
+  [[nodiscard]] std::vector<double> pins(double within_mm) const {
     std::vector<double> ways;
-    const int n = stroke_.segment_count();
-    for (int i = stroke_.closed() ? 1 : 0; i <= n; ++i) {
-      if (stroke_.joint(i) != JointKind::kSmooth && way_to(i) < kFar) ways.push_back(way_to(i));
-    }
+    for_each_joint(within_mm, [&](int joint, double way) {
+      if (stroke_.joint(joint) != JointKind::kSmooth) ways.push_back(way);
+    });
     std::sort(ways.begin(), ways.end());
     return ways;
   }
@@ -50,18 +49,34 @@ class Side {
   /// `longest`, or `longest` if there is no such joint.
   [[nodiscard]] double at_joint(double shortest, double longest) const {
     double best = -1.0;
-    const int n = stroke_.segment_count();
-    for (int i = stroke_.closed() ? 1 : 0; i <= n; ++i) {
-      const double way = way_to(i);
-      if (way >= shortest && way <= longest) best = std::max(best, way);
-    }
+    for_each_joint(longest, [&](int, double way) {
+      if (way >= shortest) best = std::max(best, way);
+    });
     return best >= 0.0 ? best : longest;
   }
 
  private:
+  /// Calls visit(joint, arc length from the grab) for each joint on this side up to `within_mm`,
+  /// from the grab on. May visit a joint at the grab twice.
+  template <class Visit>
+  void for_each_joint(double within_mm, Visit visit) const {
+    const int n = stroke_.segment_count(), step = sign_ < 0.0 ? -1 : 1;
+    int joint = static_cast<int>(step < 0 ? std::ceil(grab_u_) : std::floor(grab_u_));
+    for (int k = 0; k <= n; ++k, joint += step) {
+      if (stroke_.closed()) joint = (joint + n - 1) % n + 1;  // the seam has number n
+      if (joint < 0 || joint > n) return;
+      const double way = way_to(joint);
+      if (way <= within_mm) {
+        visit(joint, way);
+      } else if (k > 1) {
+        return;  // the first two may lie behind the grab
+      }
+    }
+  }
+
   const Stroke& stroke_;
   const ArcMap& map_;
-  double grab_, sign_;
+  double grab_u_, grab_, sign_;
 };
 
 /// The held length, and the arc length from the grab to the pin that limits the side, if any.
@@ -70,7 +85,7 @@ struct Hold {
   double pin_mm = kFar;
 };
 
-Hold hold(const std::vector<double>& pins, double radius_mm) {
+Hold hold_of(const std::vector<double>& pins, double radius_mm) {
   Hold result;
   const double near = std::min(kPinGrabMm, 0.5 * radius_mm);
   for (const double way : pins) {
@@ -82,6 +97,14 @@ Hold hold(const std::vector<double>& pins, double radius_mm) {
     result.held_mm = way;
   }
   return result;
+}
+
+/// Returns what the pins hold. A chain of pins may lead beyond the radius.
+Hold hold(const Side& side, const ArcMap& map, double radius_mm) {
+  for (double within = radius_mm + 2.0 * kNoRoomMm;; within *= 2.0) {
+    const Hold result = hold_of(side.pins(within), radius_mm);
+    if (result.held_mm + 2.0 * kNoRoomMm < within || within > map.length_mm()) return result;
+  }
 }
 
 BrushSide side_of(const Side& side, const Hold& hold, double max_mm, const BrushOptions& options) {
@@ -111,11 +134,11 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
   BrushReach reach;
   reach.grab_mm = map.length_at(u0);
   reach.is_ring = stroke.closed();
-  const Side before(stroke, map, reach.grab_mm, -1.0), after(stroke, map, reach.grab_mm, 1.0);
+  const Side before(stroke, map, u0, -1.0), after(stroke, map, u0, 1.0);
   Hold first, last;
   if (!options.free_ends) {
-    first = hold(before.pins(), options.radius_mm);
-    last = hold(after.pins(), options.radius_mm);
+    first = hold(before, map, options.radius_mm);
+    last = hold(after, map, options.radius_mm);
   }
   double largest = kFar;
   if (stroke.closed()) {

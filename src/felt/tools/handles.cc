@@ -1,4 +1,4 @@
-#include "felt/tools/pull/handles.h"
+#include "felt/tools/handles.h"
 
 #include <algorithm>
 #include <cmath>

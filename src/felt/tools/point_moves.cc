@@ -1,13 +1,15 @@
-#include "felt/tools/pull/point_moves.h"
+#include "felt/tools/point_moves.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <vector>
 
 #include "felt/stroke/arc_map.h"
 #include "felt/stroke/edit/subdivide.h"
-#include "felt/tools/pull/brush_pull.h"
-#include "felt/tools/pull/handles.h"
+#include "felt/tools/brush_pull.h"
+#include "felt/tools/handles.h"
 
 namespace felt {
 namespace {
@@ -87,15 +89,23 @@ class MoveField {
     Vec from{}, to{};
   };
 
+  /// Returns true if a stop is nearer along the stroke than `within_mm`.
   [[nodiscard]] bool is_near_stop(double s_mm, double within_mm) const {
-    return std::any_of(stops_.begin(), stops_.end(), [&](const Stop& stop) {
-      return std::fabs(map_.way(stop.s_mm, s_mm)) < within_mm;
-    });
+    if (stop_lengths_.empty()) return false;
+    if (stroke_.closed()) s_mm -= map_.length_mm() * std::floor(s_mm / map_.length_mm());
+    const auto is_near = [&](double stop_mm) {
+      return std::fabs(map_.way(stop_mm, s_mm)) < within_mm;
+    };
+    const auto next = stop_lengths_.lower_bound(s_mm);
+    if (next != stop_lengths_.end() && is_near(*next)) return true;
+    if (next != stop_lengths_.begin() && is_near(*std::prev(next))) return true;
+    return is_near(*stop_lengths_.begin()) || is_near(*stop_lengths_.rbegin());
   }
   void add_stop(const PointMove& move) {
     const double s = map_.length_at(move.u);
-    if (!is_near_stop(s, kMinSegmentMm))
-      stops_.push_back({s, move.u, move.to - stroke_.position(move.u)});
+    if (is_near_stop(s, kMinSegmentMm)) return;
+    stops_.push_back({s, move.u, move.to - stroke_.position(move.u)});
+    stop_lengths_.insert(s);
   }
 
   void add(double begin_mm, double end_mm, Vec from, Vec to) {
@@ -132,6 +142,7 @@ class MoveField {
   const ArcMap& map_;
   const BrushOptions& options_;
   std::vector<Stop> stops_;
+  std::set<double> stop_lengths_;
   std::vector<Fade> fades_;  // in order along the stroke
 };
 

@@ -1,4 +1,4 @@
-#include "felt/tools/pull/brush_pull.h"
+#include "felt/tools/brush_pull.h"
 
 #include <gtest/gtest.h>
 

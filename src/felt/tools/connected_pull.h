@@ -3,18 +3,36 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "felt/document/edit.h"
 #include "felt/document/edit_builder.h"
+#include "felt/geometry/bvh.h"
 #include "felt/stroke/arc_map.h"
-#include "felt/tools/pull/brush_pull.h"
-#include "felt/tools/pull/brush_reach.h"
-#include "felt/tools/pull/point_moves.h"
+#include "felt/tools/brush_pull.h"
+#include "felt/tools/brush_reach.h"
+#include "felt/tools/point_moves.h"
 #include "felt/tools/scene.h"
 
 namespace felt {
+
+/// Finds points on a stroke. Builds a search tree on the first search if the stroke has many
+/// segments.
+class NearCurve {
+ public:
+  explicit NearCurve(StrokePtr stroke) : stroke_(std::move(stroke)) {}
+
+  /// Returns the parameter of the point of the stroke that is nearest to p, or nullopt if it is
+  /// farther away than kSharedPointMm. Adds the number of segments and nodes examined to `work`.
+  [[nodiscard]] std::optional<double> u_near(Point p, int& work);
+  [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
+
+ private:
+  StrokePtr stroke_;
+  SegmentBvh tree_;
+};
 
 /// Keeps strokes that share a point (junctions.h) together while some of them are changed (R33;
 /// NibLines does the same for strokes that are pushed): adds the changes of the other strokes to
@@ -26,12 +44,14 @@ namespace felt {
 /// its other ends and corners stay. So all shared points hold at the end, whether strokes share
 /// several points or several strokes share one. If an end of a stroke lies on a stroke of a locked
 /// layer, or the other way round, this point stays. Points that were up to kSharedPointMm apart
-/// keep this offset. If at most kMaxFollowers strokes follow, the result depends only on the edit
-/// and the document at the touch, so moving back undoes it.
+/// keep this offset; if the gesture moved both, they may come nearer. If at most kMaxFollowers
+/// strokes follow, the result depends only on the edit and the document at the touch, so moving
+/// back undoes it.
 ///
 /// For a stroke that has not changed since the last edit, complete() only does a look-up. For each
 /// changed stroke it searches for shared points, and for each follower with one shared point it
-/// does one multiplication per control point. Make one object per gesture.
+/// does one multiplication per control point. A change takes time n log n in the segments and
+/// shared points of the stroke. Make one object per gesture.
 class ConnectedPull {
  public:
   /// Maximum number of strokes that follow in one gesture; further strokes do not move. Strokes
@@ -42,9 +62,14 @@ class ConnectedPull {
   struct Work {
     int maps = 0;     ///< arc length maps
     int brushes = 0;  ///< brush pulls of one stroke at one point
+    int looks = 0;    ///< segments and nodes of search trees examined, and comparisons of points
   };
 
   explicit ConnectedPull(const BrushOptions& brush) : brush_(brush) { brush_.free_ends = false; }
+
+  /// Keeps the shape of a stroke that the gesture moves as a whole, even if it separates from a
+  /// locked stroke or from another such stroke.
+  void keep_shape(StrokeId id) { rigid_.insert(id); }
 
   /// Adds the changes of the followers to `edit`, which is the gesture's edit of scene.document.
   void complete(Edit& edit, const Scene& scene);
@@ -61,36 +86,40 @@ class ConnectedPull {
     bool is_other_end = false;
     bool is_held = false;  ///< the other stroke is locked
   };
+  /// A shared point of a stroke and the position to which other strokes take it.
+  struct Tie {
+    PointMove move;
+    Vec offset{};  ///< from the point of the other stroke to `move.to`
+
+    friend bool operator==(const Tie&, const Tie&) noexcept = default;
+  };
   /// A stroke of the edit, or one that follows.
   struct Line {
     StrokePtr before;
     std::vector<Link> links;
-    std::optional<ArcMap> arc;    // of `before`, made when needed
-    StrokePtr given;              // in the gesture's last edit; `before` if it follows
-    std::vector<PointMove> ties;  // shared points with the strokes that were placed before it
-    StrokePtr after;              // `given`, with these points moved
-    std::vector<Point> places;    // positions of the links on `after`
+    std::optional<ArcMap> arc;        // of `before`, made when needed
+    StrokePtr given;                  // in the gesture's last edit; `before` if it follows
+    std::vector<Tie> ties;            // with the strokes that were placed before it
+    std::optional<NearCurve> placed;  // `given`, with these points moved
+    std::vector<Point> places;        // positions of the links on this stroke
     std::optional<StrokeReplacement> follows;
     std::optional<BrushPull> brush;  // of the only tie, at brush_u
     double brush_u = 0.0;
   };
 
-  struct Tie {
-    PointMove move;
-    double gap_mm = 0.0;  ///< between the strokes at the touch
-  };
-
   Line& line(StrokeId id, const StrokePtr& before, const Scene& scene);
   /// Returns null if more strokes than kMaxFollowers would follow.
   Line* follower(StrokeId id, const Scene& scene);
-  void place(Line& line, const StrokePtr& given, std::vector<Tie> ties);
-  static Tie tie_at(const Line& line, std::size_t i, const Stroke* waiting);
+  void place(Line& line, const StrokePtr& given, std::vector<Tie> ties, bool is_rigid);
+  [[nodiscard]] Tie tie_at(Line& line, std::size_t i, const Stroke* waiting);
+  [[nodiscard]] std::vector<PointMove> moves_of(Line& line, NearCurve& given);
   [[nodiscard]] StrokePtr shaped(Line& line);
-  [[nodiscard]] std::vector<double> carried(Line& line, const Stroke& after,
+  [[nodiscard]] std::vector<double> carried(Line& line, NearCurve& after,
                                             const std::vector<double>& us);
 
   BrushOptions brush_;
   std::map<StrokeId, Line> lines_;
+  std::set<StrokeId> rigid_;
   std::size_t followers_ = 0;
   Work work_;
 };

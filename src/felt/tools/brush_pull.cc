@@ -1,4 +1,4 @@
-#include "felt/tools/pull/brush_pull.h"
+#include "felt/tools/brush_pull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "felt/base/check.h"
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/edit/subdivide.h"
-#include "felt/tools/pull/handles.h"
+#include "felt/tools/handles.h"
 
 namespace felt {
 namespace {

@@ -5,7 +5,7 @@
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
 #include "felt/stroke/stroke.h"
-#include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/brush_reach.h"
 
 namespace felt {
 

@@ -1,4 +1,4 @@
-#include "felt/tools/pull/connected_pull.h"
+#include "felt/tools/connected_pull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,32 +16,40 @@ namespace {
 /// Shared points that are at most this far from where they belong stay.
 constexpr double kStillMm = 2e-6;
 
-/// Returns the parameter of the point of a stroke that is nearest to p, or nullopt if it is farther
-/// away than kSharedPointMm.
-std::optional<double> u_near(const Stroke& stroke, Point p) {
-  std::optional<double> found;
-  double nearest = kSharedPointMm * kSharedPointMm;
-  for (int i = 0; i < stroke.segment_count(); ++i) {
-    const auto near = nearest_within(stroke.segment(i), p, nearest);
-    if (!near) continue;
-    found = i + near->t;
-    nearest = near->distance_squared;
-  }
-  return found;
-}
+/// Strokes of at most this many segments are searched without a tree.
+constexpr int kNoTreeSegments = 16;
 
 bool is_end(const Stroke& stroke, double u) {
   return !stroke.closed() && (u <= 0.0 || u >= stroke.segment_count());
 }
 
-/// Returns true if u is on the ink next to one of `us`, except number k.
-bool is_near_other(const Stroke& stroke, const std::vector<double>& us, std::size_t k, double u) {
-  const Point p = stroke.position(u);
-  for (std::size_t i = 0; i < us.size(); ++i) {
-    if (i != k && distance(stroke.position(us[i]), p) < 4.0 * kMinSegmentMm) return true;
+/// Parameters of points of a stroke, in order.
+class OrderedPoints {
+ public:
+  OrderedPoints(const Stroke& stroke, const std::vector<double>& us) : stroke_(stroke) {
+    for (std::size_t k = 0; k < us.size(); ++k) points_.emplace_back(us[k], k);
+    std::sort(points_.begin(), points_.end());
   }
-  return false;
-}
+
+  /// Returns true if u is on the ink next to one of the points, except number k.
+  [[nodiscard]] bool is_near_other(std::size_t k, double u, int& work) const {
+    constexpr std::size_t kAround = 2;  // on each side, because number k may be one of them
+    const Point p = stroke_.position(u);
+    const auto next = std::lower_bound(points_.begin(), points_.end(), std::pair(u, std::size_t{}));
+    const std::size_t count = points_.size();
+    const auto first = static_cast<std::size_t>(next - points_.begin()) + count - kAround % count;
+    for (std::size_t i = 0; i < std::min(count, 2 * kAround); ++i) {
+      ++work;
+      const auto& [other_u, other] = points_[(first + i) % count];
+      if (other != k && distance(stroke_.position(other_u), p) < 4.0 * kMinSegmentMm) return true;
+    }
+    return false;
+  }
+
+ private:
+  const Stroke& stroke_;
+  std::vector<std::pair<double, std::size_t>> points_;
+};
 
 /// Returns the position of an end after a change; u is that before the change.
 Point end_of(const Stroke& after, double u) {
@@ -93,11 +101,40 @@ class Slide {
 
 }  // namespace
 
+std::optional<double> NearCurve::u_near(Point p, int& work) {
+  const int n = stroke_->segment_count();
+  if (n > kNoTreeSegments) {
+    if (tree_.size() == 0) {
+      std::vector<BvhSegment> segments;
+      for (int i = 0; i < n; ++i) {
+        segments.push_back({stroke_->segment(i), {0, static_cast<std::uint32_t>(i)}});
+      }
+      tree_.build(segments);
+      work += n;
+    }
+    constexpr BvhWorkCap kNoCap{1 << 24, 1 << 24};
+    const auto hit = tree_.nearest({.point = p, .radius_mm = kSharedPointMm, .cap = kNoCap});
+    work += hit.used.nodes + hit.used.pieces;
+    if (!hit) return std::nullopt;
+    return hit.ref.segment + hit.nearest.t;
+  }
+  std::optional<double> found;
+  double nearest = kSharedPointMm * kSharedPointMm;
+  for (int i = 0; i < n; ++i) {
+    const auto near = nearest_within(stroke_->segment(i), p, nearest);
+    if (!near) continue;
+    found = i + near->t;
+    nearest = near->distance_squared;
+  }
+  work += n;
+  return found;
+}
+
 /// Returns the parameters, after a change, of points of a stroke. An end stays an end. A point that
 /// is still on the curve stays. Any other point slides along the curve.
-std::vector<double> ConnectedPull::carried(Line& line, const Stroke& after,
+std::vector<double> ConnectedPull::carried(Line& line, NearCurve& curve,
                                            const std::vector<double>& us) {
-  const Stroke& before = *line.before;
+  const Stroke &before = *line.before, &after = *curve.stroke();
   if (&before == &after) return us;
   std::optional<Slide> slide;
   std::vector<double> now;
@@ -106,7 +143,7 @@ std::vector<double> ConnectedPull::carried(Line& line, const Stroke& after,
       now.push_back(u <= 0.0 ? 0.0 : after.segment_count());
       continue;
     }
-    if (const auto on = u_near(after, before.position(u))) {
+    if (const auto on = curve.u_near(before.position(u), work_.looks)) {
       now.push_back(*on);
       continue;
     }
@@ -148,24 +185,39 @@ ConnectedPull::Line* ConnectedPull::follower(StrokeId id, const Scene& scene) {
   return &added;
 }
 
-/// Moves the shared points of a stroke to where the other strokes are.
-StrokePtr ConnectedPull::shaped(Line& line) {
+/// Returns the points of a stroke that must move; empty if all are where they belong.
+std::vector<PointMove> ConnectedPull::moves_of(Line& line, NearCurve& given) {
+  const Stroke& stroke = *given.stroke();
+  const bool is_changed = line.given != line.before;
   std::vector<double> us;
-  for (const PointMove& tie : line.ties) us.push_back(tie.u);
-  us = carried(line, *line.given, us);
+  for (const Tie& tie : line.ties) us.push_back(tie.move.u);
+  us = carried(line, given, us);
+  const OrderedPoints points(stroke, us);
   std::vector<PointMove> moves;
   bool holds = true;
   for (std::size_t k = 0; k < us.size(); ++k) {
-    const Point to = line.ties[k].to;
+    const auto& [move, offset] = line.ties[k];
+    Point to = move.to;
     double u = us[k];
     // Strokes that a gesture changed together may still be joined, at another point of this one.
-    const bool keeps = line.given == line.before || is_end(*line.given, u);
-    const auto on = keeps ? std::nullopt : u_near(*line.given, to);
-    if (on && !is_near_other(*line.given, us, k, *on)) u = *on;
-    holds = holds && distance(line.given->position(u), to) <= kStillMm;
+    const bool keeps = !is_changed || is_end(stroke, u);
+    const auto on = keeps ? std::nullopt : given.u_near(to, work_.looks);
+    if (on && !points.is_near_other(k, *on, work_.looks)) u = *on;
+    // Points that are not farther apart than at the touch need not move.
+    const Point here = stroke.position(u);
+    if (is_changed && distance(here, to - offset) <= norm(offset)) to = here;
+    holds = holds && distance(here, to) <= kStillMm;
     moves.push_back({u, to});
   }
-  if (holds) return line.given;
+  if (holds) moves.clear();
+  return moves;
+}
+
+/// Moves the shared points of a stroke to where the other strokes are.
+StrokePtr ConnectedPull::shaped(Line& line) {
+  NearCurve given(line.given);
+  const std::vector<PointMove> moves = moves_of(line, given);
+  if (moves.empty()) return line.given;
   Result<Stroke> moved = fail(ErrorCode::kNotFound, "");
   if (moves.size() == 1 && line.given == line.before) {
     if (!line.brush || line.brush_u != moves.front().u) {
@@ -181,41 +233,48 @@ StrokePtr ConnectedPull::shaped(Line& line) {
   return moved ? std::make_shared<const Stroke>(*std::move(moved)) : line.given;
 }
 
-void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> ties) {
-  std::vector<PointMove> all;
-  for (const Link& link : line.links) {
-    if (link.is_held) all.push_back({link.u, link.start});
+void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> ties,
+                          bool is_rigid) {
+  std::vector<Tie> all;
+  if (!is_rigid) {
+    for (const Link& link : line.links) {
+      if (link.is_held) all.push_back({{link.u, link.start}, {}});
+    }
+    // In a heap of lines an end may lie near several lines. It stays on the nearest one.
+    std::stable_sort(ties.begin(), ties.end(),
+                     [](const Tie& a, const Tie& b) { return norm(a.offset) < norm(b.offset); });
+    std::set<double> known;
+    for (const Tie& tie : all) known.insert(tie.move.u);
+    for (const Tie& tie : ties) {
+      constexpr double kSameU = 1e-9;
+      const auto near = known.lower_bound(tie.move.u - kSameU);
+      ++work_.looks;
+      if (near != known.end() && *near < tie.move.u + kSameU) continue;
+      known.insert(tie.move.u);
+      all.push_back(tie);
+    }
   }
-  // In a heap of lines an end may lie near several lines. It stays on the nearest one.
-  std::stable_sort(ties.begin(), ties.end(),
-                   [](const Tie& a, const Tie& b) { return a.gap_mm < b.gap_mm; });
-  for (const Tie& tie : ties) {
-    const bool known = std::any_of(all.begin(), all.end(), [&](const PointMove& k) {
-      return std::fabs(k.u - tie.move.u) < 1e-9;
-    });
-    if (!known) all.push_back(tie.move);
-  }
-  if (line.after && line.given == given && line.ties == all) return;
+  if (line.placed && line.given == given && line.ties == all) return;
   line.given = given;
   line.ties = std::move(all);
-  line.after = shaped(line);
+  line.placed.emplace(shaped(line));
   std::vector<double> us;
   for (const Link& link : line.links) us.push_back(link.u);
   line.places.clear();
-  for (const double u : carried(line, *line.after, us)) {
-    line.places.push_back(line.after->position(u));
+  for (const double u : carried(line, *line.placed, us)) {
+    line.places.push_back(line.placed->stroke()->position(u));
   }
 }
 
 /// Returns where a stroke that has been placed takes a point of another one. `waiting` is the other
 /// stroke if the gesture has changed it too.
-ConnectedPull::Tie ConnectedPull::tie_at(const Line& line, std::size_t i, const Stroke* waiting) {
+ConnectedPull::Tie ConnectedPull::tie_at(Line& line, std::size_t i, const Stroke* waiting) {
   const Link& link = line.links[i];
-  Tie tie{{link.other_u, line.places[i] + link.offset}, norm(link.offset)};
+  Tie tie{{link.other_u, line.places[i] + link.offset}, link.offset};
   // The gesture may have moved the end of the other stroke along this one.
   if (waiting && link.is_other_end && !is_end(*line.before, link.u)) {
     const Point tip = end_of(*waiting, link.other_u);
-    if (u_near(*line.after, tip - link.offset)) tie.move.to = tip;
+    if (line.placed->u_near(tip - link.offset, work_.looks)) tie.move.to = tip;
   }
   return tie;
 }
@@ -231,6 +290,9 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
   const std::size_t own = edit.changes.size();
   std::vector<std::size_t> order(own);
   std::iota(order.begin(), order.end(), 0U);
+  // Those that keep their shape come first, because the others can go where they are.
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return rigid_.contains(edit.changes[i].id); });
   // Ends, because each round adds followers, and their number is limited.
   for (std::size_t k = 0; k < order.size();) {
     std::set<StrokeId> next;
@@ -241,8 +303,9 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
       waiting.erase(change.id);
       if (!change.before || !change.after) continue;
       Line& now = line(change.id, change.before, scene);
-      place(now, is_own ? change.after : now.before, std::move(ties[change.id]));
-      change.after = now.after;
+      place(now, is_own ? change.after : now.before, std::move(ties[change.id]),
+            is_own && rigid_.contains(change.id));
+      change.after = now.placed->stroke();
       for (std::size_t i = 0; i < now.links.size(); ++i) {
         const Link& link = now.links[i];
         if (link.is_held || placed.contains(link.other)) continue;
