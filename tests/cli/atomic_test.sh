@@ -83,4 +83,3 @@ ln second.ndjson third.ndjson
 ln second.ndjson fourth.ndjson
 run 0 "$feltline" convert sketch.ndjson -o third.ndjson
 has err "feltline: third.ndjson: has 2 more names (hard links), which keep the old content"
-finish

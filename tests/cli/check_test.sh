@@ -63,7 +63,6 @@ run 0 "$feltline" check --tactile empty.ndjson
 run 2 "$feltline" check good.ndjson
 run 2 "$feltline" check --tactile
 
-finish
 
 # The trips that draw flat ends and pointed corners are no lines, in a check or in a conversion.
 cat >flat.svg <<'SVG'

@@ -76,4 +76,3 @@ run 1 "$feltline" demo -o file
 run 2 "$feltline" demo
 run 2 "$feltline" demo -o x --size 3
 run 2 "$feltline" demo -o x --device nonsense
-finish

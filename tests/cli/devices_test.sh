@@ -89,4 +89,3 @@ has err "there is no device 'nonsense'"
 run 2 "$feltline" device-test
 run 2 "$feltline" device-test touch --level 11
 run 1 "$feltline" device-test touch --level 1 --report /no/such/folder/report.txt
-finish

@@ -116,7 +116,6 @@ has err "feltline: no.felt: is not a Feltline drawing"
 run 1 "$feltline" render none.felt -o f.png
 has err "feltline: none.felt: "
 [ ! -e f.ndjson ] && [ ! -e f.png ] || fail "a file was written without input"
-finish
 
 # Fills and opacities of layers are listed and kept; formats without fills leave them out and say how many.
 cat >fills.svg <<'SVG'

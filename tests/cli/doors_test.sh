@@ -107,4 +107,3 @@ rows=$(($(wc -l <out) - 1))
 run 0 "$feltline" formats --json
 lines out "$rows"
 has out '{"name":"felt","title":"Feltline drawing","endings":[".felt"]'
-finish

@@ -129,7 +129,6 @@ has err "feltline: k.ndjson:1: segments[1]: does not start at the end of the pre
 echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0]],"joints":[],"widths":[[0,1],[2,1]]}' >k.ndjson
 run 1 "$feltline" convert k.ndjson -o -
 has err "feltline: k.ndjson:1: "
-finish
 
 # Raw pressures, and times that are none, are named once with their number, and keep what they can.
 points() {

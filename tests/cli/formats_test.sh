@@ -273,4 +273,3 @@ run 0 "$feltline" fit quick.ndjson -o quick.svg
 [[ -z $(grep -o ' id="[^"]*"' quick.svg | sort | uniq -d) ]] || fail "ids occur twice in quick.svg"
 run 1 "$feltline" fit - -o - <<<'{"drawing":[[[1,2],[3]]]}'
 has err "drawing[0]: a stroke needs equal numbers of x, y and t"
-finish

@@ -112,4 +112,3 @@ run 1 "$feltline" gather --all empty.ndjson -o x.svg
 [ ! -e x.svg ] || fail "an error made x.svg"
 run 1 "$feltline" gather --all rough.ndjson -o x.svg --groups missing/groups.csv
 has err "missing/groups.csv"
-finish

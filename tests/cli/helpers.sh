@@ -1,17 +1,25 @@
 # The tests of the program source this file. $feltline is the program. The current folder is empty at
 # the start and removed at the end. If a check fails, it prints its line and the reason, and the test
-# continues; `finish` ends the test.
+# continues. A test fails if a check failed, or if its last command did (`exit 77` skips it).
 set -uo pipefail
 # shellcheck disable=SC2034  # the scripts that read this file use it
 feltline=$1
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
 unset NO_COLOR
 failures=0
 
+end_test() {
+  local status=$?
+  rm -rf "$work"
+  [ "$failures" = 0 ] || { printf '%s checks failed\n' "$failures" >&2; exit 1; }
+  exit "$status"
+}
+
+trap end_test EXIT
+cd "$work" || exit 1
+
 fail() {
-  local line=${BASH_LINENO[1]}
+  local line=${BASH_LINENO[1]:-0}
   [ "$line" != 0 ] || line=${BASH_LINENO[0]}  # the test itself called fail
   printf 'FAILED at line %s: %s\n' "$line" "$*" >&2
   failures=$((failures + 1))
@@ -62,9 +70,4 @@ strokes() {
       print "]}"
     }
   }'
-}
-
-finish() {
-  [ "$failures" = 0 ] || printf '%s checks failed\n' "$failures" >&2
-  exit $((failures > 0))
 }

@@ -152,4 +152,3 @@ for word in NaN Infinity -Infinity nan 1e999 null true '"1"' 0x1 '1,2,3,,'; do
   lines out 1
   lines err 1
 done
-finish

@@ -132,5 +132,3 @@ diff -r kept before || fail "files changed"
 mkdir of%d
 run 0 "$feltline" inbetween a.svg b.svg -o of%d/ --frames 1
 [ -s of%d/inbetween-001.svg ] || fail "a folder with a % in its name"
-
-finish

@@ -176,5 +176,3 @@ if [ -e /dev/full ]; then
 fi
 run 1 bash -c "ulimit -f 16 && exec \"\$0\" inflate ring.svg -o limited.stl" "$feltline"
 [ ! -e limited.stl ] || fail "half of a file"
-
-finish

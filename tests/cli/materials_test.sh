@@ -219,4 +219,3 @@ has told.ndjson '"told"'
 sed 's/told\\"/told\\"\\nfriction = 1/' script.ndjson >wrong.ndjson
 run 1 "$feltline" replay wrong.ndjson -o told.ndjson
 has err "material:3: friction is unknown"
-finish

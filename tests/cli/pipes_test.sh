@@ -42,4 +42,3 @@ same long_out.ndjson long_2.ndjson
 run 0 "$feltline" --quiet fit in.ndjson -o b.ndjson
 run 0 "$feltline" fit in.ndjson -o b.ndjson -q
 is_empty err
-finish

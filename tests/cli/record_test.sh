@@ -120,4 +120,3 @@ run 1 "$feltline" record --device openhaptics -o /no/such/folder/x.ndjson
 run 0 "$feltline" device-test openhaptics --level 2 --yes --report report.txt
 has report.txt "opens and closes"
 has report.txt "FAKE-0001"
-finish

@@ -39,4 +39,3 @@ has out "Nothing to recover"
 run 2 "$feltline" recover nonsense
 run 0 "$feltline" recover --help
 has out "feltline recover --list"
-finish

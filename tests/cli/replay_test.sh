@@ -316,4 +316,3 @@ run 1 "$feltline" --strict timelapse raw.ndjson -o strict.svg
 echo '{"event":"pen","x":1,"y":2,"z":0,"pressure":512,"t_ms":0}' >raw_event.ndjson
 run 1 "$feltline" replay raw_event.ndjson -o strict.ndjson
 has err "raw_event.ndjson:1: pressure: is not between 0 and 1"
-finish

@@ -29,4 +29,3 @@ run 0 "$feltline" fit in.ndjson --stats json --jobs 3
 run 0 "$feltline" bench in.ndjson --tolerance 0.1
 has out "max error"
 has out "refined"
-finish

@@ -93,4 +93,3 @@ run 0 "$feltline" replay line.ndjson --set pencil.steady=true --set pencil.stead
   --set pencil.steady_mm=1.2 --device tablet -o drawn.ndjson
 run 0 "$feltline" replay line.ndjson --device tablet -o shaken.ndjson
 [ "$(segments drawn.ndjson)" -lt "$(segments shaken.ndjson)" ] || fail "replay did not calm the line"
-finish

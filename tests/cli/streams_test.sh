@@ -128,4 +128,3 @@ has err 'no\x1b[2J: No such file'
 ! grep -q "$escape" err || fail "an escape in a message"
 run 2 "$feltline" "non${escape}[2J"
 ! grep -q "$escape" err || fail "an escape in a usage error"
-finish

@@ -63,5 +63,3 @@ has err "longer than 100 m"
 [ ! -e long.pdf ] || fail "a file was left"
 : >empty.ndjson
 run 1 "$feltline" convert empty.ndjson -o empty.pdf --swell
-
-finish

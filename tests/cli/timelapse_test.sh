@@ -165,5 +165,3 @@ run 0 "$feltline" timelapse imports.ndjson -o film.SVG --seconds 1
 run 1 "$feltline" timelapse imports.ndjson -o imported.svg --seconds 1
 has err "would overwrite"
 same imported.svg kept.svg
-
-finish

@@ -24,4 +24,3 @@ for option in pencil["options"] + said["surface"]:
 END
 fi
 run 2 "$feltline" tools nonsense
-finish

@@ -121,5 +121,3 @@ run 2 "$feltline" trial run small.toml -o real
 run 2 "$feltline" trial run small.toml -o real --participant 0
 run 2 "$feltline" trial run small.toml -o real --participant 3 --session later
 run 2 "$feltline" trial run small.toml --participant 3
-
-finish

@@ -78,4 +78,3 @@ for command in fit render convert gather check info formats replay recover demo 
     grep -q -- "-l ${option#--}\b" "$completions/fish/feltline.fish" || fail "fish lacks $command $option"
   done < <(grep -oE '^ +(-[a-zA-Z],)?--[a-z-]+' out | grep -oE -e '--[a-z-]+' | sort -u)
 done
-finish

@@ -35,4 +35,3 @@ wait $recipe || fail "the recipe failed: $(cat dask.err)"
 has dask.out "0 bad records"
 is_whole results
 echo "worker w1 killed after $before shards"
-finish

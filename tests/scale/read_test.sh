@@ -48,4 +48,3 @@ if NODE_PATH=$root/build/scale/duckdb/node_modules node -e 'require("@duckdb/nod
 else
   echo "not checked: DuckDB is not installed (./dev test -L scale installs it from npm)"
 fi
-finish

@@ -97,4 +97,3 @@ done
 run 70 "$recipes/fit_shard.sh" sketch.ndjson results
 has err "contains curves"
 [ -z "$(find results -mindepth 1)" ] || fail "a failure left $(ls -A results)"
-finish

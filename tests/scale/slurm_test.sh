@@ -102,4 +102,3 @@ sinfo -h -N -o '%N %T' >nodes
 has nodes "n1 down"
 has nodes "n2 idle"
 echo "node n1 killed after $before shards; $(grep -c Requeuing slurmctld.log) tasks run again"
-finish
