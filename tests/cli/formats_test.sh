@@ -273,3 +273,13 @@ run 0 "$feltline" fit quick.ndjson -o quick.svg
 [[ -z $(grep -o ' id="[^"]*"' quick.svg | sort | uniq -d) ]] || fail "ids occur twice in quick.svg"
 run 1 "$feltline" fit - -o - <<<'{"drawing":[[[1,2],[3]]]}'
 has err "drawing[0]: a stroke needs equal numbers of x, y and t"
+
+# A pen line in pieces becomes one stroke.
+cat >pieces.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100"><g fill="none" stroke="#000">
+<path d="M20 20L25 22" stroke-width="0.4"/><path d="M25 22L30 20" stroke-width="0.6"/><path d="M30 20L35 17" stroke-width="0.8"/>
+</g></svg>
+SVG
+run 0 "$feltline" convert pieces.svg --join -o joined.ndjson
+has err "joined.ndjson: 3 lines became 1 stroke"
+lines joined.ndjson 1

@@ -1,22 +1,29 @@
 #include "felt/formats/joined_pieces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "felt/document/edit_builder.h"
+#include "felt/document/symmetry_group.h"
 #include "felt/io/ink_of_points.h"
+#include "felt/stroke/edit/corner_trips.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
 
 constexpr double kMeetMm = 0.02;  // files round coordinates
 constexpr double kWidthToleranceMm = 0.005;
-constexpr int kPointsPerCurve = 8;  // of a piece that is not straight
+constexpr int kPointsPerPiece = 8;  // of a piece that is not straight; even
 
+/// Returns true if the stroke is one curve of constant width and has no tone of its own.
 bool is_piece(const Stroke& stroke) {
   const auto widths = stroke.widths();
-  return stroke.segment_count() == 1 && !stroke.closed() &&
+  return stroke.segment_count() == 1 && !stroke.closed() && !has_own_tone(widths) &&
          std::all_of(widths.begin(), widths.end(), [&](const WidthKnot& knot) {
            return knot.width_mm == widths.front().width_mm;
          });
@@ -27,31 +34,69 @@ bool follows(const Stroke& before, const Stroke& after) {
          before.color() == after.color() && before.medium() == after.medium();
 }
 
-/// Returns the points of pieces that follow each other. Each piece has its width in the middle.
+bool is_line(const Cubic& c) {
+  const Vec along = normalized(c.p[3] - c.p[0]);
+  return std::max(std::fabs(cross(along, c.p[1] - c.p[0])),
+                  std::fabs(cross(along, c.p[2] - c.p[0]))) < 1e-6;
+}
+
+/// Returns the points of pieces that follow each other. In the middle of each piece, the line has
+/// its width; in between, the width changes linearly.
 std::vector<WidePoint> line_of(const std::vector<StrokePtr>& pieces) {
   std::vector<WidePoint> line{{pieces.front()->position(0.0), pieces.front()->width_mm(0.0)}};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Stroke& piece = *pieces[i];
-    const double width_mm = piece.width_mm(0.5);
-    const double next_mm = i + 1 < pieces.size() ? pieces[i + 1]->width_mm(0.5) : width_mm;
-    for (int k = 1; k < kPointsPerCurve; ++k) {
-      line.push_back({piece.position(static_cast<double>(k) / kPointsPerCurve), width_mm});
+    const double own_mm = piece.width_mm(0.5);
+    const double before_mm = i > 0 ? pieces[i - 1]->width_mm(0.5) : own_mm;
+    const double next_mm = i + 1 < pieces.size() ? pieces[i + 1]->width_mm(0.5) : own_mm;
+    const int step = is_line(piece.segment(0)) ? kPointsPerPiece / 2 : 1;
+    for (int k = step; k <= kPointsPerPiece; k += step) {
+      const double t = static_cast<double>(k) / kPointsPerPiece;
+      const double width_mm =
+          t < 0.5 ? std::lerp(before_mm, own_mm, 0.5 + t) : std::lerp(own_mm, next_mm, t - 0.5);
+      line.push_back({piece.position(t), width_mm});
     }
-    line.push_back({piece.position(1.0), 0.5 * (width_mm + next_mm)});
   }
   return line;
+}
+
+/// Returns the strokes that other objects of the document refer to by their parameters.
+std::set<StrokeId> referred_strokes(const Document& document) {
+  std::set<StrokeId> referred;
+  for (const Layer& layer : document.layers()) {
+    for (const FillId id : layer.fills) {
+      for (const FillLoop& loop : document.find_fill(id)->loops) {
+        for (const FillPiece& piece : loop.pieces) referred.insert(piece.stroke);
+      }
+    }
+    if (!layer.timing) continue;
+    for (const KeyPair& pair : layer.timing->pairs) {
+      referred.insert(pair.from);
+      referred.insert(pair.to);
+    }
+  }
+  for (const auto& [id, group] : document.symmetries()) {
+    for (const SymmetryImage& image : group->images) referred.insert(image.stroke);
+  }
+  return referred;
 }
 
 /// Joins the pieces of a document.
 class Joiner {
  public:
   explicit Joiner(const Document& document)
-      : document_(document), edit_(document), ink_({}, kWidthToleranceMm) {}
+      : document_(document),
+        edit_(document),
+        referred_(referred_strokes(document)),
+        ink_({}, kWidthToleranceMm) {}
 
   Result<void> add(const Layer& layer) {
     for (const StrokeId id : layer.strokes) {
       StrokePtr stroke = document_.find(id);
-      const bool is_next = is_piece(*stroke);
+      if (std::optional<Stroke> plain = without_corner_trips(*stroke)) {
+        stroke = std::make_shared<const Stroke>(*std::move(plain));
+      }
+      const bool is_next = is_piece(*stroke) && !referred_.contains(id);
       if (!is_next || pieces_.empty() || !follows(*pieces_.back(), *stroke)) {
         if (Result<void> done = finish(); !done) return done;
       }
@@ -84,6 +129,7 @@ class Joiner {
 
   const Document& document_;
   EditBuilder edit_;
+  std::set<StrokeId> referred_;
   InkOfPoints ink_;
   std::vector<StrokeId> ids_;
   std::vector<StrokePtr> pieces_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "felt/document/edit_builder.h"
 #include "felt/io/svg/svg_import.h"
 
 namespace felt::joined_pieces_test {
@@ -57,6 +58,54 @@ RC_GTEST_PROP(JoinPieces, APenLineInPiecesBecomesOneStroke, ()) {
   RC_ASSERT(std::fabs(stroke.width_mm(0.0) - wave_width_mm(0)) < 0.05);
   RC_ASSERT(stroke.color() == (Rgba{0x12, 0x34, 0x56, 255}));
   RC_ASSERT(stroke.segment_count() <= 1 + count / 3);
+}
+
+TEST(JoinPieces, TheWidthIsThatOfEachPieceInItsMiddleAndChangesLinearly) {
+  const double widths[] = {0.4, 1.0, 0.6};
+  std::string shapes;
+  for (int i = 0; i < 3; ++i) {
+    shapes += svg_line({20.0 + 10.0 * i, 20}, {30.0 + 10.0 * i, 20}, widths[i], "#000");
+  }
+  Drawing drawing = drawing_of(shapes);
+  EXPECT_EQ(join_pieces(drawing).value(), 3U);
+  const StrokePtr stroke = strokes_of(drawing).at(0);
+  for (const auto& [x, width_mm] :
+       {std::pair(25.0, 0.4), std::pair(27.5, 0.55), std::pair(30.0, 0.7), std::pair(35.0, 1.0),
+        std::pair(40.0, 0.8), std::pair(45.0, 0.6), std::pair(50.0, 0.6)}) {
+    double nearest_u = 0.0;
+    for (int k = 0; k <= 3000; ++k) {
+      const double u = stroke->segment_count() * k / 3000.0;
+      if (std::fabs(stroke->position(u).x - x) < std::fabs(stroke->position(nearest_u).x - x)) {
+        nearest_u = u;
+      }
+    }
+    EXPECT_NEAR(stroke->width_mm(nearest_u), width_mm, 0.02) << x;
+  }
+}
+
+TEST(JoinPieces, BroadLinesWithFlatEndsAreJoinedAsWell) {
+  std::string shapes;
+  for (int i = 0; i < 20; ++i) {
+    const std::string line = svg_line(wave(5 * i), wave(5 * i + 5), 1.5 + 0.05 * i, "#000");
+    shapes += line.substr(0, line.find(" stroke-linecap")) + line.substr(line.find(" stroke='"));
+  }
+  Drawing drawing = drawing_of(shapes);
+  EXPECT_EQ(join_pieces(drawing).value(), 20U);
+  EXPECT_EQ(strokes_of(drawing).size(), 1U);
+}
+
+TEST(JoinPieces, LinesWithTonesOfTheirOwnStay) {
+  Drawing drawing = drawing_of(svg_line({20, 20}, {30, 20}, 0.3, "#000") +
+                               svg_line({30, 20}, {40, 20}, 0.3, "#000"));
+  EditBuilder edit(drawing.document);
+  for (const StrokePtr& stroke : strokes_of(drawing)) {
+    StrokeData data = stroke->data();
+    for (WidthKnot& knot : data.widths) knot.tone = 1.0;
+    edit.add({1}, std::make_shared<const Stroke>(Stroke::create(data).value()));
+  }
+  ASSERT_TRUE(drawing.document.apply(std::move(edit).build("Add")));
+  EXPECT_EQ(join_pieces(drawing).value(), 2U) << "only those without a tone";
+  EXPECT_EQ(strokes_of(drawing).size(), 3U);
 }
 
 TEST(JoinPieces, OtherLinesStay) {

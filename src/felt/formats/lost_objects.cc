@@ -55,9 +55,9 @@ std::size_t media_of(const Document& document, const Layer& layer) {
 
 /// Counts the strokes with flat ends or pointed corners.
 std::size_t sharp_ends_of(const Document& document, const Layer& layer) {
-  return static_cast<std::size_t>(std::count_if(
-      layer.strokes.begin(), layer.strokes.end(),
-      [&](StrokeId id) { return without_corner_trips(*document.find(id)).has_value(); }));
+  return static_cast<std::size_t>(
+      std::count_if(layer.strokes.begin(), layer.strokes.end(),
+                    [&](StrokeId id) { return has_corner_trips(*document.find(id)); }));
 }
 
 }  // namespace

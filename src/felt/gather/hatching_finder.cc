@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace felt {
 namespace {
@@ -30,15 +29,17 @@ constexpr HatchingKind kKinds[] = {{2, 0.02, 0.15, 0.8, 1.5, 0.015},  // paralle
                                    {4, 0.05, 0.3, 0.5, 0.0, 0.0},     // straight lines
                                    {5, 0.5, 0.2, 0.5, 0.0, 0.0}};     // bent lines
 
-/// Returns the largest distance of a point from the chord of a line, as a share of the chord.
-double bend_of(std::span<const Point> points) {
-  if (points.size() < 2) return 0.0;
+/// Returns the largest distance of a point from the chord of a line, as a share of the chord; for a
+/// line that nearly returns to its start, that of a half circle.
+double bend_of(std::span<const Point> points, double length_mm) {
+  constexpr double kRing = 0.5, kRingChord = 0.1;
   const Vec chord = points.back() - points.front();
+  if (norm(chord) <= kRingChord * length_mm) return kRing;
   double largest = 0.0;
   for (const Point p : points) {
     largest = std::max(largest, std::fabs(cross(chord, p - points.front())));
   }
-  return largest / std::max(dot(chord, chord), std::numeric_limits<double>::min());
+  return largest / dot(chord, chord);
 }
 
 }  // namespace
@@ -77,9 +78,9 @@ HatchingFinder::Neighbour HatchingFinder::usual_neighbour(std::vector<Nearest>& 
 }
 
 void HatchingFinder::end_line(std::uint32_t line, std::span<const Point> points) {
-  if (!points.empty()) {
-    shapes_[line] = {bend_of(points), norm(points.back() - points.front())};
-  }
+  double length_mm = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) length_mm += distance(points[i - 1], points[i]);
+  if (length_mm > 0.0) shapes_[line] = {bend_of(points, length_mm), length_mm};
   const double sections = std::max(1.0, static_cast<double>(points.size()) - 1.0);
   const auto crosses = [&](const Neighbour& n, Side other_side) {
     const std::vector<Nearest>& hits = hits_[other_side];

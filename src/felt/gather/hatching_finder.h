@@ -49,7 +49,7 @@ class HatchingFinder {
   };
   struct Shape {
     double bend = 0.0;       ///< largest distance from the chord, as a share of the chord
-    double length_mm = 0.0;  ///< of the chord
+    double length_mm = 0.0;  ///< of the path
   };
   /// Two lines beside each other.
   struct Couple {

@@ -124,6 +124,26 @@ TEST(HatchingFinder, BentParallelsStayAsTheyAre) {
   }
 }
 
+TEST(HatchingFinder, RingsStayUnlessTheyAreOneCircleDrawnAgain) {
+  const auto rings = [](int count, double apart_mm) {
+    std::vector<RoughLine> lines;
+    for (int i = 0; i < count; ++i) {
+      RoughLine line;
+      for (int k = 0; k <= 120; ++k) {
+        const double angle = 2.0 * 3.14159265358979 * (k % 120) / 120.0;
+        const double radius_mm = 30.0 + apart_mm * i;
+        line.push_back({radius_mm * std::cos(angle), radius_mm * std::sin(angle)});
+      }
+      lines.push_back(std::move(line));
+    }
+    return lines;
+  };
+  for (const int count : {2, 3, 5}) {
+    EXPECT_EQ(group_count(rings(count, 4.0), {.ink_mm = 0.5}), static_cast<std::size_t>(count));
+  }
+  EXPECT_EQ(group_count(rings(2, 1.0), {.ink_mm = 0.5}), 1U);
+}
+
 TEST(HatchingFinder, StavesStayAsTheyAre) {
   for (const int staves : {1, 2, 6}) {
     TestRandom random(7);

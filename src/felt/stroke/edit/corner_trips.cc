@@ -9,7 +9,8 @@
 namespace felt {
 namespace {
 
-constexpr double kAfterJumpU = 1e-3;  // widths jump within 1e-4 beside a trip (kSvgJumpU)
+constexpr double kAfterJumpU =
+    0.01;  // widths jump within 1e-4 beside a trip (kSvgJumpU), more after a cut
 
 /// Segment `from` of a stroke, which becomes segment `to`.
 struct KeptSegment {
@@ -19,17 +20,27 @@ struct KeptSegment {
 
 /// Appends the breakpoints of a segment. Beside a trip, the width is the one beyond the jump.
 void append_widths_of(const Stroke& stroke, const KeptSegment& kept, std::vector<WidthKnot>& out) {
-  const double begin = kept.from + (kept.after_trip ? kAfterJumpU : 0.0);
-  const double end = kept.from + 1 - (kept.before_trip ? kAfterJumpU : 0.0);
+  const auto all = stroke.widths();
+  const auto before = [](const WidthKnot& k, double u) { return k.u < u; };
+  const double begin = kept.from, end = kept.from + 1.0;
+  // The breakpoints inside the segment.
+  auto first = std::lower_bound(all.begin(), all.end(), std::nextafter(begin, end), before);
+  auto last = std::lower_bound(first, all.end(), end, before);
+  WidthKnot start = knot_at(all, begin), stop = knot_at(all, end);
+  if (kept.after_trip) {
+    for (; first != last && first->u <= begin + kAfterJumpU; ++first) start = *first;
+  }
+  if (kept.before_trip) {
+    for (; first != last && std::prev(last)->u >= end - kAfterJumpU; --last)
+      stop = *std::prev(last);
+  }
   const auto append = [&](double u, WidthKnot knot) {
     knot.u = u;
     if (out.empty() || u > out.back().u) out.push_back(knot);
   };
-  append(kept.to, knot_at(stroke.widths(), begin));
-  for (const WidthKnot& knot : stroke.widths()) {
-    if (knot.u > begin && knot.u < end) append(kept.to + (knot.u - kept.from), knot);
-  }
-  append(kept.to + 1, knot_at(stroke.widths(), end));
+  append(kept.to, start);
+  for (; first != last; ++first) append(kept.to + (first->u - kept.from), *first);
+  append(kept.to + 1, stop);
 }
 
 /// Returns the segments that are no part of a trip.
@@ -63,7 +74,10 @@ void lengthen(Cubic& c, Point end) {
   const Vec along = normalized(c.p[3] - c.p[0]);
   const auto is_beside = [&](Point p) { return std::fabs(cross(along, p - c.p[0])) > kStraightMm; };
   if (is_beside(c.p[1]) || is_beside(c.p[2]) || is_beside(end)) return;
-  if (dot(along, end - c.p[0]) < 0.0) c = straight(end, c.p[3]);
+  if (dot(along, end - c.p[0]) >= 0.0) return;
+  const bool is_line = c.p == straight(c.p[0], c.p[3]).p;
+  c.p[0] = end;
+  if (is_line) c = straight(end, c.p[3]);
 }
 
 }  // namespace
@@ -71,16 +85,27 @@ void lengthen(Cubic& c, Point end) {
 bool is_corner_trip(const Stroke& stroke, int i) noexcept {
   constexpr double kSameMm = 1e-3;       // files round coordinates
   constexpr double kPointedShare = 0.5;  // of the broader way's width, at the tip
+  constexpr double kMaxWidths = 10.0;    // a longer one is a line; a miter limit of 4 gives 2
   if (i + 1 >= stroke.segment_count()) return false;
   const double width =
       std::max(stroke.width_mm(i + kAfterJumpU), stroke.width_mm(i + 2.0 - kAfterJumpU));
   if (!(stroke.width_mm(i + 1.0) < kPointedShare * width)) return false;
-  const Cubic out = stroke.segment(i), back = reversed(stroke.segment(i + 1));
+  const Cubic out = stroke.segment(i);
+  if (distance(out.p[0], out.p[3]) > kMaxWidths * width) return false;
+  const Cubic back = reversed(stroke.segment(i + 1));
   return std::equal(out.p.begin(), out.p.end(), back.p.begin(),
                     [](Point a, Point b) { return distance(a, b) <= kSameMm; });
 }
 
+bool has_corner_trips(const Stroke& stroke) noexcept {
+  for (int i = 0; i + 1 < stroke.segment_count(); ++i) {
+    if (is_corner_trip(stroke, i)) return true;
+  }
+  return false;
+}
+
 std::optional<Stroke> without_corner_trips(const Stroke& stroke) {
+  if (!has_corner_trips(stroke)) return std::nullopt;
   const std::vector<int> kept = segments_beside_trips(stroke);
   const auto count = static_cast<int>(kept.size());
   if (count == stroke.segment_count() || count == 0) return std::nullopt;
@@ -112,7 +137,7 @@ std::optional<Stroke> without_corner_trips(const Stroke& stroke) {
   }
   if (data.closed) data.points.back() = data.points.front();
   Result<Stroke> plain = Stroke::create(std::move(data));
-  if (!plain) return std::nullopt;  // the trips were longer than what is left
+  if (!plain) return std::nullopt;
   return *std::move(plain);
 }
 

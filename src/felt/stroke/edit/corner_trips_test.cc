@@ -107,6 +107,45 @@ TEST(CornerTrips, WhatIsOnlyATripStays) {
   EXPECT_FALSE(without_corner_trips(line.open()));
 }
 
+TEST(CornerTrips, ALongWayThatNarrowsIsALine) {
+  JumpingLine line({0, 0});
+  line.to({30, 0}, 2.0, 0.5);
+  line.to({0, 0}, 0.5, 2.0);
+  line.to({0, 30}, 2.0, 2.0);
+  EXPECT_FALSE(has_corner_trips(line.open()));
+}
+
+TEST(CornerTrips, AnAlmostStraightLineWithFlatEndsKeepsItsShape) {
+  JumpingLine line({4, 0});
+  line.trip({0.025, 3.975}, 8.0);
+  line.trip({0.025, -3.975}, 8.0);
+  StrokeData data = line.open().data();
+  const Point from = data.points.back();
+  for (const Point p : {from + Vec{10, 0.0005}, from + Vec{20, 0.0005}, from + Vec{30, 0},
+                        from + Vec{40, -0.0005}, from + Vec{50, -3}, from + Vec{60, -6}}) {
+    data.points.push_back(p);
+  }
+  data.joints.push_back(JointKind::kCorner);
+  data.joints.push_back(JointKind::kSmooth);
+  data.widths.push_back({4.0001, 8.0});
+  data.widths.push_back({6.0, 8.0});
+  const std::optional<Stroke> plain = without_corner_trips(Stroke::create(data).value());
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->segment_count(), 2);
+  EXPECT_EQ(plain->joint(1), JointKind::kSmooth);
+  EXPECT_LT(distance(plain->position(0.0), {0, 0}), 1e-9);
+}
+
+/// A stroke may have a million segments and breakpoints.
+TEST(CornerTrips, TheWorkDoesNotGrowWithTheSquareOfTheSegments) {
+  JumpingLine line({0, 0});
+  for (int i = 0; i < 100'000; ++i) line.to({i + 1.0, i % 2 * 1.0}, 0.5, 0.5);
+  line.trip({100'001, 0}, 0.5);
+  const std::optional<Stroke> plain = without_corner_trips(line.open());
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->segment_count(), 100'000);
+}
+
 RC_GTEST_PROP(CornerTrips, DrawnStrokesHaveNone, (std::uint32_t seed)) {
   const Stroke drawn = Stroke::create(::felt::testing::RandomStroke(seed).make()).value();
   RC_ASSERT(!without_corner_trips(drawn));

@@ -183,7 +183,10 @@ class Following {
         draft.line.leader = MovedLine::Leader{leader, drafts_[leader].u_now(u)};
       }
     }
-    for (Draft& draft : drafts_) result.lines.push_back(std::move(draft.line));
+    for (Draft& draft : drafts_) {
+      draft.line.is_selected_whole = draft.is_whole();
+      result.lines.push_back(std::move(draft.line));
+    }
     return result;
   }
 
@@ -262,13 +265,17 @@ class Following {
   void add_new() {
     for (auto& [id, us] : std::exchange(demands_, {})) {
       led_.erase(id);
-      MovedLine line{id, document_.find(id), {}, std::nullopt};
+      MovedLine line;
+      line.id = id;
+      line.stroke = document_.find(id);
       line.marks.resize(line.stroke->data().points.size());
       const std::size_t number = add(std::move(line), false);
       for (const double u : us) demand(number, u, true);
     }
     for (const auto& [id, led] : std::exchange(led_, {})) {
-      MovedLine line{id, document_.find(id), {}, std::nullopt};
+      MovedLine line;
+      line.id = id;
+      line.stroke = document_.find(id);
       const auto end = end_at(*line.stroke, led.second);
       if (!end) continue;
       line.marks.resize(line.stroke->data().points.size());

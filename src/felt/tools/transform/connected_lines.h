@@ -23,6 +23,8 @@ struct MovedLine {
   Selection::Marks marks;  ///< closed (point_marks.h)
   /// If set, the marked end is shifted by the displacement of this point instead of being mapped.
   std::optional<Leader> leader;
+  /// The user selected the whole line; otherwise connected lines may demand all of its points, too.
+  bool is_selected_whole = false;
 };
 
 /// The lines that move with a selection.

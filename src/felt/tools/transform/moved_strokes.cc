@@ -99,7 +99,7 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
 std::vector<StrokeId> MovedStrokes::whole_strokes() const {
   std::vector<StrokeId> whole;
   for (std::size_t i = 0; i < std::min(selected_, items_.size()); ++i) {
-    if (all_marked(items_[i].marks)) whole.push_back(places_.changes[i].id);
+    if (items_[i].is_selected_whole) whole.push_back(places_.changes[i].id);
   }
   return whole;
 }
@@ -160,7 +160,8 @@ void MovedStrokes::add(MovedLine line) {
     min_scale_ = std::max(min_scale_, smallest);
   }
   points_ += line.marks.size();
-  items_.push_back({std::move(line.stroke), std::move(line.marks), is_small, line.leader});
+  items_.push_back({std::move(line.stroke), std::move(line.marks), is_small, line.is_selected_whole,
+                    line.leader});
 }
 
 MovedStrokes::Aim MovedStrokes::aim_of(const Item& item, const Aim& aim,

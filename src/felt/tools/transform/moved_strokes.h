@@ -76,6 +76,7 @@ class MovedStrokes {
     StrokePtr before;
     Selection::Marks marks;
     bool is_small = false;  // one whole segment; keeps at least the minimum length
+    bool is_selected_whole = false;
     /// The marked end moves with this point on an earlier item, which bends.
     std::optional<MovedLine::Leader> leader;
   };

@@ -53,10 +53,19 @@ TransformKind kind_of(TransformMode mode) {
 
 /// Gaps of larger previews are closed only when the pen is lifted, so that a sample takes no
 /// longer.
-constexpr std::size_t kMaxCompleted = 100;
-/// Minimum time between two previews whose gaps are closed, per stroke: closing them takes about
-/// half of this.
-constexpr double kCompletionNsPerStroke = 50'000.0;
+constexpr std::size_t kMaxCompleted = 100, kMaxCompletedPoints = 5'000;
+/// Minimum time between two previews whose gaps are closed, per stroke and per control point:
+/// closing them takes about half of this.
+constexpr double kCompletionNsPerStroke = 50'000.0, kCompletionNsPerPoint = 2'000.0;
+
+/// Returns the number of control points of the strokes after an edit.
+std::size_t point_count(const Edit& edit) {
+  std::size_t count = 0;
+  for (const StrokeChange& c : edit.changes) {
+    if (c.after) count += c.after->data().points.size();
+  }
+  return count;
+}
 
 std::string hold_text(std::size_t anchors) {
   return std::to_string(anchors) + (anchors == 1 ? " line holds it" : " lines hold it");
@@ -216,10 +225,14 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
       std::fabs(static_cast<double>(sample.time_ns) - static_cast<double>(completed_ns_));
   if (connected_ && waited < completion_ns_) return {.same_preview = true};
   ToolResult result{.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
-  if (connected_ && result.preview && result.preview->changes.size() <= kMaxCompleted) {
+  if (!connected_ || !result.preview) return result;
+  const std::size_t strokes = result.preview->changes.size();
+  const std::size_t points = point_count(*result.preview);
+  if (strokes <= kMaxCompleted && points <= kMaxCompletedPoints) {
     connected_->complete(*result.preview, scene);
     completed_ns_ = sample.time_ns;
-    completion_ns_ = kCompletionNsPerStroke * static_cast<double>(result.preview->changes.size());
+    completion_ns_ = kCompletionNsPerStroke * static_cast<double>(strokes) +
+                     kCompletionNsPerPoint * static_cast<double>(points);
   }
   return result;
 }
