@@ -230,7 +230,9 @@ TEST(Ironing, ASingleCornerOfALineStays) {
       };
       Stroke stroke = jittery(corner, {jitter, 0.0}, 3);
       const auto corners = std::ranges::count(stroke.data().joints, JointKind::kCorner);
-      if (turn_deg >= 90.0) EXPECT_EQ(corners, 1);
+      if (turn_deg >= 90.0) {
+        EXPECT_EQ(corners, 1);
+      }
       for (int pass = 0; pass < 3; ++pass) stroke = ironed(stroke, 3.0);
       EXPECT_EQ(std::ranges::count(stroke.data().joints, JointKind::kCorner), corners) << turn_deg;
     }
