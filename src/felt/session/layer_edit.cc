@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
+#include "felt/document/copy_limit.h"
 #include "felt/document/edit_builder.h"
-#include "felt/session/copy_limit.h"
 #include "felt/session/group_edit.h"
 
 namespace felt {
