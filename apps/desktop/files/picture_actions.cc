@@ -25,6 +25,10 @@ PictureActions::PictureActions(Studio& studio, Actions& actions, FileDialogs& di
               tr("Add a picture or a page of a PDF file to draw over"),
               [this] { ask(Settings::the().text(files_keys::kLastFolder)); });
   connect(&studio, &Studio::tool_changed, this, &PictureActions::return_to_layer);
+  connect(&studio, &Studio::opened, this, [this] { placed_ = {}; });
+  connect(&studio, &Studio::layer_changed, this, [this] {
+    if (placed_ != studio_.session().layer()) placed_ = {};
+  });
 }
 
 void PictureActions::ask(const QString& folder) {
@@ -62,9 +66,10 @@ bool PictureActions::add(const QString& name, const Result<ReadPicture>& picture
   }
   event->opacity = kOpacity;
   const LayerId before = studio_.session().layer();
+  const bool follows_picture = before == placed_;  // several may come one after the other
   studio_.apply(SelectStrokes{SelectStrokes::What::kNone});
   if (!studio_.apply(*std::move(event))) return false;
-  if (before != placed_) drawn_on_ = before;  // several pictures may come one after the other
+  if (!follows_picture) drawn_on_ = before;
   studio_.apply(SelectTool{"transform"});
   placed_ = studio_.session().layer();
   return true;

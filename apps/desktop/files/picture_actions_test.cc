@@ -74,6 +74,37 @@ TEST(PictureActions, InkDoesNotGoToThePicture) {
   EXPECT_EQ(fixture.studio.session().layer(), lowest(fixture).id);
 }
 
+TEST(PictureActions, AnotherDrawingKeepsItsCurrentLayer) {
+  StudioFixture fixture;
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
+  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
+  fixture.files->take_dropped({fixture.at("a.jpg")});
+  Document other;  // with layers of the same ids
+  Edit edit{"Add layers", {}, {}};
+  for (std::uint64_t id = 2; id <= fixture.studio.session().layer().value; ++id) {
+    edit.layers.push_back({{id}, std::nullopt, LayerState{"Layer"}, 0, id - 1});
+  }
+  ASSERT_TRUE(other.apply(edit));
+  fixture.studio.open(other, {});
+  fixture.studio.apply(SelectTool{"transform"});
+  const LayerId top = fixture.studio.session().layer();
+  ASSERT_EQ(top, other.layers().back().id);
+  fixture.studio.apply(SelectTool{"pencil"});
+  EXPECT_EQ(fixture.studio.session().layer(), top);
+}
+
+TEST(PictureActions, ALayerThatTheUserChoosesStaysTheCurrentOne) {
+  StudioFixture fixture;
+  const LayerId own = fixture.studio.session().layer();
+  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
+  fixture.files->take_dropped({fixture.at("a.jpg")});
+  const LayerId picture = fixture.studio.session().layer();
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, own});
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, picture});
+  fixture.studio.apply(SelectTool{"pencil"});
+  EXPECT_EQ(fixture.studio.session().layer(), picture);
+}
+
 TEST(PictureActions, ALayerThatWasLockedMeanwhileIsNotUsed) {
   StudioFixture fixture;
   const LayerId own = fixture.studio.session().layer();

@@ -270,7 +270,7 @@ void Autosave::apply(AutosaveMessage& message) {
     apply_to_head(*message.event);
   }
   if (message.edit) {
-    live_ink_.edit_applied();
+    live_ink_.edit_applied(*message.edit);
     // Cannot fail, because the session's document has just applied the edit.
     if (const Result<void> done = drawing_.document.apply(*message.edit); !done) {
       why_ = done.error().message;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "felt/autosave/folder_lock.h"
@@ -214,6 +215,48 @@ TEST(LiveInk, ABounceAfterARingIsNoNewTouch) {
   for (int i = 0; i < 10; ++i) add(2.0);
   add(-0.2);
   EXPECT_TRUE(is_saved());
+}
+
+/// The edit that adds the layer of a line comes between its hover samples and its first sample in
+/// contact. Recovery needs the hover samples to tell how fast the pen lands.
+TEST(LiveInk, TheLayerOfALineKeepsItsHoverSamples) {
+  const Edit layer{"Add layer", {}, {{{2}, std::nullopt, LayerState{"Layer 2"}, 0, 1}}};
+  Edit ink{"Draw", {{}}};
+  for (const bool knows_touch : {false, true}) {  // from the haptic loop, before the session does
+    LiveInk live;
+    live.clear();
+    std::int64_t time_ns = 0;
+    const auto event = [&](double z) {
+      live.event_applied({time_ns += 4'000'000, PenEvent{{10.0, 10.0, z}, {}, 0, {}}}, false);
+    };
+    const auto script = [&] {
+      LiveStretch stretch;
+      for (const LiveChunk& chunk : live.take_changes().chunks) {
+        EXPECT_TRUE(read_live_chunk(chunk.kind, chunk.bytes, stretch));
+      }
+      return std::pair(std::count(stretch.script.begin(), stretch.script.end(), '\n'),
+                       stretch.overhang.size());
+    };
+    for (int i = 0; i < 5; ++i) event(5.0 - i);
+    if (knows_touch) {
+      for (int i = 1; i <= 3; ++i) {
+        PenSample sample;
+        sample.time_ns = time_ns + 4'000'000 * i;
+        sample.position = {10.0, 10.0, i < 2 ? 0.5 : -0.2};
+        live.add_loop_sample(sample);
+      }
+      EXPECT_EQ(script(), std::pair(5L, 3UL));
+      event(0.5);
+    }
+    live.edit_applied(layer);
+    event(-0.2);
+    event(-0.2);
+    EXPECT_EQ(script().first, knows_touch ? 8 : 7) << "hover samples and contact";
+    live.edit_applied(ink);
+    for (int i = 0; i < 3; ++i) event(5.0);
+    event(-0.2);
+    EXPECT_LE(script().first, 4) << "those of the last line are not of the next";
+  }
 }
 
 /// A pen that lands is thrown back for longer than LiveInk::kNoEditNs. The line goes on, so it

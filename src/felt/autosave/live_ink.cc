@@ -124,19 +124,22 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
   // gesture, not even if the overhang has started the next stretch already.
   has_ended_ = has_ended_ && contact_.is_down();
   if (has_ended_) return hover_.clear();
-  if (!open_) {
+  if (contact_.is_down()) {
+    hover_.clear();
+  } else {  // also in a stretch, which an edit before its contact closes
     hover_.push_back(event);
     if (hover_.size() > kHoverSamples) hover_.pop_front();
-    return;
   }
+  if (!open_) return;
   append_event_line(events_, event);
   if (event.time_ns - last_contact_ns_ > kNoEditNs && !gesture_in_progress) close();
 }
 
-void LiveInk::edit_applied() {
+void LiveInk::edit_applied(const Edit& edit) {
   close();
   has_ended_ = contact_.is_down();
-  hover_.clear();
+  // The edit that adds the layer of a line comes before its first sample in contact.
+  if (!edit.changes.empty() || !edit.fills.empty()) hover_.clear();
 }
 
 void LiveInk::add_loop_sample(const PenSample& sample) {
@@ -171,7 +174,6 @@ void LiveInk::open() {
   if (layer_) add(LayerEvent{LayerEvent::Do::kUse, layer_, {}});
   if (!view_.hidden.empty()) add(view_);
   for (const Event& event : hover_) append_event_line(script, event);
-  hover_.clear();
   context_.clear();
   ByteWriter out(context_);
   out.text(script);

@@ -53,8 +53,9 @@ class LiveInk {
   /// Adds an event that the session accepted. If it is a pen sample, `gesture_in_progress` says
   /// whether a gesture was in progress before the sample.
   void event_applied(const Event& event, bool gesture_in_progress);
-  /// Ends the stretch, because the document has applied an edit that contains the gesture.
-  void edit_applied();
+  /// Ends the stretch, because the document has applied an edit that contains the gesture. The
+  /// hover samples remain for the next stretch if the edit adds no ink, but for example a layer.
+  void edit_applied(const Edit& edit);
   /// Adds a sample of the haptic loop. The sample's time must be on the session's clock.
   void add_loop_sample(const PenSample& sample);
 

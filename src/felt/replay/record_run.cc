@@ -123,7 +123,10 @@ Result<void> RecordRun::turn() {
   servo.heartbeat(loop_->thread().now_ns());
   for (PenSample sample; servo.for_edit().pop(sample);) {
     sample.time_ns = last_ns_ = std::max(last_ns_, sample.time_ns + offset_ns_);
-    if (Result<void> reported = session_.sample(sample); !reported) return reported;
+    if (Result<void> reported = session_.sample(sample); !reported) {
+      if (reported.error().code != ErrorCode::kLimitExceeded) return reported;
+      notice("This line draws nothing: " + reported.error().message + ".");
+    }
   }
   servo.publish(session_.force());
   const TickReport& report = servo.latest();

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
+#include "felt/document/copy_limit.h"
 #include "felt/document/edit_builder.h"
-#include "felt/session/copy_limit.h"
 #include "felt/session/group_edit.h"
 
 namespace felt {
@@ -35,15 +35,14 @@ struct Beside {
   LayerGroupPtr group;
 };
 
-/// Returns the position below or above the current layer, in its group. If that group is hidden or
-/// locked, the new layer would be so, too; returns the position on top.
+/// Returns the position below or above the current layer, in its group. If the current layer is
+/// closed, returns the position on top, for two reasons: in a closed group, the new layer would be
+/// closed, too; and files do not keep which one of several closed layers is the current one.
 Beside beside(const Document& document, LayerId in_use, std::size_t above) {
   const std::size_t top = document.layers().size();
   const Layer* layer = document.layer(in_use);
-  if (!layer) return {top, nullptr};
-  const LayerGroupPtr& group = layer->group;
-  if (group && (!group->visible || group->locked)) return {top, nullptr};
-  return {std::min(document.layer_index(in_use) + above, top), group};
+  if (!layer || !is_open(*layer)) return {top, nullptr};
+  return {std::min(document.layer_index(in_use) + above, top), layer->group};
 }
 
 /// Completes an edit of layers: if no layer would remain, or if `open` is true no open layer, the

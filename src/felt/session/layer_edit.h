@@ -38,8 +38,8 @@ Edit with_layers_hidden(Edit edit, std::span<const LayerId> hidden);
 Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use,
                         bool keeps_one_open = false);
 
-/// Returns an edit that adds a layer with a picture below the layer `in_use`, or on top if the
-/// group of that layer is hidden or locked. Fails if the event has no data, an opacity that is not
+/// Returns an edit that adds a layer with a picture below the layer `in_use`, or on top if
+/// that layer is hidden or locked. Fails if the event has no data, an opacity that is not
 /// in 0..1, or a place that is_picture_place() refuses, or if check_layer_count() refuses the edit.
 Result<Edit> picture_edit(const Document& document, const AddPicture& event, LayerId in_use);
 

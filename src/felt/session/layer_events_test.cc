@@ -227,7 +227,19 @@ TEST(LayerEvents, NoEventAddsMoreLayersThanFilesMayHave) {
   EXPECT_THAT(f.session->import(1, ImportEvent{"a.svg"}, strokes).error().message,
               HasSubstr("at most 10000 layers"));
   for (const double z : {5.0, -1.0, -1.0, 5.0}) {
-    EXPECT_EQ(f.apply(PenEvent{{10.0 * z, 0.0, z}, {}, 0}), "") << "there is no layer for the line";
+    EXPECT_EQ(f.apply(PenEvent{{10.0 * z, 0.0, z}, {}, 0}), "") << "a recording may contain it";
+  }
+  std::vector<std::string> errors;  // of two lines
+  for (const double z : {5.0, -1.0, -1.0, -1.0, 5.0, 5.0, -1.0, -1.0, 5.0}) {
+    const Result<void> done = f.session->sample({0, {10.0 * z, 0.0, z}, {}, {}, 0, {}});
+    errors.push_back(done ? "" : done.error().message);
+  }
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (i == 1 || i == 6) {
+      EXPECT_THAT(errors[i], HasSubstr("at most 10000 layers")) << "the line draws nothing";
+    } else {
+      EXPECT_EQ(errors[i], "") << i;
+    }
   }
   EXPECT_EQ(f.apply(UndoEvent{}), "");
   EXPECT_EQ(f.session->document(), document);

@@ -223,7 +223,10 @@ class Player::Run {
       while (const Event* event = others_.next_before(sample.time_ns)) {
         if (done = report(*event); !done) return done;
       }
-      if (done = session_.sample(sample); !done) return done;
+      done = session_.sample(sample);
+      // A line that exceeds a limit draws nothing, as when it was recorded (Session::sample).
+      if (!done && done.error().code != ErrorCode::kLimitExceeded) return done;
+      done = {};
     }
     report_.samples += samples_.size();
     samples_.clear();

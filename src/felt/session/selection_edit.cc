@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
+#include "felt/document/copy_limit.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/session/copy_limit.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/edit/mend_joints.h"
 
@@ -83,6 +83,15 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
   for (const auto& [id, marks] : selection.strokes()) {
     if (is_chosen(id)) size.add(*document.find(id));
   }
+  std::vector<std::pair<LayerId, FillPtr>> fills;  // those that go along
+  for (const Layer& layer : document.layers()) {
+    for (const FillId id : layer.fills) {
+      FillPtr fill = document.find_fill(id);
+      if (layer.locked || !goes_with_strokes(*fill, is_chosen)) continue;
+      size.add(*fill);
+      fills.emplace_back(layer.id, std::move(fill));
+    }
+  }
   if (Result<void> fits = check_copies(document, size); !fits) {
     return tl::unexpected(fits.error());
   }
@@ -102,17 +111,12 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
       copies[id] = builder.add(layer.id, std::make_shared<const Stroke>(*std::move(copy)));
     }
   }
-  for (const Layer& layer : document.layers()) {
-    for (const FillId id : layer.fills) {
-      const FillPtr fill = document.find_fill(id);
-      const auto is_copied = [&](StrokeId stroke) { return copies.contains(stroke); };
-      if (layer.locked || !goes_with_strokes(*fill, is_copied)) continue;
-      RenamedFill copy = with_other_strokes(*fill, copies);
-      for (FillLoop& loop : copy.fill.loops) {
-        for (Point& p : loop.points) p = p + shift;
-      }
-      builder.add_fill(layer.id, std::make_shared<const Fill>(std::move(copy.fill)));
+  for (const auto& [layer, fill] : fills) {
+    RenamedFill copy = with_other_strokes(*fill, copies);
+    for (FillLoop& loop : copy.fill.loops) {
+      for (Point& p : loop.points) p = p + shift;
     }
+    builder.add_fill(layer, std::make_shared<const Fill>(std::move(copy.fill)));
   }
   return std::move(builder).build("Duplicate");
 }

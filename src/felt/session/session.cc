@@ -89,7 +89,10 @@ struct Session::Apply {
     return session.set_option(time_ns, e.id, e.value);
   }
   Result<void> operator()(const PenEvent& e) const {
-    return session.sample({time_ns, e.position, {}, e.pressure, e.buttons, e.tilt_deg});
+    Result<void> done =
+        session.sample({time_ns, e.position, {}, e.pressure, e.buttons, e.tilt_deg});
+    if (!done && done.error().code == ErrorCode::kLimitExceeded) return {};
+    return done;
   }
   Result<void> operator()(const HandEvent&) const {
     return fail(ErrorCode::kUnsupported,
@@ -207,7 +210,8 @@ Result<void> Session::sample(const PenSample& reported) {
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
   sample.velocity = parts_->velocity.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
-  if (begins_ink(sample) && !open_layer_for_ink()) must_lift_ = true;  // before the gesture begins
+  const Result<void> opened = begins_ink(sample) ? open_layer_for_ink() : Result<void>();
+  if (!opened) must_lift_ = true;  // before the gesture begins
   if (options_.on_event) {
     record({sample.time_ns,
             PenEvent{sample.position, sample.pressure, sample.buttons, sample.tilt_deg}});
@@ -218,7 +222,7 @@ Result<void> Session::sample(const PenSample& reported) {
   follow_edges(sample);
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
   const Contact::Change contact = parts_->contact.update(sample);
-  if (must_lift_ && parts_->contact.is_down()) return {};
+  if (must_lift_ && parts_->contact.is_down()) return opened;
   must_lift_ = false;
   if (pen_is_down_ && !was_down) {
     gesture_is_open_ = true;
@@ -228,16 +232,21 @@ Result<void> Session::sample(const PenSample& reported) {
   follow_stroke_guide(sample);
   Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
+  if (!parts_->contact.is_down() && !gesture_in_progress()) ink_layer_step_.reset();
   return taken;
 }
 
 Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
                              std::span<const StrokePtr> strokes, std::span<const FillPtr> fills) {
   if (Result<void> ended = finish(); !ended) return ended;
-  if (Result<void> opened = open_layer_for_ink(); !opened) return opened;
+  const bool has_ink = !strokes.empty() || !fills.empty();
+  if (Result<void> opened = has_ink ? open_layer_for_ink() : Result<void>(); !opened) return opened;
   Edit edit = import_edit(document_, layer_, strokes, fills);
   Selection added = made_by(edit);
-  if (Result<void> done = commit(std::move(edit)); !done) return done;
+  if (Result<void> done = commit(std::move(edit)); !done) {
+    if (ink_layer_step_ == history_.position()) static_cast<void>(undo());
+    return done;
+  }
   if (event.select) set_selection(std::move(added));
   record({time_ns, event});
   return {};
@@ -248,6 +257,7 @@ Result<void> Session::finish() {
   offer_.reset();
   show({});
   gesture_is_open_ = false;
+  ink_layer_step_.reset();
   stroke_guide_->stop();
   // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
   // lifted first.
@@ -306,6 +316,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
 Result<void> Session::use_defaults(int version) {
   if (std::exchange(option_defaults_, version) == version) return {};
   parts_->contact.set_landing(version >= kLandingDefaults);
+  if (version < kLateLayerDefaults) add_first_open_layer();
   for (const SetOption& old : old_defaults(version)) {
     const auto [owner, name] = split_id(old.id);
     const Result<std::size_t> found = find_tool(owner);
@@ -353,18 +364,6 @@ const DrawingGuide* Session::symmetry() const noexcept {
     return guide->kind == DrawingGuideKind::kSymmetry;
   });
   return found == guides.rend() ? nullptr : found->get();
-}
-
-void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
-  const auto* id = std::get_if<std::string>(&value);
-  if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
-  for (const AnyMaterial& own : not_built_in(options_.materials)) {
-    const bool is_surface = std::holds_alternative<SurfaceMaterial>(own);
-    if (id_of(own) != *id || is_surface != (kind == OpenChoice::kSurfaces)) continue;
-    if (std::find(reported_.begin(), reported_.end(), material_key(own)) != reported_.end()) return;
-    reported_.push_back(material_key(own));
-    record({time_ns, UseMaterial{write_material(own)}});
-  }
 }
 
 void Session::follow(const Edit& applied) {

@@ -75,7 +75,8 @@ class Session {
   /// read_material refuses the text of a material, or check_guide, guide_edit, timing_edit or
   /// body_edit_edit an event. After a failure nothing has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
-  /// Handles one pen sample. Fails only if a tool returns an invalid edit (a bug).
+  /// Handles one pen sample. Fails if a tool returns an invalid edit (a bug). Also fails with
+  /// kLimitExceeded, unlike a PenEvent, if a line draws nothing for want of a layer (kMaxLayers).
   Result<void> sample(const PenSample& reported);
   /// Handles an ImportEvent: adds the strokes of its file on top of the current layer, as one undo
   /// step. The pieces of the fills name the strokes by their numbers, from 1 (VisibleInk).
@@ -175,6 +176,7 @@ class Session {
   Result<void> select(const std::string& id);
   Result<void> set_option(std::int64_t time_ns, const std::string& id, const OptionValue& value);
   Result<void> use_defaults(int version);
+  void add_first_open_layer();
   Result<void> use_material(const UseMaterial& event);
   Result<void> use_guide(const UseGuide& event);
   Result<void> use_edges(const UseEdges& event);

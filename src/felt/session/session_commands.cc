@@ -52,6 +52,7 @@ Result<void> Session::show_as_drawn() {
 void Session::cancel() {
   tools_[active_]->cancel();
   offer_.reset();
+  ink_layer_step_.reset();
   stroke_guide_->stop();
   show({});
   gesture_is_open_ = false;
@@ -214,13 +215,27 @@ Result<void> Session::open_layer_for_ink() {
   const Layer* layer = seen().layer(layer_);
   if (layer && is_open(*layer)) return {};
   Edit edit = add_layer_on_top(document_);
-  if (Result<void> fits = check_layer_count(document_, edit); !fits) return fits;
+  if (Result<void> fits = check_layer_count(document_, edit); !fits) {
+    return tl::unexpected(
+        with_context(fits.error(), "all layers are hidden or locked, and none can be added"));
+  }
   layer_ = edit.layers.front().id;
   ++ink_layers_;
   show({});
   if (Result<void> done = commit(std::move(edit)); !done) return done;
   ink_layer_step_ = history_.position();
   return {};
+}
+
+/// Adds a layer, which is not a step, if the session begins without an open layer. Recordings of
+/// versions before kLateLayerDefaults need it to draw the same strokes.
+void Session::add_first_open_layer() {
+  const bool has_begun = history_.step_count() > 0 || history_.position() > 0;
+  if (has_begun || highest_open_layer(document_)) return;
+  const Edit edit = add_layer_on_top(document_);
+  if (!check_layer_count(document_, edit)) return;
+  FELT_CHECK(document_.apply(edit).has_value());
+  follow(edit);
 }
 
 Result<void> Session::use_view(const UseView& event) {

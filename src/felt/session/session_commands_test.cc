@@ -198,6 +198,27 @@ TEST(SessionSelection, CopiesStopBeforeTheyFillTheMemory) {
   EXPECT_THAT(refused.error().message, ::testing::HasSubstr("would have 8000 strokes"));
 }
 
+/// The fills that go along with the strokes count, too.
+TEST(SessionSelection, CopiesOfFillsStopToo) {
+  Fill large{{FillLoop{std::vector<Point>(300'001), {{StrokeId{1}, 0.0, 1.0}}}}};
+  const auto fill = std::make_shared<const Fill>(std::move(large));
+  for (const int count : {33, 34}) {
+    CommandFixture fixture;
+    fixture.line(0, 0);
+    Document document = fixture.session.document();
+    EditBuilder builder(document);
+    for (int i = 0; i < count; ++i) builder.add_fill({1}, fill);
+    ASSERT_TRUE(document.apply(std::move(builder).build("Fill")));
+    const Result<Edit> copy = duplicate_edit(document, selected(document, {}, What::kAll));
+    EXPECT_EQ(copy.has_value(), count == 33) << "up to 20,000,000 control points";
+    if (!copy) {
+      EXPECT_THAT(copy.error().message, ::testing::HasSubstr("would have 70 strokes and fills"));
+    } else {
+      EXPECT_EQ(copy->fills.size(), 33U);
+    }
+  }
+}
+
 TEST(SessionSelection, DuplicateAddsShiftedCopiesWhichAreSelectedThen) {
   CommandFixture fixture;
   fixture.line(0, 0);
@@ -438,6 +459,60 @@ TEST(SessionLayers, ACancelledLineLeavesItsLayerAsAStep) {
   EXPECT_EQ(fixture.session.layer().value, 1U);
 }
 
+/// An edit that is not the line's ink is a step of its own.
+TEST(SessionLayers, OnlyTheInkOfItsLineJoinsTheStepOfALayer) {
+  for (const bool cancels : {true, false}) {
+    SCOPED_TRACE(cancels);
+    CommandFixture fixture;
+    fixture.layer(Do::kLock, 1);
+    const std::size_t steps = fixture.steps();
+    fixture.pen(0, 0, 5);
+    fixture.pen(0, 0, -1);
+    if (cancels) fixture.must(CancelEvent{});
+    for (int i = 0; i < 40; ++i) fixture.pen(0, 0, 5);  // a dot draws nothing with this tool
+    EXPECT_EQ(fixture.steps(), steps + 1);
+    fixture.must(GuidesEvent{GuidesEvent::Do::kAdd});
+    EXPECT_EQ(fixture.steps(), steps + 2);
+    fixture.must(UndoEvent{});
+    EXPECT_TRUE(fixture.session.document().guides().empty());
+    EXPECT_EQ(fixture.layers(), (std::vector<std::uint64_t>{1, 2})) << "the layer stays";
+    fixture.line(0, 0);
+    EXPECT_EQ(fixture.steps(), steps + 2) << "the next line is a step, too";
+    fixture.must(UndoEvent{});
+    EXPECT_EQ(fixture.layers(), (std::vector<std::uint64_t>{1, 2}));
+  }
+}
+
+TEST(SessionLayers, AnImportOfNothingAddsNoLayer) {
+  CommandFixture fixture;
+  fixture.layer(Do::kLock, 1);
+  const Document before = fixture.session.document();
+  const std::size_t steps = fixture.steps();
+  ASSERT_TRUE(fixture.session.import(1, ImportEvent{.path = "a.svg", .select = true}, {}));
+  EXPECT_EQ(fixture.session.document(), before);
+  EXPECT_EQ(fixture.steps(), steps);
+}
+
+/// A file does not say which of several closed layers is the current one, so a new layer's position
+/// does not depend on it.
+TEST(SessionLayers, ANewLayerComesOnTopIfTheCurrentOneIsClosed) {
+  for (const Do what : {Do::kHide, Do::kLock}) {
+    CommandFixture fixture;
+    fixture.layer(Do::kAdd);
+    fixture.layer(Do::kAdd);
+    for (const std::uint64_t id : {3U, 2U, 1U}) fixture.layer(what, id);
+    ASSERT_EQ(fixture.session.layer().value, 1U);
+    SessionOptions options;
+    options.document = fixture.session.document();
+    CommandFixture reopened(std::move(options));
+    ASSERT_EQ(reopened.session.layer().value, 3U);
+    for (CommandFixture* f : {&fixture, &reopened}) {
+      f->layer(Do::kAdd);
+      EXPECT_EQ(f->layers(), (std::vector<std::uint64_t>{1, 2, 3, 4}));
+    }
+  }
+}
+
 TEST(SessionLayers, TheLastLayerIsReplacedWhenItIsRemoved) {
   CommandFixture fixture;
   const std::size_t steps = fixture.steps();
@@ -481,6 +556,33 @@ TEST(SessionLayers, AnOlderRecordingGetsItsLayerAtOnce) {
     EXPECT_EQ(fixture.session.layer().value, 2U) << "a new one, on top, by the same step";
     fixture.layer(Do::kRename, 2, "New");
   }
+}
+
+// The sessions of those versions added the layer when they began, which was not a step.
+TEST(SessionLayers, AnOlderRecordingOfAClosedDrawingBeginsWithAnOpenLayer) {
+  Document document;
+  ASSERT_TRUE(document.apply(
+      {"Lock", {}, {{{1}, LayerState{"Ink"}, LayerState{"Ink", true, true}, 0, 0}}}));
+  Document copy = document;
+  for (const int version : {1, kLateLayerDefaults - 1, kLateLayerDefaults}) {
+    const bool is_older = version < kLateLayerDefaults;
+    copy = document;
+    SessionOptions options;
+    options.document = document;
+    options.on_edit = [&copy](const Edit& edit) { ASSERT_TRUE(copy.apply(edit)); };
+    CommandFixture fixture(std::move(options));
+    fixture.must(UseDevice{{}, version});
+    fixture.must(UseDevice{{}, version});
+    EXPECT_EQ(fixture.session.document().layers().size(), is_older ? 2U : 1U);
+    EXPECT_EQ(fixture.session.layer().value, is_older ? 2U : 1U);
+    EXPECT_EQ(fixture.steps(), 0U);
+    EXPECT_TRUE(copy == fixture.session.document());
+    if (is_older) fixture.layer(Do::kRename, 2, "New");
+  }
+  CommandFixture drawn;
+  drawn.layer(Do::kLock, 1);
+  drawn.must(UseDevice{{}, 1});
+  EXPECT_EQ(drawn.layers(), (std::vector<std::uint64_t>{1})) << "only at the beginning";
 }
 
 TEST(SessionLayers, ADocumentWithoutAnOpenLayerGetsOneByTheFirstInk) {

@@ -47,6 +47,15 @@ void let_traces_follow(const Document& document, Edit& edit) {
   edit.guides.insert(edit.guides.end(), changes.begin(), changes.end());
 }
 
+/// Returns true if the edit adds a stroke or fill to the layer.
+bool adds_ink(const Edit& edit, LayerId layer) {
+  const auto adds = [layer](const auto& change) {
+    return !change.before && change.after && change.after_place.layer == layer;
+  };
+  return std::any_of(edit.changes.begin(), edit.changes.end(), adds) ||
+         std::any_of(edit.fills.begin(), edit.fills.end(), adds);
+}
+
 }  // namespace
 
 Result<void> Session::take(ToolResult result) {
@@ -95,7 +104,9 @@ Result<void> Session::apply_and_record(Edit edit) {
   if (edit.empty()) return {};
   if (Result<void> applied = document_.apply(edit); !applied) return applied;
   follow(edit);
-  const bool has_new_layer = ink_layer_step_ == history_.position();
+  // While this is the newest step, the layer that it added is still the highest.
+  const bool has_new_layer =
+      ink_layer_step_ == history_.position() && adds_ink(edit, document_.layers().back().id);
   if (!has_new_layer || !history_.join(edit)) history_.record(std::move(edit));
   return {};
 }

@@ -1,6 +1,9 @@
 #include "felt/session/session_medium.h"
 
+#include <algorithm>
 #include <variant>
+
+#include "felt/material/material_file.h"
 
 namespace felt {
 
@@ -30,6 +33,18 @@ std::vector<SetOption> options_for_medium(const Session& session, const Medium& 
           {drawing_option(session, "min_width_mm"), line.min_mm},
           {drawing_option(session, "max_width_mm"), line.max_mm},
           {drawing_option(session, "gamma"), line.gamma}};
+}
+
+void Session::report_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
+  const auto* id = std::get_if<std::string>(&value);
+  if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
+  for (const AnyMaterial& own : not_built_in(options_.materials)) {
+    const bool is_surface = std::holds_alternative<SurfaceMaterial>(own);
+    if (id_of(own) != *id || is_surface != (kind == OpenChoice::kSurfaces)) continue;
+    if (std::find(reported_.begin(), reported_.end(), material_key(own)) != reported_.end()) return;
+    reported_.push_back(material_key(own));
+    record({time_ns, UseMaterial{write_material(own)}});
+  }
 }
 
 }  // namespace felt

@@ -35,6 +35,12 @@ Result<void> Session::choose(OfferKind what) {
     const Result<Edit> undone = history_.undo(document_);
     if (!undone) return tl::unexpected(undone.error());
     follow(*undone);
+    // If the step of the stroke has also added its layer, the other choice needs the same one.
+    if (!undone->layers.empty() && !wanted.edit.empty()) {
+      Edit layer{undone->label, {}, undone->inverse().layers};
+      if (Result<void> done = apply_and_record(std::move(layer)); !done) return done;
+      ink_layer_step_ = history_.position();
+    }
   }
   // Like the edit of the stroke, the new ink gets mirror images.
   let_others_follow(wanted.edit, Origin::kTool);

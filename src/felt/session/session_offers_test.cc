@@ -219,6 +219,49 @@ TEST(SessionOffers, WithoutTheOptionsALineIsInk) {
   EXPECT_EQ(f.lines(), 3U);
 }
 
+/// If no layer is open, the step of a line also adds its layer. The choice that replaces the line
+/// must not lose it.
+TEST(SessionOffers, AChoiceKeepsTheLayerThatTheLineAdded) {
+  for (const auto& [closes, symmetry] :
+       {std::pair{LayerEvent::Do::kLock, false}, std::pair{LayerEvent::Do::kHide, true}}) {
+    for (const bool accepted : {false, true}) {
+      Fixture f;
+      if (symmetry) {
+        GuidesEvent add{GuidesEvent::Do::kAdd};
+        add.guide.kind = DrawingGuideKind::kSymmetry;
+        add.guide.origin = {100, 0};
+        add.guide.angle_rad = kTau / 4.0;
+        add.guide.axes = 1;
+        f.must(add);
+      }
+      f.must(LayerEvent{closes, LayerId{1}});
+      const Document before = f.session.document();
+      const std::size_t steps = f.steps();
+      f.down(Fixture::round(1.0));
+      f.rest(f.last, accepted ? 1.8 : 0.6);
+      f.lift();
+      const Document first = f.session.document();
+      ASSERT_EQ(first.layers().size(), 2U);
+      const std::size_t lines = symmetry ? 2U : 1U;
+      EXPECT_EQ(f.lines(), lines);
+      EXPECT_EQ(f.session.history().undo_label(), accepted ? "Shape" : "Draw");
+      f.must(ChooseOffer{accepted ? What::kInk : What::kCircle});
+      EXPECT_EQ(f.session.history().undo_label(), accepted ? "Draw" : "Shape");
+      EXPECT_EQ(f.steps(), steps + 1) << "the layer and its ink are one step";
+      EXPECT_EQ(f.lines(), lines);
+      EXPECT_EQ(f.session.layer(), first.layers().back().id);
+      const Document chosen = f.session.document();
+      EXPECT_EQ(chosen.layers().back().id, first.layers().back().id);
+      f.must(UndoEvent{});
+      EXPECT_EQ(f.session.document(), before);
+      f.must(RedoEvent{});
+      EXPECT_EQ(f.session.document(), chosen);
+      f.line(120.0);
+      EXPECT_EQ(f.steps(), steps + 2) << "the next line is a step of its own";
+    }
+  }
+}
+
 TEST(SessionOffers, LockedAndHiddenLinesAreNotMeant) {
   for (const auto change : {LayerEvent::Do::kLock, LayerEvent::Do::kHide}) {
     Fixture f;

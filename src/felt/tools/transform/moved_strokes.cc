@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "felt/document/copy_limit.h"
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/edit/point_marks.h"
 #include "felt/stroke/edit/split.h"
@@ -149,6 +150,7 @@ void MovedStrokes::prepare_copies(const Document& document, const Selection& sel
     }
   }
   places_ = std::move(builder).build("");
+  if (!check_copies(document, {items_.size(), points_})) *this = MovedStrokes();
 }
 
 void MovedStrokes::add(MovedLine line) {

@@ -34,7 +34,7 @@ class MovedStrokes {
   /// Prepares the strokes, except those on hidden or locked layers. If `duplicates` is true, the
   /// strokes stay, and copies are mapped instead; they are added on top of the layers. If a stroke
   /// is selected only in part, each unbroken sequence of selected segments is copied as a separate
-  /// line.
+  /// line. If check_copies() refuses the copies, there is nothing to map: empty() is true.
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
   /// point: an end moves with the point, and a line on which an end lies gets a joint at that

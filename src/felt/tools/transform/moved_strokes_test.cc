@@ -79,6 +79,26 @@ TEST(MovedStrokes, R34_CountsTheAnchorsOfAllStrokes) {
       MovedStrokes(fixture.document, fixture.index, fixture.selection, true).anchors().empty());
 }
 
+/// Each drag that duplicates everything would double the drawing.
+TEST(MovedStrokes, CopiesStopBeforeTheyFillTheMemory) {
+  StrokeData data;
+  for (int i = 0; i <= 3000; ++i) data.points.push_back({0.1 * i, 0.0});
+  data.joints.assign(999, JointKind::kCorner);
+  data.widths = {{0.0, 0.5}, {1000.0, 0.5}};
+  const auto stroke = std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
+  for (const int count : {3300, 3400}) {
+    Document document;
+    EditBuilder builder(document);
+    Selection selection;
+    for (int i = 0; i < count; ++i) selection.set_whole(builder.add({1}, stroke), 3001);
+    ASSERT_TRUE(document.apply(std::move(builder).build("Add")));
+    const StrokeIndex index{Document()};  // not used for copies
+    const MovedStrokes copies(document, index, selection, true);
+    EXPECT_EQ(copies.empty(), count == 3400) << "up to 20,000,000 control points";
+    EXPECT_EQ(copies.copies().has_value(), count == 3300);
+  }
+}
+
 TEST(MovedStrokes, APreviewIsMadeInPortions) {
   Fixture fixture;
   constexpr std::size_t kStrokes = 1000;

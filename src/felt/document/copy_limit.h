@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// Copies by events stop when a drawing has this many strokes and fills, or control points in them:
+/// Copies stop when a drawing has this many strokes and fills, or control points in them:
 /// each copy of everything doubles a drawing, so a short script would fill any memory.
 inline constexpr std::size_t kMaxCopiedObjects = 1'000'000, kMaxCopiedPoints = 20'000'000;
 

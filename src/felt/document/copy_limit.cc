@@ -1,4 +1,4 @@
-#include "felt/session/copy_limit.h"
+#include "felt/document/copy_limit.h"
 
 #include <string>
 
