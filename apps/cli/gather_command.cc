@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "drawing_output.h"
+#include "felt/base/csv_value.h"
 #include "felt/formats/format_traits.h"
 #include "gather_drawing.h"
 #include "input.h"
@@ -56,7 +57,10 @@ void add_options(CLI::App& command, GatherArguments& args) {
 void write_groups(const std::vector<StrokeGroup>& groups, const std::string& path,
                   Console& console) {
   std::string text = "stroke,group\n";
-  for (const StrokeGroup& entry : groups) text += fmt::format("{},{}\n", entry.stroke, entry.group);
+  for (const StrokeGroup& entry : groups) {
+    append_csv_value(text, entry.stroke);
+    text += fmt::format(",{}\n", entry.group);
+  }
   const Result<void> done =
       Output::create(path).and_then([&](Output output) { return output.write_all(text); });
   if (!done) console.error(done.error().message);

@@ -38,6 +38,12 @@ names_of() { grep -o '"id":"[^"]*"' "$1" | cut -d'"' -f4 | tr '\n' ' '; }
 run 0 "$feltline" gather --all named.ndjson -o named_clean.ndjson --groups named.csv
 [ "$(names_of named_clean.ndjson)" = 'cat-1&< cat-5&< cat-8&< ' ] || fail "names: $(names_of named_clean.ndjson)"
 grep -q '^cat-2,1$' named.csv || fail "the groups have other names"
+# Names that need quotes in .csv (RFC 4180), and one that a spreadsheet would compute.
+printf '%s\n' '"a,b"' '"say \"hi\""' '"two\nlines"' '"=1+1"' '"-3"' '"plain"' '"\u00fc"' '"s8"' >ids
+paste -d ' ' ids rough.ndjson | sed -E 's/^("([^"\\]|\\.)*") \{/{"id":\1,/' >quoted.ndjson
+run 0 "$feltline" gather --all quoted.ndjson -o quoted.felt --groups quoted.csv
+printf '%s\n' stroke,group '"a,b",1' '"say ""hi""",1' '"two' 'lines",1' "'=1+1,1" -3,2 plain,2 ü,2 s8,3 >quoted_wanted.csv
+same quoted.csv quoted_wanted.csv
 run 0 "$feltline" fit named.ndjson -o named_fit.ndjson
 for format in felt svg svgz inkml ndjson; do
   run 0 "$feltline" convert named.ndjson -o "named.$format.$format"

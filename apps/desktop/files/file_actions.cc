@@ -268,6 +268,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
 void FileActions::receive_opened() {
   if (is_showing_) return;
   extras_ = {};
+  names_ = {};
   name_.clear();
   has_page_of_file_ = false;
   seen_on_disk_ = {};

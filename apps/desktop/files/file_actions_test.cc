@@ -85,6 +85,25 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   EXPECT_EQ(other.files->drawing().extras, nullptr);
 }
 
+/// Other code, such as an example, can open a drawing without a file in the same studio.
+TEST(FileActions, ADrawingWithoutAFileHasNoneOfTheNamesOfTheLastOne) {
+  StudioFixture fixture;
+  fixture.draw(1);
+  Drawing made = fixture.files->drawing();
+  const Document other = made.document;
+  made.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{1}, "cat-1"}});
+  ASSERT_TRUE(write_drawing(fixture.at("named.felt"), made));
+  fixture.person->unsaved = FileDialogs::Unsaved::kDiscard;
+  ASSERT_TRUE(fixture.files->open(fixture.at("named.felt")));
+  EXPECT_EQ(used_names(fixture.files->drawing()).size(), 1u);
+  fixture.studio.open(other, Page{});
+  EXPECT_TRUE(used_names(fixture.files->drawing()).empty());
+  ASSERT_TRUE(fixture.files->open(fixture.at("named.felt")));
+  fixture.actions.find(QStringLiteral("file.new"))->trigger();
+  fixture.draw(2);
+  EXPECT_TRUE(used_names(fixture.files->drawing()).empty());
+}
+
 TEST(FileActions, NothingIsLostUnasked) {
   StudioFixture fixture;
   fixture.draw(1);

@@ -5,25 +5,29 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "felt/autosave/edit_blob.h"
 #include "felt/autosave/layer_look.h"
 #include "felt/base/utf8.h"
+#include "felt/io/limits.h"
 #include "felt/store/byte_writer.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_tables.h"
 #include "felt/store/fill_blob.h"
 #include "felt/store/layer_group_table.h"
 #include "felt/store/stroke_blob.h"
+#include "felt/store/stroke_name_table.h"
 
 namespace felt {
 namespace {
 
 constexpr std::size_t kMaxTextBytes = 1 << 16;
 constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
-constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
+constexpr std::size_t kMaxNamesBytes = std::size_t{256} << 20;
+constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12, kNameHeadBytes = 12;
 constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2, kRowHasLook = 4;
 
 /// Appends a drawing without its strokes and layers, as the bytes of a .felt file.
@@ -47,16 +51,21 @@ bool has_timings(const Document& document) {
                      [](const Layer& l) { return l.timing != nullptr; });
 }
 
+bool has_names(const Drawing& drawing) {
+  return drawing.names && !drawing.names->empty();
+}
+
 /// Appends the guides and symmetry groups of a base, as the bytes of an edit that adds them.
 /// Appends nothing if there are none, unless others follow.
-Result<void> append_guides(ByteWriter& out, const Document& document) {
+Result<void> append_guides(ByteWriter& out, const Drawing& drawing) {
+  const Document& document = drawing.document;
   Edit edit;
   for (const auto& [id, guide] : document.guides()) edit.guides.push_back({id, nullptr, guide});
   for (const auto& [id, group] : document.symmetries()) {
     edit.symmetries.push_back({id, nullptr, group});
   }
   edit.toggles_guides = !document.shows_guides();
-  if (edit.empty() && !has_timings(document)) return {};
+  if (edit.empty() && !has_timings(document) && !has_names(drawing)) return {};
   std::string bytes;
   if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
   out.text(bytes);
@@ -64,9 +73,10 @@ Result<void> append_guides(ByteWriter& out, const Document& document) {
 }
 
 /// Appends the timings of the layers and the edits of the body of a base, as the bytes of an edit
-/// that adds them. Appends nothing if there are none. They follow the bytes of the guides, after
-/// which programs from before timings stop to read.
-Result<void> append_timings(ByteWriter& out, const Document& document) {
+/// that adds them. Appends nothing if there are none, unless names follow. They follow the bytes of
+/// the guides, after which programs from before timings stop to read.
+Result<void> append_timings(ByteWriter& out, const Drawing& drawing) {
+  const Document& document = drawing.document;
   Edit edit;
   for (std::size_t i = 0; i < document.layers().size(); ++i) {
     const Layer& layer = document.layers()[i];
@@ -78,11 +88,46 @@ Result<void> append_timings(ByteWriter& out, const Document& document) {
   for (const auto& [id, body_edit] : document.body_edits()) {
     edit.body_edits.push_back({id, nullptr, body_edit});
   }
-  if (edit.empty()) return {};
+  if (edit.empty() && !has_names(drawing)) return {};
   std::string bytes;
   if (auto ok = append_edit_blob(bytes, edit); !ok) return ok;
   out.text(bytes);
   return {};
+}
+
+/// Appends the names of strokes, including deleted strokes, which an undo can restore. Appends
+/// nothing if there are none. Names that .felt files cannot have are left out, and so are all names
+/// after the first kMaxNamesBytes, because SQLite limits the size of a row. The names follow the
+/// timings, after which programs from before names stop reading.
+void append_names(ByteWriter& out, const Drawing& drawing) {
+  if (!has_names(drawing)) return;
+  std::string names;
+  ByteWriter names_out(names);
+  for (const auto& [id, name] : *drawing.names) {
+    if (!is_stroke_name(name)) continue;
+    if (names.size() + kNameHeadBytes + name.size() > kMaxNamesBytes) break;
+    names_out.u64(id.value);
+    names_out.text(name);
+  }
+  out.text(names);
+}
+
+/// Reads what append_names() wrote. Returns null if there are no names. `next` is the id of the
+/// next new stroke, which must not have a name.
+Result<std::shared_ptr<const StrokeNames>> read_names(ByteReader& in, StrokeId next) {
+  if (in.left() == 0) return nullptr;
+  ByteReader names_in(in.text(kMaxNamesBytes));
+  if (!in.ok()) return invalid_data("the names of strokes are incomplete");
+  StrokeNames names;
+  while (names_in.left() > 0) {
+    const StrokeId id{names_in.u64()};
+    const std::string_view name = names_in.text(limits::kMaxNameBytes);
+    if (id.value == 0 || id.value >= next.value || !is_stroke_name(name)) {
+      return invalid_data("the name of a stroke is damaged");
+    }
+    names.try_emplace(id, name);
+  }
+  return std::make_shared<const StrokeNames>(std::move(names));
 }
 
 /// Reads the layers of a base as an edit of a new document.
@@ -180,11 +225,12 @@ Result<std::string> base_head_bytes(const Drawing& drawing) {
     if (has_look) append_layer_look(out, layer.state(), nullptr, pictures);
   }
   if (auto ok = append_page(out, drawing); !ok) return tl::unexpected(ok.error());
-  // Groups, guides and timings are last, because programs from before them ignore what follows the
-  // page.
+  // Groups, guides, timings and names are last, because programs from before them ignore what
+  // follows the page.
   for (const Layer& layer : document.layers()) append_layer_group(out, layer.group);
-  if (auto ok = append_guides(out, document); !ok) return tl::unexpected(ok.error());
-  if (auto ok = append_timings(out, document); !ok) return tl::unexpected(ok.error());
+  if (auto ok = append_guides(out, drawing); !ok) return tl::unexpected(ok.error());
+  if (auto ok = append_timings(out, drawing); !ok) return tl::unexpected(ok.error());
+  append_names(out, drawing);
   return bytes;
 }
 
@@ -205,6 +251,9 @@ Result<Drawing> read_base_head(std::string_view bytes) {
     if (!edit) return tl::unexpected(edit.error());
     if (auto ok = document.apply(*edit); !ok) return tl::unexpected(ok.error());
   }
+  auto names = read_names(in, document.new_id());
+  if (!names) return tl::unexpected(names.error());
+  drawing->names = *std::move(names);
   drawing->document = std::move(document);
   drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};
   return drawing;

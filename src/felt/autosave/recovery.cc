@@ -257,6 +257,7 @@ class Assembly {
     out_.has_changes = about_ ? about_->modified : out_.edits > 0;
     if (about_) {
       about_->head.document = std::move(out_.drawing.document);
+      about_->head.names = std::move(out_.drawing.names);
       out_.drawing = std::move(about_->head);
     }
     if (!out_.drawing.document.layer(out_.drawing.layer)) out_.drawing.layer = {};
@@ -365,13 +366,10 @@ Result<Recovered> recover_autosave(const std::string& folder) {
   Result<Recovered> out = Assembly(*database, std::move(problems)).run();
   if (!out) return tl::unexpected(with_context(out.error(), folder));
   out->changed_at_s = autosave_changed_at(folder);
-  // Recordings, content of a newer Feltline, and names of strokes do not change while drawing, so
-  // they are read from the user's file. If it cannot be read, only the drawing is recovered.
+  // Recordings, and content of a newer Feltline, do not change while drawing, so they are read from
+  // the user's file. If it cannot be read, only the drawing is recovered.
   if (!out->drawing.extras && !out->path.empty()) {
-    if (const Result<Drawing> file = read_felt(out->path)) {
-      out->drawing.extras = file->extras;
-      out->drawing.names = file->names;
-    }
+    if (const Result<Drawing> file = read_felt(out->path)) out->drawing.extras = file->extras;
   }
   return out;
 }

@@ -1,15 +1,13 @@
 #include "felt/formats/drawing_writer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/check.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/formats/plain_edit.h"
 #include "felt/io/inkml/inkml_writer.h"
 #include "felt/io/picture/pdf_writer.h"
 #include "felt/io/picture/png.h"
@@ -18,7 +16,6 @@
 #include "felt/io/xopp/xopp_writer.h"
 #include "felt/render/page_painter.h"
 #include "felt/store/felt_file.h"
-#include "felt/stroke/edit/corner_trips.h"
 
 namespace felt {
 namespace {
@@ -60,75 +57,6 @@ class WholeFile final : public DrawingParts {
 
 std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
   return std::make_unique<WholeFile>(std::move(bytes));
-}
-
-/// What a format cannot hold of a drawing, so that its strokes must change.
-struct PlainNeeds {
-  bool fades = false;   ///< it has no translucent layers
-  bool rounds = false;  ///< it has only round ends and corners
-
-  static PlainNeeds of(FileFormat format) {
-    PlainNeeds needs;
-    needs.fades = format == FileFormat::kXopp || format == FileFormat::kNdjson;
-    needs.rounds = needs.fades || format == FileFormat::kInkml;
-    return needs;
-  }
-};
-
-double opacity_of(const Layer& layer) {
-  return layer.opacity * (layer.group ? layer.group->opacity : 1.0);
-}
-
-/// Returns the stroke with this opacity, or nullptr if nothing changes.
-StrokePtr plain_stroke(const Stroke& stroke, PlainNeeds needs, double opacity) {
-  std::optional<Stroke> plain;
-  if (needs.rounds) plain = without_corner_trips(stroke);
-  if (opacity != 1.0) {
-    StrokeData data = (plain ? *plain : stroke).data();
-    data.color.a = static_cast<std::uint8_t>(std::lround(opacity * data.color.a));
-    plain = Stroke::create(std::move(data)).value();
-  }
-  return plain ? std::make_shared<const Stroke>(*std::move(plain)) : nullptr;
-}
-
-/// Adds the change of a layer to an edit: its opacity and that of its group go to its strokes and
-/// fills. Where those of such a layer overlap, they show through.
-void make_plain(const Document& document, std::size_t at, PlainNeeds needs, Edit& edit) {
-  const Layer& layer = document.layers()[at];
-  const double opacity = needs.fades ? opacity_of(layer) : 1.0;
-  if (opacity != 1.0) {
-    LayerState state = layer.state();
-    state.opacity = 1.0;
-    if (state.group) {
-      LayerGroup group = *state.group;
-      group.opacity = 1.0;
-      state.group = std::make_shared<const LayerGroup>(std::move(group));
-    }
-    edit.layers.push_back({layer.id, layer.state(), std::move(state), at, at});
-  }
-  for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
-    const StrokePtr stroke = document.find(layer.strokes[i]);
-    StrokePtr plain = plain_stroke(*stroke, needs, opacity);
-    const StrokePlace place{layer.id, i};
-    if (plain) edit.changes.push_back({layer.strokes[i], stroke, std::move(plain), place, place});
-  }
-  for (std::size_t i = 0; opacity != 1.0 && i < layer.fills.size(); ++i) {
-    const FillPtr fill = document.find_fill(layer.fills[i]);
-    Fill other = *fill;
-    other.color.a = static_cast<std::uint8_t>(std::lround(opacity * other.color.a));
-    const StrokePlace place{layer.id, i};
-    edit.fills.push_back(
-        {layer.fills[i], fill, std::make_shared<const Fill>(std::move(other)), place, place});
-  }
-}
-
-/// Returns the edit after which a format can hold the strokes of a drawing.
-Edit plain_edit(const Document& document, FileFormat format) {
-  Edit edit{"Make plain", {}, {}};
-  const PlainNeeds needs = PlainNeeds::of(format);
-  if (!needs.fades && !needs.rounds) return edit;
-  for (std::size_t i = 0; i < document.layers().size(); ++i) make_plain(document, i, needs, edit);
-  return edit;
 }
 
 /// Same as drawing_parts(), for a drawing whose strokes the format can hold.

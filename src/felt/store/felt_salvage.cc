@@ -51,8 +51,7 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
-/// First of the new ids for strokes and fills whose own id belongs to another one, too. Far above
-/// the usual ids.
+/// First of the new ids for strokes and fills whose own id belongs to another one, too.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
 /// Collects rows. Recognises the table of a row by the types of its values, because it is not known
@@ -454,8 +453,7 @@ class Assembly {
 
   void take_rest() {
     Drawing& d = out_.drawing;
-    const auto stroke = static_cast<std::uint64_t>(found_.last_stroke);
-    d.document.reserve_ids({stroke}, {static_cast<std::uint64_t>(found_.last_layer)});
+    d.document.reserve_ids({std::uint64_t(found_.last_stroke)}, {std::uint64_t(found_.last_layer)});
     if (!d.document.layer(d.layer)) d.layer = {};
     for (auto& [id, color] : found_.colors) d.palette.colors.push_back(std::move(color));
     if (!check_page(d)) {
@@ -463,6 +461,8 @@ class Assembly {
       out_.problems.emplace_back("The drawing's palette is lost.");
     }
     for (auto& [id, text] : found_.materials) add_material_text(d.materials, text);
+    // New strokes may get the ids of strokes that are lost, but not their names.
+    std::erase_if(found_.names, [&d](const auto& named) { return !d.document.find(named.first); });
     if (!found_.names.empty()) d.names = std::make_shared<StrokeNames>(std::move(found_.names));
     d.view = found_.view;
     if (!check_page(d)) d.view.reset();

@@ -22,17 +22,17 @@ std::int64_t name_checksum(std::int64_t stroke, std::string_view name) {
   return static_cast<std::int64_t>(crc32c(bytes));
 }
 
-bool is_allowed(std::string_view name) {
-  return !name.empty() && name.size() <= limits::kMaxNameBytes &&
-         name.find('\0') == std::string_view::npos && is_utf8(name);
-}
-
 /// Returns true if a row has the id of a stroke, a name that files may have, and their checksum.
 bool is_intact(std::int64_t stroke, std::string_view name, std::int64_t checksum) {
-  return is_id(stroke) && is_allowed(name) && checksum == name_checksum(stroke, name);
+  return is_id(stroke) && is_stroke_name(name) && checksum == name_checksum(stroke, name);
 }
 
 }  // namespace
+
+bool is_stroke_name(std::string_view name) noexcept {
+  return !name.empty() && name.size() <= limits::kMaxNameBytes &&
+         name.find('\0') == std::string_view::npos && is_utf8(name);
+}
 
 Result<void> write_stroke_names(Database& database, const Drawing& drawing) {
   const StrokeNames names = used_names(drawing);
@@ -42,7 +42,7 @@ Result<void> write_stroke_names(Database& database, const Drawing& drawing) {
   if (!row) return tl::unexpected(row.error());
   std::int64_t id = 0;
   for (const auto& [stroke, name] : names) {
-    if (!is_allowed(name)) return invalid_data("a stroke has an invalid name");
+    if (!is_stroke_name(name)) return invalid_data("a stroke has an invalid name");
     const auto number = static_cast<std::int64_t>(stroke.value);
     row->bind(1, ++id);
     row->bind(2, number);

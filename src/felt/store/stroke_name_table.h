@@ -17,6 +17,9 @@ inline constexpr std::string_view kStrokeNameTable =
     "CREATE TABLE stroke_name(id INTEGER PRIMARY KEY, stroke INTEGER NOT NULL, "
     "name TEXT NOT NULL, checksum INTEGER NOT NULL)";
 
+/// Returns true if a stroke may have this name in a file: UTF-8 without zero bytes, 1 to
+/// limits::kMaxNameBytes bytes long.
+bool is_stroke_name(std::string_view name) noexcept;
 /// Creates and fills the table if strokes have names. Fails if a name is not allowed in a file.
 Result<void> write_stroke_names(Database& database, const Drawing& drawing);
 /// Reads the table from an untrusted database, into a drawing that has its strokes. Ignores names

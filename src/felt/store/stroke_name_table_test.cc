@@ -9,6 +9,7 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_document.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/limits.h"
 #include "felt/store/felt_salvage.h"
 
@@ -91,6 +92,41 @@ TEST(StrokeNameTable, IsSalvagedWithoutTheHeadOfTheFile) {
   std::string bytes = felt_bytes(drawing).value();
   bytes.replace(0, 4096, 4096, '\0');
   EXPECT_EQ(used_names(salvage_felt_bytes(bytes).value().drawing), used_names(drawing));
+}
+
+/// Whichever two pages are lost, no new stroke gets the name of a lost one, which may have had the
+/// same id.
+TEST(StrokeNameTable, SalvagedNamesGoToNoNewStroke) {
+  constexpr std::size_t kPage = 4096;
+  Drawing drawing;
+  testing::RandomEdits edits(5);
+  Edit edit;
+  StrokeNames names;
+  const LayerId layer = drawing.document.layers().front().id;
+  for (std::uint64_t i = 1; i <= 60; ++i) {
+    edit.changes.push_back({{i}, nullptr, edits.stroke(), {}, {layer, i - 1}});
+    names[{i}] = "cat-" + std::to_string(i);
+  }
+  ASSERT_TRUE(drawing.document.apply(edit));
+  drawing.names = std::make_shared<const StrokeNames>(names);
+  const std::string bytes = felt_bytes(drawing).value();
+  const std::size_t pages = bytes.size() / kPage;
+  std::size_t lost_last = 0;
+  for (std::size_t a = 0; a < pages; ++a) {
+    for (std::size_t b = a + 1; b < pages; ++b) {
+      std::string damaged = bytes;
+      for (const std::size_t page : {a, b}) damaged.replace(page * kPage, kPage, kPage, '\0');
+      const auto salvaged = salvage_felt_bytes(damaged);
+      if (!salvaged) continue;
+      const Drawing& back = salvaged->drawing;
+      if (back.document.new_id() < drawing.document.new_id()) ++lost_last;
+      for (std::uint64_t n = 0; n < 60; ++n) {
+        const StrokeId id = back.document.new_id(n);
+        EXPECT_EQ(name_in_file(back, id), stroke_name(id)) << "pages " << a << ", " << b;
+      }
+    }
+  }
+  EXPECT_GT(lost_last, 0u) << "new strokes get the ids of lost ones";
 }
 
 /// Hostile bytes give a result or an error, never a crash.

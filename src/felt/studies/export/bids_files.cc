@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "felt/base/csv_value.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/io/ndjson/json_text.h"
 #include "felt/studies/export/data_table.h"

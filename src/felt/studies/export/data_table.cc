@@ -1,8 +1,6 @@
 #include "felt/studies/export/data_table.h"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <set>
 
 #include "felt/base/hash.h"
@@ -281,29 +279,6 @@ std::vector<DataColumn<GivenAnswers>> answer_columns(const StudyResults& results
       {{"ueq_overall", "Overall: mean of all items, minus 4; -3 to 3.", "1", kUeqSource},
        [](const auto& a) { return number_or_empty(scores_of(a.answers).ueq_overall); }});
   return columns;
-}
-
-std::string spreadsheet_text(std::string_view value) {
-  constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
-  if (value.empty() || kFormulaStarts.find(value.front()) == std::string_view::npos) {
-    return std::string(value);
-  }
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  const bool is_number =
-      error == std::errc() && end == value.data() + value.size() && std::isfinite(number);
-  return is_number ? std::string(value) : "'" + std::string(value);
-}
-
-void append_csv_value(std::string& out, std::string_view value) {
-  const std::string text = spreadsheet_text(value);
-  if (text.find_first_of(",\"\r\n\t") == std::string::npos) {
-    out += text;
-    return;
-  }
-  out += '"';
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  out += '"';
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/base/csv_value.h"
 #include "felt/studies/export/study_results.h"
 
 namespace felt {
@@ -32,14 +33,6 @@ struct DataColumn {
 std::vector<DataColumn<MeasuredTrial>> trial_columns(const StudyResults& results);
 /// Returns the columns of answers.csv, one row for each questionnaire.
 std::vector<DataColumn<GivenAnswers>> answer_columns(const StudyResults& results);
-
-/// Returns the value as text that a spreadsheet shows and does not compute: a text that begins with
-/// =, +, -, @, a tab or an end of line, and is not a number, gets an apostrophe before it.
-std::string spreadsheet_text(std::string_view value);
-
-/// Appends the spreadsheet_text() of a value to a line of CSV (RFC 4180), in quotes if it needs
-/// them.
-void append_csv_value(std::string& out, std::string_view value);
 
 /// Returns the data dictionary as JSON, in the form of the BIDS sidecar files: for each column its
 /// description, unit, levels and source.

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "felt/base/testing/csv_rows.h"
 #include "felt/studies/export/testing/made_study.h"
 #include "felt/trial/trial_columns.h"
 
@@ -15,30 +16,8 @@ namespace {
 
 using testing::made_results;
 
-/// Reads CSV as RFC 4180 defines it.
-std::vector<std::vector<std::string>> parsed(const std::string& csv) {
-  std::vector<std::vector<std::string>> rows(1, {""});
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < csv.size(); ++i) {
-    std::string& cell = rows.back().back();
-    if (is_quoted && csv[i] == '"' && i + 1 < csv.size() && csv[i + 1] == '"') {
-      cell += csv[++i];
-    } else if (csv[i] == '"') {
-      is_quoted = !is_quoted;
-    } else if (!is_quoted && csv[i] == ',') {
-      rows.back().emplace_back();
-    } else if (!is_quoted && csv[i] == '\n') {
-      rows.push_back({""});
-    } else {
-      cell += csv[i];
-    }
-  }
-  rows.pop_back();  // after the last end of line
-  return rows;
-}
-
 struct Table {
-  explicit Table(const std::string& csv) : rows(parsed(csv)) {}
+  explicit Table(const std::string& csv) : rows(testing::csv_rows(csv)) {}
   std::string cell(std::size_t row, const std::string& column) const {
     for (std::size_t i = 0; i < rows[0].size(); ++i) {
       if (rows[0][i] == column) return rows[row + 1][i];
@@ -51,24 +30,6 @@ struct Table {
 
 Table trials_table(const StudyResults& results) {
   return Table(csv_text(trial_columns(results), results.trials));
-}
-
-RC_GTEST_PROP(CsvValue, ComesBack, (std::string value)) {
-  std::string line = "a,";
-  append_csv_value(line, value);
-  const std::string shown = spreadsheet_text(value);
-  RC_ASSERT(parsed(line + "\n") == (std::vector<std::vector<std::string>>{{"a", shown}}));
-  RC_ASSERT(shown == value || shown == "'" + value);
-}
-
-TEST(CsvValue, HoldsNothingThatASpreadsheetComputes) {
-  for (const char* value : {"=1+1", "-2-3", "+1", "@SUM(A1)", "\t=1", "\r=1", "\n=1", "-", "-1e",
-                            "--1", "-inf", "=", "-2 mm"}) {
-    EXPECT_EQ(spreadsheet_text(value), std::string("'") + value);
-  }
-  for (const char* value : {"", "-2", "-0.25", "-1e-05", "1-2", "a=b", "'=1", "free"}) {
-    EXPECT_EQ(spreadsheet_text(value), value);
-  }
 }
 
 TEST(TrialsTable, EveryRowHasEveryColumn) {
