@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreachedMm = std::numeric_limits<double>::infinity();
 /// Pins within kNoRoomMm of held ink are held too, and a closed stroke shorter than ten times
 /// kNoRoomMm moves as a whole, because the influence needs some length to fall off.
 constexpr double kNoRoomMm = 0.1;
@@ -29,11 +29,11 @@ class Side {
   [[nodiscard]] double way_to(int joint) const {
     double way = sign_ * (map_.start_of(joint) - grab_);
     if (stroke_.closed() && way < 0.0) way += map_.length_mm();
-    return way >= 0.0 ? way : kFar;
+    return way >= 0.0 ? way : kUnreachedMm;
   }
   /// Returns the arc length to the end of an open stroke.
   [[nodiscard]] double way_to_end() const {
-    if (stroke_.closed()) return kFar;
+    if (stroke_.closed()) return kUnreachedMm;
     return sign_ < 0.0 ? grab_ : map_.length_mm() - grab_;
   }
   /// Returns the arc lengths to ends and corners on this side, up to `within_mm`, ascending.
@@ -82,7 +82,7 @@ class Side {
 /// The held length, and the arc length from the grab to the pin that limits the side, if any.
 struct Hold {
   double held_mm = 0.0;
-  double pin_mm = kFar;
+  double pin_mm = kUnreachedMm;
 };
 
 Hold hold_of(const std::vector<double>& pins, double radius_mm) {
@@ -140,7 +140,7 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
     first = hold(before, map, options.radius_mm);
     last = hold(after, map, options.radius_mm);
   }
-  double largest = kFar;
+  double largest = kUnreachedMm;
   if (stroke.closed()) {
     const double rest = map.length_mm() - first.held_mm - last.held_mm;
     reach.is_whole = rest < 10.0 * kNoRoomMm;
