@@ -212,7 +212,7 @@ TEST_F(FirstPress, OnTheControlOfAnOpenListClosesIt) {
   EXPECT_EQ(window_.studio().session().document().stroke_count(), 0U);
 }
 
-// A number that is being typed is no pop-up, but it may not cost the line either.
+// The first press also draws while a number is being typed.
 TEST_F(FirstPress, AfterATypedSizeDraws) {
   auto* size = window_.findChild<SizeField*>();
   ASSERT_TRUE(size && size->isVisible());

@@ -71,7 +71,7 @@ TEST(History, AStepIsExtendedOnlyByAReplacementOfTheSameStrokes) {
   const auto apply = [&](const Edit& edit) { ASSERT_TRUE(d.apply(edit)); };
   const Edit drawn = draw(d);
   const StrokeId id = drawn.changes.front().id;
-  EXPECT_FALSE(history.extend(drawn)) << "there is no step";
+  EXPECT_FALSE(history.extend(drawn)) << "without a step";
   apply(drawn);
   history.record(drawn);
   const auto wider = [&](double width_mm, const char* label) {
@@ -110,7 +110,7 @@ TEST(History, AStepOfLayersIsJoinedByInk) {
   };
   const auto apply = [&](const Edit& edit) { ASSERT_TRUE(d.apply(edit)); };
   Edit ink = draw(d);
-  EXPECT_FALSE(history.join(ink)) << "there is no step";
+  EXPECT_FALSE(history.join(ink)) << "without a step";
   const Document before = d;
   const Edit added = layer("b");
   apply(added);

@@ -18,7 +18,7 @@ struct GroupOptions {
   /// Keeps the lines of hatchings (HatchingFinder) apart. Switch it off for lines that the user has
   /// chosen to gather.
   bool keeps_hatchings = true;
-  /// The usual width of the lines, in mm: parallels whose ink nearly touches are no hatching.
+  /// The usual width of the lines, in mm: parallels whose ink nearly touches are one line.
   double ink_mm = 0.0;
 };
 

@@ -595,7 +595,7 @@ TEST(SessionLayers, ADocumentWithoutAnOpenLayerGetsOneByTheFirstInk) {
   options.on_edit = [&copy](const Edit& edit) { ASSERT_TRUE(copy.apply(edit)); };
   CommandFixture fixture(std::move(options));
   EXPECT_EQ(fixture.session.layer().value, 1U);
-  EXPECT_EQ(fixture.session.document(), document) << "to open a file is no change";
+  EXPECT_EQ(fixture.session.document(), document) << "opening a file changes nothing";
   fixture.line(0, 0);
   EXPECT_EQ(fixture.session.layer().value, 2U);
   EXPECT_EQ(fixture.steps(), 1U);

@@ -16,7 +16,7 @@ struct TouchPoint {
   Point at{};
   double half_mm = 0.0;  ///< half of the width of the ink
   /// Arc length from the start of the line. Trips into pointed corners and corners of flat ends
-  /// have no length, because they are no lines of their own.
+  /// have no length, because they are part of the line that they end or bend.
   double along_mm = 0.0;
   std::uint32_t line = 0;  ///< index of its line
 };

@@ -57,7 +57,7 @@ std::vector<int> segments_beside_trips(const Stroke& stroke) {
 }
 
 /// Returns the middle of a flat end whose two trips begin at segments `first` and first + 2, with
-/// half the width of the tips added; nullopt if there is no such end.
+/// half the width of the tips added; nullopt without such an end.
 std::optional<Point> flat_end(const Stroke& stroke, int first) {
   if (first < 0 || !is_corner_trip(stroke, first) || first + 2 >= stroke.segment_count() ||
       !is_corner_trip(stroke, first + 2)) {
