@@ -21,7 +21,7 @@ struct Kept {
     motion = format == FileFormat::kFelt || is_picture;
     media = format != FileFormat::kXopp;
     materials = media && format != FileFormat::kNdjson;
-    sharp_ends = fills;
+    sharp_ends = blends;
   }
   bool fills, pictures;
   bool blends;              ///< also the opacity of layers

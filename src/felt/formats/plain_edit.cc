@@ -11,27 +11,13 @@
 namespace felt {
 namespace {
 
-/// What a format cannot hold of a drawing, so that its strokes must change.
-struct PlainNeeds {
-  bool fades = false;   ///< it has no translucent layers
-  bool rounds = false;  ///< it has only round ends and corners
-
-  static PlainNeeds of(FileFormat format) {
-    PlainNeeds needs;
-    needs.fades = format == FileFormat::kXopp || format == FileFormat::kNdjson;
-    needs.rounds = needs.fades || format == FileFormat::kInkml;
-    return needs;
-  }
-};
-
 double opacity_of(const Layer& layer) {
   return layer.opacity * (layer.group ? layer.group->opacity : 1.0);
 }
 
 /// Returns the stroke with this opacity, or nullptr if nothing changes.
-StrokePtr plain_stroke(const Stroke& stroke, PlainNeeds needs, double opacity) {
-  std::optional<Stroke> plain;
-  if (needs.rounds) plain = without_corner_trips(stroke);
+StrokePtr plain_stroke(const Stroke& stroke, double opacity) {
+  std::optional<Stroke> plain = without_corner_trips(stroke);
   if (opacity != 1.0) {
     StrokeData data = (plain ? *plain : stroke).data();
     data.color.a = static_cast<std::uint8_t>(std::lround(opacity * data.color.a));
@@ -42,9 +28,9 @@ StrokePtr plain_stroke(const Stroke& stroke, PlainNeeds needs, double opacity) {
 
 /// Adds the change of a layer to an edit: its opacity and that of its group go to its strokes and
 /// fills. Where those of such a layer overlap, they show through.
-void make_plain(const Document& document, std::size_t at, PlainNeeds needs, Edit& edit) {
+void make_plain(const Document& document, std::size_t at, Edit& edit) {
   const Layer& layer = document.layers()[at];
-  const double opacity = needs.fades ? opacity_of(layer) : 1.0;
+  const double opacity = opacity_of(layer);
   if (opacity != 1.0) {
     LayerState state = layer.state();
     state.opacity = 1.0;
@@ -57,7 +43,7 @@ void make_plain(const Document& document, std::size_t at, PlainNeeds needs, Edit
   }
   for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
     const StrokePtr stroke = document.find(layer.strokes[i]);
-    StrokePtr plain = plain_stroke(*stroke, needs, opacity);
+    StrokePtr plain = plain_stroke(*stroke, opacity);
     const StrokePlace place{layer.id, i};
     if (plain) edit.changes.push_back({layer.strokes[i], stroke, std::move(plain), place, place});
   }
@@ -75,9 +61,8 @@ void make_plain(const Document& document, std::size_t at, PlainNeeds needs, Edit
 
 Edit plain_edit(const Document& document, FileFormat format) {
   Edit edit{"Make plain", {}, {}};
-  const PlainNeeds needs = PlainNeeds::of(format);
-  if (!needs.fades && !needs.rounds) return edit;
-  for (std::size_t i = 0; i < document.layers().size(); ++i) make_plain(document, i, needs, edit);
+  if (format != FileFormat::kXopp && format != FileFormat::kNdjson) return edit;
+  for (std::size_t i = 0; i < document.layers().size(); ++i) make_plain(document, i, edit);
   return edit;
 }
 

@@ -10,6 +10,7 @@
 #include "felt/base/hash.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/session/layer_edit.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/contact.h"
 #include "tests/drawing/gestures/random_gesture.h"
@@ -31,6 +32,12 @@ const Capabilities& any_device(Dice& dice) {
 /// stabiliser add up; the limit of all other tools is 1 N (R29, R35).
 double force_limit_n(bool draws) {
   return draws ? 2.0 : 1.0;
+}
+
+/// Returns true if an edit only adds the layer that ink needs where all others are hidden or
+/// locked.
+bool opens_layer(const Document& before, const Edit& edit) {
+  return !highest_open_layer(before) && edit == add_layer_on_top(before);
 }
 
 std::string text_of(const OptionValue& value) {
@@ -144,7 +151,7 @@ void Episode::see_edit(const Edit& edit) {
     break_rule(check_edit(last_, edit));
     const std::span<const std::string_view> named = session_.tool().info().edits;
     const bool is_named = std::find(named.begin(), named.end(), edit.label) != named.end();
-    if (!is_named && edit.label != "Import") {
+    if (!is_named && edit.label != "Import" && !opens_layer(last_, edit)) {
       break_rule("an edit whose label \"" + edit.label + "\" the tool's info does not name");
     }
     if (!changes_something(edit)) break_rule("an edit that changes nothing");

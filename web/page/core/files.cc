@@ -5,7 +5,6 @@
 
 #include "felt/formats/drawing_materials.h"
 #include "felt/formats/file_format.h"
-#include "felt/formats/line_drawing.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/session/session_medium.h"
 #include "felt/stroke/color_text.h"
@@ -88,9 +87,8 @@ Result<std::string> write_drawing(const Drawing& drawing, std::string_view forma
   if (format == "svg") return svg_text(drawing, {.paper = drawing.page.paper});
   if (format == "inkml") return inkml_of(drawing);
   if (format == "felt") return felt_of(drawing);
-  if (format != "ndjson") return fail(ErrorCode::kUnsupported, "the page cannot write this format");
-  const std::unique_ptr<DrawingParts> parts = line_parts(drawing);
-  return bytes_of(*parts);
+  if (format == "ndjson") return lines_of(drawing);
+  return fail(ErrorCode::kUnsupported, "the page cannot write this format");
 }
 
 std::string base_of(const Studio& studio) {

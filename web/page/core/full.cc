@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "felt/base/check.h"
 #include "felt/formats/format_traits.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/formats/lost_objects.h"
+#include "felt/formats/plain_edit.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/io/inkml/inkml_import.h"
 #include "felt/io/inkml/inkml_writer.h"
@@ -79,6 +81,12 @@ Result<Imported> import_as(FileFormat format, std::string_view bytes) {
 
 Result<std::string> inkml_of(const Drawing& drawing) {
   return inkml_text(drawing);
+}
+
+Result<std::string> lines_of(const Drawing& drawing) {
+  Drawing plain = drawing;
+  FELT_CHECK(plain.document.apply(plain_edit(drawing.document, FileFormat::kNdjson)).has_value());
+  return bytes_of(*line_parts(plain));
 }
 
 std::vector<std::string> losses_of_writing(const Drawing& drawing, std::string_view format) {

@@ -77,6 +77,12 @@ const tests = {
     }
   },
 
+  async 'lines have the opacity of their layers, as from the native program'() {
+    const core = await rich_drawing(), lines = strokes_of(core.save('ndjson'));
+    assert.match(lines, /"color":"#[0-9a-f]{6}80"/);
+    assert.equal(lines, strokes_of(native(core.save('felt'), 'ndjson').bytes));
+  },
+
   async 'what the page does not use stays in the file: recordings, and what a newer version stored'() {
     const core = await make();
     for (const name of ['recorded.felt', 'two.felt', 'newer.felt']) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "felt/io/limits.h"
 #include "felt/io/xml/xml_text.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/edit/corner_trips.h"
 #include "felt/stroke/outline/outline.h"
 
 namespace felt {
@@ -154,7 +156,9 @@ class InkmlParts final : public DrawingParts {
     const Rgba c = stroke.color();
     auto& [dabs, trace] = buffers;
     trace.clear();
-    flatten(stroke, kTraceToleranceMm, dabs);
+    // Other programs would draw the trips into flat ends and corners as lines.
+    const std::optional<Stroke> plain = without_corner_trips(stroke);
+    flatten(plain ? *plain : stroke, kTraceToleranceMm, dabs);
     for (const Dab& dab : dabs) trace.push_back({dab.center, 2.0 * dab.radius_mm});
     out += "<trace xml:id=\"t" + number + "\" brushRef=\"#b" +
            std::to_string(brushes_.at({c.r, c.g, c.b, c.a})) + '"';
