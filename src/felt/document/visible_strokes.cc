@@ -1,5 +1,6 @@
 #include "felt/document/visible_strokes.h"
 
+#include <charconv>
 #include <memory>
 #include <utility>
 
@@ -75,12 +76,34 @@ Rect ink_bounds(const Document& document, LayerChoice layers) {
   return ink;
 }
 
+namespace {
+
+/// Returns 12 for "s12" if the letter is 's', and 0 for any other name.
+std::uint64_t number_of_name(std::string_view name, char letter) noexcept {
+  if (name.size() < 2 || name[0] != letter || name[1] == '0') return 0;
+  constexpr std::uint64_t kLimit = std::uint64_t{1} << 40;
+  std::uint64_t number = 0;
+  const char* end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + 1, end, number);
+  return error == std::errc() && rest == end && number < kLimit ? number : 0;
+}
+
+}  // namespace
+
 std::string fill_name(FillId id) {
   return "f" + std::to_string(id.value);
 }
 
 std::string stroke_name(StrokeId id) {
   return "s" + std::to_string(id.value);
+}
+
+StrokeId stroke_id_of_name(std::string_view name) noexcept {
+  return {number_of_name(name, 's')};
+}
+
+FillId fill_id_of_name(std::string_view name) noexcept {
+  return {number_of_name(name, 'f')};
 }
 
 }  // namespace felt

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "felt/document/document.h"
@@ -49,5 +50,10 @@ Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVis
 std::string stroke_name(StrokeId id);
 /// Returns the name of a fill in files, for example "f12".
 std::string fill_name(FillId id);
+/// Returns the id of a stroke or fill with such a name, or zero if it is another name or 2^40 or
+/// more. That is far below the largest id that a file can hold (2^53), so that the ids of new
+/// strokes, which are larger, can still be saved.
+StrokeId stroke_id_of_name(std::string_view name) noexcept;
+FillId fill_id_of_name(std::string_view name) noexcept;
 
 }  // namespace felt

@@ -42,6 +42,8 @@ RC_GTEST_PROP(StrokeNames, AreKeptByEveryFormatThatHasNames, ()) {
     const Result<Imported> back = parse_drawing(*bytes, {});
     RC_ASSERT(back.has_value());
     RC_ASSERT(names_of(back->drawing) == names);
+    // The ids of strokes in .ndjson are their names.
+    RC_ASSERT(format == FileFormat::kNdjson || back->drawing == drawing);
     RC_ASSERT(drawing_bytes(back->drawing, format).value() == *bytes);
   }
 }
@@ -59,12 +61,7 @@ TEST(StrokeNames, AFillKeepsItsStrokesInAnSvg) {
   Drawing drawing = std::move(builder).build();
   ASSERT_EQ(drawing.document.layers()[0].strokes[2].value, 11u);
   const std::string bytes = drawing_bytes(drawing, FileFormat::kSvg).value();
-  const Drawing back = parse_drawing(bytes, {}).value().drawing;
-  EXPECT_TRUE(back.document == drawing.document);
-  EXPECT_EQ(
-      names_of(
-          parse_drawing(drawing_bytes(drawing, FileFormat::kFelt).value(), {}).value().drawing),
-      (std::vector<std::string>{"cat-1", "s9", "cat-2"}));
+  EXPECT_TRUE(parse_drawing(bytes, {}).value().drawing == drawing);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "felt/io/drawing_builder.h"
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <set>
 
@@ -12,20 +11,6 @@
 
 namespace felt {
 namespace {
-
-/// The id in a name is used only if it is below this limit. The limit is far below the largest id
-/// that a file can hold (2^53), so that the ids of new strokes, which are larger, can still be
-/// saved.
-constexpr std::uint64_t kMaxId = std::uint64_t{1} << 40;
-
-/// Returns 12 for "s12" if the letter is 's', and 0 for any other name.
-std::uint64_t id_of_name(std::string_view name, char letter) noexcept {
-  if (name.size() < 2 || name[0] != letter || name[1] == '0') return 0;
-  std::uint64_t id = 0;
-  const char* end = name.data() + name.size();
-  const auto [rest, error] = std::from_chars(name.data() + 1, end, id);
-  return error == std::errc() && rest == end && id < kMaxId ? id : 0;
-}
 
 /// Returns true if files can have this name, of a layer, a group or a stroke.
 bool is_name(std::string_view name) {
@@ -56,21 +41,23 @@ void DrawingBuilder::set_state(std::size_t layer, LayerState state) {
   layers_[layer].state = std::move(state);
 }
 
-void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name) {
+void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name,
+                         std::string_view own_name) {
   FELT_CHECK(layer < layers_.size());
-  layers_[layer].strokes.push_back({id_of_name(name, 's'),
+  const std::string_view kept = own_name.empty() ? name : own_name;
+  layers_[layer].strokes.push_back({stroke_id_of_name(name).value,
                                     std::make_shared<const Stroke>(std::move(stroke)),
-                                    std::string(is_name(name) ? name : "")});
+                                    std::string(is_name(kept) ? kept : "")});
 }
 
 void DrawingBuilder::add(std::size_t layer, StrokePtr stroke, StrokeId id) {
   FELT_CHECK(layer < layers_.size());
-  layers_[layer].strokes.push_back({id.value < kMaxId ? id.value : 0, std::move(stroke)});
+  layers_[layer].strokes.push_back({stroke_id_of_name(stroke_name(id)).value, std::move(stroke)});
 }
 
 void DrawingBuilder::add_fill(std::size_t layer, FillPtr fill, std::string_view name) {
   FELT_CHECK(layer < layers_.size() && fill);
-  layers_[layer].fills.emplace_back(id_of_name(name, 'f'), std::move(fill));
+  layers_[layer].fills.emplace_back(fill_id_of_name(name).value, std::move(fill));
 }
 
 Edit DrawingBuilder::edit(StrokeNames& names) const {

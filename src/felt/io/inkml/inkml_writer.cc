@@ -66,8 +66,7 @@ class InkmlParts final : public DrawingParts {
     for (std::size_t k = range.first; k < range.last; ++k) {
       const StrokeId id = layer.strokes[k];
       const std::string number = std::to_string(range.before + (k - range.first) + 1);
-      const std::string name = xml_stroke_name(drawing_, id);
-      if (auto ok = append(out.bytes, name, *document_.find(id), number, buffers); !ok) {
+      if (auto ok = append(out.bytes, id, number, buffers); !ok) {
         return tl::unexpected(with_context(ok.error(), "stroke " + number));
       }
     }
@@ -151,8 +150,9 @@ class InkmlParts final : public DrawingParts {
     return {};
   }
 
-  Result<void> append(std::string& out, std::string_view id, const Stroke& stroke,
-                      const std::string& number, Buffers& buffers) const {
+  Result<void> append(std::string& out, StrokeId id, const std::string& number,
+                      Buffers& buffers) const {
+    const Stroke& stroke = *document_.find(id);
     const Rgba c = stroke.color();
     auto& [dabs, trace] = buffers;
     trace.clear();
@@ -162,7 +162,9 @@ class InkmlParts final : public DrawingParts {
     for (const Dab& dab : dabs) trace.push_back({dab.center, 2.0 * dab.radius_mm});
     out += "<trace xml:id=\"t" + number + "\" brushRef=\"#b" +
            std::to_string(brushes_.at({c.r, c.g, c.b, c.a})) + '"';
-    if (auto ok = inkml::append_model(out, id, stroke, trace); !ok) return ok;
+    const std::string own_name = xml_own_name(drawing_, id);
+    if (auto ok = inkml::append_model(out, stroke_name(id), own_name, stroke, trace); !ok)
+      return ok;
     out += '>';
     for (std::size_t i = 0; i < trace.size(); ++i) {
       if (i > 0) out += ", ";

@@ -316,7 +316,7 @@ void append_svg_group_end(std::string& out) {
   out += "</g>\n";
 }
 
-Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
+Result<void> append_svg_stroke(std::string& out, const SvgStrokeNames& given, const Stroke& stroke,
                                std::size_t number, double tolerance_mm, const GrainMask* mask,
                                const StrokeStyle* style) {
   if (!within_reach(stroke.bounds())) {
@@ -325,15 +325,20 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
   const StrokeData& d = stroke.data();
   const std::string count = std::to_string(number);
   std::string names;
-  if (id != "s" + count) {
-    names += " felt:id=\"";
-    if (auto ok = append_xml_attribute(names, id); !ok) return ok;
+  const auto append_name = [&names](const char* key, std::string_view name) {
+    names += std::string(" felt:") + key + "=\"";
+    Result<void> done = append_xml_attribute(names, name);
     names += '"';
+    return done;
+  };
+  if (given.id != "s" + count) {
+    if (auto ok = append_name("id", given.id); !ok) return ok;
+  }
+  if (!given.own.empty()) {
+    if (auto ok = append_name("name", given.own); !ok) return ok;
   }
   if (d.medium != kSvgUsualMaterial) {
-    names += " felt:material=\"";
-    if (auto ok = append_xml_attribute(names, d.medium); !ok) return ok;
-    names += '"';
+    if (auto ok = append_name("material", d.medium); !ok) return ok;
   }
   std::string picture;
   if (mask) {

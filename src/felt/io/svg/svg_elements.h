@@ -67,14 +67,20 @@ void append_svg_group_begin(std::string& out);
 /// Ends a layer or group.
 void append_svg_group_end(std::string& out);
 
+/// Names of a stroke in a file.
+struct SvgStrokeNames {
+  std::string_view id;     ///< stroke_name()
+  std::string_view own{};  ///< its own name (Drawing::names); empty if it has none
+};
+
 /// Appends one stroke: a filled path that any viewer shows correctly, with Inkscape's PowerStroke
 /// and our attributes. `number` makes the element ids unique. `tolerance_mm` applies to the
 /// outline; our attributes are exact. If `mask` is set, the path gets this mask, which shows the
 /// grain; the path itself does not change. If `style` is set, the path is the stylised ink
 /// (styled_path()), and a style with a shape has Inkscape's effect Pattern Along Path instead of a
 /// PowerStroke. Call it inside a layer or group. Fails, and appends nothing, if XML cannot hold the
-/// id or medium, or if a coordinate is beyond 1e9 mm.
-Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
+/// names or medium, or if a coordinate is beyond 1e9 mm.
+Result<void> append_svg_stroke(std::string& out, const SvgStrokeNames& names, const Stroke& stroke,
                                std::size_t number, double tolerance_mm,
                                const GrainMask* mask = nullptr, const StrokeStyle* style = nullptr);
 

@@ -176,10 +176,9 @@ bool SvgInk::add_wide(const SvgShape& shape) {
   } else {
     wide->data.medium = kSolidMedium;
     wide->data.color = shape.fill ? shape.fill->color : shape.line->color;
-    wide->id.clear();
   }
   for (std::string& what : wide->notices) say(shape, std::move(what));
-  push(shape, std::move(wide->data), wide->id);
+  push(shape, std::move(wide->data), shape.variable_width->is_ours);
   return true;
 }
 
@@ -446,20 +445,25 @@ void SvgInk::add_moved(const SvgShape& shape, SvgContour moved, Rgba color, doub
   data.widths = std::move(widths.knots);
   data.color = color;
   data.medium = kSolidMedium;
-  push(shape, std::move(data), {});
+  push(shape, std::move(data), false);
 }
 
-void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name) {
+void SvgInk::push(const SvgShape& shape, StrokeData data, bool is_written) {
   Result<Stroke> stroke = Stroke::create(std::move(data));
   if (!stroke)
     return say(shape, "does not form a stroke and was skipped: " + stroke.error().message);
   const Rect box = stroke->bounds();
   if (is_far(box)) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
-  // If a shape becomes several strokes, the first one gets its name.
-  if (name.empty() && !is_ours && !std::exchange(has_part_, true)) name = shape.id;
+  std::string_view name, own_name;
+  if (is_written) {
+    name = shape.variable_width->id;
+    own_name = shape.variable_width->own_name;
+  } else if (!is_ours && !std::exchange(has_part_, true)) {
+    name = shape.id;  // if a shape becomes several strokes, the first one gets its name
+  }
   ready_layer();
-  builder_.add(builder_.layer_count() - 1, *std::move(stroke), name);
+  builder_.add(builder_.layer_count() - 1, *std::move(stroke), name, own_name);
   if (!is_ours_) layer_ink_.push_back(box);
 }
 

@@ -72,7 +72,8 @@ class SvgInk final : public SvgSceneSink {
   void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void add_moved(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
-  void push(const SvgShape& shape, StrokeData data, std::string_view name);
+  /// Adds a stroke. If `is_written`, it has the names that Feltline wrote.
+  void push(const SvgShape& shape, StrokeData data, bool is_written);
 
   DrawingBuilder builder_;
   ImportReport report_;

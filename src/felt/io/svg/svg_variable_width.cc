@@ -410,7 +410,6 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
     if (!power) return tl::unexpected(power.error());
     d = *std::move(power);
   }
-  wide.id = a.id;
   if (a.is_ours) d->medium = a.medium;
   move_to_page(*d, to_mm, wide.notices);
   wide.data = *std::move(d);

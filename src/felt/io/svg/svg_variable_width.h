@@ -14,7 +14,6 @@ namespace felt {
 /// made to it.
 struct SvgWideStroke {
   StrokeData data;
-  std::string id;  ///< the id that Feltline gave it; empty if it has none
   std::vector<std::string> notices;
 };
 

@@ -14,17 +14,6 @@ constexpr Rgba kNoPaper{255, 255, 255, 0};
 
 enum class SvgLayers { kWritten, kLeftOut };
 
-/// Returns true if no fill refers to strokes. Otherwise the strokes must keep their numbers, which
-/// a stroke that is written with a name of its own loses.
-bool may_have_names(const Document& document) {
-  for (const Layer& layer : document.layers()) {
-    for (const FillId id : layer.fills) {
-      if (goes_with_strokes(*document.find_fill(id), [](StrokeId) { return true; })) return false;
-    }
-  }
-  return true;
-}
-
 /// Part 0 is the head. The other parts contain the strokes. The first part of a layer also contains
 /// the start tag of the layer, and the last part its end tag. The same applies to groups of layers.
 class SvgParts final : public DrawingParts {
@@ -33,7 +22,6 @@ class SvgParts final : public DrawingParts {
            SvgLayers layers)
       : drawing_(drawing),
         document_(drawing.document),
-        has_names_(may_have_names(drawing.document)),
         styles_(options.grain ? options.grain->grain.styles() : styles_of(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
@@ -109,19 +97,18 @@ class SvgParts final : public DrawingParts {
   Result<void> append_stroke(std::string& text, StrokeId id, std::size_t number) const {
     const StrokePtr stroke = document_.find(id);
     const StrokeStyle* style = styles_.find(stroke->medium());
-    const std::string name = has_names_ ? xml_stroke_name(drawing_, id) : stroke_name(id);
+    const std::string name = stroke_name(id), own = xml_own_name(drawing_, id);
     if (!masks_) {
-      return append_svg_stroke(text, name, *stroke, number, tolerance_mm_, nullptr, style);
+      return append_svg_stroke(text, {name, own}, *stroke, number, tolerance_mm_, nullptr, style);
     }
     const Result<std::optional<GrainMask>> mask = masks_->of(*stroke);
     if (!mask) return tl::unexpected(mask.error());
-    return append_svg_stroke(text, name, *stroke, number, tolerance_mm_, *mask ? &**mask : nullptr,
-                             style);
+    return append_svg_stroke(text, {name, own}, *stroke, number, tolerance_mm_,
+                             *mask ? &**mask : nullptr, style);
   }
 
   const Drawing& drawing_;
   const Document& document_;
-  bool has_names_;
   StrokeStyles styles_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;

@@ -23,6 +23,7 @@
 #include "felt/io/svg/svg_path_parser.h"
 #include "felt/io/testing/import_checks.h"
 #include "felt/io/testing/test_drawings.h"
+#include "felt/io/xml/xml_text.h"
 #include "felt/render/page_painter.h"
 #include "felt/render/styled_outline.h"
 #include "felt/stroke/testing/ink_oracle.h"
@@ -372,7 +373,7 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
        {std::string("a\x01"), std::string("nul\0", 4), std::string("\xff"), std::string("\xc0\x80"),
         std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbe"), std::string("cut \xe2\x82")}) {
     std::string text = "before";
-    const Result<void> done = append_svg_stroke(text, id, s, 2, 0.005);
+    const Result<void> done = append_svg_stroke(text, {"s2", id}, s, 2, 0.005);
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().code, ErrorCode::kInvalidData);
     EXPECT_EQ(text, "before");
@@ -381,9 +382,9 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
   std::string text;
   append_svg_head(text, {0, 0, 9, 9}, {255, 255, 255, 0});
   EXPECT_EQ(text.size(), kSvgHeadBytes);
-  ASSERT_TRUE(append_svg_stroke(text, id, s, 2, 0.005));
+  ASSERT_TRUE(append_svg_stroke(text, {"s2", id}, s, 2, 0.005));
   append_svg_tail(text);
-  EXPECT_EQ(parsed(text).child("svg").child("path").attribute("felt:id").value(), id);
+  EXPECT_EQ(parsed(text).child("svg").child("path").attribute("felt:name").value(), id);
 }
 
 TEST(SvgWriter, AStreamOfADrawingsStrokesIsTheSameText) {
@@ -395,8 +396,8 @@ TEST(SvgWriter, AStreamOfADrawingsStrokesIsTheSameText) {
   EXPECT_EQ(text.size(), kSvgHeadBytes);
   ASSERT_TRUE(append_svg_layer_begin(text, Document().layers()[0], 1));
   for (const StrokeId id : drawing.document.layers()[0].strokes) {
-    ASSERT_TRUE(append_svg_stroke(text, name_in_file(drawing, id), *drawing.document.find(id),
-                                  id.value, options.tolerance_mm));
+    ASSERT_TRUE(append_svg_stroke(text, {stroke_name(id), xml_own_name(drawing, id)},
+                                  *drawing.document.find(id), id.value, options.tolerance_mm));
   }
   append_svg_group_end(text);
   append_svg_tail(text);
@@ -420,7 +421,7 @@ TEST(SvgWriter, ANameThatXmlForbidsGivesWayToTheNumber) {
   drawing.names =
       std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{1}, "a\x01"}, {StrokeId{2}, "b"}});
   const std::string text = svg_text(drawing, {}).value();
-  EXPECT_EQ(text.find("felt:id"), text.find("felt:id=\"b\""));
+  EXPECT_EQ(text.find("felt:name"), text.find("felt:name=\"b\""));
 }
 
 TEST(SvgWriter, AStreamOfStrokesIsTheSameText) {
@@ -429,7 +430,7 @@ TEST(SvgWriter, AStreamOfStrokesIsTheSameText) {
   append_svg_head(text, picture_area(ink_bounds(drawing.document), {}, 5.0), {255, 255, 255, 0});
   append_svg_group_begin(text);
   for (const StrokeId id : drawing.document.layers()[0].strokes) {
-    ASSERT_TRUE(append_svg_stroke(text, stroke_name(id), *drawing.document.find(id), id.value,
+    ASSERT_TRUE(append_svg_stroke(text, {stroke_name(id)}, *drawing.document.find(id), id.value,
                                   SvgOptions{}.tolerance_mm));
   }
   append_svg_group_end(text);

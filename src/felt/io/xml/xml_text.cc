@@ -66,9 +66,9 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
   return {};
 }
 
-std::string xml_stroke_name(const Drawing& drawing, StrokeId id) {
+std::string xml_own_name(const Drawing& drawing, StrokeId id) {
   std::string name = name_in_file(drawing, id), attribute;
-  return append_xml_attribute(attribute, name) ? name : stroke_name(id);
+  return name != stroke_name(id) && append_xml_attribute(attribute, name) ? name : "";
 }
 
 }  // namespace felt
