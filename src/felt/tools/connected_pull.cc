@@ -160,6 +160,11 @@ std::vector<double> ConnectedPull::carried(Line& line, NearCurve& curve,
   return now;
 }
 
+bool ConnectedPull::is_released(StrokeId id, const Stroke& stroke, double u) const {
+  return is_end(stroke, u) &&
+         released_.contains({id, u <= 0.0 ? StrokeTip::kStart : StrokeTip::kEnd});
+}
+
 ConnectedPull::Line& ConnectedPull::line(StrokeId id, const StrokePtr& before, const Scene& scene) {
   const auto [entry, is_new] = lines_.try_emplace(id);
   Line& line = entry->second;
@@ -167,6 +172,7 @@ ConnectedPull::Line& ConnectedPull::line(StrokeId id, const StrokePtr& before, c
   line.before = before;
   for (const Junction& j : junctions_of(scene.document, scene.index, id, *before)) {
     const Stroke& other = *scene.document.find(j.other);
+    if (is_released(id, *before, j.u) || is_released(j.other, other, j.other_u)) continue;
     const Point here = before->position(j.u);
     line.links.push_back({j.u, j.other, j.other_u, here, other.position(j.other_u) - here,
                           is_end(other, j.other_u), !j.editable});

@@ -9,6 +9,7 @@
 
 #include "felt/document/edit.h"
 #include "felt/document/edit_builder.h"
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/bvh.h"
 #include "felt/stroke/arc_map.h"
 #include "felt/tools/brush_pull.h"
@@ -71,6 +72,9 @@ class ConnectedPull {
   /// locked stroke or from another such stroke.
   void keep_shape(StrokeId id) { rigid_.insert(id); }
 
+  /// Lets an end leave the points that it shares with other strokes. Call it before complete().
+  void release(TipId tip) { released_.insert(tip); }
+
   /// Adds the changes of the followers to `edit`, which is the gesture's edit of scene.document.
   void complete(Edit& edit, const Scene& scene);
   [[nodiscard]] const Work& work() const noexcept { return work_; }
@@ -111,6 +115,7 @@ class ConnectedPull {
   /// Returns null if more strokes than kMaxFollowers would follow.
   Line* follower(StrokeId id, const Scene& scene);
   void place(Line& line, const StrokePtr& given, std::vector<Tie> ties, bool is_rigid);
+  [[nodiscard]] bool is_released(StrokeId id, const Stroke& stroke, double u) const;
   [[nodiscard]] Tie tie_at(Line& line, std::size_t i, const Stroke* waiting);
   [[nodiscard]] std::vector<PointMove> moves_of(Line& line, NearCurve& given);
   [[nodiscard]] StrokePtr shaped(Line& line);
@@ -120,6 +125,7 @@ class ConnectedPull {
   BrushOptions brush_;
   std::map<StrokeId, Line> lines_;
   std::set<StrokeId> rigid_;
+  std::set<TipId> released_;
   std::size_t followers_ = 0;
   Work work_;
 };

@@ -46,6 +46,28 @@ Edit share_point(const Document& document, TipId moved, const Stroke& a, TipId t
   return std::move(edit).build(kConnect);
 }
 
+/// Returns the stroke after an edit.
+StrokePtr after(const Edit& edit, const Document& document, StrokeId id) {
+  for (const StrokeChange& c : edit.changes) {
+    if (c.id == id) return c.after;
+  }
+  return document.find(id);
+}
+
+/// Joins two strokes that share a point after an edit. Returns the same edit if that fails.
+Edit with_joined(const Document& document, TipId moved, TipId to, Edit edit) {
+  auto one = joined_at(*after(edit, document, to.stroke), to.tip,
+                       *after(edit, document, moved.stroke), moved.tip);
+  if (!one) return edit;
+  EditBuilder joined(document);
+  joined.replace(to.stroke, share(*std::move(one)));
+  joined.remove(moved.stroke);
+  for (const StrokeChange& c : edit.changes) {
+    if (c.id != moved.stroke && c.id != to.stroke) joined.replace(c.id, c.after);
+  }
+  return std::move(joined).build(kConnect);
+}
+
 }  // namespace
 
 Edit connect_ends(const Document& document, TipId moved, TipId to,
@@ -58,20 +80,18 @@ Edit connect_ends(const Document& document, TipId moved, TipId to,
   const bool half = options.place == MeetingPlace::kHalfWay && is_editable(document, other) &&
                     is_small_gap(*a, moved.tip, *b, to.tip);
   const Point meet = half ? lerp(tip_point(*a, moved.tip), target, 0.5) : target;
-  if (moved.stroke == to.stroke) return close(document, moved, *a, meet);
+  const auto complete = [&options](Edit edit) {
+    if (options.complete && !edit.empty()) options.complete(edit);
+    return edit;
+  };
+  if (moved.stroke == to.stroke) return complete(close(document, moved, *a, meet));
 
   const auto led = TipLead(*a, moved.tip).at(meet, -tip_direction(*b, to.tip));
   const auto met = half ? TipLead(*b, to.tip).at(meet) : Result<Stroke>(*b);
   if (!led || !met) return {};
-  if (!options.keep_separate && layer == other && look_alike(*a, *b)) {
-    if (auto one = joined_at(*met, to.tip, *led, moved.tip)) {
-      EditBuilder edit(document);
-      edit.replace(to.stroke, share(*std::move(one)));
-      edit.remove(moved.stroke);
-      return std::move(edit).build(kConnect);
-    }
-  }
-  return share_point(document, moved, *led, to, *met);
+  Edit edit = complete(share_point(document, moved, *led, to, *met));
+  if (options.keep_separate || layer != other || !look_alike(*a, *b)) return edit;
+  return with_joined(document, moved, to, std::move(edit));
 }
 
 }  // namespace felt

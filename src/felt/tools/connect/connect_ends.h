@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "felt/document/edit.h"
 #include "felt/document/stroke_index.h"
 
@@ -18,6 +20,9 @@ struct ConnectEndsOptions {
   MeetingPlace place = MeetingPlace::kAtTarget;
   /// If true, strokes that meet stay separate, with a shared point.
   bool keep_separate = false;
+  /// Adds the changes of other strokes to an edit that lets the ends meet, before they are joined.
+  /// May be empty.
+  std::function<void(Edit&)> complete = {};
 };
 
 /// Returns the edit that connects the ends `moved` and `to` (paper, "Connect curves";
@@ -34,7 +39,7 @@ struct ConnectEndsOptions {
 ///
 /// Returns an empty edit if an end does not exist, `moved` is not editable, the strokes are too
 /// short for a valid result, or nothing would change; so ink is never lost. This is a pure
-/// function.
+/// function if `complete` is.
 Edit connect_ends(const Document& document, TipId moved, TipId to,
                   const ConnectEndsOptions& options = {});
 

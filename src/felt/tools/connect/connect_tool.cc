@@ -49,7 +49,11 @@ ConnectTool::Drag::Drag(const Scene& scene, const TipHit& hit, const PenSample& 
       since_ns(pen.time_ns),
       place(scene.document, hit.id.stroke),
       lead(*place.before(), hit.id.tip),
-      at(hit.point) {}
+      lines(BrushOptions{}),
+      at(hit.point) {
+  lines.keep_shape(tip.stroke);
+  lines.release(tip);
+}
 
 ConnectTool::ConnectTool() : GestureTool(kConnectInfo) {
   take_options(options());
@@ -117,7 +121,7 @@ ToolResult ConnectTool::lead_to(Point at, const Scene& scene) {
   if (is_in_snap_radius()) {
     const TipId on = finder_.target()->tip;
     if (d.on == on) return {.same_preview = true};
-    Edit edit = connect_ends(scene.document, d.tip, on, {.keep_separate = settings_.keep_separate});
+    Edit edit = connect(on, MeetingPlace::kAtTarget, scene);
     if (!edit.empty()) {
       d.on = on;
       d.edit = std::move(edit);
@@ -128,6 +132,7 @@ ToolResult ConnectTool::lead_to(Point at, const Scene& scene) {
   auto led = d.lead.at(at);
   if (!led) return {.same_preview = true};  // keep the last valid shape
   d.edit = d.place.with(std::make_shared<const Stroke>(*std::move(led)), "Move end");
+  d.lines.complete(*d.edit, scene);
   return {.preview = d.edit};
 }
 
@@ -137,13 +142,30 @@ bool ConnectTool::is_in_snap_radius() const {
          distance(drag_->at, target->point) <= settings_.snap.radius_mm;
 }
 
+Edit ConnectTool::connect(TipId to, MeetingPlace place, const Scene& scene) const {
+  const TipId moved = drag_->tip;
+  ConnectedPull lines{BrushOptions{}};
+  lines.keep_shape(moved.stroke);
+  lines.keep_shape(to.stroke);
+  if (place == MeetingPlace::kAtTarget) lines.release(moved);
+  const auto complete = [&](Edit& edit) {
+    const bool both_move = place == MeetingPlace::kHalfWay &&
+                           std::any_of(edit.changes.begin(), edit.changes.end(),
+                                       [&](const StrokeChange& c) { return c.id == to.stroke; });
+    if (!both_move) lines.release(to);  // the target stays
+    lines.complete(edit, scene);
+  };
+  return connect_ends(
+      scene.document, moved, to,
+      {.place = place, .keep_separate = settings_.keep_separate, .complete = complete});
+}
+
 Edit ConnectTool::tap(const Scene& scene) const {
   const Drag& d = *drag_;
   if (d.is_long || !snaps(settings_.snap.mode)) return {};
   const auto other = partner({d.tip, d.from}, scene);
   if (!other) return {};
-  return connect_ends(scene.document, d.tip, other->id,
-                      {.place = MeetingPlace::kHalfWay, .keep_separate = settings_.keep_separate});
+  return connect(other->id, MeetingPlace::kHalfWay, scene);
 }
 
 ToolResult ConnectTool::end(const Scene& scene) {

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "felt/document/edit_builder.h"
+#include "felt/tools/connect/connect_ends.h"
 #include "felt/tools/connect/connect_options.h"
 #include "felt/tools/connect/tip_lead.h"
+#include "felt/tools/connected_pull.h"
 #include "felt/tools/gesture_tool.h"
 #include "felt/tools/snapping.h"
 
@@ -19,6 +21,9 @@ namespace felt {
 ///     connection. If the pen is lifted elsewhere, the end moves back, or stays if the option
 ///     `extend` is on.
 ///   - tap: connects the tapped end with another end within reach; both ends move halfway.
+///
+/// Lines that stand on a part that bends follow it (R33). A dragged end leaves the lines that it
+/// stands on or meets; at a tap, they follow.
 ///
 /// From the start of the drag, the other end of the same stroke is a target too, so that the user
 /// can close the stroke. The pencil is stricter: it closes a new line only if the line has gone
@@ -61,6 +66,7 @@ class ConnectTool final : public GestureTool {
     std::int64_t since_ns;
     StrokeReplacement place;
     TipLead lead;
+    ConnectedPull lines;            ///< those that stand on the line, while the end follows the pen
     Point at;                       ///< current position of the end
     std::optional<TipId> on = {};   ///< the end to which `tip` is connected
     std::optional<Edit> edit = {};  ///< the current edit; nullopt if none
@@ -71,6 +77,7 @@ class ConnectTool final : public GestureTool {
 
   void find(Point pen, const Scene& scene);
   ToolResult lead_to(Point at, const Scene& scene);
+  [[nodiscard]] Edit connect(TipId to, MeetingPlace place, const Scene& scene) const;
   [[nodiscard]] Edit tap(const Scene& scene) const;
   [[nodiscard]] std::optional<TipHit> partner(const TipHit& tip, const Scene& scene) const;
   [[nodiscard]] bool is_in_snap_radius() const;

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "felt/tools/connect/connect_tool.h"
+#include "felt/tools/connect/near_tips.h"
+#include "felt/tools/testing/joined_drawing.h"
+
+namespace felt::joined_connect_test {
+namespace {
+
+using testing::JoinedDrawing;
+using testing::Pen;
+using testing::SharedEnd;
+
+/// Lines may be this much farther from each other after connecting than before it.
+constexpr double kApartMm = 0.03;
+
+enum class Way { kDrag, kExtend, kTap };
+
+/// Lines that share points, and an end of one of them that is connected.
+struct Connected : JoinedDrawing {
+  explicit Connected(std::uint64_t seed) : JoinedDrawing(seed) {
+    draw(seed / 4);
+    const Stroke* chosen = nullptr;
+    do {
+      moved.stroke =
+          ids[static_cast<std::size_t>(random.pick(0, static_cast<int>(ids.size()) - 1))];
+      chosen = fixture.document.find(moved.stroke).get();
+    } while (chosen->closed());
+    moved.tip = random.chance(0.5) ? StrokeTip::kStart : StrokeTip::kEnd;
+    const StrokePtr line_of_end = fixture.document.find(moved.stroke);
+    from = tip_point(*line_of_end, moved.tip);
+    post(moved.stroke, random.uniform(0.1, 0.9) * line_of_end->segment_count(),
+         from + 40.0 * (direction(random.uniform(0, 360)) - Point{}));
+  }
+
+  /// Of several ends in one point, the tool takes one.
+  void find_taken_end() { moved = editable_tips_near(fixture.scene(), from, 1.0, 1).front().id; }
+  /// Adds a line that begins at this distance from the end, and returns that point.
+  Point add_target(double distance_mm) {
+    const Point at = from + distance_mm * (direction(random.uniform(0, 360)) - Point{});
+    target = line(at, at + 30.0 * (direction(random.uniform(0, 360)) - Point{}));
+    return at;
+  }
+  /// Returns true if a shared point is an end that the gesture takes away.
+  [[nodiscard]] bool leaves(const SharedEnd& s) const {
+    const Point p =
+        tip_point(*fixture.document.find(s.a), s.at_end ? StrokeTip::kEnd : StrokeTip::kStart);
+    return distance(p, from) < 0.05 && (s.a == moved.stroke || s.b == moved.stroke);
+  }
+  void forget_the_dragged_end() {
+    std::erase_if(shared, [this](const SharedEnd& s) { return leaves(s); });
+  }
+  /// Makes the gesture. Returns true if it changed the drawing.
+  bool go(Way how, Point to) {
+    ConnectTool tool;
+    Pen pen{tool, fixture};
+    EXPECT_TRUE(tool.set_option("keep_separate", true));
+    EXPECT_TRUE(tool.set_option("extend", how == Way::kExtend));
+    pen.up(from);
+    pen.at({from.x, from.y, -1.0});
+    for (int k = 1; how != Way::kTap && k <= 20; ++k) {
+      const Point at = lerp(from, to, k / 20.0);
+      const ToolResult result = pen.at({at.x, at.y, -1.0});
+      if (result.preview) during = std::max(during, worst_gap_mm(*result.preview));
+    }
+    pen.up(how == Way::kTap ? from : to);
+    return pen.commits > 0;
+  }
+
+  TipId moved;
+  Point from;
+  StrokeId target;
+  double during = 0.0;
+};
+
+TEST(JoinedConnect, R33_LinesThatStandOnALineWhoseEndMovesFollow) {
+  int changed = 0, gestures = 0;
+  for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    SCOPED_TRACE(seed);
+    Connected d(seed);
+    const Way how = static_cast<Way>(seed % 3);
+    const Point to =
+        how == Way::kExtend
+            ? d.from + d.random.uniform(2, 12) * (d.direction(d.random.uniform(0, 360)) - Point{})
+            : d.add_target(how == Way::kTap ? d.random.uniform(0.5, 4) : d.random.uniform(3, 15));
+    d.find_taken_end();
+    if (how != Way::kTap) d.forget_the_dragged_end();
+    d.note_gaps();
+    const Document before = d.fixture.document;
+    const bool is_changed = d.go(how, to);
+    EXPECT_LE(d.during, kApartMm);
+    EXPECT_LE(d.worst_gap_mm({}), kApartMm);
+    ++gestures;
+    changed += is_changed ? 1 : 0;
+    if (!is_changed) continue;
+    d.fixture.undo();
+    EXPECT_EQ(d.fixture.document, before) << "one step";
+  }
+  EXPECT_GT(changed, gestures * 3 / 4);
+}
+
+TEST(JoinedConnect, R33_LinesFollowALineThatIsJoinedAndKeepTheirPlaces) {
+  testing::Fixture f;
+  const StrokeId left = f.add(testing::straight_stroke({0, 0}, {50, 0}, 1, 1));
+  const StrokeId post = f.add(testing::straight_stroke({45, 30}, {45, 0}, 1, 1));
+  const StrokeId right = f.add(testing::straight_stroke({54, 4}, {104, 4}, 1, 1));
+  const StrokeId last = f.add(testing::straight_stroke({54, 50}, {104, 50}, 1, 1));
+  const Document before = f.document;
+  ConnectTool tool;
+  Pen pen{tool, f};
+  pen.line(testing::way({50, 0}, {54, 4}));
+  ASSERT_EQ(f.history.undo_label(), "Connect");
+  EXPECT_FALSE(f.document.find(left));
+  const Stroke one = *f.document.find(right);
+  const Point foot = tip_point(*f.document.find(post), StrokeTip::kEnd);
+  EXPECT_LE(testing::distance_to(one, foot), kApartMm);
+  EXPECT_GT(foot.y, 1.0);
+  EXPECT_EQ(f.document.layers()[0].strokes, (std::vector<StrokeId>{post, right, last}));
+  f.undo();
+  EXPECT_EQ(f.document, before);
+}
+
+}  // namespace
+}  // namespace felt::joined_connect_test
