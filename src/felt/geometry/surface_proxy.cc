@@ -72,8 +72,8 @@ Vec3 push_direction(const Vec3& place, const Vec3& pen, const Planes& planes) no
 // The goal, or the point within reach on the way to it.
 Vec3 within_reach(const Vec3& place, const Vec3& goal) {
   const double length = norm(goal - place);
-  if (length <= SurfaceProxy::kReach_mm) return goal;
-  return place + (SurfaceProxy::kReach_mm / length) * (goal - place);
+  if (length <= SurfaceProxy::kReachMm) return goal;
+  return place + (SurfaceProxy::kReachMm / length) * (goal - place);
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ Vec3 SurfaceProxy::step(const TriangleTree& body, const Vec3& pen, double fricti
     touches_ = true;
     // Stop before the plane, on the part of the way that is known to be free.
     const double closing = -dot(move, hit->normal);
-    const double stop = closing > 0.0 ? hit->t - kGap_mm / closing : 0.0;
+    const double stop = closing > 0.0 ? hit->t - kGapMm / closing : 0.0;
     place_ += std::max(0.0, stop) * move;
     if (planes.count == kPlanes) return place_;
     planes.normals[planes.count++] = hit->normal;

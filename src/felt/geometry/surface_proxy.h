@@ -18,11 +18,11 @@ class SurfaceProxy {
   static constexpr std::size_t kPlanes = 3;
   /// Distance that the proxy keeps from a plane, mm: below what any device resolves (0.01 mm), far
   /// above rounding (1e-13 mm at coordinates of 1 m).
-  static constexpr double kGap_mm = 1e-3;
+  static constexpr double kGapMm = 1e-3;
 
   /// Longest movement of one sweep, mm, so that a sweep stays short when the pen is far away across
   /// the body: 2 m/s at 1 kHz, four times the speed of a fast hand (0.5 m/s).
-  static constexpr double kReach_mm = 2.0;
+  static constexpr double kReachMm = 2.0;
 
   /// Puts the proxy at the pen, without contact. `pen` must be outside the body.
   void reset(const Vec3& pen) noexcept;

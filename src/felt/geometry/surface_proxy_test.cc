@@ -129,7 +129,7 @@ TEST(SurfaceProxy, AFlatValleyDoesNotHoldASlidingProxy) {
   for (int i = 1; i <= 100; ++i) {
     SurfaceProxy proxy;
     const double x = -0.002 * i;
-    proxy.reset({x, 0, 0.005 * -x + SurfaceProxy::kGap_mm});
+    proxy.reset({x, 0, 0.005 * -x + SurfaceProxy::kGapMm});
     EXPECT_NEAR(proxy.step(body, {1.0, 0, -0.25}, 0.0).x, 1.0, 0.01) << x;
   }
 }
@@ -151,7 +151,7 @@ TEST(SurfaceProxy, FrictionHoldsInsideTheConeAndSlidesOutside) {
   ASSERT_TRUE(proxy.touches());
   EXPECT_NEAR(proxy.step(body, {0.9, 0, -2}, 0.5).x, 0.0, 1e-3);
   EXPECT_NEAR(proxy.step(body, {3.0, 0, -2}, 0.5).x, 2.0, 2e-3);
-  EXPECT_NEAR(proxy.place().z, SurfaceProxy::kGap_mm, 1e-9);
+  EXPECT_NEAR(proxy.place().z, SurfaceProxy::kGapMm, 1e-9);
   proxy.step(body, {3.0, 0, 1}, 0.5);
   EXPECT_FALSE(proxy.touches());
 }

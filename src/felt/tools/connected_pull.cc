@@ -101,19 +101,24 @@ class Slide {
 
 }  // namespace
 
+const SegmentBvh& NearCurve::tree(int& work) {
+  if (tree_.size() > 0) return tree_;
+  const int n = stroke_->segment_count();
+  std::vector<BvhSegment> segments;
+  segments.reserve(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    segments.push_back({stroke_->segment(i), {0, static_cast<std::uint32_t>(i)}});
+  }
+  tree_.build(segments);
+  work += n;
+  return tree_;
+}
+
 std::optional<double> NearCurve::u_near(Point p, int& work) {
   const int n = stroke_->segment_count();
   if (n > kNoTreeSegments) {
-    if (tree_.size() == 0) {
-      std::vector<BvhSegment> segments;
-      for (int i = 0; i < n; ++i) {
-        segments.push_back({stroke_->segment(i), {0, static_cast<std::uint32_t>(i)}});
-      }
-      tree_.build(segments);
-      work += n;
-    }
     constexpr BvhWorkCap kNoCap{1 << 24, 1 << 24};
-    const auto hit = tree_.nearest({.point = p, .radius_mm = kSharedPointMm, .cap = kNoCap});
+    const auto hit = tree(work).nearest({.point = p, .radius_mm = kSharedPointMm, .cap = kNoCap});
     work += hit.used.nodes + hit.used.pieces;
     if (!hit) return std::nullopt;
     return hit.ref.segment + hit.nearest.t;
@@ -239,27 +244,30 @@ StrokePtr ConnectedPull::shaped(Line& line) {
   return moved ? std::make_shared<const Stroke>(*std::move(moved)) : line.given;
 }
 
-void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> ties,
-                          bool is_rigid) {
+/// Returns the ties that a stroke must hold: those to locked strokes, and one for each of its other
+/// shared points.
+std::vector<ConnectedPull::Tie> ConnectedPull::held(const Line& line, std::vector<Tie> ties) {
   std::vector<Tie> all;
-  if (!is_rigid) {
-    for (const Link& link : line.links) {
-      if (link.is_held) all.push_back({{link.u, link.start}, {}});
-    }
-    // In a heap of lines an end may lie near several lines. It stays on the nearest one.
-    std::stable_sort(ties.begin(), ties.end(),
-                     [](const Tie& a, const Tie& b) { return norm(a.offset) < norm(b.offset); });
-    std::set<double> known;
-    for (const Tie& tie : all) known.insert(tie.move.u);
-    for (const Tie& tie : ties) {
-      constexpr double kSameU = 1e-9;
-      const auto near = known.lower_bound(tie.move.u - kSameU);
-      ++work_.looks;
-      if (near != known.end() && *near < tie.move.u + kSameU) continue;
-      known.insert(tie.move.u);
-      all.push_back(tie);
-    }
+  for (const Link& link : line.links) {
+    if (link.is_held) all.push_back({{link.u, link.start}, {}});
   }
+  // In a heap of lines an end may lie near several lines. It stays on the nearest one.
+  std::stable_sort(ties.begin(), ties.end(),
+                   [](const Tie& a, const Tie& b) { return norm(a.offset) < norm(b.offset); });
+  std::set<double> known;
+  for (const Tie& tie : all) known.insert(tie.move.u);
+  for (const Tie& tie : ties) {
+    constexpr double kSameU = 1e-9;
+    const auto near = known.lower_bound(tie.move.u - kSameU);
+    ++work_.looks;
+    if (near != known.end() && *near < tie.move.u + kSameU) continue;
+    known.insert(tie.move.u);
+    all.push_back(tie);
+  }
+  return all;
+}
+
+void ConnectedPull::place(Line& line, const StrokePtr& given, std::vector<Tie> all) {
   if (line.placed && line.given == given && line.ties == all) return;
   line.given = given;
   line.ties = std::move(all);
@@ -285,13 +293,34 @@ ConnectedPull::Tie ConnectedPull::tie_at(Line& line, std::size_t i, const Stroke
   return tie;
 }
 
+/// Places a stroke of the edit, and passes its shared points on to the strokes that have no place.
+void ConnectedPull::place_change(StrokeChange& change, bool is_own, Spread& spread,
+                                 const Scene& scene) {
+  spread.placed.insert(change.id);
+  spread.waiting.erase(change.id);
+  if (!change.before || !change.after) return;
+  Line& now = line(change.id, change.before, scene);
+  const bool is_rigid = is_own && rigid_.contains(change.id);
+  std::vector<Tie> ties = std::move(spread.ties[change.id]);
+  place(now, is_own ? change.after : now.before,
+        is_rigid ? std::vector<Tie>() : held(now, std::move(ties)));
+  change.after = now.placed->stroke();
+  for (std::size_t i = 0; i < now.links.size(); ++i) {
+    const Link& link = now.links[i];
+    if (link.is_held || spread.placed.contains(link.other)) continue;
+    const auto other = spread.waiting.find(link.other);
+    const Stroke* waiting = other != spread.waiting.end() ? other->second.get() : nullptr;
+    spread.ties[link.other].push_back(tie_at(now, i, waiting));
+    const bool moves = distance(now.places[i], link.start) > kStillMm;
+    if (moves && !spread.queued.contains(link.other)) spread.next.insert(link.other);
+  }
+}
+
 void ConnectedPull::complete(Edit& edit, const Scene& scene) {
-  std::map<StrokeId, std::vector<Tie>> ties;
-  std::map<StrokeId, StrokePtr> waiting;  // the gesture's own strokes that have no place yet
-  std::set<StrokeId> queued, placed;
+  Spread spread;
   for (const StrokeChange& c : edit.changes) {
-    queued.insert(c.id);
-    if (c.after) waiting.emplace(c.id, c.after);
+    spread.queued.insert(c.id);
+    if (c.after) spread.waiting.emplace(c.id, c.after);
   }
   const std::size_t own = edit.changes.size();
   std::vector<std::size_t> order(own);
@@ -301,31 +330,13 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
                         [&](std::size_t i) { return rigid_.contains(edit.changes[i].id); });
   // Ends, because each round adds followers, and their number is limited.
   for (std::size_t k = 0; k < order.size();) {
-    std::set<StrokeId> next;
     for (const std::size_t end = order.size(); k < end; ++k) {
-      const bool is_own = order[k] < own;
-      StrokeChange& change = edit.changes[order[k]];
-      placed.insert(change.id);
-      waiting.erase(change.id);
-      if (!change.before || !change.after) continue;
-      Line& now = line(change.id, change.before, scene);
-      place(now, is_own ? change.after : now.before, std::move(ties[change.id]),
-            is_own && rigid_.contains(change.id));
-      change.after = now.placed->stroke();
-      for (std::size_t i = 0; i < now.links.size(); ++i) {
-        const Link& link = now.links[i];
-        if (link.is_held || placed.contains(link.other)) continue;
-        const auto other = waiting.find(link.other);
-        ties[link.other].push_back(
-            tie_at(now, i, other != waiting.end() ? other->second.get() : nullptr));
-        const bool moves = distance(now.places[i], link.start) > kStillMm;
-        if (moves && !queued.contains(link.other)) next.insert(link.other);
-      }
+      place_change(edit.changes[order[k]], order[k] < own, spread, scene);
     }
-    for (const StrokeId id : next) {
+    for (const StrokeId id : std::exchange(spread.next, {})) {
       Line* const follows = follower(id, scene);
       if (!follows) continue;
-      queued.insert(id);
+      spread.queued.insert(id);
       order.push_back(edit.changes.size());
       edit.changes.push_back(follows->follows->with(follows->before, edit.label).changes.front());
     }

@@ -31,6 +31,8 @@ class NearCurve {
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
 
  private:
+  const SegmentBvh& tree(int& work);
+
   StrokePtr stroke_;
   SegmentBvh tree_;
 };
@@ -111,15 +113,25 @@ class ConnectedPull {
     double brush_u = 0.0;
   };
 
+  /// What a call of complete() has done so far.
+  struct Spread {
+    std::map<StrokeId, std::vector<Tie>> ties;
+    std::map<StrokeId, StrokePtr> waiting;  // the gesture's own strokes that have no place yet
+    std::set<StrokeId> queued, placed;
+    std::set<StrokeId> next;  // strokes that must follow
+  };
+
   Line& line(StrokeId id, const StrokePtr& before, const Scene& scene);
   /// Returns null if more strokes than kMaxFollowers would follow.
   Line* follower(StrokeId id, const Scene& scene);
-  void place(Line& line, const StrokePtr& given, std::vector<Tie> ties, bool is_rigid);
+  [[nodiscard]] std::vector<Tie> held(const Line& line, std::vector<Tie> ties);
+  void place(Line& line, const StrokePtr& given, std::vector<Tie> all);
+  void place_change(StrokeChange& change, bool is_own, Spread& spread, const Scene& scene);
   [[nodiscard]] bool is_released(StrokeId id, const Stroke& stroke, double u) const;
   [[nodiscard]] Tie tie_at(Line& line, std::size_t i, const Stroke* waiting);
   [[nodiscard]] std::vector<PointMove> moves_of(Line& line, NearCurve& given);
   [[nodiscard]] StrokePtr shaped(Line& line);
-  [[nodiscard]] std::vector<double> carried(Line& line, NearCurve& after,
+  [[nodiscard]] std::vector<double> carried(Line& line, NearCurve& curve,
                                             const std::vector<double>& us);
 
   BrushOptions brush_;

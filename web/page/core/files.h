@@ -41,8 +41,8 @@ bool is_full_module() noexcept;
 
 Result<Imported> import_as(FileFormat format, std::string_view bytes);
 Result<std::string> inkml_of(const Drawing& drawing);
-/// Returns a drawing as an .ndjson file. As in the programs, strokes and layers are changed first if
-/// the format cannot hold them (plain_edit.h).
+/// Returns a drawing as an .ndjson file. As in the programs, strokes and layers are changed first
+/// if the format cannot hold them (plain_edit.h).
 Result<std::string> lines_of(const Drawing& drawing);
 /// Fails if SQLite is not there (database/database.cc).
 Result<std::string> felt_of(const Drawing& drawing);

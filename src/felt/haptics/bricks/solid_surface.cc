@@ -46,7 +46,7 @@ void SolidSurface::change_body(SolidTouch& touch) const noexcept {
   const Vec3 top{place.x, place.y, std::max(body_->high().z, place.z) + kAboveMm};
   const std::optional<SweepHit> hit = body_->sweep(top, place);
   const double rise_mm =
-      hit ? (1.0 - hit->t) * (top.z - place.z) + SurfaceProxy::kGap_mm : 2.0 * kFollowMm;
+      hit ? (1.0 - hit->t) * (top.z - place.z) + SurfaceProxy::kGapMm : 2.0 * kFollowMm;
   touch.is_outside = rise_mm <= kFollowMm;
   if (touch.is_outside) touch.proxy.reset(place + Vec3{0.0, 0.0, rise_mm});
 }

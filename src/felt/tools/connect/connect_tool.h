@@ -58,7 +58,7 @@ class ConnectTool final : public GestureTool {
  private:
   /// A grabbed end. All results are computed from its stroke as it was at the touch.
   struct Drag {
-    Drag(const Scene& scene, const TipHit& tip, const PenSample& pen);
+    Drag(const Scene& scene, const TipHit& hit, const PenSample& pen);
 
     TipId tip;
     Point from;      ///< position of the end at the touch
