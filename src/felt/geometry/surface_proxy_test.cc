@@ -16,7 +16,7 @@ namespace felt::surface_proxy_test {
 namespace {
 
 constexpr int kCells = 48;            // of 1 mm, along each side
-constexpr double kTickMove_mm = 0.5;  // 0.5 m/s at 1 kHz
+constexpr double kTickMoveMm = 0.5;  // 0.5 m/s at 1 kHz
 
 // Hills with a rim, so that the proxy cannot leave over the side of this open surface.
 double height_of(int x, int y) {
@@ -69,7 +69,7 @@ std::optional<int> fall(Step step, Vec3& place) {
   for (int i = 0; i < ticks; ++i) {
     heading += Vec3{turn(random), turn(random), turn(random)};
     heading = (1.0 / norm(heading)) * heading;
-    pen += kTickMove_mm * heading;
+    pen += kTickMoveMm * heading;
     pen = {std::clamp(pen.x, 4.0, 44.0), std::clamp(pen.y, 4.0, 44.0),
            std::clamp(pen.z, -6.0, 8.0)};
     step(pen, i);
