@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/feedback_hand.h"
@@ -18,8 +19,10 @@ namespace {
 constexpr double kTickS = 0.001;
 constexpr std::size_t kWindow = 200;  // points of the path around the pen that are searched
 
-const StylusPreset& device() {
-  return *find_stylus_preset("premium");
+StylusPreset device(const Condition& condition = {}) {
+  StylusPreset device = *find_stylus_preset("premium");
+  if (condition.device_friction_n) device.mechanics.friction_n = *condition.device_friction_n;
+  return device;
 }
 
 // Follows a pen along a path. Searches only near the last position, so that a path that crosses
@@ -39,6 +42,7 @@ class PathFollower {
     at_ = best;
     return p - path_[best];
   }
+  [[nodiscard]] Point end() const { return path_.back(); }
   [[nodiscard]] Vec direction() const {
     const std::size_t before = at_ > 0 ? at_ - 1 : 0, after = std::min(at_ + 1, path_.size() - 1);
     return normalized(path_[after] - path_[before]);
@@ -49,6 +53,24 @@ class PathFollower {
   std::size_t at_ = 0;
 };
 
+// Returns the share of the variance above a frequency, in cycles per value.
+double share_above(std::span<const double> values, double cycles) {
+  const std::size_t n = values.size();
+  double mean = 0.0, variance = 0.0, slow = 0.0;
+  for (const double v : values) mean += v / static_cast<double>(n);
+  for (const double v : values) variance += (v - mean) * (v - mean) / static_cast<double>(n);
+  if (!(variance > 0.0)) return 0.0;
+  for (std::size_t k = 1; static_cast<double>(k) <= cycles * static_cast<double>(n); ++k) {
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double turn = -kTau * static_cast<double>(k * i % n) / static_cast<double>(n);
+      sum += (values[i] - mean) * std::polar(1.0, turn);
+    }
+    slow += 2.0 * std::norm(sum / static_cast<double>(n));
+  }
+  return std::max(0.0, 1.0 - slow / variance);
+}
+
 // The stylus in the hand of a person, and the forces of a condition.
 class Scene {
  public:
@@ -56,23 +78,29 @@ class Scene {
         const Tablet& tablet)
       : condition_(condition),
         tablet_(tablet),
-        hand_(device(), person),
+        hand_(device(condition), person),
         path_(path),
         friction_({.coefficient = condition.friction}) {
     memory_.dt_s = memory_.period_s = kTickS;
     options_ = script_options_for(device(), person.grip());
     options_.device_mass_kg = options_.device_friction_n = options_.friction = 0.0;  // FeedbackHand
     options_.plane_n_per_m = PlaneOptions{}.stiffness_n_per_m;
+    // In the air the hand has nothing to press against, and draws at the height of the path.
+    if (condition.in_air) options_.contact = ContactBy::kPressure;
   }
 
   Drawing draw(const RecordedPath& plan) {
     const std::vector<TimedAim> aims = script_hand(std::span(&plan, 1), options_);
     Drawing drawing;
     const auto extra = static_cast<std::size_t>((hand_.person().preview_s + 0.1) / kTickS);
+    const auto late = static_cast<std::size_t>(hand_.person().preview_s / kTickS);
     for (std::size_t i = 0; i < aims.size() + extra; ++i) {
       const TimedAim& aim = aims[std::min(i, aims.size() - 1)];
+      draws_in_air_ = condition_.in_air && i >= late &&
+                      aims[std::min(i - late, aims.size() - 1)].pressure.value_or(0.0) > 0.0;
       tick(static_cast<std::int64_t>(i) * kMs, aim, drawing);
     }
+    finish(drawing);
     drawing.simulated_s = kTickS * static_cast<double>(aims.size() + extra);
     return drawing;
   }
@@ -82,19 +110,20 @@ class Scene {
     hand_.aim(aim.target_mm, aim.pressure, 0);
     const PenSample sample = hand_.read(now_ns).value();
     memory_.begin_tick(kTickS);
-    Force force = Plane()(sample, memory_);
+    Force force = condition_.in_air ? Force{} : Plane()(sample, memory_);
     if (condition_.friction > 0.0) force += friction_(sample, memory_);
     Point ink = on_page(sample.position);
     if (condition_.towed) {
       force += tow_(sample, memory_);
       if (memory_.nib.is_set) ink = memory_.nib.position;
     }
-    if (in_contact(sample)) {
+    if (condition_.in_air ? draws_in_air_ : in_contact(sample)) {
       const Vec error = path_.error(ink);
       const Vec across = perp(path_.direction());
       const Vec off = dot(error, across) * across;
       if (condition_.towed) hand_.see(off);
       if (condition_.guide_n_per_m > 0.0) force += guide(off);
+      measure(error, dot(error, across), condition_.in_air ? sample.position.z : 0.0, ink, drawing);
       record(now_ns, ink, drawing);
     }
     static_cast<void>(hand_.write(force));
@@ -105,6 +134,22 @@ class Scene {
     if (size == 0.0) return {};
     const double pull = std::min(kMPerMm * condition_.guide_n_per_m * size, condition_.guide_n);
     return {-pull * off.x / size, -pull * off.y / size, 0.0};
+  }
+
+  void measure(Vec error, double across_mm, double depth_mm, Point ink, Drawing& drawing) {
+    drawing.plane_error_mm += norm(error);
+    drawing.total_error_mm += std::hypot(norm(error), depth_mm);
+    drawing.depth_mm += std::abs(depth_mm);
+    drawing.end_error_mm = distance(ink, path_.end());
+    across_.push_back(across_mm);
+  }
+
+  void finish(Drawing& drawing) const {
+    const auto count = static_cast<double>(std::max<std::size_t>(1, across_.size()));
+    drawing.plane_error_mm /= count;
+    drawing.total_error_mm /= count;
+    drawing.depth_mm /= count;
+    drawing.fast_share = share_above(across_, 4.0 * kTickS);
   }
 
   void record(std::int64_t now_ns, Point ink, Drawing& drawing) {
@@ -129,6 +174,8 @@ class Scene {
   Friction friction_;
   Towed tow_;
   ForceMemory memory_;
+  bool draws_in_air_ = false;
+  std::vector<double> across_;  // signed distance of the ink from the path, mm, tick by tick
   std::int64_t began_ns_ = -1, next_ns_ = 0;
 };
 

@@ -3,8 +3,11 @@
 // which findings come out.
 //   bench_hand [--people N] [--seed N] [--strokes FILE.ndjson] [--mm-per-unit U] [--limit N]
 //              [--every N --from K]
+//   bench_hand --acceptance [--people N] [--seed N]
 // --strokes names recordings of real people with times; each simulated person then draws the same
 // lines. --every and --from take every N-th stroke from the K-th on, to keep strokes back.
+// --acceptance compares with published results that the people must give before any figure about
+// forces counts (acceptance.h).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,10 +22,12 @@
 #include <string>
 #include <vector>
 
+#include "acceptance.h"
 #include "apps/cli/text_table.h"
 #include "drawing.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/trial/trial_metrics.h"
+#include "report.h"
 #include "statistics.h"
 
 namespace felt::bench {
@@ -39,6 +44,7 @@ struct Options {
   double mm_per_unit = 0.26;
   std::size_t limit = 1'000'000;
   std::size_t every = 1, from = 0;
+  bool is_acceptance = false;
 };
 
 [[noreturn]] void fail_usage() {
@@ -50,8 +56,15 @@ struct Options {
 
 Options options_of(int argc, char** argv) {
   Options options;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i], value = argv[i + 1];
+  for (int i = 1; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (name == "--acceptance") {
+      options.is_acceptance = true;
+      --i;
+      continue;
+    }
+    if (i + 1 == argc) fail_usage();
+    const std::string value = argv[i + 1];
     const auto number = static_cast<std::size_t>(std::strtoull(value.c_str(), nullptr, 10));
     if (name == "--people") {
       options.people = number;
@@ -71,8 +84,7 @@ Options options_of(int argc, char** argv) {
       fail_usage();
     }
   }
-  if (argc % 2 == 0 || options.people == 0 || options.from >= options.every ||
-      !(options.mm_per_unit > 0.0)) {
+  if (options.people == 0 || options.from >= options.every || !(options.mm_per_unit > 0.0)) {
     fail_usage();
   }
   return options;
@@ -123,34 +135,10 @@ std::vector<Shape> shapes() {
 
 // --- Tables ------------------------------------------------------------------------------------
 
-class Report {
- public:
-  void bar(bool holds, const std::string& what) {
-    fmt::print("{}: {}\n", holds ? "held" : "MISSED", what);
-    if (!holds) ++missed_;
-  }
-  [[nodiscard]] int missed() const { return missed_; }
-
- private:
-  int missed_ = 0;
-};
-
 // Prints whether a published finding comes out. Nothing fails if it does not, because the model was
 // not built to show it.
 void finding(bool comes_out, const std::string& what) {
   fmt::print("{}: {}\n", comes_out ? "comes out" : "does NOT come out", what);
-}
-
-cli::TextTable table(std::initializer_list<const char*> columns) {
-  using Align = cli::TextTable::Align;
-  std::vector<cli::TextTable::Column> all;
-  for (const char* name : columns)
-    all.push_back({name, all.empty() ? Align::kLeft : Align::kRight});
-  return cli::TextTable(all);
-}
-
-void print(const cli::TextTable& table) {
-  fmt::print("{}\n", table.text(cli::TextStyle::of_stdout()));
 }
 
 // Returns the error of each person, mm.
@@ -416,6 +404,10 @@ int run(int argc, char** argv) {
   const Options options = options_of(argc, argv);
   const std::vector<Person> people = population(options.people, options.seed);
   Report report;
+  if (options.is_acceptance) {
+    check_acceptance("proportional noise", people, report);
+    return report.missed() == 0 ? 0 : 1;
+  }
   compare_with_people(options, people, report);
   check_steering(people, report);
   check_speed(people, report);
