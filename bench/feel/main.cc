@@ -2,7 +2,7 @@
 // drawing material and with forces on and off. Without --file it draws share/samples. All options
 // of the pencil have their defaults, except those given with --set.
 //   bench_feel [--people N] [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]
-//              [--set ID=VALUE]...
+//              [--set ID=VALUE]... [--model NAME]
 // N simulated people draw (default 20), who see and feel what the pen does
 // (felt/devices/simulated/feedback_hand.h). Prints how the forces change the error of each person.
 //   bench_feel --hand NAME [--csv F] [the options above]
@@ -44,13 +44,14 @@ struct Options {
   std::string device = "touch", hand, csv;
   std::vector<std::pair<std::string, std::string>> set;
   std::size_t people = 20;
+  PersonModel model = PersonModel::kProportional;
   bool snapping = false, pull = false;
 };
 
 [[noreturn]] void fail_usage() {
   fmt::print(stderr,
              "usage: bench_feel [--people N] [--file F]... [--mm-per-unit U] [--limit N] "
-             "[--device NAME] [--set ID=VALUE]...\n"
+             "[--device NAME] [--set ID=VALUE]... [--model NAME]\n"
              "       bench_feel --hand NAME [--csv F] [the options above]\n"
              "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n"
              "       bench_feel --pull [--people N] [--device NAME]\n");
@@ -77,6 +78,8 @@ Options options_of(int argc, char** argv) {
     } else if (name == "--people") {
       options.people = std::strtoull(value.c_str(), nullptr, 10);
       if (options.people == 0) fail_usage();
+    } else if (name == "--model" && find_person_model(value)) {
+      options.model = *find_person_model(value);
     } else if (name == "--set") {
       const std::size_t at = value.find('=');
       if (at == std::string::npos) fail_usage();
@@ -204,7 +207,7 @@ void print_table(const Options& options, const std::vector<Row>& rows) {
 Result<std::vector<double>> errors_of(const Options& options, const std::string& material,
                                       bool forces, int& lost) {
   std::vector<double> errors;
-  for (const Person& person : population(options.people)) {
+  for (const Person& person : population(options.people, 1, options.model)) {
     const Result<ReplayStats> stats = draw(options, material, forces, person);
     if (!stats) return tl::unexpected(stats.error());
     errors.push_back(stats->distance.mean_mm());

@@ -213,10 +213,11 @@ double calmer(const Person& person, const RecordedPath& nib, const TowOptions& r
 Drawing draw(const Person& person, std::span<const Point> via, const Condition& condition,
              std::uint64_t trial, const Tablet& tablet) {
   const std::vector<Point> path = smooth_path(via);
-  RecordedPath plan = plan_movement(person, via, trial, condition.tunnel_mm);
-  Person drawer = person;
+  const double friction_n = condition.device_friction_n.value_or(0.05);
+  Person drawer = condition.in_air ? in_the_air(person) : on_a_plane(person, friction_n);
+  RecordedPath plan = plan_movement(drawer, via, trial, condition.tunnel_mm);
   if (condition.towed) {
-    drawer.eye_gain_per_s *= calmer(person, plan, TowOptions());
+    drawer.eye_gain_per_s *= calmer(drawer, plan, TowOptions());
     plan = ahead_by_rope(plan, TowOptions());
   }
   drawer.seed += 7919 * (trial + 1);

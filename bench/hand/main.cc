@@ -2,7 +2,7 @@
 // findings, and prints the tables. Says which bars are missed (the exit status is 1 then), and
 // which findings come out.
 //   bench_hand [--people N] [--seed N] [--strokes FILE.ndjson] [--mm-per-unit U] [--limit N]
-//              [--every N --from K]
+//              [--every N --from K] [--model NAME]
 //   bench_hand --acceptance [--people N] [--seed N]
 // --strokes names recordings of real people with times; each simulated person then draws the same
 // lines. --every and --from take every N-th stroke from the K-th on, to keep strokes back.
@@ -45,12 +45,14 @@ struct Options {
   std::size_t limit = 1'000'000;
   std::size_t every = 1, from = 0;
   bool is_acceptance = false;
+  PersonModel model = PersonModel::kProportional;
 };
 
 [[noreturn]] void fail_usage() {
   fmt::print(stderr,
              "usage: bench_hand [--people N] [--seed N] [--strokes FILE.ndjson] [--mm-per-unit U]\n"
-             "                  [--limit N] [--every N] [--from K]\n");
+             "                  [--limit N] [--every N] [--from K] [--model NAME]\n"
+             "       bench_hand --acceptance [--people N] [--seed N]\n");
   std::exit(2);
 }
 
@@ -74,6 +76,8 @@ Options options_of(int argc, char** argv) {
       options.strokes = value;
     } else if (name == "--mm-per-unit") {
       options.mm_per_unit = std::strtod(value.c_str(), nullptr);
+    } else if (name == "--model" && find_person_model(value)) {
+      options.model = *find_person_model(value);
     } else if (name == "--limit") {
       options.limit = number;
     } else if (name == "--every") {
@@ -402,12 +406,15 @@ void show_pulse(const std::vector<Person>& people) {
 
 int run(int argc, char** argv) {
   const Options options = options_of(argc, argv);
-  const std::vector<Person> people = population(options.people, options.seed);
   Report report;
   if (options.is_acceptance) {
-    check_acceptance("proportional noise", people, report);
+    for (const PersonModel model : kPersonModels) {
+      check_acceptance(std::string(person_model_name(model)),
+                       population(options.people, options.seed, model), report);
+    }
     return report.missed() == 0 ? 0 : 1;
   }
+  const std::vector<Person> people = population(options.people, options.seed, options.model);
   compare_with_people(options, people, report);
   check_steering(people, report);
   check_speed(people, report);

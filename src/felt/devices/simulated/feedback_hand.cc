@@ -18,6 +18,9 @@ constexpr double kForgetS = 0.1;    // time constant of the correction's decay i
 constexpr double kMaxTurn = 4.0;  // radians/s: the correction turns with the path up to this speed
 constexpr double kLearnS = 0.3;   // time constant of learning a load
 constexpr double kLearnFromMmPerS = 5.0;  // a slower movement has no reliable direction
+constexpr double kKnownFromMmPerS = 1.0;
+constexpr double kContactN = 0.05;  // force of a surface that is felt as contact
+constexpr double kTouchS = 0.05;    // time constant of the feeling of contact
 constexpr double kTremorHz[] = {8.0, 12.0};
 constexpr double kWanderHz[] = {0.4, 2.5};
 
@@ -34,6 +37,12 @@ std::size_t ticks(double time_s, double tick_s) noexcept {
   return static_cast<std::size_t>(std::lround(std::max(0.0, time_s) / tick_s));
 }
 
+// Tones with an RMS of 1, from random numbers of their own.
+Tones depth_tones(const Person& person) noexcept {
+  Random random(person.seed ^ 0x9e3779b97f4a7c15ULL);
+  return {random, kWanderHz[0], kWanderHz[1], 1.0};
+}
+
 }  // namespace
 
 FeedbackHand::FeedbackHand(const StylusPreset& preset, const Person& person)
@@ -41,7 +50,8 @@ FeedbackHand::FeedbackHand(const StylusPreset& preset, const Person& person)
       stylus_(preset, person.grip()),
       random_(person.seed),
       tremor_(random_, kTremorHz[0], kTremorHz[1], person.tremor_mm),
-      wander_(random_, kWanderHz[0], kWanderHz[1], person.wander_mm) {
+      wander_(random_, kWanderHz[0], kWanderHz[1], person.wander_mm),
+      depth_(depth_tones(person)) {
   tick_s_ = 1e-9 * static_cast<double>(preset.capabilities.period_ns);
   preview_ = std::max<std::size_t>(ticks(person.preview_s, tick_s_), ticks(kPlanLookS, tick_s_));
   eye_delay_ = ticks(person.eye_delay_s, tick_s_);
@@ -51,6 +61,7 @@ FeedbackHand::FeedbackHand(const StylusPreset& preset, const Person& person)
   plan_.resize(size);
   error_.resize(size);
   deviation_.resize(size);
+  if (person.knows_friction) load_.x = -preset.mechanics.friction_n;
 }
 
 void FeedbackHand::aim(const Aim& aim) noexcept {
@@ -119,15 +130,19 @@ void FeedbackHand::step() noexcept {
   const double t_s = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
   const Vec wander = wander_.at(t_s) + tremor_.at(t_s);
   const Vec known_load = draws ? expected_load(motion.velocity) : Vec{};
-  const double grip_n_per_mm = kMPerMm * person_.grip().stiffness_n_per_m;
-  const Vec off = motion.position + wander + offset_ - known_load / grip_n_per_mm - arm_;
-  const Vec off_speed = motion.velocity + offset_speed_ - arm_velocity_;
+  lead(known_load);
+  feel_contact();
+  const Vec off = motion.position + wander + offset_ + lead_ - arm_;
+  const Vec off_speed = motion.velocity + offset_speed_ + lead_speed_ - arm_velocity_;
   deviation_[tick_ & (deviation_.size() - 1)] = off;
 
   const Vec load = load_at_pen();
   if (draws) learn_load(load, motion.velocity);
-  const Vec stiffness_n = kMPerMm * (person_.arm_n_per_m * off + person_.arm_n_s_per_m * off_speed);
-  const Vec plan_n = kMPerMm * person_.arm_kg * motion.acceleration - known_load;
+  const double rest = 1.0 + touch_ * (person_.rest - 1.0);
+  const Vec stiffness_n = kMPerMm * (rest * person_.arm_n_per_m * off +
+                                     std::sqrt(rest) * person_.arm_n_s_per_m * off_speed);
+  const Vec plan_n =
+      kMPerMm * person_.arm_kg * (motion.acceleration + lead_acceleration_) - known_load;
   const Vec late_n =
       kMPerMm * person_.reflex_n_per_m * deviation_[(tick_ - arm_delay_) & (deviation_.size() - 1)];
   const Vec noise_n = motor_noise(stiffness_n + plan_n + late_n);
@@ -137,14 +152,46 @@ void FeedbackHand::step() noexcept {
   const Vec force = stiffness_n + plan_n + muscle_[1] + load;
   arm_velocity_ += tick_s_ / (kMPerMm * person_.arm_kg) * force;
   arm_ += tick_s_ * arm_velocity_;
-  stylus_.aim({{arm_.x, arm_.y, now.target_mm.z}, now.pressure, now.buttons, now.tilt_deg});
+  const double z = now.target_mm.z + depth_noise_mm(t_s);
+  stylus_.aim({{arm_.x, arm_.y, z}, now.pressure, now.buttons, now.tilt_deg});
 }
 
-// White noise in proportion to the force of the muscles (Harris, Wolpert, Nature 394, 1998). The
-// lags of the muscles turn it into a force with this standard deviation.
+void FeedbackHand::feel_contact() noexcept {
+  const double feels = stylus_.acting_force().z > kContactN ? 1.0 : 0.0;
+  touch_ += tick_s_ / (kTouchS + tick_s_) * (feels - touch_);
+}
+
+// Slow noise of the height in the air, and of the force of the fingers on a surface.
+double FeedbackHand::depth_noise_mm(double t_s) const noexcept {
+  const double press_n =
+      person_.press_noise_n + person_.press_noise * std::max(0.0, stylus_.acting_force().z);
+  const double pressed_mm = press_n / (kMPerMm * person_.grip().stiffness_n_per_m);
+  return ((1.0 - touch_) * person_.depth_mm + touch_ * pressed_mm) * depth_.at(t_s).x;
+}
+
+// The arm goes ahead of the pen by as much as spring and damper of the fingers yield to the load.
+// Who knows the friction also knows how this changes in a curve.
+void FeedbackHand::lead(Vec known_load) noexcept {
+  const SimulatedHand grip = person_.grip();
+  const Vec target = Vec{} - known_load / (kMPerMm * grip.stiffness_n_per_m);
+  if (!person_.knows_friction) {
+    lead_ = target;
+    return;
+  }
+  const double lag_s = grip.damping_n_s_per_m / grip.stiffness_n_per_m;
+  const Vec speed = 1.0 / (lag_s + tick_s_) * (target - lead_);
+  lead_acceleration_ = 1.0 / tick_s_ * (speed - lead_speed_);
+  lead_speed_ = speed;
+  lead_ += tick_s_ * speed;
+}
+
+// White noise, constant and in proportion to the force of the muscles (Sutton, Sykes, J Physiol
+// 191, 1967; Harris, Wolpert, Nature 394, 1998). The lags of the muscles turn it into a force with
+// this standard deviation.
 Vec FeedbackHand::motor_noise(Vec muscles_n) noexcept {
   const double lag_s = person_.muscle_lag_s;
-  const double gain = person_.motor_noise * norm(muscles_n) * std::sqrt(4.0 * lag_s / tick_s_);
+  const double deviation_n = person_.force_noise_n + person_.motor_noise * norm(muscles_n);
+  const double gain = deviation_n * std::sqrt(4.0 * lag_s / tick_s_);
   return gain * Vec{random_.normal(), random_.normal()};
 }
 
@@ -167,7 +214,8 @@ void FeedbackHand::learn_load(Vec load, Vec velocity) noexcept {
 
 Vec FeedbackHand::expected_load(Vec velocity) const noexcept {
   const Vec along = normalized(velocity);
-  const double moves = norm(velocity) / (norm(velocity) + kLearnFromMmPerS);
+  const double from = person_.knows_friction ? kKnownFromMmPerS : kLearnFromMmPerS;
+  const double moves = norm(velocity) / (norm(velocity) + from);
   return moves * person_.load_share * (load_.x * along + load_.y * perp(along));
 }
 

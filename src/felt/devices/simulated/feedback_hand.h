@@ -21,9 +21,11 @@ namespace felt {
 /// from the plan. Muscles act against this in three ways: at once by stiffness, then by a reflex,
 /// and last by correcting the error that the person sees across the path.
 ///
-/// Depth, pressure, buttons and tilt are those of the plan; forces along z act on the grip alone.
-/// Call everything from one thread. Allocates only when it is made. Deterministic: the same person
-/// and the same calls give the same bytes, up to the digits of the machine's libm.
+/// Depth and pressure are those of the plan, with slow noise if the person has any: of the height
+/// in the air, of the force while the pen feels a surface. Buttons and tilt are those of the plan;
+/// forces along z act on the grip alone. Call everything from one thread. Allocates only when it is
+/// made. Deterministic: the same person and the same calls give the same bytes, up to the digits of
+/// the machine's libm.
 class FeedbackHand final : public Device, public HandInput {
  public:
   FeedbackHand(const StylusPreset& preset, const Person& person);
@@ -65,6 +67,9 @@ class FeedbackHand final : public Device, public HandInput {
   [[nodiscard]] Vec expected_load(Vec velocity) const noexcept;
   [[nodiscard]] Vec load_at_pen() const noexcept;
   [[nodiscard]] Vec motor_noise(Vec muscles_n) noexcept;
+  void feel_contact() noexcept;
+  void lead(Vec known_load) noexcept;
+  [[nodiscard]] double depth_noise_mm(double t_s) const noexcept;
   [[nodiscard]] Vec error_across() noexcept;
   [[nodiscard]] const Aim& planned(std::size_t ticks_ago) const noexcept;
   [[nodiscard]] Point planned_point(std::size_t ticks_ago) const noexcept;
@@ -73,7 +78,7 @@ class FeedbackHand final : public Device, public HandInput {
   Person person_;
   SimulatedStylus stylus_;
   Random random_;
-  Tones tremor_, wander_;
+  Tones tremor_, wander_, depth_;
   bool started_ = false, holds_ = false;
   std::optional<Aim> newest_;
   double tick_s_ = 0.001;
@@ -93,6 +98,10 @@ class FeedbackHand final : public Device, public HandInput {
   Vec eye_noise_;                        // mm
   std::array<Vec, 2> muscle_{};          // N, after one lag and after two
   Vec load_;                             // N, learnt: x along the movement, y across it
+  // How far the arm goes ahead of the plan, because the fingers yield to a known load: mm, mm/s,
+  // mm/s^2.
+  Vec lead_, lead_speed_, lead_acceleration_;
+  double touch_ = 0.0;  // 1: the pen feels a surface; low-passed
 };
 
 }  // namespace felt

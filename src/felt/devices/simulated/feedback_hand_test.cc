@@ -150,6 +150,77 @@ TEST(FeedbackHand, DrawsWithAMouse) {
   EXPECT_NEAR(hand.stylus().body().position().x, 35.0, 0.5);
 }
 
+/// Returns the heights of a pen that is held 2 mm above the surface, or presses on it with 0.6 N.
+std::vector<double> heights(const Person& person, bool presses) {
+  FeedbackHand hand(premium(), person);
+  std::vector<double> z;
+  for (int i = 0; i < 6000; ++i) {
+    hand.aim({{50.0, 50.0, presses ? -2.7 : 2.0}, {}, 0});
+    EXPECT_TRUE(hand.read(i * kMs));
+    const double height = hand.stylus().body().position().z;
+    EXPECT_TRUE(hand.write({0.0, 0.0, presses ? std::max(0.0, -0.5 * height) : 0.0}));
+    if (i >= 1000) z.push_back(height);
+  }
+  return z;
+}
+
+double rms_around_mean(const std::vector<double>& values) {
+  double mean = 0.0, square = 0.0;
+  for (const double v : values) mean += v / static_cast<double>(values.size());
+  for (const double v : values) square += (v - mean) * (v - mean);
+  return std::sqrt(square / static_cast<double>(values.size()));
+}
+
+TEST(FeedbackHand, TheHeightWandersInTheAirAndThePressOnASurface) {
+  Person person = calm_person();
+  EXPECT_LT(rms_around_mean(heights(person, false)), 1e-9);
+  person.depth_mm = 0.5;
+  EXPECT_NEAR(rms_around_mean(heights(person, false)), 0.5, 0.2);
+  EXPECT_LT(rms_around_mean(heights(person, true)), 1e-3) << "the surface holds the pen";
+  person.press_noise_n = 0.05;
+  const double of_press_n = 0.5 * rms_around_mean(heights(person, true));  // N/mm of the plane
+  EXPECT_GT(of_press_n, 0.01);
+  EXPECT_LT(of_press_n, 0.05);
+}
+
+TEST(FeedbackHand, ARestingHandIsStifferOnASurface) {
+  Person free = calm_person(), resting = free;
+  resting.rest = 3.0;
+  const auto moved = [](const Person& person, double push_z) {
+    FeedbackHand hand(premium(), person);
+    for (int i = 0; i < 1500; ++i) {
+      hand.aim({{50.0, 50.0, push_z > 0.0 ? -2.0 : 2.0}, {}, 0});
+      EXPECT_TRUE(hand.read(i * kMs));
+      EXPECT_TRUE(hand.write({i > 1000 ? 0.3 : 0.0, 0.0, push_z}));
+    }
+    return hand.stylus().body().position().x - 50.0;
+  };
+  EXPECT_LT(moved(resting, 0.5), 0.8 * moved(free, 0.5));
+  EXPECT_EQ(moved(resting, 0.0), moved(free, 0.0));
+}
+
+TEST(FeedbackHand, WhoKnowsTheFrictionStaysOnTheLineFromTheStart) {
+  StylusPreset rough = premium();
+  rough.mechanics.friction_n = 0.3;
+  const auto off = [&rough](const Person& person) {
+    FeedbackHand hand(rough, person);
+    double most = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      const double angle = 0.02 * i;  // a circle of 1.5 mm in 0.31 s
+      hand.aim({{50.0 + 1.5 * std::cos(angle), 50.0 + 1.5 * std::sin(angle), -0.5}, {}, 0});
+      EXPECT_TRUE(hand.read(i * kMs));
+      EXPECT_TRUE(hand.write({}));
+      const Point pen = on_page(hand.stylus().body().position());
+      if (i > 400) most = std::max(most, std::abs(distance(pen, {50.0, 50.0}) - 1.5));
+    }
+    return most;
+  };
+  Person learning = calm_person(), knowing = learning;
+  knowing.knows_friction = true;
+  learning.load_share = knowing.load_share = 0.97;
+  EXPECT_LT(off(knowing), 0.7 * off(learning));
+}
+
 TEST(FeedbackHand, SurvivesBadInputAndGaps) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   FeedbackHand hand(premium(), person_of(1));

@@ -28,6 +28,15 @@ constexpr double kMaxAcceleration = 2500.0;  // mm/s^2
 constexpr std::size_t kVariationTones = 6;
 constexpr double kMaxVariation = 1.5;  // of ln(speed): a factor of 4.5
 
+constexpr double kSlopeShare = 0.3;  // 3 % instead of 10 % of the force
+constexpr double kDepthShare = 2.8;  // depth in the air, compared with the error across the path
+constexpr double kSmoothFrictionN = 0.05;  // of the tablets on which the pace was fitted
+
+// Returns how many times longer a person takes on a plane with this friction than in the air.
+constexpr double care_at(double friction_n) noexcept {
+  return 1.14 + 0.4 * friction_n;
+}
+
 // Draws from a log-normal distribution, limited to two standard deviations.
 double log_normal(Random& random, double median, double deviation) {
   return median * std::exp(deviation * std::clamp(random.normal(), -2.0, 2.0));
@@ -135,6 +144,47 @@ Person person_of(std::uint64_t seed) {
   return person;
 }
 
+std::string_view person_model_name(PersonModel model) noexcept {
+  constexpr std::string_view kNames[] = {"proportional", "practised", "resting", "unsteady"};
+  return kNames[static_cast<std::size_t>(model)];
+}
+
+std::optional<PersonModel> find_person_model(std::string_view name) noexcept {
+  for (const PersonModel model : kPersonModels) {
+    if (person_model_name(model) == name) return model;
+  }
+  return std::nullopt;
+}
+
+Person in_model(Person person, PersonModel model) noexcept {
+  if (model == PersonModel::kProportional) return person;
+  const bool is_unsteady = model == PersonModel::kUnsteady;
+  person.motor_noise *= kSlopeShare;
+  person.force_noise_n = is_unsteady ? 0.04 : 0.02;
+  person.load_share = 1.0 - (is_unsteady ? 0.5 : 0.15) * (1.0 - person.load_share);
+  person.knows_friction = true;
+  person.caution = 1.0;
+  person.depth_mm = kDepthShare * person.wander_mm;
+  person.press_noise_n = 0.02;
+  person.press_noise = 0.03;
+  if (model != PersonModel::kPractised) {
+    person.rest = 3.0;
+    person.grip_n = 3.0;
+  }
+  return person;
+}
+
+Person in_the_air(Person person) noexcept {
+  person.pace *= 1.0 + person.caution * (care_at(kSmoothFrictionN) - 1.0);
+  return person;
+}
+
+Person on_a_plane(Person person, double friction_n) noexcept {
+  const double slower = care_at(kSmoothFrictionN) / care_at(friction_n);
+  person.pace *= 1.0 + person.caution * (slower - 1.0);
+  return person;
+}
+
 Person led_by_a_guide(Person person, double gives_way) noexcept {
   const double share = 1.0 - std::clamp(gives_way, 0.0, 1.0);
   person.arm_n_per_m *= share;
@@ -143,10 +193,11 @@ Person led_by_a_guide(Person person, double gives_way) noexcept {
   return person;
 }
 
-std::vector<Person> population(std::size_t count, std::uint64_t seed) {
+std::vector<Person> population(std::size_t count, std::uint64_t seed, PersonModel model) {
   std::vector<Person> people;
   Random random(seed);
-  for (std::size_t i = 0; i < count; ++i) people.push_back(person_of(random.bits()));
+  for (std::size_t i = 0; i < count; ++i)
+    people.push_back(in_model(person_of(random.bits()), model));
   return people;
 }
 

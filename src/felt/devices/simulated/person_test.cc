@@ -53,6 +53,29 @@ TEST(Person, AFirmerGripIsStiffer) {
   EXPECT_GT(firm.grip().damping_n_s_per_m, 2.0 * loose.grip().damping_n_s_per_m);
 }
 
+TEST(PersonModel, NamesAreFoundAndTheFirstModelChangesNothing) {
+  for (const PersonModel model : kPersonModels) {
+    EXPECT_EQ(find_person_model(person_model_name(model)), model);
+  }
+  EXPECT_FALSE(find_person_model("nobody"));
+  const Person person = person_of(3), same = in_model(person, PersonModel::kProportional);
+  EXPECT_EQ(same.motor_noise, person.motor_noise);
+  EXPECT_EQ(same.load_share, person.load_share);
+  EXPECT_EQ(in_the_air(same).pace, person.pace);
+  EXPECT_EQ(on_a_plane(same, 0.3).pace, person.pace);
+}
+
+RC_GTEST_PROP(PersonModel, PeopleAreFasterInTheAirAndSlowerAgainstFriction, (std::uint64_t seed)) {
+  for (const PersonModel model : kPersonModels) {
+    if (model == PersonModel::kProportional) continue;
+    const Person person = in_model(person_of(seed), model);
+    RC_ASSERT(in_the_air(person).pace > 1.1 * person.pace);
+    RC_ASSERT(on_a_plane(person, 0.05).pace == person.pace);
+    RC_ASSERT(on_a_plane(person, 0.25).pace < person.pace);
+    RC_ASSERT(person.load_share > 0.75 && person.load_share < 1.0);
+  }
+}
+
 RC_GTEST_PROP(PlanMovement, GoesFromTheFirstPointToTheLastInStepsOfAMillisecond,
               (std::uint64_t seed)) {
   const Person person = person_of(seed);
