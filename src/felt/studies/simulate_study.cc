@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "felt/base/constants.h"
+#include "felt/base/hash.h"
 #include "felt/base/random.h"
 #include "felt/devices/simulated/towed_plan.h"
 #include "felt/replay/replay_drawing.h"
@@ -80,6 +81,19 @@ RecordedPath towing_plan(const RecordedPath& nib, const TowOptions& rope) {
   return pen;
 }
 
+/// Returns the seed of everything random in an attempt. It does not depend on the condition: a
+/// person makes the same movement with the same noise in all conditions, so that they differ only
+/// by what the conditions do (common random numbers).
+std::uint64_t seed_of(const Study& study, const PlannedTrial& trial, int attempt) {
+  Fnv1a parts;
+  parts.add_value(study.seed);
+  parts.add_value(trial.session);
+  for (const int part : {trial.block, static_cast<int>(trial.shape), trial.repetition, attempt}) {
+    parts.add_value(part);
+  }
+  return Random(parts.value()).bits();
+}
+
 /// Draws one trial.
 class TrialRun {
  public:
@@ -105,7 +119,7 @@ class TrialRun {
   Result<SimulatedAttempt> draw(int attempt) {
     const StudyCondition& condition = files_.study.conditions[trial_.condition];
     const StudyShape& shape = files_.study.shapes[trial_.shape];
-    const std::uint64_t seed = Random(trial_.seed + static_cast<std::uint64_t>(attempt)).bits();
+    const std::uint64_t seed = seed_of(files_.study, trial_, attempt);
     Person person = person_;
     person.seed ^= seed;
     if (!condition.has_vision || shape.task == StudyTask::kFind) person.eye_gain_per_s = 0.0;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "felt/base/read_file.h"
 #include "felt/replay/apply_recording.h"
@@ -77,6 +79,43 @@ TEST_F(SimulateStudyTest, AnInterruptedSimulationIsContinuedToTheSameFiles) {
                 read_regular_file(whole.file_of(session.info, result.recording), 1 << 24).value());
     }
   }
+}
+
+TEST_F(SimulateStudyTest, EqualConditionsGiveEqualInk) {
+  write("equal.toml", R"(id = "equal"
+repetitions = 2
+[[condition]]
+name = "a"
+settings = { "pencil.strength" = 0.5 }
+[[condition]]
+name = "b"
+settings = { "pencil.strength" = 0.5 }
+[[condition]]
+name = "c"
+settings = { "pencil.strength" = 0.9 }
+[[shape]]
+name = "line"
+kind = "line"
+size_mm = 30
+)");
+  StudyFolder folder =
+      StudyFolder::create(path("out"), read_study_files(path("equal.toml")).value()).value();
+  ASSERT_TRUE(simulate_study(folder, options(1)));
+  const StudySession session = folder.sessions().value().at(0);
+  std::map<std::pair<std::size_t, int>, double> error_mm;  // by condition and repetition
+  for (const TrialResult& result : session.results) {
+    const PlannedTrial& trial = session.plan[static_cast<std::size_t>(result.trial - 1)];
+    if (trial.is_practice) continue;
+    const auto recording = folder.recording(session.info, result).value();
+    error_mm[{trial.condition, trial.repetition}] =
+        *measure_recorded_trial(folder.files(), trial, trial_samples(recording)).err_mean_mm;
+  }
+  ASSERT_EQ(error_mm.size(), 6U);
+  for (const int repetition : {1, 2}) {
+    EXPECT_EQ((error_mm[{0, repetition}]), (error_mm[{1, repetition}]));
+    EXPECT_NE((error_mm[{0, repetition}]), (error_mm[{2, repetition}]));
+  }
+  EXPECT_NE((error_mm[{0, 1}]), (error_mm[{0, 2}])) << "repetitions differ";
 }
 
 TEST_F(SimulateStudyTest, OtherPeopleDoNotContinueAFolder) {
