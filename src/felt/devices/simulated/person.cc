@@ -29,6 +29,9 @@ constexpr std::size_t kVariationTones = 6;
 constexpr double kMaxVariation = 1.5;  // of ln(speed): a factor of 4.5
 
 constexpr double kSlopeShare = 0.3;  // 3 % instead of 10 % of the force
+// A stiffer hand lets more of the variation of the planned speed through. Fitted, as the rhythm
+// itself.
+constexpr double kRestingRhythm = 0.85;
 constexpr double kDepthShare = 2.8;  // depth in the air, compared with the error across the path
 constexpr double kSmoothFrictionN = 0.05;  // of the tablets on which the pace was fitted
 
@@ -169,6 +172,7 @@ Person in_model(Person person, PersonModel model) noexcept {
   person.press_noise = 0.03;
   if (model != PersonModel::kPractised) {
     person.rest = 3.0;
+    person.rhythm_hz *= kRestingRhythm;
     person.grip_n = 3.0;
   }
   return person;
