@@ -32,7 +32,7 @@ constexpr double kSlopeShare = 0.3;  // 3 % instead of 10 % of the force
 // A stiffer hand lets more of the variation of the planned speed through. Fitted, as the rhythm
 // itself.
 constexpr double kRestingRhythm = 0.85;
-constexpr double kDepthShare = 2.8;  // depth in the air, compared with the error across the path
+constexpr double kDepthShare = 2.65;  // depth in the air, compared with the error across the path
 constexpr double kSmoothFrictionN = 0.05;  // of the tablets on which the pace was fitted
 
 // Returns how many times longer a person takes on a plane with this friction than in the air.
