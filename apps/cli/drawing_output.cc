@@ -120,12 +120,9 @@ Result<void> write_in_order(DrawingParts& parts, const std::string& name, Output
 Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
                     EncodedStrokes& out) {
   if (format == Format::kSvg) {
-    const std::string name = stroke_name({static_cast<std::uint64_t>(number)});
-    const bool is_own = stroke_id_of_name(stroke.id).value == 0;
     const Result<void> done = append_svg_stroke(
-        out.text, is_own ? SvgStrokeNames{name, stroke.id} : SvgStrokeNames{stroke.id},
-        stroke.stroke, static_cast<std::size_t>(number), SvgOptions{}.tolerance_mm, nullptr,
-        StrokeStyles().find(stroke.stroke.medium()));
+        out.text, {stroke.id}, stroke.stroke, static_cast<std::size_t>(number),
+        SvgOptions{}.tolerance_mm, nullptr, StrokeStyles().find(stroke.stroke.medium()));
     if (!done) return done;
   } else if (Result<void> fits = check_sketch_numbers(stroke.stroke.data()); !fits) {
     return fits;

@@ -15,7 +15,7 @@
 namespace felt::surface_proxy_test {
 namespace {
 
-constexpr int kCells = 48;            // of 1 mm, along each side
+constexpr int kCells = 48;           // of 1 mm, along each side
 constexpr double kTickMoveMm = 0.5;  // 0.5 m/s at 1 kHz
 
 // Hills with a rim, so that the proxy cannot leave over the side of this open surface.

@@ -42,12 +42,12 @@ void DrawingBuilder::set_state(std::size_t layer, LayerState state) {
 }
 
 void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name,
-                         std::string_view own_name) {
+                         std::string_view number) {
   FELT_CHECK(layer < layers_.size());
-  const std::string_view kept = own_name.empty() ? name : own_name;
-  layers_[layer].strokes.push_back({stroke_id_of_name(name).value,
-                                    std::make_shared<const Stroke>(std::move(stroke)),
-                                    std::string(is_name(kept) ? kept : "")});
+  const StrokeId numbered = stroke_id_of_name(number);
+  const StrokeId id = numbered.value > 0 ? numbered : stroke_id_of_name(name);
+  layers_[layer].strokes.push_back({id.value, std::make_shared<const Stroke>(std::move(stroke)),
+                                    std::string(is_name(name) ? name : "")});
 }
 
 void DrawingBuilder::add(std::size_t layer, StrokePtr stroke, StrokeId id) {

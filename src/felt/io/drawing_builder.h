@@ -40,9 +40,9 @@ class DrawingBuilder {
   void set_state(std::size_t layer, LayerState state);
   [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
   /// Adds a stroke on top of the layer with the index `layer`. Requires an index from add_layer().
-  /// If the stroke has a name of its own, `name` only gives the id.
+  /// If `number` has the form of stroke_name(), it gives the id instead of `name`.
   void add(std::size_t layer, Stroke stroke, std::string_view name = {},
-           std::string_view own_name = {});
+           std::string_view number = {});
   /// Adds a stroke that has the id `id` in another document. The stroke keeps that id.
   void add(std::size_t layer, StrokePtr stroke, StrokeId id);
 

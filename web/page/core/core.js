@@ -393,10 +393,10 @@ class Core {
 
   save(format) {
     const size = this.call('felt_save', this.write(encoder.encode(format)));
-    const bytes = size > 0 ? this.reply(size).slice() : null;
+    const bytes = size > 0 ? this.reply(size).slice() : new Uint8Array();
     const { error = '', notices = [] } = this.json('felt_saved');
     Object.assign(this, { saveError: error, saveNotices: notices });
-    return bytes;
+    return error ? null : bytes;
   }
 
   isFelt(bytes) {

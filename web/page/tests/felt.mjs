@@ -71,8 +71,10 @@ const tests = {
       assert.deepEqual(other.open(bytes, 'a.felt'), { ok: true });
       same(other.save('felt'), bytes, 'a drawing that was opened again');
       assert.equal(other.state().layers.length, core.state().layers.length);
-      const { strokes } = core.state();
-      assert.deepEqual(other.add(bytes, 'a.felt'), { ok: true });
+      const { strokes, layers } = core.state();
+      const { ok, notices = [] } = other.add(bytes, 'a.felt');
+      assert.ok(ok);
+      assert.equal(notices.some((text) => text.includes('layers became one list')), layers.length > 1);
       assert.equal(other.state().strokes, 2 * strokes);
     }
   },

@@ -412,8 +412,8 @@ class InkmlReader {
     std::optional<Result<NamedStroke>> exact = inkml::read_model(node, felt_, points_.line, color);
     if (exact && *exact) {
       NamedStroke& ours = **exact;
-      const char* own_name = node.attribute((felt_ + "name").c_str()).value();
-      builder_.add(layer(), std::move(ours.stroke), ours.id, own_name);
+      const char* number = node.attribute((felt_ + "number").c_str()).value();
+      builder_.add(layer(), std::move(ours.stroke), ours.id, number);
       return;
     }
     if (exact) notice(node, exact->error().message);

@@ -113,13 +113,13 @@ std::uint64_t trace_sum(std::span<const WidePoint> trace) noexcept {
   return sum.value();
 }
 
-Result<void> append_model(std::string& out, std::string_view id, std::string_view own_name,
+Result<void> append_model(std::string& out, std::string_view id, std::string_view number,
                           const Stroke& stroke, std::span<const WidePoint> trace) {
   const StrokeData& d = stroke.data();
   if (auto ok = check_range(d); !ok) return ok;
   if (auto ok = append_name(out, "id", id); !ok) return ok;
-  if (!own_name.empty()) {
-    if (auto ok = append_name(out, "name", own_name); !ok) return ok;
+  if (!number.empty()) {
+    if (auto ok = append_name(out, "number", number); !ok) return ok;
   }
   if (auto ok = append_name(out, "material", d.medium); !ok) return ok;
   out += d.closed ? " felt:closed=\"true\"" : "";

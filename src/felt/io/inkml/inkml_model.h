@@ -29,10 +29,11 @@ inline constexpr double kStepsPerMm = 1000.0;
 /// the exact curve, another program has changed the trace.
 std::uint64_t trace_sum(std::span<const WidePoint> trace) noexcept;
 
-/// Appends the attributes of a stroke's exact model to its trace element. `own_name` is empty if
-/// the stroke has no name of its own. Fails if a name or the medium is longer than 4096 bytes or
-/// has characters that XML cannot hold, or if a coordinate is beyond 1e9 mm.
-Result<void> append_model(std::string& out, std::string_view id, std::string_view own_name,
+/// Appends the attributes of a stroke's exact model to its trace element. `number` is
+/// stroke_name(), or empty if a reader gets the id from `id`. Fails if a name or the medium is
+/// longer than 4096 bytes or has characters that XML cannot hold, or if a coordinate is beyond 1e9
+/// mm.
+Result<void> append_model(std::string& out, std::string_view id, std::string_view number,
                           const Stroke& stroke, std::span<const WidePoint> trace);
 
 /// Returns the stroke that our attributes of a trace element describe, with the colour `color`, or

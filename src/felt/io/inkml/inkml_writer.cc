@@ -35,6 +35,7 @@ class InkmlParts final : public DrawingParts {
   explicit InkmlParts(const Drawing& drawing)
       : drawing_(drawing),
         document_(drawing.document),
+        has_numbers_(need_numbers(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)) {}
 
   Result<void> begin(const std::optional<Rgba>& paper) {
@@ -162,9 +163,9 @@ class InkmlParts final : public DrawingParts {
     for (const Dab& dab : dabs) trace.push_back({dab.center, 2.0 * dab.radius_mm});
     out += "<trace xml:id=\"t" + number + "\" brushRef=\"#b" +
            std::to_string(brushes_.at({c.r, c.g, c.b, c.a})) + '"';
-    const std::string own_name = xml_own_name(drawing_, id);
-    if (auto ok = inkml::append_model(out, stroke_name(id), own_name, stroke, trace); !ok)
-      return ok;
+    const std::string name = xml_stroke_name(drawing_, id);
+    const std::string stated = has_numbers_ && name != stroke_name(id) ? stroke_name(id) : "";
+    if (auto ok = inkml::append_model(out, name, stated, stroke, trace); !ok) return ok;
     out += '>';
     for (std::size_t i = 0; i < trace.size(); ++i) {
       if (i > 0) out += ", ";
@@ -180,6 +181,7 @@ class InkmlParts final : public DrawingParts {
 
   const Drawing& drawing_;
   const Document& document_;
+  bool has_numbers_;
   std::vector<StrokeRange> ranges_;
   std::string head_;
   std::map<std::array<std::uint8_t, 4>, int> brushes_;

@@ -331,11 +331,11 @@ Result<void> append_svg_stroke(std::string& out, const SvgStrokeNames& given, co
     names += '"';
     return done;
   };
-  if (given.id != "s" + count) {
-    if (auto ok = append_name("id", given.id); !ok) return ok;
+  if (given.name != "s" + count) {
+    if (auto ok = append_name("id", given.name); !ok) return ok;
   }
-  if (!given.own.empty()) {
-    if (auto ok = append_name("name", given.own); !ok) return ok;
+  if (!given.number.empty()) {
+    if (auto ok = append_name("number", given.number); !ok) return ok;
   }
   if (d.medium != kSvgUsualMaterial) {
     if (auto ok = append_name("material", d.medium); !ok) return ok;

@@ -69,8 +69,8 @@ void append_svg_group_end(std::string& out);
 
 /// Names of a stroke in a file.
 struct SvgStrokeNames {
-  std::string_view id;     ///< stroke_name()
-  std::string_view own{};  ///< its own name (Drawing::names); empty if it has none
+  std::string_view name;      ///< name_in_file()
+  std::string_view number{};  ///< stroke_name(), if a reader would give the stroke another id
 };
 
 /// Appends one stroke: a filled path that any viewer shows correctly, with Inkscape's PowerStroke

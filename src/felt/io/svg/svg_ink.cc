@@ -455,15 +455,15 @@ void SvgInk::push(const SvgShape& shape, StrokeData data, bool is_written) {
   const Rect box = stroke->bounds();
   if (is_far(box)) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
-  std::string_view name, own_name;
+  std::string_view name, number;
   if (is_written) {
     name = shape.variable_width->id;
-    own_name = shape.variable_width->own_name;
+    number = shape.variable_width->number;
   } else if (!is_ours && !std::exchange(has_part_, true)) {
     name = shape.id;  // if a shape becomes several strokes, the first one gets its name
   }
   ready_layer();
-  builder_.add(builder_.layer_count() - 1, *std::move(stroke), name, own_name);
+  builder_.add(builder_.layer_count() - 1, *std::move(stroke), name, number);
   if (!is_ours_) layer_ink_.push_back(box);
 }
 

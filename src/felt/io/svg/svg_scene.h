@@ -45,7 +45,7 @@ struct SvgVariableWidth {
   std::string_view offset_points, interpolator, interpolator_beta, scale_width, start_cap, end_cap;
   bool has_effect = false;
   bool has_pattern = false;  ///< it has the effect Pattern Along Path
-  std::string_view id, own_name, medium, closed, joints, points, widths, tones;
+  std::string_view id, number, medium, closed, joints, points, widths, tones;
   bool is_ours = false;
   Rgba color;  ///< colour of the ink: the fill of the path, even if it is fully transparent
 };

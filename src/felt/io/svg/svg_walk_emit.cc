@@ -221,7 +221,7 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.id = document_.ours(e.node, "id");
   // Since version 2, the id of the stroke is that of the element, unless our own is given.
   if (v.id.data() == nullptr && !v.points.empty()) v.id = e.node.attribute("id").value();
-  v.own_name = document_.ours(e.node, "name");
+  v.number = document_.ours(e.node, "number");
   v.medium = document_.ours(e.node, "material");
   if (v.medium.data() == nullptr && !v.points.empty()) v.medium = kSvgUsualMaterial;
   v.closed = document_.ours(e.node, "closed");

@@ -373,7 +373,7 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
        {std::string("a\x01"), std::string("nul\0", 4), std::string("\xff"), std::string("\xc0\x80"),
         std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbe"), std::string("cut \xe2\x82")}) {
     std::string text = "before";
-    const Result<void> done = append_svg_stroke(text, {"s2", id}, s, 2, 0.005);
+    const Result<void> done = append_svg_stroke(text, {id}, s, 2, 0.005);
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().code, ErrorCode::kInvalidData);
     EXPECT_EQ(text, "before");
@@ -382,22 +382,22 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
   std::string text;
   append_svg_head(text, {0, 0, 9, 9}, {255, 255, 255, 0});
   EXPECT_EQ(text.size(), kSvgHeadBytes);
-  ASSERT_TRUE(append_svg_stroke(text, {"s2", id}, s, 2, 0.005));
+  ASSERT_TRUE(append_svg_stroke(text, {id}, s, 2, 0.005));
   append_svg_tail(text);
-  EXPECT_EQ(parsed(text).child("svg").child("path").attribute("felt:name").value(), id);
+  EXPECT_EQ(parsed(text).child("svg").child("path").attribute("felt:id").value(), id);
 }
 
 TEST(SvgWriter, AStreamOfADrawingsStrokesIsTheSameText) {
   Drawing drawing = testing::drawing_of(strokes_in_rows(7, 12));
   drawing.has_page = false;
-  drawing.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{2}, "cat-1"}});
+  drawing.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{7}, "cat-1"}});
   const SvgOptions options{.area = Rect{-1, -2, 90, 80}};
   std::string text = svg_head({.has_page = false}, options, {}).value();
   EXPECT_EQ(text.size(), kSvgHeadBytes);
   ASSERT_TRUE(append_svg_layer_begin(text, Document().layers()[0], 1));
   for (const StrokeId id : drawing.document.layers()[0].strokes) {
-    ASSERT_TRUE(append_svg_stroke(text, {stroke_name(id), xml_own_name(drawing, id)},
-                                  *drawing.document.find(id), id.value, options.tolerance_mm));
+    ASSERT_TRUE(append_svg_stroke(text, {xml_stroke_name(drawing, id)}, *drawing.document.find(id),
+                                  id.value, options.tolerance_mm));
   }
   append_svg_group_end(text);
   append_svg_tail(text);
@@ -421,7 +421,7 @@ TEST(SvgWriter, ANameThatXmlForbidsGivesWayToTheNumber) {
   drawing.names =
       std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{1}, "a\x01"}, {StrokeId{2}, "b"}});
   const std::string text = svg_text(drawing, {}).value();
-  EXPECT_EQ(text.find("felt:name"), text.find("felt:name=\"b\""));
+  EXPECT_EQ(text.find("felt:id"), text.find("felt:id=\"b\""));
 }
 
 TEST(SvgWriter, AStreamOfStrokesIsTheSameText) {

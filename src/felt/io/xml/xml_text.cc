@@ -1,8 +1,12 @@
 #include "felt/io/xml/xml_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "felt/base/utf8.h"
 #include "felt/document/visible_strokes.h"
@@ -66,9 +70,30 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
   return {};
 }
 
-std::string xml_own_name(const Drawing& drawing, StrokeId id) {
+std::string xml_stroke_name(const Drawing& drawing, StrokeId id) {
   std::string name = name_in_file(drawing, id), attribute;
-  return name != stroke_name(id) && append_xml_attribute(attribute, name) ? name : "";
+  return append_xml_attribute(attribute, name) ? name : stroke_name(id);
+}
+
+bool need_numbers(const Drawing& drawing) {
+  if (!drawing.names || drawing.names->empty()) return false;
+  // As in DrawingBuilder: names give ids, and the other strokes get ids above the largest of them.
+  std::vector<std::pair<StrokeId, StrokeId>>
+      ids;  // of each stroke, and the one that its name gives
+  std::uint64_t last = 0;
+  for (const Layer& layer : drawing.document.layers()) {
+    for (const StrokeId id : layer.strokes) {
+      ids.emplace_back(id, stroke_id_of_name(xml_stroke_name(drawing, id)));
+      last = std::max(last, ids.back().second.value);
+    }
+    for (const FillId id : layer.fills) last = std::max(last, id.value);
+  }
+  std::set<StrokeId> taken;
+  return std::any_of(ids.begin(), ids.end(), [&](const auto& both) {
+    const auto& [id, named] = both;
+    const bool gets_it = named.value > 0 && taken.insert(named).second;
+    return id != (gets_it ? named : StrokeId{++last});
+  });
 }
 
 }  // namespace felt

@@ -12,8 +12,11 @@ namespace felt {
 /// text is not UTF-8 or has a character that XML forbids (most control characters, U+FFFE, U+FFFF).
 Result<void> append_xml_attribute(std::string& out, std::string_view text);
 
-/// Returns the name of its own that a stroke has (Drawing::names), or an empty string if it has
-/// only stroke_name(), or if XML forbids its name.
-std::string xml_own_name(const Drawing& drawing, StrokeId id);
+/// Returns name_in_file(), or stroke_name() if XML forbids that name.
+std::string xml_stroke_name(const Drawing& drawing, StrokeId id);
+
+/// Returns true if DrawingBuilder would give other ids to the strokes of a file that has only their
+/// names.
+bool need_numbers(const Drawing& drawing);
 
 }  // namespace felt
