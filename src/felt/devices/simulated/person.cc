@@ -148,8 +148,8 @@ Person person_of(std::uint64_t seed) {
 }
 
 std::string_view person_model_name(PersonModel model) noexcept {
-  constexpr std::string_view kNames[] = {"proportional", "practised", "resting", "unsteady"};
-  return kNames[static_cast<std::size_t>(model)];
+  constexpr std::string_view kModelNames[] = {"proportional", "practised", "resting", "unsteady"};
+  return kModelNames[static_cast<std::size_t>(model)];
 }
 
 std::optional<PersonModel> find_person_model(std::string_view name) noexcept {
