@@ -146,12 +146,14 @@ void Episode::break_rule(Broken broken) {
 void Episode::see_edit(const Edit& edit) {
   ++edits_;
   if (!is_command_) {
-    ++commits_;
+    // A layer that is opened for ink is one step with the ink.
+    const bool is_layer = opens_layer(last_, edit);
+    if (!is_layer) ++commits_;
     ++tool_totals().edits;
     break_rule(check_edit(last_, edit));
     const std::span<const std::string_view> named = session_.tool().info().edits;
     const bool is_named = std::find(named.begin(), named.end(), edit.label) != named.end();
-    if (!is_named && edit.label != "Import" && !opens_layer(last_, edit)) {
+    if (!is_named && edit.label != "Import" && !is_layer) {
       break_rule("an edit whose label \"" + edit.label + "\" the tool's info does not name");
     }
     if (!changes_something(edit)) break_rule("an edit that changes nothing");
