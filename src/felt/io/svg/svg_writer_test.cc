@@ -390,7 +390,7 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
 TEST(SvgWriter, AStreamOfADrawingsStrokesIsTheSameText) {
   Drawing drawing = testing::drawing_of(strokes_in_rows(7, 12));
   drawing.has_page = false;
-  drawing.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{7}, "cat-1"}});
+  drawing.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{12}, "cat-1"}});
   const SvgOptions options{.area = Rect{-1, -2, 90, 80}};
   std::string text = svg_head({.has_page = false}, options, {}).value();
   EXPECT_EQ(text.size(), kSvgHeadBytes);
