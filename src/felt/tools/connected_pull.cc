@@ -165,9 +165,10 @@ std::vector<double> ConnectedPull::carried(Line& line, NearCurve& curve,
   return now;
 }
 
-bool ConnectedPull::is_released(StrokeId id, const Stroke& stroke, double u) const {
-  return is_end(stroke, u) &&
-         released_.contains({id, u <= 0.0 ? StrokeTip::kStart : StrokeTip::kEnd});
+bool ConnectedPull::is_released(StrokeId id, const Stroke& stroke, double u, StrokeId other) const {
+  if (!is_end(stroke, u)) return false;
+  const TipId tip{id, u <= 0.0 ? StrokeTip::kStart : StrokeTip::kEnd};
+  return released_.contains(tip) || released_from_.contains({tip, other});
 }
 
 ConnectedPull::Line& ConnectedPull::line(StrokeId id, const StrokePtr& before, const Scene& scene) {
@@ -177,7 +178,8 @@ ConnectedPull::Line& ConnectedPull::line(StrokeId id, const StrokePtr& before, c
   line.before = before;
   for (const Junction& j : junctions_of(scene.document, scene.index, id, *before)) {
     const Stroke& other = *scene.document.find(j.other);
-    if (is_released(id, *before, j.u) || is_released(j.other, other, j.other_u)) continue;
+    if (is_released(id, *before, j.u, j.other)) continue;
+    if (is_released(j.other, other, j.other_u, id)) continue;
     const Point here = before->position(j.u);
     line.links.push_back({j.u, j.other, j.other_u, here, other.position(j.other_u) - here,
                           is_end(other, j.other_u), !j.editable});

@@ -76,6 +76,8 @@ class ConnectedPull {
 
   /// Lets an end leave the points that it shares with other strokes. Call it before complete().
   void release(TipId tip) { released_.insert(tip); }
+  /// Does the same for the points that the end shares with one stroke.
+  void release(TipId tip, StrokeId from) { released_from_.insert({tip, from}); }
 
   /// Adds the changes of the followers to `edit`, which is the gesture's edit of scene.document.
   void complete(Edit& edit, const Scene& scene);
@@ -127,7 +129,7 @@ class ConnectedPull {
   [[nodiscard]] std::vector<Tie> held(const Line& line, std::vector<Tie> ties);
   void place(Line& line, const StrokePtr& given, std::vector<Tie> all);
   void place_change(StrokeChange& change, bool is_own, Spread& spread, const Scene& scene);
-  [[nodiscard]] bool is_released(StrokeId id, const Stroke& stroke, double u) const;
+  [[nodiscard]] bool is_released(StrokeId id, const Stroke& stroke, double u, StrokeId other) const;
   [[nodiscard]] Tie tie_at(Line& line, std::size_t i, const Stroke* waiting);
   [[nodiscard]] std::vector<PointMove> moves_of(Line& line, NearCurve& given);
   [[nodiscard]] StrokePtr shaped(Line& line);
@@ -138,6 +140,7 @@ class ConnectedPull {
   std::map<StrokeId, Line> lines_;
   std::set<StrokeId> rigid_;
   std::set<TipId> released_;
+  std::set<std::pair<TipId, StrokeId>> released_from_;
   std::size_t followers_ = 0;
   Work work_;
 };

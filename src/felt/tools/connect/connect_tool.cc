@@ -148,6 +148,7 @@ Edit ConnectTool::connect(TipId to, MeetingPlace place, const Scene& scene) cons
   lines.keep_shape(moved.stroke);
   lines.keep_shape(to.stroke);
   if (place == MeetingPlace::kAtTarget) lines.release(moved);
+  lines.release(moved, to.stroke);  // the end leaves its place on the line whose end it goes to
   const auto complete = [&](Edit& edit) {
     const bool both_move = place == MeetingPlace::kHalfWay &&
                            std::any_of(edit.changes.begin(), edit.changes.end(),

@@ -105,9 +105,23 @@ TEST(JoinedConnect, R33_LinesThatStandOnALineWhoseEndMovesFollow) {
     EXPECT_EQ(d.fixture.document, before) << "one step";
   }
   EXPECT_GT(changed, gestures * 3 / 4);
-  // Taps on a line of 1.4 mm, which is too short to bend, were seen to do this.
-  EXPECT_LE(torn.size(), 1U) << ::testing::PrintToString(torn);
-  for (const auto& [seed, apart_mm] : torn) EXPECT_LE(apart_mm, 0.3) << seed;
+  EXPECT_TRUE(torn.empty()) << ::testing::PrintToString(torn);
+}
+
+TEST(JoinedConnect, R33_AnEndThatGoesToTheEndOfTheLineItStandsOnLeavesThatLineAlone) {
+  testing::Fixture f;
+  const StrokeId base = f.add(testing::straight_stroke({0, 0}, {40, 0}, 1, 1));
+  const StrokeId post = f.add(testing::straight_stroke({38, 1.4}, {39, 0}, 1, 1));
+  const Stroke before = *f.document.find(base);
+  ConnectTool tool;
+  ASSERT_TRUE(tool.set_option("keep_separate", true));
+  Pen pen{tool, f};
+  pen.up({39, 0});
+  pen.at({39, 0, -1.0});
+  pen.up({39, 0});
+  ASSERT_EQ(f.history.undo_label(), "Connect");
+  EXPECT_EQ(*f.document.find(base), before);
+  EXPECT_EQ(tip_point(*f.document.find(post), StrokeTip::kEnd), (Point{40, 0}));
 }
 
 TEST(JoinedConnect, R33_LinesFollowALineThatIsJoinedAndKeepTheirPlaces) {
