@@ -3,16 +3,15 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "drawing.h"
+#include "felt/base/constants.h"
 #include "statistics.h"
 
 namespace felt::bench {
 namespace {
 
-constexpr double kTau = 2.0 * std::numbers::pi;
 constexpr std::uint64_t kTrials = 4;  // of each person and shape
 
 using Path = std::vector<Point>;

@@ -18,13 +18,13 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "acceptance.h"
 #include "apps/cli/text_table.h"
 #include "drawing.h"
+#include "felt/base/constants.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/trial/trial_metrics.h"
 #include "report.h"
@@ -35,7 +35,6 @@ namespace {
 
 constexpr double kCareful = 0.25;  // pace of people who draw slowly
 constexpr double kHurry = 3.0;     // pace of people who are told to be as fast as possible
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 struct Options {
   std::size_t people = 20;

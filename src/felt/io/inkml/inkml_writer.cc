@@ -35,7 +35,7 @@ class InkmlParts final : public DrawingParts {
   explicit InkmlParts(const Drawing& drawing)
       : drawing_(drawing),
         document_(drawing.document),
-        has_numbers_(need_numbers(drawing)),
+        names_(drawing),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)) {}
 
   Result<void> begin(const std::optional<Rgba>& paper) {
@@ -163,9 +163,8 @@ class InkmlParts final : public DrawingParts {
     for (const Dab& dab : dabs) trace.push_back({dab.center, 2.0 * dab.radius_mm});
     out += "<trace xml:id=\"t" + number + "\" brushRef=\"#b" +
            std::to_string(brushes_.at({c.r, c.g, c.b, c.a})) + '"';
-    const std::string name = xml_stroke_name(drawing_, id);
-    const std::string stated = has_numbers_ && name != stroke_name(id) ? stroke_name(id) : "";
-    if (auto ok = inkml::append_model(out, name, stated, stroke, trace); !ok) return ok;
+    const auto [name, own_number] = names_.of(id);
+    if (auto ok = inkml::append_model(out, name, own_number, stroke, trace); !ok) return ok;
     out += '>';
     for (std::size_t i = 0; i < trace.size(); ++i) {
       if (i > 0) out += ", ";
@@ -181,7 +180,7 @@ class InkmlParts final : public DrawingParts {
 
   const Drawing& drawing_;
   const Document& document_;
-  bool has_numbers_;
+  XmlStrokeNames names_;
   std::vector<StrokeRange> ranges_;
   std::string head_;
   std::map<std::array<std::uint8_t, 4>, int> brushes_;

@@ -22,7 +22,7 @@ class SvgParts final : public DrawingParts {
            SvgLayers layers)
       : drawing_(drawing),
         document_(drawing.document),
-        has_numbers_(need_numbers(drawing)),
+        names_(drawing),
         styles_(options.grain ? options.grain->grain.styles() : styles_of(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
@@ -98,21 +98,20 @@ class SvgParts final : public DrawingParts {
   Result<void> append_stroke(std::string& text, StrokeId id, std::size_t number) const {
     const StrokePtr stroke = document_.find(id);
     const StrokeStyle* style = styles_.find(stroke->medium());
-    const std::string name = xml_stroke_name(drawing_, id);
-    const std::string stated = has_numbers_ && name != stroke_name(id) ? stroke_name(id) : "";
+    const auto [name, own_number] = names_.of(id);
     if (!masks_) {
-      return append_svg_stroke(text, {name, stated}, *stroke, number, tolerance_mm_, nullptr,
+      return append_svg_stroke(text, {name, own_number}, *stroke, number, tolerance_mm_, nullptr,
                                style);
     }
     const Result<std::optional<GrainMask>> mask = masks_->of(*stroke);
     if (!mask) return tl::unexpected(mask.error());
-    return append_svg_stroke(text, {name, stated}, *stroke, number, tolerance_mm_,
+    return append_svg_stroke(text, {name, own_number}, *stroke, number, tolerance_mm_,
                              *mask ? &**mask : nullptr, style);
   }
 
   const Drawing& drawing_;
   const Document& document_;
-  bool has_numbers_;
+  XmlStrokeNames names_;
   StrokeStyles styles_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;

@@ -75,6 +75,10 @@ std::string xml_stroke_name(const Drawing& drawing, StrokeId id) {
   return append_xml_attribute(attribute, name) ? name : stroke_name(id);
 }
 
+namespace {
+
+/// Returns true if DrawingBuilder would give other ids to the strokes of a file that has only their
+/// names.
 bool need_numbers(const Drawing& drawing) {
   if (!drawing.names || drawing.names->empty()) return false;
   // As in DrawingBuilder: names give ids, and the other strokes get ids above the largest of them.
@@ -94,6 +98,17 @@ bool need_numbers(const Drawing& drawing) {
     const bool gets_it = named.value > 0 && taken.insert(named).second;
     return id != (gets_it ? named : StrokeId{++last});
   });
+}
+
+}  // namespace
+
+XmlStrokeNames::XmlStrokeNames(const Drawing& drawing)
+    : drawing_(drawing), has_numbers_(need_numbers(drawing)) {}
+
+XmlStrokeNames::Names XmlStrokeNames::of(StrokeId id) const {
+  Names names{xml_stroke_name(drawing_, id), ""};
+  if (has_numbers_ && names.name != stroke_name(id)) names.number = stroke_name(id);
+  return names;
 }
 
 }  // namespace felt
