@@ -20,8 +20,7 @@ class SvgParts final : public DrawingParts {
  public:
   SvgParts(const Drawing& drawing, const SvgOptions& options, const Rect& area, std::string head,
            SvgLayers layers)
-      : drawing_(drawing),
-        document_(drawing.document),
+      : document_(drawing.document),
         names_(drawing),
         styles_(options.grain ? options.grain->grain.styles() : styles_of(drawing)),
         ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)),
@@ -109,7 +108,6 @@ class SvgParts final : public DrawingParts {
                              *mask ? &**mask : nullptr, style);
   }
 
-  const Drawing& drawing_;
   const Document& document_;
   XmlStrokeNames names_;
   StrokeStyles styles_;
