@@ -157,6 +157,10 @@ void MaterialEditorModel::report_now() {
   if (wanted != ink) studio_.apply(SetOption{kInkColorId, color_to_text(wanted)});
 }
 
+MaterialEditorModel::~MaterialEditorModel() {
+  steps_.blockSignals(true);  // its destructor removes the steps, and would report that
+}
+
 /// Updates the selection and the list of user-defined materials after another drawing was opened. A
 /// user-defined material can be used only if the drawing has no other material with its id, so a
 /// new drawing may change which ones are in use.

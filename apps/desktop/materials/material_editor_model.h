@@ -32,8 +32,11 @@ class MaterialEditorModel : public QObject {
 
  public:
   /// From now on, only this object may pass user-defined materials to the studio. The studio may
-  /// already have them. `studio` and `own` (the user-defined materials) must outlive this object.
+  /// already have them. `studio` and `own` (the user-defined materials) must outlive the use of
+  /// this object.
   MaterialEditorModel(Studio& studio, UserMaterials& own, QObject* parent = nullptr);
+  /// Emits nothing: the studio may be gone if a window takes both along.
+  ~MaterialEditorModel() override;
 
   [[nodiscard]] const MaterialKey& key() const noexcept { return key_; }
   /// Returns the selected material with its present figures.

@@ -86,6 +86,19 @@ TEST(MaterialEditorModel, EveryChangeIsUndoneAndRedone) {
   }
 }
 
+TEST(MaterialEditorModel, SaysNothingWhenItIsDeleted) {
+  Bench bench;
+  int told = 0;
+  {
+    MaterialEditorModel other(bench.studio, bench.own);
+    QObject::connect(&other.steps(), &QUndoStack::indexChanged, [&told] { ++told; });
+    other.set("feel.friction", 0.4);
+    ASSERT_EQ(other.steps().count(), 1);
+    told = 0;
+  }
+  EXPECT_EQ(told, 0);
+}
+
 TEST(MaterialEditorModel, ADragIsOneStepAndFewEvents) {
   Bench bench;
   bench.fixture.set("feel.friction", 0.5);  // changing a built-in one makes a copy

@@ -289,6 +289,22 @@ TEST(LiveInk, ALongBounceOfALandingPenKeepsTheLine) {
 
 /// The edit thread resumes after it hung. Its late events are samples that the autosave already has
 /// from the haptic loop.
+TEST(LiveInk, AStretchBeforeTheFirstSampleOfTheSessionEnds) {
+  LiveInk live;
+  PenSample sample;
+  sample.time_ns = 1'000'000;
+  sample.position = {10, 10, -0.3};
+  live.add_loop_sample(sample);
+  EXPECT_FALSE(live.take_changes().chunks.empty()) << "the loop has drawn";
+  bool is_over = false;  // the session sees a pen that hovers, because it lifts it
+  for (std::int64_t t = 1; t < 300; ++t) {
+    live.event_applied({t * 1'000'000, PenEvent{{10, 10, 5.0}, {}, 0, {}}}, false);
+    is_over = is_over || live.take_changes().clear;
+    EXPECT_TRUE(!is_over || t * 1'000'000 > LiveInk::kNoEditNs);
+  }
+  EXPECT_TRUE(is_over);
+}
+
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
   for (int reported = 44; reported <= 120; reported += 4) {
     const TestFolder folder;

@@ -108,6 +108,8 @@ void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
     if (open_) append_event_line(events_, event);
     return;
   }
+  // Without a sample before the stretch, kNoEditNs counts from this one.
+  if (session_ns_ == INT64_MIN) last_contact_ns_ = event.time_ns;
   session_ns_ = std::max(session_ns_, event.time_ns);
   while (!overhang_.empty() && overhang_.front().time_ns <= session_ns_) overhang_.pop_front();
   PenSample sample = sample_of(event.time_ns, *pen);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "desktop/engine/studio.h"
@@ -19,6 +20,9 @@ class Witness : public QObject {
   [[nodiscard]] std::string undo_and_redo();
 
  private:
+  /// Returns nullopt if another edit came between.
+  std::optional<std::string> try_undo_and_redo();
+
   Studio& studio_;
   Document seen_;
   std::string trouble_;
