@@ -26,12 +26,18 @@ struct SimulateArguments {
   std::string study, folder;
   std::size_t people = 20;
   std::uint64_t seed = 1;
-  std::string device = "premium";
+  std::string device = "premium", model = "resting";
 };
 
 std::vector<std::string> preset_names() {
   std::vector<std::string> names;
   for (const StylusPreset& preset : stylus_presets()) names.emplace_back(preset.name);
+  return names;
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  for (const PersonModel model : kPersonModels) names.emplace_back(person_model_name(model));
   return names;
 }
 
@@ -73,8 +79,10 @@ void run_simulate(const SimulateArguments& args, Console& console) {
     console.status(fmt::format("simulating {:.1f} %", 100.0 * share));
     return !Interrupt::was_asked();
   };
-  const Result<void> done =
-      simulate_study(*folder, {args.people, args.seed, device, "feltline " FELT_VERSION}, progress);
+  const Result<void> done = simulate_study(
+      *folder,
+      {args.people, args.seed, *find_person_model(args.model), device, "feltline " FELT_VERSION},
+      progress);
   console.end_progress();
   if (!done) return console.error(done.error().message);
   const Result<TrialCounts> counts = count_trials(*folder);
@@ -103,6 +111,9 @@ void add_simulate(CLI::App& trial, Console& console) {
       ->capture_default_str();
   command->add_option("--device", args->device, "The simulated device that they use")
       ->check(CLI::IsMember(preset_names()))
+      ->capture_default_str();
+  command->add_option("--model", args->model, "How they feel and move")
+      ->check(CLI::IsMember(model_names()))
       ->capture_default_str();
   command->footer(
       "Simulated people do not learn and do not answer questionnaires. Ctrl-C ends early and "

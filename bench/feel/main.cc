@@ -1,6 +1,7 @@
 // Draws recorded strokes again, with a simulated pen, the haptic loop and the pencil, for each
 // drawing material and with forces on and off. Without --file it draws share/samples. All options
-// of the pencil have their defaults, except those given with --set.
+// of the pencil have their defaults, except those given with --set. People draw with the plane
+// alone instead of forces off, because their pen would have no surface (see --baselines).
 //   bench_feel [--people N] [--file F]... [--mm-per-unit U] [--limit N] [--device NAME]
 //              [--set ID=VALUE]... [--model NAME]
 // N simulated people draw (default 20), who see and feel what the pen does
@@ -11,6 +12,9 @@
 // time the simulation runs on this machine. Fails if a stroke is missing or is split.
 //   bench_feel --snapping [--file F]... [--hand NAME] [--people N]
 // Counts joined and closed strokes (snap_bars.h).
+//   bench_feel --baselines [--people N] [--device NAME]
+// Simulated people of all models draw in the air, on the plane alone, with the default forces and
+// with a tablet (baselines.h). Without --device, with all simulated devices that have forces.
 //   bench_feel --pull [--people N] [--device NAME]
 // Simulated people pull a line to given points (pull_people.h).
 #include <fmt/core.h>
@@ -26,6 +30,7 @@
 #include <vector>
 
 #include "apps/cli/text_table.h"
+#include "baselines.h"
 #include "bench/hand/statistics.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
@@ -41,11 +46,11 @@ struct Options {
   std::vector<std::string> files;
   double mm_per_unit = 1.0;
   std::size_t limit = 1'000'000'000;
-  std::string device = "touch", hand, csv;
+  std::string device, hand, csv;
   std::vector<std::pair<std::string, std::string>> set;
   std::size_t people = 20;
   PersonModel model = PersonModel::kProportional;
-  bool snapping = false, pull = false;
+  bool snapping = false, pull = false, baselines = false;
 };
 
 [[noreturn]] void fail_usage() {
@@ -54,6 +59,7 @@ struct Options {
              "[--device NAME] [--set ID=VALUE]... [--model NAME]\n"
              "       bench_feel --hand NAME [--csv F] [the options above]\n"
              "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n"
+             "       bench_feel --baselines [--people N] [--device NAME]\n"
              "       bench_feel --pull [--people N] [--device NAME]\n");
   std::exit(2);
 }
@@ -62,8 +68,10 @@ Options options_of(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
-    if (name == "--snapping" || name == "--pull") {
-      (name == "--pull" ? options.pull : options.snapping) = true;
+    if (name == "--snapping" || name == "--pull" || name == "--baselines") {
+      (name == "--pull"       ? options.pull
+       : name == "--snapping" ? options.snapping
+                              : options.baselines) = true;
       --i;
       continue;
     }
@@ -99,8 +107,9 @@ Options options_of(int argc, char** argv) {
       options.files.push_back(std::string("share/samples/") + name + ".ndjson");
     }
   }
-  const bool known =
-      find_stylus_preset(options.device) && (options.hand.empty() || find_hand(options.hand));
+  if (options.device.empty() && !options.baselines) options.device = "touch";
+  const bool known = options.device.empty() || (find_stylus_preset(options.device) &&
+                                                (options.hand.empty() || find_hand(options.hand)));
   if (!known || !(options.mm_per_unit > 0.0)) fail_usage();
   return options;
 }
@@ -127,11 +136,16 @@ struct Row {
 
 Result<ReplayStats> draw(const Options& options, const std::string& material, bool forces,
                          const std::optional<Person>& person = std::nullopt) {
+  const SimulatedHand& hand = *find_hand(options.hand.empty() ? "typical" : options.hand);
   ReplaySettings settings =
-      replay_settings(*find_stylus_preset(options.device),
-                      *find_hand(options.hand.empty() ? "typical" : options.hand), forces, {}, {});
+      replay_settings(*find_stylus_preset(options.device), hand, forces || person, {}, {});
   settings.person = person;
   ReplayMachine machine(settings, Document(), {});
+  if (person && !forces) {
+    if (Result<void> set = machine.set_option("surface.plane_only", "true"); !set) {
+      return tl::unexpected(set.error());
+    }
+  }
   if (Result<void> set = machine.set_option("pencil.medium", material); !set) {
     return tl::unexpected(set.error());
   }
@@ -203,7 +217,8 @@ void print_table(const Options& options, const std::vector<Row>& rows) {
       options.device, options.hand);
 }
 
-/// Lets people draw with a material, with forces off and on. Returns the errors of each person, mm.
+/// Lets people draw with a material, with all forces or with the plane only. Returns the errors of
+/// each person, mm.
 Result<std::vector<double>> errors_of(const Options& options, const std::string& material,
                                       bool forces, int& lost) {
   std::vector<double> errors;
@@ -219,11 +234,11 @@ Result<std::vector<double>> errors_of(const Options& options, const std::string&
 Result<void> compare_people(const Options& options) {
   using Align = cli::TextTable::Align;
   cli::TextTable table({{"material", Align::kLeft},
-                        {"forces off mm", Align::kRight},
-                        {"on mm", Align::kRight},
+                        {"plane only mm", Align::kRight},
+                        {"default mm", Align::kRight},
                         {"change (95 %)", Align::kRight},
-                        {"strokes off", Align::kRight},
-                        {"on", Align::kRight}});
+                        {"strokes, plane only", Align::kRight},
+                        {"default", Align::kRight}});
   for (const char* material : kMaterials) {
     int lost_off = 0, lost_on = 0;
     const auto off = errors_of(options, material, false, lost_off);
@@ -249,14 +264,26 @@ Result<void> compare_people(const Options& options) {
   return {};
 }
 
+Result<void> compare_with_baselines(const Options& options) {
+  std::vector<std::string> devices;
+  for (const StylusPreset& preset : stylus_presets()) {
+    const bool is_one = options.device.empty()
+                            ? preset.name != "worst" && preset.capabilities.has_force()
+                            : preset.name == options.device;
+    if (is_one) devices.emplace_back(preset.name);
+  }
+  return compare_baselines(devices, options.people);
+}
+
 int run(int argc, char** argv) {
   const Options options = options_of(argc, argv);
   if (options.snapping) {
     return check_snap_bars(options.files, options.hand, options.people) ? 0 : 1;
   }
   if (options.hand.empty()) {
-    const Result<void> compared =
-        options.pull ? compare_pulls(options.device, options.people) : compare_people(options);
+    const Result<void> compared = options.baselines ? compare_with_baselines(options)
+                                  : options.pull    ? compare_pulls(options.device, options.people)
+                                                    : compare_people(options);
     if (!compared) fmt::print(stderr, "bench_feel: {}\n", compared.error().message);
     return compared ? 0 : 1;
   }

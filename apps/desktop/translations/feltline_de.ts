@@ -7211,6 +7211,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Das Material des Untergrunds: seine Härte und seine Reibung.</translation>
     </message>
     <message>
+        <source>Only the plane</source>
+        <translation>Nur die Fläche</translation>
+    </message>
+    <message>
+        <source>The plane of the surface is the only force: no friction, grain, attraction or guide. To compare other forces with.</source>
+        <translation>Die Fläche des Untergrunds ist die einzige Kraft: keine Reibung, Körnung, Anziehung oder Führung. Zum Vergleich mit anderen Kräften.</translation>
+    </message>
+    <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
         <translation>Ob Linienenden den Stift anziehen (Kraft), sich mit dem gezogenen Ende verbinden (Einrasten) oder beides.</translation>
     </message>

@@ -7211,6 +7211,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Het materiaal van de ondergrond: de hardheid en de wrijving.</translation>
     </message>
     <message>
+        <source>Only the plane</source>
+        <translation>Alleen het vlak</translation>
+    </message>
+    <message>
+        <source>The plane of the surface is the only force: no friction, grain, attraction or guide. To compare other forces with.</source>
+        <translation>Het vlak van de ondergrond is de enige kracht: geen wrijving, korrel, aantrekking of geleiding. Om andere krachten mee te vergelijken.</translation>
+    </message>
+    <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
         <translation>Of lijneinden de pen aantrekken (kracht), met het gesleepte eind verbinden (vastklikken), of beide.</translation>
     </message>

@@ -42,7 +42,8 @@ void TrialRun::begin(const TrialStep& step) {
   Page page = studio_.page();
   page.paper = Page{}.paper;
   studio_.set_page(page);
-  studio_.loop().set_forces(files().study.conditions[step.trial.condition].has_forces);
+  studio_.loop().set_forces(files().study.conditions[step.trial.condition].forces !=
+                            StudyForces::kAir);
 }
 
 void TrialRun::check_device(const DeviceStatus& status) {

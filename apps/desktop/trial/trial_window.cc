@@ -61,7 +61,7 @@ void TrialWindow::show_welcome(bool device_has_force) {
   for (const PlannedTrial& trial : run_.session().plan) {
     const StudyTask task = files.study.shapes[trial.shape].task;
     if (std::find(tasks.begin(), tasks.end(), task) == tasks.end()) tasks.push_back(task);
-    has_forces = has_forces || files.study.conditions[trial.condition].has_forces;
+    has_forces = has_forces || files.study.conditions[trial.condition].forces != StudyForces::kAir;
   }
   QStringList lines;
   for (const StudyTask task : tasks) lines.push_back(task_text(task));

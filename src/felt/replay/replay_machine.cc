@@ -124,6 +124,17 @@ HandScriptOptions ReplayMachine::hand_options() const {
   return options;
 }
 
+double ReplayMachine::expected_friction_n() const {
+  const double device_n = settings_.device.mechanics.friction_n;
+  const bool has_force = settings_.force && probe_.device().has_force();
+  if (!has_force || probe_.option("surface.plane_only") == OptionValue(true)) return device_n;
+  HandScriptOptions options = settings_.script;
+  set_surface(options, probe_.surface(), probe_.device(),
+              probe_.materials().find_medium(drawing_medium(probe_)));
+  const double strength = drawing_number(probe_, "strength", 1.0);
+  return device_n + 0.5 * strength * options.friction * options.full_n;
+}
+
 Result<void> ReplayMachine::set_option(const std::string& id, const std::string& text) {
   const Result<OptionValue> present = probe_.option(id);
   if (!present) return tl::unexpected(present.error());

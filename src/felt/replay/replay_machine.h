@@ -102,6 +102,9 @@ class ReplayMachine {
 
   /// Returns how the hand draws on the current surface with the current medium.
   [[nodiscard]] HandScriptOptions hand_options() const;
+  /// Returns the friction that a hand meets that presses with half of the firm push: that of the
+  /// device and, with forces, that of the medium on the surface, N.
+  [[nodiscard]] double expected_friction_n() const;
   [[nodiscard]] const Session& session() const noexcept { return session_; }
 
  private:

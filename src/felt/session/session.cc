@@ -7,7 +7,6 @@
 
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
-#include "felt/document/stroke_index.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/fill/document_map.h"
 #include "felt/geometry/tilt.h"
@@ -16,16 +15,13 @@
 #include "felt/session/old_defaults.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session_medium.h"
-#include "felt/session/surface_options.h"
+#include "felt/session/session_parts.h"
 #include "felt/stroke/color_text.h"
 #include "felt/tools/choice_ring.h"
-#include "felt/tools/contact.h"
 #include "felt/tools/edge_ridges.h"
 #include "felt/tools/exact_ink.h"
 #include "felt/tools/guide_picture.h"
-#include "felt/tools/guide_track.h"
 #include "felt/tools/guided_feel.h"
-#include "felt/tools/selection_view.h"
 #include "felt/tools/stroke_guide.h"
 
 namespace felt {
@@ -133,22 +129,6 @@ struct Session::Apply {
   Result<void> operator()(const UseEdges& e) const { return session.use_edges(e); }
   Result<void> operator()(const UseRing& e) const { return session.use_ring(e); }
   Result<void> operator()(const UseView& e) const { return session.use_view(e); }
-};
-
-/// Parts of the session that change with the document, the pen and the options.
-struct Session::Parts {
-  explicit Parts(const Document& document) : index(document) {}
-
-  StrokeIndex index;
-  SelectionView selection_view;  // for tools that do not show the selection themselves
-  VelocityFilter velocity;
-  Contact contact;
-  SurfaceOptions surface;
-  Rgba ink_color;
-  std::string ink_medium = "pencil";
-  std::vector<DrawingGuidePtr> visible_guides;  // of the document
-  std::optional<GuideTrack> guide;
-  std::uint32_t guide_number = 0;  // the last number that a guide has used
 };
 
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)

@@ -149,8 +149,7 @@ class Session {
   [[nodiscard]] bool gesture_in_progress() const noexcept {
     return gesture_is_open_ || preview_is_of_gesture_;
   }
-  /// Returns the ids of all options: "TOOL.OPTION" of every tool, "surface.material" and
-  /// "ink.color".
+  /// Returns the ids of all options: "TOOL.OPTION", "surface.OPTION" and "ink.color".
   [[nodiscard]] std::vector<std::string> option_ids() const;
   /// Returns the present id of an option that was renamed, for example "surface.material" for
   /// "sheet.material". Returns any other id unchanged.

@@ -5,7 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/session/session.h"
+#include "felt/session/session_parts.h"
 #include "felt/tools/choice_ring.h"
 #include "felt/tools/edge_ridges.h"
 #include "felt/tools/feel_id.h"
@@ -13,6 +15,13 @@
 namespace felt {
 
 ForceModel Session::force() const {
+  if (parts_->surface.plane_only()) {
+    const PlaneOptions plane = plane_for(surface(), options_.device);
+    ForceModel model{Plane(plane)};
+    model.set_fade_id(
+        FeelId("plane").with(plane.stiffness_n_per_m).with(plane.damping_n_s_per_m).value());
+    return model;
+  }
   if (ring_) return ring_force(*ring_, surface(), options_.device);
   Scene now = scene();
   const Guide* edge = edge_ridges_ ? edge_ridges_->force() : nullptr;

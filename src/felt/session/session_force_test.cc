@@ -1,6 +1,7 @@
 // Tests of edges that are felt as soft ridges and of rings, with the real tools.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -55,6 +56,54 @@ struct EdgeFixture {
   std::int64_t now_ns = 0;
   std::unique_ptr<Session> session;
 };
+
+/// Returns the force after the pen has drawn a zigzag of 60 ms that ends at a point.
+Force force_at(Session& session, Point p, std::int64_t& now_ns) {
+  ForceMemory memory;
+  Force force;
+  for (int i = 0; i < 60; ++i) {
+    PenSample sample;
+    sample.time_ns = now_ns += 1'000'000;
+    sample.position = {p.x + 0.1 * (60 - i), p.y + 0.05 * (i % 7), -0.3};
+    EXPECT_TRUE(session.sample(sample));
+    sample.velocity = {-100.0, 30.0, 0.0};
+    memory.begin_tick(0.001);
+    force = session.force()(sample, memory);
+  }
+  return force;
+}
+
+TEST(SessionPlaneOnly, NoToolAddsAForceAlongTheSurface) {
+  for (const auto& tool : make_tools()) {
+    EdgeFixture all, plane;
+    for (EdgeFixture* f : {&all, &plane}) {
+      f->must(SelectTool{std::string(tool->info().id)});
+      f->must(UseEdges{kPage, false});
+    }
+    plane.must(SetOption{"surface.plane_only", OptionValue(true)});
+    const Force felt = force_at(*plane.session, {101.0, 101.0}, plane.now_ns);
+    EXPECT_EQ(std::hypot(felt.x, felt.y), 0.0) << tool->info().id;
+    EXPECT_GT(felt.z, 0.1) << tool->info().id;
+    const Force usual = force_at(*all.session, {101.0, 101.0}, all.now_ns);
+    if (tool->info().kind == ToolKind::kDraws) {
+      EXPECT_GT(std::hypot(usual.x, usual.y), 0.0);
+    }
+    EXPECT_NE(plane.session->force().fade_id(), all.session->force().fade_id());
+  }
+}
+
+TEST(SessionPlaneOnly, APencilWithoutStrengthIsThePlane) {
+  EdgeFixture weak, plane;
+  weak.must(SetOption{"pencil.strength", OptionValue(0.0)});
+  plane.must(SetOption{"surface.plane_only", OptionValue(true)});
+  for (const Point p : {Point{101.0, 101.0}, Point{30.0, 40.0}, kAtEdge}) {
+    const Force a = force_at(*weak.session, p, weak.now_ns);
+    const Force b = force_at(*plane.session, p, plane.now_ns);
+    EXPECT_NEAR(a.x, b.x, 1e-12);
+    EXPECT_NEAR(a.y, b.y, 1e-12);
+    EXPECT_NEAR(a.z, b.z, 1e-12);
+  }
+}
 
 TEST(SessionEdges, AreFeltOnlyIfTheyAreOn) {
   EdgeFixture f;

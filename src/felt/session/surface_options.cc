@@ -16,15 +16,25 @@ std::vector<std::string_view> material_ids() {
 
 std::span<const OptionSpec> SurfaceOptions::table() {
   static const std::vector<std::string_view> materials = material_ids();
-  static const std::array<OptionSpec, 1> rows = {{{
-      .id = "material",
-      .label = "Surface",
-      .unit = "",
-      .kind = OptionKind::kChoice,
-      .choices = materials,
-      .help = "The material of the surface: its hardness and its friction.",
-      .open = OpenChoice::kSurfaces,
-  }}};
+  static const std::array<OptionSpec, 2> rows = {{
+      {
+          .id = "material",
+          .label = "Surface",
+          .unit = "",
+          .kind = OptionKind::kChoice,
+          .choices = materials,
+          .help = "The material of the surface: its hardness and its friction.",
+          .open = OpenChoice::kSurfaces,
+      },
+      {
+          .id = "plane_only",
+          .label = "Only the plane",
+          .unit = "",
+          .kind = OptionKind::kSwitch,
+          .help = "The plane of the surface is the only force: no friction, grain, attraction or "
+                  "guide. To compare other forces with.",
+      },
+  }};
   return rows;
 }
 

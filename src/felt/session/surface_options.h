@@ -8,8 +8,8 @@
 
 namespace felt {
 
-/// The options of the surface, which do not belong to a tool. The only option is `material`, the id
-/// of a SurfaceMaterial; in events it is called "surface.material".
+/// The options of the surface, which do not belong to a tool; in events they are called
+/// "surface.material", the id of a SurfaceMaterial, and "surface.plane_only".
 class SurfaceOptions {
  public:
   static std::span<const OptionSpec> table();
@@ -23,6 +23,8 @@ class SurfaceOptions {
   void follow(const Materials& known);
 
   [[nodiscard]] const SurfaceMaterial& material() const noexcept { return material_; }
+  /// True: the plane of the surface is the only force, whatever the tool.
+  [[nodiscard]] bool plane_only() const noexcept { return values_.is_on(1); }
 
  private:
   OptionValues values_{table()};

@@ -14,6 +14,7 @@ TrialSample trial_sample(const RecordedSample& sample) {
   TrialSample result{.time_ns = pen.time_ns,
                      .position = on_page(pen.position),
                      .contact = in_contact(pen),
+                     .height_mm = pen.position.z,
                      .pressure = pen.pressure};
   if (sample.forces) result.force_n = Vec{sample.forces->sent.x, sample.forces->sent.y};
   return result;

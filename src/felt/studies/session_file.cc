@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "felt/base/printable.h"
+#include "felt/devices/simulated/person.h"
 #include "felt/io/ndjson/json_text.h"
 #include "felt/studies/measured_trial.h"
 
@@ -230,6 +231,7 @@ class Members {
 constexpr std::array<std::string_view, 10> kSessionKeys = {
     "format",  "version", "participant", "session", "device",
     "program", "started", "person_seed", "trials",  "answers"};
+constexpr std::string_view kModelKey = "person_model";  // absent for real people
 constexpr std::array<std::string_view, 6> kTrialKeys = {"trial", "attempt", "condition",
                                                         "shape", "invalid", "recording"};
 constexpr std::string_view kFingerprintKey = "fingerprint";  // absent in older files
@@ -280,7 +282,7 @@ Result<void> read_answer(dom::element value, const std::string& place, StudySess
 
 /// Reads the members of the file into `session`, which has its plan.
 Result<void> read_members(dom::element root, const Study& study, StudySession& session) {
-  Members members(root, "", kSessionKeys);
+  Members members(root, "", kSessionKeys, kModelKey);
   members.expect("format", kFormat);
   const int version = members.whole("version");
   if (members.ok() && version != kSessionVersion) {
@@ -298,6 +300,10 @@ Result<void> read_members(dom::element root, const Study& study, StudySession& s
   session.info.program = members.text("program");
   session.info.started = members.optional_text("started");
   session.info.person_seed = members.optional_seed("person_seed");
+  if (members.has_optional()) {
+    session.info.person_model = members.text(kModelKey);
+    if (!find_person_model(session.info.person_model)) members.wrong("person_model is unknown");
+  }
   const dom::array trials = members.list("trials"), answers = members.list("answers");
   if (!members.ok()) return members.result();
   std::size_t index = 0;
@@ -370,6 +376,7 @@ std::string session_to_json(const StudySession& session, const Study& study) {
   all.add_text("program", info.program);
   all.add_raw("started", info.started.empty() ? "null" : json_string(info.started));
   all.add_raw("person_seed", info.person_seed ? std::to_string(*info.person_seed) : "null");
+  if (!info.person_model.empty()) all.add_text(kModelKey, info.person_model);
   all.add_raw("trials", json_array(trials));
   all.add_raw("answers", json_array(answers));
   return all.text() + "\n";

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "felt/base/result.h"
+#include "felt/devices/simulated/person.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/studies/study_folder.h"
 
@@ -13,14 +14,16 @@ namespace felt {
 struct SimulateOptions {
   std::size_t people = 20;
   std::uint64_t seed = 1;  ///< of the people (population())
+  PersonModel model = PersonModel::kResting;
   StylusPreset device;
   std::string program;  ///< SessionInfo::program
 };
 
 /// Simulated people take part in all sessions of a study: person i of the population is participant
 /// i. Each trial is drawn by a FeedbackHand in a haptic loop on a virtual clock, and recorded like
-/// a trial of a real participant. Simulated people do not learn, and do not answer questions. They
-/// plan the movement of a towed nib, but look at the pen, and do not correct the nib.
+/// a trial of a real participant (simulate_trial()). Simulated people do not learn, and do not
+/// answer questions. They plan the movement of a towed nib, but look at the pen, and do not correct
+/// the nib.
 ///
 /// The same study, options and machine give the same files. Trials that the folder already has are
 /// kept, so that an interrupted simulation can be continued, or extended by more people. Fails if

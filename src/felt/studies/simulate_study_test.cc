@@ -11,6 +11,7 @@
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
 #include "felt/studies/measured_trial.h"
+#include "felt/studies/simulated_trial.h"
 #include "felt/studies/testing/study_fixture.h"
 
 namespace felt::simulate_study_test {
@@ -48,9 +49,9 @@ TEST_F(SimulateStudyTest, EveryPersonDrawsEveryTrial) {
       const TrialMetrics metrics =
           measure_recorded_trial(folder.files(), trial, trial_samples(recording));
       EXPECT_LT(*metrics.err_mean_mm, 3.0);
-      const bool has_forces = folder.files().study.conditions[trial.condition].has_forces;
+      const StudyForces forces = folder.files().study.conditions[trial.condition].forces;
       EXPECT_GT(*metrics.coverage, 0.6);  // also with a towed nib, for which people plan ahead
-      EXPECT_EQ(*metrics.force_mean_n > 0.0, has_forces);
+      EXPECT_EQ(*metrics.force_mean_n > 0.0, forces == StudyForces::kAll);
     }
   }
 }
@@ -118,6 +119,44 @@ size_mm = 30
   EXPECT_NE((error_mm[{0, 1}]), (error_mm[{0, 2}])) << "repetitions differ";
 }
 
+TEST_F(SimulateStudyTest, TheBaselinesAreWhatTheirNamesSay) {
+  write("base.toml", R"(id = "base"
+[[condition]]
+name = "air"
+forces = "air"
+[[condition]]
+name = "plane"
+forces = "plane"
+[[condition]]
+name = "weak"
+settings = { "pencil.strength" = 0 }
+[[condition]]
+name = "default"
+[[shape]]
+name = "line"
+kind = "line"
+size_mm = 100
+)");
+  const StudyFiles files = read_study_files(path("base.toml")).value();
+  const auto metrics = [&files](std::size_t condition, const Person& person) {
+    const PlannedTrial trial{.condition = condition, .shape = 0};
+    const auto drawn = simulate_trial(files, trial, person, *find_stylus_preset("premium"));
+    return drawn.value().back().metrics;
+  };
+  for (const Person& person : population(4, 3, PersonModel::kResting)) {
+    const TrialMetrics air = metrics(0, person), plane = metrics(1, person);
+    const TrialMetrics weak = metrics(2, person), usual = metrics(3, person);
+    EXPECT_EQ(air.force_mean_n, 0.0);
+    EXPECT_EQ(plane.force_mean_n, 0.0) << "along the surface";
+    EXPECT_GT(*usual.force_mean_n, 0.0);
+    EXPECT_GT(*air.coverage, 0.9) << "the depth of the pen draws";
+    EXPECT_GT(*air.err_total_mm, 1.2 * *plane.err_total_mm);
+    EXPECT_LT(*air.movement_s, 0.95 * *plane.movement_s);
+    EXPECT_NEAR(*weak.err_mean_mm, *plane.err_mean_mm, 0.01 * *plane.err_mean_mm);
+    EXPECT_NE(usual.err_mean_mm, plane.err_mean_mm);
+  }
+}
+
 TEST_F(SimulateStudyTest, OtherPeopleDoNotContinueAFolder) {
   StudyFolder folder = simulate("out", options(1));
   SimulateOptions others = options(1);
@@ -125,6 +164,9 @@ TEST_F(SimulateStudyTest, OtherPeopleDoNotContinueAFolder) {
   const Result<void> done = simulate_study(folder, others);
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message, HasSubstr("participant 1 is someone else there"));
+  others = options(1);
+  others.model = PersonModel::kUnsteady;
+  EXPECT_FALSE(simulate_study(folder, others)) << "the same person in another model";
 }
 
 TEST_F(SimulateStudyTest, ARecordingGivesTheSameDrawing) {

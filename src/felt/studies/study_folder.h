@@ -23,6 +23,7 @@ struct SessionInfo {
   /// When the session began, in UTC, as ISO 8601; empty for a simulated person.
   std::string started = {};
   std::optional<std::uint64_t> person_seed = {};  ///< of a simulated person (person_of())
+  std::string person_model = {};  ///< of a simulated person (person_model_name()), or empty
   friend bool operator==(const SessionInfo&, const SessionInfo&) = default;
 };
 

@@ -24,7 +24,8 @@ SessionInfo simulated(int participant) {
           .session = SessionKind::kTrain,
           .device = "simulated premium",
           .program = "feltline 9.9",
-          .person_seed = 18'446'744'073'709'551'615ULL};
+          .person_seed = 18'446'744'073'709'551'615ULL,
+          .person_model = "resting"};
 }
 
 Drawing recorded_drawing(double x) {
@@ -190,6 +191,7 @@ TEST_F(StudyFolderTest, SaysWhereADamagedSessionIsWrong) {
       {"[0,20,", "[", "must be 6 whole numbers"},
       {"18446744073709551615", "18446744073709551616", ""},
       {"\"fingerprint\":\"fnv1a-", "\"fingerprint\":\"fnv1b-", "fingerprint must be"},
+      {"\"resting\"", "\"dancing\"", "person_model is unknown"},
       {"null,\"person_seed\"", "\"2026\",\"person_seed\"", "started: \"2026\""}};
   for (const auto& [from, to, message] : cases) {
     std::filesystem::remove_all(path("out"));
@@ -303,6 +305,7 @@ rc::Gen<StudySession> random_session(const Study& study) {
     if (*rc::gen::arbitrary<bool>()) session.info.started = "2026-11-24T09:30:00Z";
     if (*rc::gen::arbitrary<bool>()) {
       session.info.person_seed = *rc::gen::arbitrary<std::uint64_t>();
+      session.info.person_model = *rc::gen::element<std::string>("", "proportional", "resting");
     }
     session.plan = plan_trials(study, session.info.participant, SessionKind::kTrain).value();
     for (const PlannedTrial& trial : session.plan) {

@@ -101,9 +101,13 @@ Result<void> check_conditions(const StudyFiles& files, const Materials& material
 
 std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& trial,
                                 const Capabilities& device) {
+  const StudyCondition& condition = files.study.conditions[trial.condition];
   std::vector<Event> events = {{0, UseDevice{device}}};
-  for (const StudySetting& setting : files.study.conditions[trial.condition].settings) {
+  for (const StudySetting& setting : condition.settings) {
     events.push_back({0, option_of(setting)});
+  }
+  if (condition.forces == StudyForces::kPlane) {
+    events.push_back({0, SetOption{"surface.plane_only", OptionValue(true)}});
   }
   GuideLine guide = guide_of(files, trial);
   if (guide.kind != GuideKind::kNone) events.push_back({0, UseGuide{std::move(guide)}});

@@ -20,7 +20,8 @@ Result<void> check_conditions(const StudyFiles& files, const Materials& material
                               const Capabilities& device, const std::string& name);
 
 /// Returns the events that set up a new session for a trial, at time 0: the device, the options of
-/// the condition, and the guide. Whether forces are on is not an event: StudyCondition::has_forces.
+/// the condition, and the guide. Whether forces are on is not an event: StudyCondition::forces
+/// decides it; only the choice of the plane alone is an event.
 /// Requires that check_conditions() succeeded.
 std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& trial,
                                 const Capabilities& device);

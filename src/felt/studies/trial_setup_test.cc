@@ -62,7 +62,19 @@ TEST_F(TrialSetupTest, AStudyOfShareCanBeTriedWithoutForces) {
   ASSERT_TRUE(files);
   EXPECT_TRUE(check_conditions(*files, Materials::built_in(), Capabilities(), "s.toml"));
   for (const StudyCondition& condition : files->study.conditions)
-    EXPECT_FALSE(condition.has_forces);
+    EXPECT_EQ(condition.forces, StudyForces::kAir);
+}
+
+TEST_F(TrialSetupTest, OnlyThePlaneIsASettingOfItsOwn) {
+  for (const auto& [forces, is_plane] :
+       {std::pair{"air", false}, {"plane", true}, {"all", false}}) {
+    const StudyFiles files = study_with("forces = \"" + std::string(forces) + "\"");
+    Session session(make_tools(), {.device = with_force()});
+    for (const Event& event : setup_events(files, {}, with_force())) {
+      EXPECT_TRUE(session.apply(event));
+    }
+    EXPECT_EQ(session.option("surface.plane_only"), OptionValue(is_plane)) << forces;
+  }
 }
 
 TEST_F(TrialSetupTest, AGuideFollowsTheShape) {

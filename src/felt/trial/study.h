@@ -34,6 +34,15 @@ enum class StudyGuidance {
 inline constexpr std::array<std::string_view, 5> kStudyGuidances = {
     "none", "groove", "as-needed", "error-amplifying", "replayed-teacher"};
 
+/// Which forces the device applies: what a condition is compared with. A device without forces
+/// draws the same in all three.
+enum class StudyForces {
+  kAir,    ///< none, not even a surface: the motors are off
+  kPlane,  ///< the plane of the surface alone: no friction, grain, attraction or guide
+  kAll,    ///< those of the program, with its options
+};
+inline constexpr std::array<std::string_view, 3> kStudyForces = {"air", "plane", "all"};
+
 /// The order of conditions, or of the shapes in a condition.
 enum class StudyOrder {
   kSequential,           ///< as in the file
@@ -91,7 +100,7 @@ struct StudyCondition {
   std::string name;   ///< unique in the study: "towed-drag"
   std::string label;  ///< shown to the user
   std::vector<StudySetting> settings = {};
-  bool has_forces = true;
+  StudyForces forces = StudyForces::kAll;
   bool has_vision = true;  ///< false: the screen is blank while the participant draws
   StudyGuidance guidance = StudyGuidance::kNone;
   double strength = 1.0;     ///< of the guidance, 0 to 1

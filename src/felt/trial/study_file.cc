@@ -305,10 +305,10 @@ class StudyReading {
       if (const TomlEntry* strength = find("condition.strength", index)) {
         say(strength->line, "condition.strength has no effect without condition.guidance");
       }
-    } else if (!condition.has_forces) {
-      say(find("condition.forces", index)->line,
-          "condition.forces is false, it must be true for the guidance " +
-              toml_value_text(*guidance));
+    } else if (condition.forces != StudyForces::kAll) {
+      const TomlEntry* forces = find("condition.forces", index);
+      say(forces->line, "condition.forces is " + toml_value_text(*forces) +
+                            ", it must be \"all\" for the guidance " + toml_value_text(*guidance));
     }
   }
 

@@ -120,7 +120,7 @@ sessions = ["pre", "post"]
   study.question_time = QuestionTime::kSession;
   study.conditions = {{.name = "none",
                        .label = "None",
-                       .has_forces = false,
+                       .forces = StudyForces::kAir,
                        .has_vision = false,
                        .needs = DeviceNeed::kForce,
                        .line = 28},
@@ -156,7 +156,7 @@ TEST(StudyFile, HasDefaults) {
   EXPECT_TRUE(study.catch_rules.device_fault);
   EXPECT_EQ(study.catch_rules.action, CatchAction::kFlag);
   EXPECT_EQ(study.conditions[0].label, "Free");
-  EXPECT_TRUE(study.conditions[0].has_forces && study.conditions[0].has_vision);
+  EXPECT_TRUE(study.conditions[0].forces == StudyForces::kAll && study.conditions[0].has_vision);
   EXPECT_EQ(study.shapes[0].size_mm, std::nullopt);
 }
 
@@ -181,7 +181,7 @@ TEST(StudyFile, RefusesValuesOutOfRangeOrOfAnotherType) {
                                        "{a = 1}",
                                        "\"" + std::string(201, 'x') + "\"",
                                        "\"a\\u0007b\""};
-    if (key.kind != StudyKeyKind::kSwitch) values.push_back("true");
+    if (key.kind != StudyKeyKind::kSwitch && !key.takes_switch) values.push_back("true");
     if (key.kind == StudyKeyKind::kWhole) values.push_back("1.5");
     if (key.kind == StudyKeyKind::kText) std::erase(values, "\"a/b\"");
     if (key.id == "id") std::erase(values, "{a = 1}");  // then the id is missing
@@ -279,6 +279,19 @@ TEST(StudyFile, RefusesNamesThatAreUsedTwice) {
             "s.toml:9: shape.name is \"circle\", it must be different from the name in line 6");
 }
 
+TEST(StudyFile, NamesTheForcesOrSwitchesThem) {
+  const std::pair<const char*, StudyForces> texts[] = {{"\"air\"", StudyForces::kAir},
+                                                       {"false", StudyForces::kAir},
+                                                       {"\"plane\"", StudyForces::kPlane},
+                                                       {"\"all\"", StudyForces::kAll},
+                                                       {"true", StudyForces::kAll}};
+  for (const auto& [text, forces] : texts) {
+    const auto read = read_study(with_condition("forces = " + std::string(text)), "a.toml");
+    ASSERT_TRUE(read) << text;
+    EXPECT_EQ(read->conditions[0].forces, forces) << text;
+  }
+}
+
 TEST(StudyFile, RefusesKeysThatDoNotFitOthers) {
   const std::vector<std::pair<std::string, std::string>> pairs = {
       {with_condition("strength = 0.5"), "4: condition.strength has no effect"},
@@ -287,6 +300,8 @@ TEST(StudyFile, RefusesKeysThatDoNotFitOthers) {
       {with_condition("teacher = \"a\""), "4: condition.teacher has no effect"},
       {with_condition("guidance = \"replayed-teacher\""), "4: condition.teacher is missing"},
       {with_condition("guidance = \"groove\"\nforces = false"), "5: condition.forces is false"},
+      {with_condition("guidance = \"groove\"\nforces = \"plane\""),
+       "5: condition.forces is \"plane\""},
       {with_condition("sessions = [\"pre\"]"), "4: condition.sessions is \"pre\", it must be in"},
       {with_shape("file = \"a.svg\""), "7: shape has a kind and a file"},
       {with_shape("tunnel_mm = 3"), "7: shape.tunnel_mm has no effect"},

@@ -178,10 +178,12 @@ constexpr auto kKeys = std::to_array<StudyKey>({
      .help = "The name that is shown.",
      .set = [](const Target& t, const Value& v) { t.condition->label = v.text; }},
     {.id = "condition.forces",
-     .kind = Kind::kSwitch,
-     .fallback = "true",
-     .help = "The device applies forces.",
-     .set = [](const Target& t, const Value& v) { t.condition->has_forces = v.is_on; }},
+     .kind = Kind::kChoice,
+     .choices = kStudyForces,
+     .takes_switch = true,
+     .fallback = "all",
+     .help = "The forces: none and no surface (air), only the surface (plane), or all.",
+     .set = [](const Target& t, const Value& v) { t.condition->forces = choice<StudyForces>(v); }},
     {.id = "condition.vision",
      .kind = Kind::kSwitch,
      .fallback = "true",
@@ -301,7 +303,7 @@ std::string allowed_text(const StudyKey& key) {
     case Kind::kFile:
       return "the name of a file, without folders";
     case Kind::kChoice:
-      return "one of " + words;
+      return "one of " + words + (key.takes_switch ? ", or false, true" : "");
     case Kind::kChoices:
       return "a list of different values of " + words;
     case Kind::kSettings:
@@ -321,8 +323,8 @@ std::optional<StudyValue> study_value(const StudyKey& key, const TomlEntry& entr
   const auto* text = std::get_if<std::string>(&entry.value);
   const auto* number = std::get_if<double>(&entry.value);
   const auto* on = std::get_if<bool>(&entry.value);
-  const auto choice =
-      text ? std::find(key.choices.begin(), key.choices.end(), *text) : key.choices.end();
+  auto choice = text ? std::find(key.choices.begin(), key.choices.end(), *text) : key.choices.end();
+  if (on && key.takes_switch) choice = *on ? key.choices.end() - 1 : key.choices.begin();
   bool fits = false;
   switch (key.kind) {
     case StudyKeyKind::kNumber:

@@ -47,7 +47,8 @@ struct StudyKey {
   double min = 0.0;                                ///< kNumber and kWhole
   double max = 0.0;                                ///< kNumber and kWhole
   std::span<const std::string_view> choices = {};  ///< kChoice and kChoices
-  std::string_view fallback = {};                  ///< the value without the key, for the document
+  bool takes_switch = false;  ///< kChoice: false and true are the first and the last choice, too
+  std::string_view fallback = {};  ///< the value without the key, for the document
   std::string_view help = {};
   /// Writes an allowed value. Called once for each value of a list. Null for kSettings.
   void (*set)(const StudyTarget& target, const StudyValue& value) = nullptr;

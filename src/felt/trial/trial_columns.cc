@@ -42,6 +42,10 @@ constexpr TrialColumn kTrialColumns[] = {
      "Hausdorff distance: the largest distance from a sample to the path or from a point of the "
      "path to the ink.",
      "10.1109/34.232073", &M::err_max_mm},
+    {"err_total_mm", "mm",
+     "Mean distance in space from the samples in contact to the path, if the path is at the median "
+     "height of these samples; empty if a height is unknown.",
+     "10.1145/3025453.3025474", &M::err_total_mm},
     {"frechet_mm", "mm",
      "Discrete Fréchet distance of at most 256 points at equal distances on the path and on the "
      "ink; the smaller one of both directions of the path; a closed path begins at its point "

@@ -62,6 +62,30 @@ double signed_error_mm(const TrialPath& path, const PolylineNearest& at, Point p
   return path.is_end(at) ? side : std::copysign(std::sqrt(at.distance_squared), side);
 }
 
+// The heights of the samples in contact above their median, or nothing if a height is unknown.
+std::vector<double> heights_of(const TrialInk& ink) {
+  std::vector<double> heights;
+  for (const TrialTouch touch : ink.touches) {
+    for (std::size_t i = touch.begin; i < touch.end; ++i) {
+      if (!ink.samples[i].height_mm) return {};
+      heights.push_back(*ink.samples[i].height_mm);
+    }
+  }
+  std::vector<double> sorted = heights;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  for (double& height : heights) height -= *middle;
+  return heights;
+}
+
+TrialMetrics::Value total_error_mm(const std::vector<double>& to_path,
+                                   const std::vector<double>& heights) {
+  if (heights.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < heights.size(); ++i) sum += std::hypot(to_path[i], heights[i]);
+  return sum / static_cast<double>(heights.size());
+}
+
 double area_of(const TrialInk& ink, const std::vector<double>& errors) {
   double area_mm2 = 0.0;
   std::size_t k = 0;  // of the first sample of the touch, in `errors`
@@ -125,6 +149,7 @@ void measure_errors(const TrialInk& ink, const TrialPath& path, const TrialGeome
   if (geometry.tunnel_width_mm) metrics.out_of_tunnel_share = static_cast<double>(outside) / count;
   metrics.coverage = static_cast<double>(covered) / static_cast<double>(to_ink.size());
   metrics.area_mm2 = area_of(ink, to_path);
+  metrics.err_total_mm = total_error_mm(to_path, heights_of(ink));
   metrics.direction_err_deg = direction_error_deg(ink, path);
   const OneWay a = summary_of(std::move(to_path)), b = summary_of(std::move(to_ink));
   metrics.err_mean_mm = 0.5 * (a.mean + b.mean);

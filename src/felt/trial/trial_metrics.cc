@@ -12,6 +12,7 @@ bool is_valid(const TrialSample& sample) {
   if (!is_in_range(sample.position)) return false;
   // A NaN fails each comparison.
   if (sample.pressure && !(std::abs(*sample.pressure) <= kMaxTrialForceN)) return false;
+  if (sample.height_mm && !(std::abs(*sample.height_mm) <= kMaxCoordinateMm)) return false;
   const Vec force = sample.force_n.value_or(Vec{});
   return std::abs(force.x) <= kMaxTrialForceN && std::abs(force.y) <= kMaxTrialForceN;
 }

@@ -13,7 +13,8 @@ struct TrialSample {
   std::int64_t time_ns = 0;
   Point position{};  ///< mm on the page
   bool contact = false;
-  std::optional<double> pressure{};  ///< 0..1; nullopt if the device does not sense it
+  std::optional<double> height_mm{};  ///< above the surface, negative below; nullopt if unknown
+  std::optional<double> pressure{};   ///< 0..1; nullopt if the device does not sense it
   /// The force in the page plane that was sent to the device, N; nullopt without a force device.
   std::optional<Vec> force_n{};
 };
@@ -48,7 +49,7 @@ struct TrialMetrics {
   // Lengths and speed
   Value path_length_mm, ink_length_mm, speed_mean_mm_per_s, steering_id;
   // Accuracy
-  Value err_mean_mm, err_rms_mm, err_p95_mm, err_max_mm, frechet_mm, err_signed_mm,
+  Value err_mean_mm, err_rms_mm, err_p95_mm, err_max_mm, err_total_mm, frechet_mm, err_signed_mm,
       direction_err_deg, area_mm2, coverage, out_of_tunnel_share;
   // Movement along a straight path (MacKenzie, Kauppinen, Silfverberg 2001)
   Value target_reentries, axis_crossings, direction_changes, orthogonal_changes,

@@ -91,6 +91,19 @@ TEST(TrialMetrics, ALineBesideThePathIsAsFarAsItIs) {
   EXPECT_NEAR(*m.movement_variability_mm, 0.0, 1e-12);
 }
 
+TEST(TrialMetrics, TheTotalErrorCountsTheHeightOverItsMedian) {
+  std::vector<TrialSample> samples = drawn(line_of({0, 0.4}, {40, 0.4}, 399));
+  EXPECT_EQ(measure_trial(samples, kStraight).err_total_mm, std::nullopt);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].height_mm = -2.0 + 0.3 * (static_cast<double>(i % 3) - 1.0);
+  }
+  const auto m = measure_trial(samples, kStraight);
+  EXPECT_NEAR(*m.err_total_mm, (0.5 + 0.4 + 0.5) / 3.0, 1e-12);
+  EXPECT_NEAR(*m.err_mean_mm, 0.4, 1e-12);
+  samples[0].height_mm = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(measure_trial(samples, kStraight).samples_ignored, 1.0);
+}
+
 TEST(TrialMetrics, AMissingHalfIsSeenFromThePathOnly) {
   const auto m = measure_trial(drawn(line_of({0, 0}, {20, 0}, 200)), kStraight);
   EXPECT_NEAR(*m.err_max_mm, 20.0, 1e-12);

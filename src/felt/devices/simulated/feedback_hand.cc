@@ -131,7 +131,7 @@ void FeedbackHand::step() noexcept {
   const Vec wander = wander_.at(t_s) + tremor_.at(t_s);
   const Vec known_load = draws ? expected_load(motion.velocity) : Vec{};
   lead(known_load);
-  feel_contact();
+  feel_contact(now.pressure.value_or(0.0) > 0.0);
   const Vec off = motion.position + wander + offset_ + lead_ - arm_;
   const Vec off_speed = motion.velocity + offset_speed_ + lead_speed_ - arm_velocity_;
   deviation_[tick_ & (deviation_.size() - 1)] = off;
@@ -156,8 +156,10 @@ void FeedbackHand::step() noexcept {
   stylus_.aim({{arm_.x, arm_.y, z}, now.pressure, now.buttons, now.tilt_deg});
 }
 
-void FeedbackHand::feel_contact() noexcept {
-  const double feels = stylus_.acting_force().z > kContactN ? 1.0 : 0.0;
+// On a device without forces, the surface under the pen holds it.
+void FeedbackHand::feel_contact(bool presses) noexcept {
+  const bool is_held = capabilities().has_force() ? stylus_.acting_force().z > kContactN : presses;
+  const double feels = is_held ? 1.0 : 0.0;
   touch_ += tick_s_ / (kTouchS + tick_s_) * (feels - touch_);
 }
 

@@ -67,7 +67,7 @@ class FeedbackHand final : public Device, public HandInput {
   [[nodiscard]] Vec expected_load(Vec velocity) const noexcept;
   [[nodiscard]] Vec load_at_pen() const noexcept;
   [[nodiscard]] Vec motor_noise(Vec muscles_n) noexcept;
-  void feel_contact() noexcept;
+  void feel_contact(bool presses) noexcept;
   void lead(Vec known_load) noexcept;
   [[nodiscard]] double depth_noise_mm(double t_s) const noexcept;
   [[nodiscard]] Vec error_across() noexcept;

@@ -199,6 +199,24 @@ TEST(FeedbackHand, ARestingHandIsStifferOnASurface) {
   EXPECT_EQ(moved(resting, 0.0), moved(free, 0.0));
 }
 
+TEST(FeedbackHand, AHandRestsOnATabletWhileItPresses) {
+  const auto trembles = [](double rest, double pressure) {
+    Person person = calm_person();
+    person.rest = rest;
+    person.force_noise_n = 0.05;
+    FeedbackHand hand(*find_stylus_preset("tablet"), person);
+    std::vector<double> x;
+    for (int i = 0; i < 4000; ++i) {
+      hand.aim({{50.0, 50.0, 0.0}, pressure, 0});
+      EXPECT_TRUE(hand.read(i * kMs));
+      if (i >= 1000) x.push_back(hand.stylus().body().position().x);
+    }
+    return rms_around_mean(x);
+  };
+  EXPECT_LT(trembles(3.0, 0.5), 0.8 * trembles(1.0, 0.5));
+  EXPECT_EQ(trembles(3.0, 0.0), trembles(1.0, 0.0)) << "above the tablet";
+}
+
 TEST(FeedbackHand, WhoKnowsTheFrictionStaysOnTheLineFromTheStart) {
   StylusPreset rough = premium();
   rough.mechanics.friction_n = 0.3;

@@ -146,7 +146,7 @@ class AimMaker {
     const Vec3 way = (1.0 / (norm(velocity) + kFrictionFromSpeed)) * velocity;
     push += options_.device_friction_n * way;
     const double depth_mm = std::max(0.0, -pen(i).z);
-    if (depth_mm > 0.0) {
+    if (depth_mm > 0.0 && options_.contact != ContactBy::kDepthInAir) {
       const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
       push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
       // For a resting pen, the direction of the device's friction is unknown. So that the pen still

@@ -34,8 +34,9 @@ struct TimedAim {
 
 /// How the device on which the script is played detects contact.
 enum class ContactBy : std::uint8_t {
-  kDepth,     ///< by depth, on a device with forces: the hand presses the pen into the surface
-  kPressure,  ///< by its pressure sensor: the pen stays on the surface, z = 0
+  kDepth,       ///< by depth, on a device with forces: the hand presses the pen into the surface
+  kPressure,    ///< by its pressure sensor: the pen stays on the surface, z = 0
+  kDepthInAir,  ///< by depth, without a surface: the hand goes as deep as a surface would yield
 };
 
 struct HandScriptOptions {

@@ -178,13 +178,13 @@ std::string_view task_of(const StudyResults& results, const MeasuredTrial& trial
 }
 
 std::string participants_text(const StudyResults& results) {
-  std::string out = tsv_line({"participant_id", "person_seed"});
-  std::map<std::string, std::string> seeds;
-  for (const MeasuredTrial& trial : results.trials) {
-    const auto& seed = trial.info.person_seed;
-    seeds[subject_of(trial.info)] = seed ? std::to_string(*seed) : "";
+  std::string out = tsv_line({"participant_id", "person_seed", "person_model"});
+  std::map<std::string, SessionInfo> people;
+  for (const MeasuredTrial& trial : results.trials) people[subject_of(trial.info)] = trial.info;
+  for (const auto& [subject, info] : people) {
+    const std::string seed = info.person_seed ? std::to_string(*info.person_seed) : "";
+    out += tsv_line({subject, seed, info.person_model});
   }
-  for (const auto& [subject, seed] : seeds) out += tsv_line({subject, seed});
   return out;
 }
 
@@ -222,7 +222,8 @@ std::vector<ExportFile> bids_run_files(const StudyResults& results, const Measur
 std::vector<ExportFile> bids_dataset_files(const StudyResults& results) {
   std::vector<ColumnInfo> events = infos_of(event_columns(results));
   const std::vector<ColumnInfo> participants = {
-      {"person_seed", "Seed of the simulated person; n/a for a real person."}};
+      {"person_seed", "Seed of the simulated person; n/a for a real person."},
+      {"person_model", "Model of the simulated person; n/a for a real person."}};
   std::vector<ExportFile> files = {
       {"dataset_description.json", description_json(results)},
       {"README",

@@ -72,6 +72,8 @@ std::vector<std::pair<std::string, std::string>> levels_of(
 constexpr std::array<std::string_view, 5> kTaskMeanings = {
     "draw along a visible line", "draw between two walls", "draw freely beside a model",
     "draw from target to target", "find an engraved line by touch"};
+constexpr std::array<std::string_view, 3> kForcesMeanings = {
+    "none, and no surface", "only the plane of the surface", "those of the program"};
 constexpr std::array<std::string_view, 5> kGuidanceMeanings = {
     "no guidance", "a groove along the line",
     "a force that grows with the error and fades as the participant improves",
@@ -110,9 +112,12 @@ void add_order_columns(const StudyResults& results, TrialColumns& columns) {
 
 /// Adds the columns that say how the conditions differ: their properties and their settings.
 void add_factor_columns(const StudyResults& results, TrialColumns& columns) {
-  columns.push_back(
-      {{"forces", "true if the device applies forces in this condition."},
-       [&results](const auto& t) { return text_of(results.condition_of(t.plan).has_forces); }});
+  columns.push_back({{"forces", "The forces of this condition.", "", "",
+                      levels_of(kStudyForces, kForcesMeanings)},
+                     [&results](const auto& t) {
+                       const auto forces = results.condition_of(t.plan).forces;
+                       return std::string(kStudyForces[static_cast<std::size_t>(forces)]);
+                     }});
   columns.push_back(
       {{"vision", "true if the participant sees the drawing."},
        [&results](const auto& t) { return text_of(results.condition_of(t.plan).has_vision); }});
@@ -179,6 +184,8 @@ void add_setup_columns(const StudyResults& results, TrialColumns& columns) {
                        return t.info.person_seed ? std::to_string(*t.info.person_seed)
                                                  : std::string();
                      }});
+  columns.push_back({{"person_model", "Model of the simulated person; empty for a real person."},
+                     [](const auto& t) { return t.info.person_model; }});
   columns.push_back(
       {{"study_hash", "Fingerprint (FNV-1a) of the study file and of the files that it names."},
        [hash = study_hash(results.files)](const auto&) { return hash; }});

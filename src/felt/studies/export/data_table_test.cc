@@ -51,7 +51,7 @@ TEST(TrialsTable, HasTheFactorsOfEachCondition) {
   for (std::size_t row = 0; row < results.trials.size(); ++row) {
     const std::string condition = table.cell(row, "condition");
     seen.insert(condition);
-    EXPECT_EQ(table.cell(row, "forces"), condition == "free" ? "false" : "true");
+    EXPECT_EQ(table.cell(row, "forces"), condition == "free" ? "air" : "all");
     EXPECT_EQ(table.cell(row, "guidance"), condition == "guided" ? "groove" : "none");
     EXPECT_EQ(table.cell(row, "guidance_strength"), condition == "guided" ? "0.5" : "");
     EXPECT_EQ(table.cell(row, "pencil.snap"), condition == "free" ? "off" : "");
