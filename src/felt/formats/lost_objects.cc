@@ -4,6 +4,7 @@
 
 #include "felt/formats/format_traits.h"
 #include "felt/io/import.h"
+#include "felt/io/xml/xml_text.h"
 #include "felt/stroke/edit/corner_trips.h"
 
 namespace felt {
@@ -60,6 +61,16 @@ std::size_t sharp_ends_of(const Document& document, const Layer& layer) {
                     [&](StrokeId id) { return has_corner_trips(*document.find(id)); }));
 }
 
+/// Counts the names of strokes that a file of this format has not got.
+std::size_t names_of(const Drawing& drawing, FileFormat format, bool compact) {
+  const bool is_xml = (format == FileFormat::kSvg && !compact) || format == FileFormat::kInkml;
+  if (!is_xml && format != FileFormat::kXopp) return 0;
+  const StrokeNames names = used_names(drawing);
+  return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), [&](const auto& named) {
+    return !is_xml || xml_stroke_name(drawing, named.first) != named.second;
+  }));
+}
+
 }  // namespace
 
 LostObjects lost_objects(const Drawing& drawing, FileFormat format, bool compact) {
@@ -74,6 +85,7 @@ LostObjects lost_objects(const Drawing& drawing, FileFormat format, bool compact
     lost.guides = document.guides().size();
     lost.symmetries = document.symmetries().size();
   }
+  lost.names = names_of(drawing, format, compact);
   if (!kept.materials) lost.materials = drawing.materials.size();
   std::size_t merged = 0;
   bool is_named = false;
@@ -139,6 +151,8 @@ std::vector<std::string> loss_texts(const LostObjects& lost) {
       {lost.media, "the medium of # stroke became a plain pen",
        "the media of # strokes became a plain pen", none},
       {lost.materials, "# custom material was left out", "# custom materials were left out", none},
+      {lost.names, "the name of # stroke became a number", "the names of # strokes became numbers",
+       ", because the format cannot hold them"},
   };
   std::vector<std::string> texts;
   for (const Loss& loss : losses) {

@@ -27,6 +27,7 @@ struct LostObjects {
   std::size_t sharp_ends = 0;      ///< strokes whose flat ends and pointed corners become round
   std::size_t media = 0;           ///< strokes of a medium that becomes a plain pen
   std::size_t materials = 0;       ///< texts of custom materials
+  std::size_t names = 0;           ///< strokes with a name that the format cannot hold
 
   friend bool operator==(const LostObjects&, const LostObjects&) noexcept = default;
 };
@@ -35,8 +36,8 @@ struct LostObjects {
 /// hidden layers only if the format holds hidden layers, groups and locks only if the format holds
 /// layers, and timings, guides, symmetry groups and body edits only if the file is more than a
 /// picture. `compact` is WriteOptions::compact. Pictures that the format can show, but that were
-/// not asked for, are not lost. The page, the palette, the view, the names of strokes and the
-/// recordings are not objects of the picture and are not counted.
+/// not asked for, are not lost. The page, the palette, the view and the recordings are not
+/// objects of the picture and are not counted.
 LostObjects lost_objects(const Drawing& drawing, FileFormat format, bool compact = false);
 
 /// Returns the losses as sentences without a subject, such as "2 fills were left out, because the

@@ -49,6 +49,13 @@ Drawing drawing_with_everything(std::uint64_t seed) {
     ++index;
   }
   EXPECT_TRUE(drawing.document.apply(edit));
+  StrokeNames names;
+  for (const Layer& layer : drawing.document.layers()) {
+    for (const StrokeId id : layer.strokes) {
+      if (random.chance(0.4)) names[id] = (random.chance(0.5) ? "a-" : "\x01") + stroke_name(id);
+    }
+  }
+  drawing.names = std::make_shared<const StrokeNames>(std::move(names));
   if (random.chance(0.5)) drawing.materials = {"kind = \"surface\"\nid = \"my-paper\"\n"};
   return drawing;
 }
@@ -63,6 +70,7 @@ struct Objects {
     symmetries = document.symmetries().size();
     body_edits = document.body_edits().size();
     materials = drawing.materials.size();
+    names = used_names(drawing).size();
     std::set<GroupId> seen;
     for (const Layer& layer : document.layers()) {
       pictures += layer.picture ? 1 : 0;
@@ -82,7 +90,7 @@ struct Objects {
   }
   std::size_t strokes = 0, fills = 0, pictures = 0, blends = 0, groups = 0, timings = 0;
   std::size_t body_edits = 0, guides = 0, symmetries = 0, opacities = 0, locks = 0, hidden = 0;
-  std::size_t media = 0, materials = 0;
+  std::size_t media = 0, materials = 0, names = 0;
 };
 
 /// Returns the drawing without its hidden layers, as a format without layers sees it.
@@ -141,6 +149,7 @@ RC_GTEST_PROP(LostObjects, R66_AreExactlyThoseThatAreNotReadBack, ()) {
     RC_ASSERT(had.opacities - read.opacities == lost.opacities);
     RC_ASSERT(had.materials - read.materials == lost.materials);
     RC_ASSERT(had.media - read.media == lost.media);
+    RC_ASSERT(had.names - read.names == lost.names);
     if (traits.layers) {
       RC_ASSERT(had.groups - read.groups == lost.groups);
       RC_ASSERT(had.locks - read.locks == lost.locks);
@@ -154,10 +163,10 @@ RC_GTEST_PROP(LostObjects, R66_AreExactlyThoseThatAreNotReadBack, ()) {
 TEST(LossTexts, NameEachKindOnceWithItsCount) {
   EXPECT_EQ(loss_texts({.guides = 3}),
             std::vector<std::string>{"3 guides were left out, because the format has none"});
-  const LostObjects all = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  const LostObjects all = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
   const std::vector<std::string> texts = loss_texts(all);
-  ASSERT_EQ(texts.size(), 15U);
-  for (int count = 1; count <= 15; ++count) {
+  ASSERT_EQ(texts.size(), 17U);
+  for (int count = 1; count <= 17; ++count) {
     EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
                             [&](const std::string& text) {
                               return (" " + text).find(" " + std::to_string(count) + " ") !=
