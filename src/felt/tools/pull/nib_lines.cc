@@ -25,6 +25,9 @@ constexpr double kMaxPullRadii = 4.0;
 bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
   const double wanted = std::ceil(distance(from, to) / (0.5 * radius_mm_));
   const int steps = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * NibPush::kMaxSteps));
+  // A motion through which the nib cannot go in steps of half a radius has kMaxSteps steps in all.
+  const bool is_leap = !(wanted <= 1.0 * NibPush::kMaxSteps * NibPush::kMaxSteps);
+  const int parts = is_leap ? 1 : NibPush::kMaxSteps;
   meet(scene, from, to);
   bool moved = false;
   for (int k = 1; k <= steps; ++k) {
@@ -34,7 +37,7 @@ bool NibLines::move(Point from, Point to, Vec came_from, const Scene& scene) {
       line.visits = 0;
       if (!line.has_links) find_links(id, line, scene);
       note_touch(line, a, b);
-      if (!is_held_under(line, b) && line.push.step(a, b, came_from)) queue(id, line);
+      if (!is_held_under(line, b) && line.push.step(a, b, came_from, parts)) queue(id, line);
     }
     moved = moved || !queue_.empty();
     if (weld(b, came_from, &scene)) continue;

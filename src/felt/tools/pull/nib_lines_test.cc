@@ -98,6 +98,28 @@ TEST(NibLines, R33_JunctionsHoldThroughManyPushes) {
   }
 }
 
+/// A nib that leaps from far away through all lines goes in kMaxSteps steps in all.
+TEST(NibLines, R33_JunctionsHoldWhenTheNibLeapsThroughThem) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Drawing d(seed);
+    ASSERT_TRUE(d.tool.set_option("mode", std::string("push")));
+    d.draw(seed);
+    d.note_gaps();
+    Pen pen{d.tool, d.fixture};
+    const Vec far = 1e8 * (d.direction(d.random.uniform(0, 360)) - Point{});
+    pen.up(Point{} - far);
+    Drawing::Worst worst;
+    for (const double part : {-1.0, -0.2, 0.3, -0.1, 1e-7}) {
+      const Point p = Point{} + part * far;
+      const ToolResult result = pen.at({p.x, p.y, -1.0});
+      d.note(p, result.preview.value_or(Edit{}), worst);
+    }
+    pen.up(Point{} + 1e-7 * far);
+    EXPECT_LE(worst.gap_mm, kGapMm);
+  }
+}
+
 TEST(NibLines, R33_PointsThatNearlyTouchKeepTheirDistance) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);

@@ -32,10 +32,11 @@ struct Steps {
   int count = 1;
   bool may_jump = false;  // steps longer than half a radius
 
-  Steps(Point a, Point b, double radius_mm) noexcept : from(a), to(b) {
+  Steps(Point a, Point b, double radius_mm, int max_steps = NibPush::kMaxSteps) noexcept
+      : from(a), to(b) {
     const double wanted = std::ceil(distance(a, b) / (0.5 * radius_mm));
-    may_jump = !(wanted <= NibPush::kMaxSteps);
-    count = may_jump ? NibPush::kMaxSteps : std::max(1, static_cast<int>(wanted));
+    may_jump = !(wanted <= max_steps);
+    count = may_jump ? max_steps : std::max(1, static_cast<int>(wanted));
   }
   [[nodiscard]] Point at(int k) const noexcept {
     return k == count ? to : lerp(from, to, static_cast<double>(k) / count);
@@ -107,10 +108,10 @@ bool NibPush::move(Point from, Point to, Vec came_from) {
   return step(from, to, came_from) && settle();
 }
 
-bool NibPush::step(Point from, Point to, Vec came_from) {
+bool NibPush::step(Point from, Point to, Vec came_from, int max_steps) {
   contact_.reset();
   if (!box_.intersects(box_of(from, to).inflated(radius_mm_))) return false;
-  const Steps steps(from, to, radius_mm_);
+  const Steps steps(from, to, radius_mm_, max_steps);
   bool moved = false;
   for (int k = 1; k <= steps.count; ++k) {
     const Point p = steps.at(k);

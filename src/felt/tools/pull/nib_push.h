@@ -53,8 +53,9 @@ class NibPush {
   /// the stroke moved. Ignores a motion that would break an invariant.
   bool move(Point from, Point to, Vec came_from = {});
   /// Moves the nib as move() does, but leaves stroke() as it is until settle() is called, so that
-  /// several steps and pulls make one stroke. Returns true if the ink moved.
-  bool step(Point from, Point to, Vec came_from);
+  /// several steps and pulls make one stroke. Returns true if the ink moved. `max_steps` is for a
+  /// motion that is a part of a longer one.
+  bool step(Point from, Point to, Vec came_from, int max_steps = kMaxSteps);
   /// Pushes the ink out from under a nib that rests at p, `room_mm` farther than the radius.
   /// Returns true if the ink moved. Call settle() afterwards.
   bool clear(Point p, Vec came_from, double room_mm);
