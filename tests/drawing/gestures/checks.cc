@@ -168,8 +168,8 @@ ForceProbe::ForceProbe(const Capabilities& device) : device_(device) {
   memory_.material_cap_n_per_m = device.max_stiffness_n_per_m;
 }
 
-Force ForceProbe::beside_the_surface(const ForceModel& model, const PenSample& sample) const {
-  ForceMemory memory = memory_;
+Force ForceProbe::beside_the_surface(const ForceModel& model, const PenSample& sample,
+                                     ForceMemory memory) {
   // The tick is so short that a groove which captures the pen here (Guide) has no force yet,
   // because its force grows from zero with time. This check is about jumps in space only.
   memory.begin_tick(1e-6);
@@ -186,7 +186,7 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   if (Broken broken = check_claims(model.slopes(), may_exceed_budget)) return broken;
   PenSample still = sample;
   still.velocity = {};
-  const Force beside = beside_the_surface(model, still);
+  const Force beside = beside_the_surface(model, still, memory_);
   const double lateral_n = std::hypot(beside.x, beside.y);
   largest_n_ = std::max(largest_n_, lateral_n);
   if (!(lateral_n <= limit_n + 1e-9)) {
@@ -209,12 +209,13 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
 /// Returns the size of a force jump between `a` and `b`, in N. Halves the interval repeatedly and
 /// keeps the half in which the force changes more. If the force is continuous, the result
 /// approaches 0.
-double ForceProbe::jump_between(const ForceModel& model, PenSample a, PenSample b) const {
-  Force at_a = beside_the_surface(model, a), at_b = beside_the_surface(model, b);
+double ForceProbe::jump_between(const ForceModel& model, PenSample a, PenSample b,
+                                const ForceMemory& seen) {
+  Force at_a = beside_the_surface(model, a, seen), at_b = beside_the_surface(model, b, seen);
   for (int k = 0; k < 10 && norm(at_b - at_a) > 0.002; ++k) {
     PenSample middle = a;
     middle.position = 0.5 * (a.position + b.position);
-    const Force at_middle = beside_the_surface(model, middle);
+    const Force at_middle = beside_the_surface(model, middle, seen);
     const bool first_half = norm(at_middle - at_a) > norm(at_b - at_middle);
     (first_half ? b : a) = middle;
     (first_half ? at_b : at_a) = at_middle;
@@ -227,17 +228,21 @@ Broken ForceProbe::check_slope(const ForceModel& model, const PenSample& sample)
   // So far from the origin a double is too coarse to measure a slope over kStepMm.
   if (std::max(std::fabs(sample.position.x), std::fabs(sample.position.y)) > 1e5) return {};
   const double claimed_n_per_mm = 1e-3 * model.slopes().lateral_n_per_m;
-  const Force here = beside_the_surface(model, sample);
+  // The pen is here before it moves on, so that a turn is counted from here.
+  ForceMemory seen = memory_;
+  seen.begin_tick(1e-6);
+  (void)model(sample, seen);
+  const Force here = beside_the_surface(model, sample, seen);
   for (const Vec d : {Vec{kStepMm, 0.0}, Vec{0.0, kStepMm}}) {
     PenSample moved = sample;
     moved.position = moved.position + Vec3{d.x, d.y, 0.0};
-    const Force change = beside_the_surface(model, moved) - here;
+    const Force change = beside_the_surface(model, moved, seen) - here;
     const double back_n_per_mm = -(change.x * d.x + change.y * d.y) / (kStepMm * kStepMm);
     if (back_n_per_mm > 1.02 * claimed_n_per_mm + 0.002) {
       return "pulls back by " + std::to_string(1e3 * back_n_per_mm) + " N/m and claims " +
              std::to_string(1e3 * claimed_n_per_mm);
     }
-    if (const double jump_n = jump_between(model, sample, moved); jump_n > 0.002) {
+    if (const double jump_n = jump_between(model, sample, moved, seen); jump_n > 0.002) {
       return "a force that jumps by " + std::to_string(jump_n) + " N";
     }
   }

@@ -44,8 +44,10 @@ class ForceProbe {
   [[nodiscard]] double take_largest_n() noexcept { return std::exchange(largest_n_, 0.0); }
 
  private:
-  [[nodiscard]] Force beside_the_surface(const ForceModel& model, const PenSample& sample) const;
-  [[nodiscard]] double jump_between(const ForceModel& model, PenSample a, PenSample b) const;
+  [[nodiscard]] static Force beside_the_surface(const ForceModel& model, const PenSample& sample,
+                                                ForceMemory memory);
+  [[nodiscard]] static double jump_between(const ForceModel& model, PenSample a, PenSample b,
+                                           const ForceMemory& seen);
   Broken check_slope(const ForceModel& model, const PenSample& sample) const;
   Broken check_claims(const Slopes& slopes, bool may_exceed_budget) const;
 

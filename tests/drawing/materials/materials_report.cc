@@ -20,6 +20,10 @@ human hand and no real surface was measured: frictions, stiffnesses and reliefs 
 ([share/materials](../share/materials) says which), and the devices are
 [simulated](../src/felt/devices/simulated/README.md).
 
+All tables hold for the full strength of these forces. The option `pencil.strength` has the default 0.5
+([why](design/simulation.md#what-the-default-forces-were-chosen-by)), which halves friction and grain of what draws;
+set it to 1 to feel what the tables say.
+
 Each surface has one relief, made from a seed. The ink shows it and the hand feels it (R47).
 
 ![every surface with five dry media at three forces](images/surfaces.png)
