@@ -35,7 +35,7 @@ Result<Means> means_of(const StudyFiles& files, std::size_t condition, const Per
       const PlannedTrial trial{.condition = condition, .shape = shape, .repetition = repetition};
       const auto drawn = simulate_trial(files, trial, person, device);
       if (!drawn) return tl::unexpected(drawn.error());
-      const TrialMetrics& metrics = drawn->back().metrics;
+      const TrialMetrics& metrics = drawn->front().metrics;
       if (!metrics.err_mean_mm || !metrics.err_total_mm || !metrics.movement_s) {
         return fail(ErrorCode::kInvalidData, "a person did not draw");
       }
@@ -74,8 +74,11 @@ Result<OfPeople> columns_of(const StudyFiles& files, const std::vector<Person>& 
   std::optional<Error> error;
   for (std::size_t i = 0; i < kColumns; ++i) {
     Result<std::vector<Means>> means = running[i].get();
-    if (means) columns[i] = *std::move(means);
-    if (!means) error = means.error();
+    if (!means) {
+      error = means.error();
+      continue;
+    }
+    columns[i] = *std::move(means);
   }
   if (error) return tl::unexpected(*error);
   return columns;
@@ -94,6 +97,7 @@ std::string change(const OfPeople& all, Column from, double Means::*measure) {
 
 std::string mean_mm(const std::vector<Means>& people, double Means::*measure) {
   std::vector<double> values;
+  values.reserve(people.size());
   for (const Means& means : people) values.push_back(means.*measure);
   return fmt::format("{:.3f}", mean_over_people(values).mean);
 }
@@ -125,9 +129,10 @@ Result<void> compare_baselines(const std::vector<std::string>& devices, std::siz
   }
   fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
   fmt::print(
-      "\n{} simulated people, the shapes of {}, default options. Changes of the mean\nerror from a "
-      "baseline to the default forces, per person, with the 95 % interval over people. total: with "
-      "the\nheight of the pen. The simulated tablet has neither mass nor friction.\n",
+      "\n{} simulated people, the shapes of {}, default options. Changes of\nthe mean error from a "
+      "baseline to the default forces, per person, with the 95 % interval over people.\ntotal: "
+      "with "
+      "the height of the pen. The simulated tablet has neither mass nor friction.\n",
       people, kStudy);
   return {};
 }

@@ -2,7 +2,7 @@
 //   seed N
 //   trial N open|closed TUNNEL TARGET       widths in mm, or NA
 //   path X Y                                one line for each point
-//   sample T_NS X Y CONTACT PRESSURE FX FY  pressure and force may be NA
+//   sample T_NS X Y CONTACT PRESSURE FX FY HEIGHT  pressure, force and height may be NA
 //   metric NAME VALUE
 //   end
 #include <cmath>
@@ -95,10 +95,10 @@ void add_samples(Random& random, RandomTrial& trial) {
   const double size = random.one_in(5) ? 3.0 : random.between(0.0, 0.6);
   const double begin_s = random.between(-0.02, 0.1), lift_s = random.between(0.0, 3.0);
   const double noise = random.one_in(2) ? random.between(0.0, 0.02) : 0.0;
-  const int pressure = random.below(3), force = random.below(3);
+  const int pressure = random.below(3), force = random.below(3), height = random.below(3);
   const bool broken = random.one_in(10), backwards = random.one_in(4), never = random.one_in(40);
   const Wobble x(random, size), y(random, size), speed(random, 0.05), fx(random, 0.4),
-      fy(random, 0.4);
+      fy(random, 0.4), z(random, 0.5);
   const std::vector<Point> line = distinct_points(trial.path);
   const double length = polyline_length(line);
   std::int64_t time_ns = static_cast<std::int64_t>(random.between(-1e12, 1e12));
@@ -112,6 +112,7 @@ void add_samples(Random& random, RandomTrial& trial) {
     if (pressure > 0 && !(pressure == 2 && random.one_in(9)))
       sample.pressure = random.between(0.0, 1.0);
     if (force > 0 && !(force == 2 && random.one_in(9))) sample.force_n = Vec{fx.at(t), fy.at(t)};
+    if (height > 0 && !(height == 2 && random.one_in(30))) sample.height_mm = z.at(t) - 1.0;
     if (broken && random.one_in(20)) sample.position.x = std::numeric_limits<double>::quiet_NaN();
     if (broken && random.one_in(20)) sample.pressure = std::numeric_limits<double>::infinity();
     if (broken && random.one_in(20)) sample.time_ns -= 50'000'000;
@@ -152,9 +153,9 @@ void print_trial(int number, const RandomTrial& trial) {
   for (const TrialSample& s : trial.samples) {
     std::optional<double> fx, fy;
     if (s.force_n) fx = s.force_n->x, fy = s.force_n->y;
-    std::printf("sample %lld %.17g %.17g %d %s %s %s\n", static_cast<long long>(s.time_ns),
+    std::printf("sample %lld %.17g %.17g %d %s %s %s %s\n", static_cast<long long>(s.time_ns),
                 s.position.x, s.position.y, s.contact ? 1 : 0, exact_text(s.pressure).c_str(),
-                exact_text(fx).c_str(), exact_text(fy).c_str());
+                exact_text(fx).c_str(), exact_text(fy).c_str(), exact_text(s.height_mm).c_str());
   }
   const TrialMetrics metrics = measure_trial(trial.samples, trial.path, geometry);
   for (const TrialColumn& column : trial_metric_columns()) {

@@ -20,7 +20,7 @@ MAX_FORCE_N = 1e6
 STEP_NS = 5_000_000
 STEP_S = 0.005
 
-Sample = collections.namedtuple("Sample", "ns x y contact pressure fx fy")
+Sample = collections.namedtuple("Sample", "ns x y contact pressure fx fy height")
 Near = collections.namedtuple("Near", "distance index t x y")
 
 
@@ -191,7 +191,14 @@ def direction_error(path, strokes):
     return math.fsum(a * w for a, w in zip(angles, weights)) / math.fsum(weights)
 
 
-def error_metrics(path, strokes, tunnel):
+def total_error(there, heights):
+    if None in heights:
+        return None
+    middle = sorted(heights)[len(heights) // 2]
+    return mean([math.hypot(d, h - middle) for d, h in zip(there, heights)])
+
+
+def error_metrics(path, strokes, heights, tunnel):
     points = [p for stroke in strokes for p in stroke]
     nears = [nearest(path.lines, p) for p in points]
     length = path.curve.length
@@ -211,6 +218,7 @@ def error_metrics(path, strokes, tunnel):
         "err_rms_mm": math.sqrt((mean([d * d for d in there]) + mean([d * d for d in back])) / 2),
         "err_p95_mm": max(quantile(there, 0.95), quantile(back, 0.95)),
         "err_max_mm": max(there + back),
+        "err_total_mm": total_error(there, heights),
         "err_signed_mm": mean([signed_error(path, n, p) for n, p in zip(nears, points)])
                          if has_length else None,
         "direction_err_deg": direction_error(path, strokes) if has_length else None,
@@ -445,7 +453,8 @@ def measure(samples, path_points, closed, tunnel, target):
     movement = [s for s in good if touches[0][0].ns <= s.ns <= touches[-1][-1].ns]
     metrics.update(time_metrics(good, touches))
     if path.curve:
-        metrics.update(error_metrics(path, strokes, tunnel))
+        heights = [s.height for touch in touches for s in touch]
+        metrics.update(error_metrics(path, strokes, heights, tunnel))
         metrics["frechet_mm"] = frechet_metric(path, points)
         metrics.update(straight_metrics(path, points, target))
     metrics.update(smoothness_metrics(movement))

@@ -32,8 +32,8 @@ class MaterialEditorModel : public QObject {
 
  public:
   /// From now on, only this object may pass user-defined materials to the studio. The studio may
-  /// already have them. `studio` and `own` (the user-defined materials) must outlive the use of
-  /// this object.
+  /// already have them. After `studio` or `own` (the user-defined materials) is gone, only the
+  /// destructor of this object may be called.
   MaterialEditorModel(Studio& studio, UserMaterials& own, QObject* parent = nullptr);
   /// Emits nothing: the studio may be gone if a window takes both along.
   ~MaterialEditorModel() override;

@@ -7215,8 +7215,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Nur die Fläche</translation>
     </message>
     <message>
-        <source>The plane of the surface is the only force: no friction, grain, attraction or guide. To compare other forces with.</source>
-        <translation>Die Fläche des Untergrunds ist die einzige Kraft: keine Reibung, Körnung, Anziehung oder Führung. Zum Vergleich mit anderen Kräften.</translation>
+        <source>On the page, the plane of the surface is the only force: no friction, grain, attraction or guide. To compare other forces with.</source>
+        <translation>Auf der Seite ist die Fläche des Untergrunds die einzige Kraft: keine Reibung, Körnung, Anziehung oder Führung. Zum Vergleich mit anderen Kräften.</translation>
     </message>
     <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>

@@ -7215,8 +7215,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Alleen het vlak</translation>
     </message>
     <message>
-        <source>The plane of the surface is the only force: no friction, grain, attraction or guide. To compare other forces with.</source>
-        <translation>Het vlak van de ondergrond is de enige kracht: geen wrijving, korrel, aantrekking of geleiding. Om andere krachten mee te vergelijken.</translation>
+        <source>On the page, the plane of the surface is the only force: no friction, grain, attraction or guide. To compare other forces with.</source>
+        <translation>Op de pagina is het vlak van de ondergrond de enige kracht: geen wrijving, korrel, aantrekking of geleiding. Om andere krachten mee te vergelijken.</translation>
     </message>
     <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>

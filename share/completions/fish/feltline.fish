@@ -143,6 +143,7 @@ complete -c feltline -n '__fish_seen_subcommand_from trial; and __fish_seen_subc
 complete -c feltline -n '__fish_seen_subcommand_from trial; and __fish_seen_subcommand_from run' -l session -x -a 'pre train post retention transfer' -d 'Session of the participant'
 complete -c feltline -n '__fish_seen_subcommand_from trial; and __fish_seen_subcommand_from run' -l language -x -a 'en de nl' -d 'Language of the texts'
 complete -c feltline -n '__fish_seen_subcommand_from simulate' -l people -x -d 'Number of simulated people'
+complete -c feltline -n '__fish_seen_subcommand_from simulate' -l model -x -a 'proportional practised resting unsteady' -d 'How simulated people feel and move'
 complete -c feltline -n '__fish_seen_subcommand_from simulate' -l seed -x -d 'Another seed gives other people'
 complete -c feltline -n '__fish_seen_subcommand_from simulate' -l device -x -a 'worst touch touch-x premium falcon omega inverse3 mouse tablet' -d 'Simulated device that they use'
 complete -c feltline -n '__fish_seen_subcommand_from record' -l device -x -d 'Id of the device'

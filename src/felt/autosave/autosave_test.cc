@@ -287,8 +287,6 @@ TEST(LiveInk, ALongBounceOfALandingPenKeepsTheLine) {
   EXPECT_TRUE(live.take_changes().clear);
 }
 
-/// The edit thread resumes after it hung. Its late events are samples that the autosave already has
-/// from the haptic loop.
 TEST(LiveInk, AStretchBeforeTheFirstSampleOfTheSessionEnds) {
   LiveInk live;
   PenSample sample;
@@ -305,6 +303,8 @@ TEST(LiveInk, AStretchBeforeTheFirstSampleOfTheSessionEnds) {
   EXPECT_TRUE(is_over);
 }
 
+/// The edit thread resumes after it hung. Its late events are samples that the autosave already has
+/// from the haptic loop.
 TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
   for (int reported = 44; reported <= 120; reported += 4) {
     const TestFolder folder;

@@ -46,6 +46,10 @@ std::unique_ptr<Device> make_stylus(const ReplaySettings& settings, HandInput*& 
   return stylus;
 }
 
+bool is_plane_only(const Session& session) {
+  return session.option("surface.plane_only") == OptionValue(true);
+}
+
 bool presses(const HandEvent& aim) {
   return aim.target.z < 0.0 || aim.pressure.value_or(0.0) > 0.0;
 }
@@ -117,6 +121,7 @@ HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
   set_surface(options, probe_.surface(), probe_.device(),
               probe_.materials().find_medium(drawing_medium(probe_)));
+  if (is_plane_only(probe_)) options.friction = 0.0;
   if (settings_.person) {  // a person feels mass and friction, and compensates for them
     options.hand = settings_.person->grip();
     options.device_mass_kg = options.device_friction_n = options.friction = 0.0;
@@ -127,7 +132,7 @@ HandScriptOptions ReplayMachine::hand_options() const {
 double ReplayMachine::expected_friction_n() const {
   const double device_n = settings_.device.mechanics.friction_n;
   const bool has_force = settings_.force && probe_.device().has_force();
-  if (!has_force || probe_.option("surface.plane_only") == OptionValue(true)) return device_n;
+  if (!has_force || is_plane_only(probe_)) return device_n;
   HandScriptOptions options = settings_.script;
   set_surface(options, probe_.surface(), probe_.device(),
               probe_.materials().find_medium(drawing_medium(probe_)));

@@ -31,8 +31,8 @@ std::span<const OptionSpec> SurfaceOptions::table() {
           .label = "Only the plane",
           .unit = "",
           .kind = OptionKind::kSwitch,
-          .help = "The plane of the surface is the only force: no friction, grain, attraction or "
-                  "guide. To compare other forces with.",
+          .help = "On the page, the plane of the surface is the only force: no friction, grain, "
+                  "attraction or guide. To compare other forces with.",
       },
   }};
   return rows;

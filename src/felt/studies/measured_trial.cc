@@ -14,9 +14,12 @@ TrialSample trial_sample(const RecordedSample& sample) {
   TrialSample result{.time_ns = pen.time_ns,
                      .position = on_page(pen.position),
                      .contact = in_contact(pen),
-                     .height_mm = pen.position.z,
                      .pressure = pen.pressure};
-  if (sample.forces) result.force_n = Vec{sample.forces->sent.x, sample.forces->sent.y};
+  if (!sample.forces) return result;  // a tablet or a mouse does not measure the height
+  result.force_n = Vec{sample.forces->sent.x, sample.forces->sent.y};
+  // A pen that presses sinks into a surface that yields; its ink does not.
+  const double z = pen.position.z;
+  result.height_mm = sample.forces->sent.z > 0.0 ? std::max(0.0, z) : z;
   return result;
 }
 

@@ -303,6 +303,7 @@ Result<void> read_members(dom::element root, const Study& study, StudySession& s
   if (members.has_optional()) {
     session.info.person_model = members.text(kModelKey);
     if (!find_person_model(session.info.person_model)) members.wrong("person_model is unknown");
+    if (!session.info.person_seed) members.wrong("person_model belongs to a person_seed");
   }
   const dom::array trials = members.list("trials"), answers = members.list("answers");
   if (!members.ok()) return members.result();

@@ -78,7 +78,7 @@ Result<StudySession> begin(StudyFolder& folder, const SessionInfo& info) {
   return fail(ErrorCode::kInvalidArgument,
               folder.path() + ": participant " + std::to_string(info.participant) +
                   " is someone else there: a real person, or one simulated with another seed, "
-                  "device or version of Feltline. Use another folder.");
+                  "model, device or version of Feltline. Use another folder.");
 }
 
 }  // namespace

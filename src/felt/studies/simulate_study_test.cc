@@ -166,7 +166,9 @@ TEST_F(SimulateStudyTest, OtherPeopleDoNotContinueAFolder) {
   EXPECT_THAT(done.error().message, HasSubstr("participant 1 is someone else there"));
   others = options(1);
   others.model = PersonModel::kUnsteady;
-  EXPECT_FALSE(simulate_study(folder, others)) << "the same person in another model";
+  const Result<void> in_other_model = simulate_study(folder, others);
+  ASSERT_FALSE(in_other_model);
+  EXPECT_THAT(in_other_model.error().message, HasSubstr("another seed, model,"));
 }
 
 TEST_F(SimulateStudyTest, ARecordingGivesTheSameDrawing) {

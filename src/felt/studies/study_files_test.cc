@@ -90,7 +90,8 @@ TEST_F(StudyFilesTest, NeedsARecordingOfATeacher) {
 }
 
 TEST_F(StudyFilesTest, ReadsAllStudiesThatComeWithFeltline) {
-  for (const char* name : {"keefe-2007", "langerak-complexity", "stabilisers"}) {
+  for (const char* name :
+       {"improving-sketching", "keefe-2007", "langerak-complexity", "stabilisers"}) {
     const auto files = read_study_files("share/studies/" + std::string(name) + ".toml");
     EXPECT_TRUE(files) << files.error().message;
   }

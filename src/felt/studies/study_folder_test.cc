@@ -190,6 +190,7 @@ TEST_F(StudyFolderTest, SaysWhereADamagedSessionIsWrong) {
       {"[0,20,40,60,80,100]", "null", "values must be a list"},
       {"[0,20,", "[", "must be 6 whole numbers"},
       {"18446744073709551615", "18446744073709551616", ""},
+      {"18446744073709551615", "null", "person_model belongs to a person_seed"},
       {"\"fingerprint\":\"fnv1a-", "\"fingerprint\":\"fnv1b-", "fingerprint must be"},
       {"\"resting\"", "\"dancing\"", "person_model is unknown"},
       {"null,\"person_seed\"", "\"2026\",\"person_seed\"", "started: \"2026\""}};

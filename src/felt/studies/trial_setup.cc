@@ -10,6 +10,8 @@
 namespace felt {
 namespace {
 
+constexpr const char* kPlaneOnly = "surface.plane_only";
+
 SetOption option_of(const StudySetting& setting) {
   return {setting.id,
           std::visit([](const auto& value) { return OptionValue(value); }, setting.value)};
@@ -19,6 +21,11 @@ Result<void> check_settings(const StudyCondition& condition, const Materials& ma
                             const Capabilities& device, const std::string& name) {
   Session probe(make_tools(), {.device = device, .materials = materials});
   for (const StudySetting& setting : condition.settings) {
+    if (setting.id == kPlaneOnly) {
+      return fail(ErrorCode::kInvalidArgument,
+                  name + ":" + std::to_string(setting.line) + ": condition.settings: " +
+                      setting.id + ": condition.forces decides it: \"plane\" or \"all\"");
+    }
     const Result<void> set = probe.apply({0, option_of(setting)});
     if (set) continue;
     return tl::unexpected(with_context(set.error(), name + ":" + std::to_string(setting.line) +
@@ -107,7 +114,7 @@ std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& tri
     events.push_back({0, option_of(setting)});
   }
   if (condition.forces == StudyForces::kPlane) {
-    events.push_back({0, SetOption{"surface.plane_only", OptionValue(true)}});
+    events.push_back({0, SetOption{kPlaneOnly, OptionValue(true)}});
   }
   GuideLine guide = guide_of(files, trial);
   if (guide.kind != GuideKind::kNone) events.push_back({0, UseGuide{std::move(guide)}});

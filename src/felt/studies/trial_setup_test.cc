@@ -43,6 +43,8 @@ TEST_F(TrialSetupTest, ChecksEachSettingWithItsLine) {
   EXPECT_THAT(error_of("settings = { \"pencil.stabiliser\" = true }", with_force()),
               HasSubstr("s.toml:4: "));
   EXPECT_THAT(error_of("settings = { \"crayon.size\" = 1 }", with_force()), HasSubstr("crayon"));
+  EXPECT_THAT(error_of("settings = { \"surface.plane_only\" = true }", with_force()),
+              HasSubstr("s.toml:4: condition.settings: surface.plane_only: condition.forces"));
   EXPECT_THAT(error_of("settings = { \"surface.material\" = \"lava\" }", with_force()),
               HasSubstr("lava"));
 }

@@ -44,7 +44,9 @@ constexpr TrialColumn kTrialColumns[] = {
      "10.1109/34.232073", &M::err_max_mm},
     {"err_total_mm", "mm",
      "Mean distance in space from the samples in contact to the path, if the path is at the median "
-     "height of these samples; empty if a height is unknown.",
+     "height of these samples; a pen that sinks into a surface made by forces is at the surface; "
+     "empty "
+     "without a haptic device.",
      "10.1145/3025453.3025474", &M::err_total_mm},
     {"frechet_mm", "mm",
      "Discrete Fréchet distance of at most 256 points at equal distances on the path and on the "
