@@ -21,7 +21,7 @@ enum Column : std::size_t { kAir, kPlane, kDefault, kTablet, kColumns };
 /// The means of one person over shapes and repetitions.
 struct Means {
   double plane_mm = 0.0;  ///< error in the plane of drawing
-  double total_mm = 0.0;  ///< with the height of the pen
+  double total_mm = 0.0;  ///< with the height of the pen, if the device measures it
   double time_s = 0.0;
 };
 using OfPeople = std::array<std::vector<Means>, kColumns>;
@@ -36,11 +36,11 @@ Result<Means> means_of(const StudyFiles& files, std::size_t condition, const Per
       const auto drawn = simulate_trial(files, trial, person, device);
       if (!drawn) return tl::unexpected(drawn.error());
       const TrialMetrics& metrics = drawn->front().metrics;
-      if (!metrics.err_mean_mm || !metrics.err_total_mm || !metrics.movement_s) {
+      if (!metrics.err_mean_mm || !metrics.movement_s) {
         return fail(ErrorCode::kInvalidData, "a person did not draw");
       }
       means.plane_mm += share * *metrics.err_mean_mm;
-      means.total_mm += share * *metrics.err_total_mm;
+      means.total_mm += share * metrics.err_total_mm.value_or(*metrics.err_mean_mm);
       means.time_s += share * *metrics.movement_s;
     }
   }
