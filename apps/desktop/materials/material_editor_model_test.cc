@@ -88,15 +88,15 @@ TEST(MaterialEditorModel, EveryChangeIsUndoneAndRedone) {
 
 TEST(MaterialEditorModel, SaysNothingWhenItIsDeleted) {
   Bench bench;
-  int told = 0;
+  int reports = 0;
   {
     MaterialEditorModel other(bench.studio, bench.own);
-    QObject::connect(&other.steps(), &QUndoStack::indexChanged, [&told] { ++told; });
+    QObject::connect(&other.steps(), &QUndoStack::indexChanged, [&reports] { ++reports; });
     other.set("feel.friction", 0.4);
     ASSERT_EQ(other.steps().count(), 1);
-    told = 0;
+    reports = 0;
   }
-  EXPECT_EQ(told, 0);
+  EXPECT_EQ(reports, 0);
 }
 
 TEST(MaterialEditorModel, ADragIsOneStepAndFewEvents) {
