@@ -131,8 +131,7 @@ Result<void> compare_baselines(const std::vector<std::string>& devices, std::siz
   fmt::print(
       "\n{} simulated people, the shapes of {}, default options. Changes of\nthe mean error from a "
       "baseline to the default forces, per person, with the 95 % interval over people.\ntotal: "
-      "with "
-      "the height of the pen. The simulated tablet has neither mass nor friction.\n",
+      "with the height of the pen. The simulated tablet has neither mass nor friction.\n",
       people, kStudy);
   return {};
 }

@@ -68,10 +68,10 @@ Options options_of(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
+    options.snapping = options.snapping || name == "--snapping";
+    options.pull = options.pull || name == "--pull";
+    options.baselines = options.baselines || name == "--baselines";
     if (name == "--snapping" || name == "--pull" || name == "--baselines") {
-      (name == "--pull"       ? options.pull
-       : name == "--snapping" ? options.snapping
-                              : options.baselines) = true;
       --i;
       continue;
     }

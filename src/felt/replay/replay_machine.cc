@@ -50,6 +50,14 @@ bool is_plane_only(const Session& session) {
   return session.option("surface.plane_only") == OptionValue(true);
 }
 
+/// Returns how the hand draws with the medium of the session on its surface, as that is felt.
+HandScriptOptions on_surface(HandScriptOptions options, const Session& session) {
+  set_surface(options, session.surface(), session.device(),
+              session.materials().find_medium(drawing_medium(session)));
+  if (is_plane_only(session)) options.friction = 0.0;
+  return options;
+}
+
 bool presses(const HandEvent& aim) {
   return aim.target.z < 0.0 || aim.pressure.value_or(0.0) > 0.0;
 }
@@ -118,10 +126,7 @@ bool ReplayMachine::handle_turn() {
 }
 
 HandScriptOptions ReplayMachine::hand_options() const {
-  HandScriptOptions options = settings_.script;
-  set_surface(options, probe_.surface(), probe_.device(),
-              probe_.materials().find_medium(drawing_medium(probe_)));
-  if (is_plane_only(probe_)) options.friction = 0.0;
+  HandScriptOptions options = on_surface(settings_.script, probe_);
   if (settings_.person) {  // a person feels mass and friction, and compensates for them
     options.hand = settings_.person->grip();
     options.device_mass_kg = options.device_friction_n = options.friction = 0.0;
@@ -132,10 +137,8 @@ HandScriptOptions ReplayMachine::hand_options() const {
 double ReplayMachine::expected_friction_n() const {
   const double device_n = settings_.device.mechanics.friction_n;
   const bool has_force = settings_.force && probe_.device().has_force();
-  if (!has_force || is_plane_only(probe_)) return device_n;
-  HandScriptOptions options = settings_.script;
-  set_surface(options, probe_.surface(), probe_.device(),
-              probe_.materials().find_medium(drawing_medium(probe_)));
+  if (!has_force) return device_n;
+  const HandScriptOptions options = on_surface(settings_.script, probe_);
   const double strength = drawing_number(probe_, "strength", 1.0);
   return device_n + 0.5 * strength * options.friction * options.full_n;
 }
