@@ -90,7 +90,7 @@ struct CheckWhat {
     const Capabilities& can = e.capabilities;
     for (const double quantity :
          {can.max_force_n, can.continuous_force_n, can.advised_force_n, can.max_stiffness_n_per_m,
-          can.max_damping_n_s_per_m, can.position_step_mm}) {
+          can.max_damping_n_s_per_m, can.position_step_mm, can.friction_n, can.mass_kg}) {
       check_number(quantity);
       FELT_CHECK(quantity >= 0.0);
     }

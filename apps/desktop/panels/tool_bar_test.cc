@@ -176,9 +176,9 @@ TEST(ToolActions, SizeIsThatOfTheModeInHand) {
 
 TEST(ToolActions, StrengthGoesInTenthsFromNoneToAll) {
   ToolBarFixture fixture;
-  EXPECT_EQ(fixture.number("pencil.strength"), 0.5);
+  EXPECT_EQ(fixture.number("pencil.strength"), 0.6);
   fixture.find("tool.strength_up")->trigger();
-  EXPECT_NEAR(fixture.number("pencil.strength"), 0.6, 1e-12);
+  EXPECT_NEAR(fixture.number("pencil.strength"), 0.7, 1e-12);
   for (int i = 0; i < 20; ++i) fixture.find("tool.strength_up")->trigger();
   EXPECT_EQ(fixture.number("pencil.strength"), 1.0);
   QTest::keyClick(&fixture.window, Qt::Key_BracketLeft, Qt::ShiftModifier);

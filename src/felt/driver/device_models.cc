@@ -28,19 +28,25 @@ constexpr Capabilities kOmni{.max_force_n = 3.3,
                              .advised_force_n = 2.5,
                              .max_stiffness_n_per_m = 700.0,
                              .max_damping_n_s_per_m = 5.0,
-                             .position_step_mm = 0.055};
+                             .position_step_mm = 0.055,
+                             .friction_n = 0.26,
+                             .mass_kg = 0.045};
 constexpr Capabilities kDesktop{.max_force_n = 7.9,
                                 .continuous_force_n = 1.75,
                                 .advised_force_n = 5.0,
                                 .max_stiffness_n_per_m = 1000.0,
                                 .max_damping_n_s_per_m = 5.0,
-                                .position_step_mm = 0.023};
+                                .position_step_mm = 0.023,
+                                .friction_n = 0.06,
+                                .mass_kg = 0.045};
 constexpr Capabilities kOmega{.max_force_n = 12.0,
                               .continuous_force_n = 12.0,
                               .advised_force_n = 6.0,
                               .max_stiffness_n_per_m = 5000.0,
                               .max_damping_n_s_per_m = 30.0,
                               .position_step_mm = 0.01,
+                              .friction_n = 0.05,
+                              .mass_kg = 0.3,
                               .period_ns = 250'000};
 // The continuous force of these devices is unknown; half of the peak is assumed.
 constexpr Capabilities kSigma{.max_force_n = 12.0,
@@ -69,11 +75,13 @@ constexpr Vec3 kOmegaBoxMm{110, 160, 160};  // depth, width, height
 
 constexpr std::string_view kTouchSource =
     "peak, stiffness, damping: CHAI3D's table; continuous 0.88 N: read from a device with "
-    "OpenHaptics; workspace, step: estimate";
+    "OpenHaptics; workspace, step, friction, mass: estimate";
 constexpr std::string_view kDesktopSource =
-    "peak, stiffness, damping: CHAI3D's table; continuous, workspace, step: estimate";
+    "peak, stiffness, damping: CHAI3D's table; continuous, workspace, step, friction, mass: "
+    "estimate";
 constexpr std::string_view kOmegaSource =
-    "peak, stiffness, damping: CHAI3D's table; continuous, workspace, step: estimate";
+    "peak, stiffness, damping: CHAI3D's table; continuous, workspace, step, friction, mass: "
+    "estimate";
 constexpr std::string_view kSigmaSource =
     "peak, stiffness, damping, workspace: CHAI3D's table for the sigma.7; continuous, step: "
     "estimate";
@@ -110,7 +118,9 @@ constexpr std::array<DeviceModel, 23> kModels{{
                                               .advised_force_n = 5.0,
                                               .max_stiffness_n_per_m = 800.0,
                                               .max_damping_n_s_per_m = 5.0,
-                                              .position_step_mm = 0.03}),
+                                              .position_step_mm = 0.03,
+                                              .friction_n = 0.04,
+                                              .mass_kg = 0.075}),
      .source = "peak, stiffness, damping: CHAI3D's table; continuous: a public mock of it; step: "
                "the 2002 paper; workspace: estimate"},
     {.id = "premium-3.0",
@@ -131,7 +141,9 @@ constexpr std::array<DeviceModel, 23> kModels{{
                                            .advised_force_n = 6.0,
                                            .max_stiffness_n_per_m = 3000.0,
                                            .max_damping_n_s_per_m = 20.0,
-                                           .position_step_mm = 0.06}),
+                                           .position_step_mm = 0.06,
+                                           .friction_n = 0.4,
+                                           .mass_kg = 0.15}),
      .source = "peak, stiffness, damping, workspace: CHAI3D's table; continuous, step: estimate"},
     {.id = "omega.3",
      .label = "Force Dimension omega.3",
@@ -193,7 +205,9 @@ constexpr std::array<DeviceModel, 23> kModels{{
                                               .advised_force_n = 3.0,
                                               .max_stiffness_n_per_m = 1000.0,
                                               .max_damping_n_s_per_m = 5.0,
-                                              .position_step_mm = 0.02}),
+                                              .position_step_mm = 0.02,
+                                              .friction_n = 0.05,
+                                              .mass_kg = 0.12}),
      .source = "stiffness: the maker's tutorials, workspace: the cube in their sphere of 0.1 m; "
                "the rest: estimate"},
     {.id = "minverse",

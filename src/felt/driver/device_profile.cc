@@ -154,6 +154,10 @@ Result<bool> set_value(DeviceProfile& profile, HandParts& parts, std::string_vie
     done = set(profile.force_limit_n, text, kMinForceLimitN);
   } else if (key == "stiffness_cap_n_per_m") {
     done = set(profile.stiffness_cap_n_per_m, text, kMinStiffnessCap);
+  } else if (key == "friction_n") {
+    done = set(profile.friction_n, text, 0.0);
+  } else if (key == "mass_kg") {
+    done = set(profile.mass_kg, text, 0.0);
   } else if (key.substr(0, kLeft.size()) == kLeft) {
     return set_part(parts.left, key.substr(kLeft.size()), text);
   } else {
@@ -266,6 +270,8 @@ Capabilities limited_by(const DeviceProfile& profile, Capabilities device) noexc
     device.max_stiffness_n_per_m =
         device.max_stiffness_n_per_m > 0.0 ? std::min(device.max_stiffness_n_per_m, *cap) : *cap;
   }
+  device.friction_n = profile.friction_n.value_or(device.friction_n);
+  device.mass_kg = profile.mass_kg.value_or(device.mass_kg);
   return device;
 }
 
@@ -345,6 +351,8 @@ std::string device_profile_text(const DeviceProfile& profile) {
   if (profile.stiffness_cap_n_per_m) {
     add_numbers(text, "stiffness_cap_n_per_m", {*profile.stiffness_cap_n_per_m});
   }
+  if (profile.friction_n) add_numbers(text, "friction_n", {*profile.friction_n});
+  if (profile.mass_kg) add_numbers(text, "mass_kg", {*profile.mass_kg});
   const std::string left(kLeft), right;
   add_plane(text, profile.left_handed ? left : right, profile.plane, profile.area);
   add_plane(text, profile.left_handed ? right : left, profile.other_plane, profile.other_area);

@@ -23,6 +23,8 @@ namespace felt {
 ///   hand = left
 ///   force_limit_n = 2
 ///   stiffness_cap_n_per_m = 300
+///   friction_n = 0.12
+///   mass_kg = 0.05
 ///   plane_x = 1 0 0
 ///   plane_y = 0 -1 0
 ///   plane_z = 0 0 1
@@ -46,6 +48,10 @@ struct DeviceProfile {
   /// The user's limits. They can only lower the device's own limits, see limited_by().
   std::optional<double> force_limit_n = {};
   std::optional<double> stiffness_cap_n_per_m = {};
+  /// The friction and the moving mass that were measured on this device, instead of those of its
+  /// model (Capabilities).
+  std::optional<double> friction_n = {};
+  std::optional<double> mass_kg = {};
   /// Lines that a newer version of Feltline wrote. They are kept unchanged.
   std::vector<std::string> unknown = {};
 
@@ -65,7 +71,8 @@ void switch_hand(DeviceProfile& profile) noexcept;
 /// `serial` if `serial` is not empty.
 void forget_planes_of_another(DeviceProfile& profile, std::string_view serial);
 
-/// Returns `device` with the user's limits, which can only lower the limits of the device.
+/// Returns `device` with the user's limits, which can only lower the limits of the device, and with
+/// what was measured on it.
 Capabilities limited_by(const DeviceProfile& profile, Capabilities device) noexcept;
 
 /// Returns "$XDG_CONFIG_HOME/feltline/devices", or "$HOME/.config/feltline/devices" if that

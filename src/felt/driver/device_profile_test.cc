@@ -45,6 +45,8 @@ DeviceProfile full() {
   profile.other_area = DrawingArea{{-60, 20, -15}, 120, 90.25};
   profile.force_limit_n = 2.1;
   profile.stiffness_cap_n_per_m = 300;
+  profile.friction_n = 0.125;
+  profile.mass_kg = 0.05;
   profile.unknown = {"grip = soft", "tilt = 3 # of a newer program"};
   return profile;
 }
@@ -225,6 +227,19 @@ TEST(DeviceProfile, APersonsLimitsOnlyLower) {
   touch.advised_force_n = 0.0;
   profile.force_limit_n = 9.0;
   EXPECT_EQ(limits_for(limited_by(profile, touch)).peak_force_n, limits_for(touch).peak_force_n);
+}
+
+TEST(DeviceProfile, WhatWasMeasuredReplacesTheModelsEstimates) {
+  Capabilities touch;
+  touch.friction_n = 0.26;
+  touch.mass_kg = 0.045;
+  EXPECT_EQ(limited_by({}, touch), touch);
+  DeviceProfile profile;
+  profile.friction_n = 0.1;
+  EXPECT_EQ(limited_by(profile, touch).friction_n, 0.1);
+  EXPECT_EQ(limited_by(profile, touch).mass_kg, 0.045);
+  profile.mass_kg = 0.08;
+  EXPECT_EQ(limited_by(profile, touch).mass_kg, 0.08);
 }
 
 TEST(DeviceProfile, AnotherOfItsKindIsNotIt) {

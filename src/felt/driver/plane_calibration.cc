@@ -153,6 +153,7 @@ Capabilities PlaneCalibration::to_page(const Capabilities& device) const noexcep
   mapped.max_stiffness_n_per_m /= scale_;
   mapped.max_damping_n_s_per_m /= scale_;
   mapped.position_step_mm *= scale_;
+  mapped.mass_kg /= scale_;
   mapped.page_scale = scale_;
   const Vec3 &low = device.workspace_min, &high = device.workspace_max;
   mapped.workspace_min = mapped.workspace_max = to_page(low);

@@ -27,6 +27,10 @@ struct Capabilities {
   Vec3 workspace_min{-80, -60, -35};   ///< mm
   Vec3 workspace_max{80, 60, 35};      ///< mm
   double position_step_mm = 0.0;       ///< resolution of the position; 0 = unknown
+  /// What the hand feels of the device without any force: dry friction and moving mass at the tip,
+  /// along the page; 0 = unknown.
+  double friction_n = 0.0;
+  double mass_kg = 0.0;
   std::int64_t period_ns = 1'000'000;  ///< period of the servo loop, 0.2..4 ms
   int delay_ticks = 1;                 ///< ticks from reading a position until its force acts
   bool senses_pressure = false;

@@ -114,6 +114,8 @@ struct ForceMemory {
   double spring_force_n = 0.0;
   // Set by the texture; used and reset by the friction, which comes after the texture.
   double friction_factor = 1.0;  ///< mu(x) / mu of this tick
+  /// The part of friction_factor that is felt as grain, from the valleys of the relief on; 0..1.8.
+  double friction_grain = 0.0;
   // Each of the following belongs to one kind of brick.
   Point bristle{};                     ///< anchor of the friction's bristle, mm
   bool bristle_is_set = false;         ///< false while the pen is above the surface
@@ -140,6 +142,7 @@ struct ForceMemory {
     normal_force_n = 0.0;
     spring_force_n = 0.0;
     friction_factor = 1.0;
+    friction_grain = 0.0;
     terms.clear();
   }
 };

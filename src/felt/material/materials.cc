@@ -77,9 +77,10 @@ std::uint32_t ink_color_on(std::uint32_t ink_rgb, std::uint32_t surface_rgb) noe
 
 double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept {
   for (const PairFriction& pair : medium.pairs) {
-    if (pair.surface == surface.id) return pair.coefficient;
+    if (pair.surface == surface.id) return medium.strength * pair.coefficient;
   }
-  return std::min(medium.friction * surface.friction / surface_materials().front().friction,
+  return medium.strength *
+         std::min(medium.friction * surface.friction / surface_materials().front().friction,
                   kMaxFriction);
 }
 

@@ -82,6 +82,7 @@ struct Medium {
   double grain = 1.0;              ///< share of the surface's relief that the hand feels
   double wear = 0.0;  ///< share of the relief that a firm press flattens (relief_left), 0..1
   std::vector<PairFriction> pairs{};
+  double strength = 1.0;  ///< multiplies every friction; set by tools, not stored
   MediumLine line{};
   MediumLook look{};
   MediumSound sound{};

@@ -8,6 +8,7 @@
 #include "felt/devices/simulated/feedback_hand.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/replay/option_text.h"
 #include "felt/session/session_medium.h"
 #include "felt/tools/medium_line.h"
@@ -140,7 +141,9 @@ double ReplayMachine::expected_friction_n() const {
   if (!has_force) return device_n;
   const HandScriptOptions options = on_surface(settings_.script, probe_);
   const double strength = drawing_number(probe_, "strength", 1.0);
-  return device_n + 0.5 * strength * options.friction * options.full_n;
+  const double push_n = 0.5 * options.full_n;
+  const double own_n = std::min(device_n, strength * kPencilOnPaper * push_n);
+  return device_n + std::max(0.0, strength * options.friction * push_n - own_n);
 }
 
 Result<void> ReplayMachine::set_option(const std::string& id, const std::string& text) {

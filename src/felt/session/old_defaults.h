@@ -24,6 +24,7 @@ inline std::vector<SetOption> old_defaults(int version) {
            {"lasso.take", "points"s}};
   }
   if (version <= 2) old.push_back({"pencil.strength", 1.0});
+  if (version >= 3 && version <= 5) old.push_back({"pencil.strength", 0.5});
   if (version == 2 || version == 3) old.push_back({"lasso.take", "strokes"s});
   return old;
 }

@@ -300,7 +300,9 @@ TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
   for (int version = 1; version <= kOptionDefaults; ++version) {
     Session session(make_tools(), {});
     ASSERT_TRUE(session.apply({0, UseDevice{{}, version}}));
-    EXPECT_EQ(session.option("pencil.strength"), OptionValue(version < 3 ? 1.0 : 0.5));
+    EXPECT_EQ(session.option("pencil.strength"), OptionValue(version < 3   ? 1.0
+                                                             : version < 6 ? 0.5
+                                                                           : 0.6));
     EXPECT_EQ(session.option("pencil.attraction_n"), OptionValue(version == 1 ? 0.6 : 0.2));
     const std::string take = version == 1 ? "points" : (version < 4 ? "strokes" : "parts");
     EXPECT_EQ(session.option("lasso.take"), OptionValue(take));

@@ -55,9 +55,8 @@ inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept
 /// factors. Tools use it to apply their `strength` option. Tools that leave no ink also use it to
 /// reduce friction.
 inline Medium scaled_medium(Medium medium, double friction, double grain) {
-  medium.friction *= friction;
+  medium.strength *= friction;
   medium.grain *= grain;
-  for (PairFriction& pair : medium.pairs) pair.coefficient *= friction;
   return medium;
 }
 

@@ -27,7 +27,7 @@ namespace felt::guided_people_test {
 namespace {
 
 constexpr Point kMiddle{80.0, 80.0};
-constexpr double kPencilStrength = 0.5;  // the default of pencil.strength
+constexpr double kPencilStrength = 0.6;  // the default of pencil.strength
 
 /// The measurements of a drawing; distances are those from `path`.
 struct Drawing {

@@ -368,8 +368,11 @@ StabilityResult run_trial(const StabilityCell& cell) {
 
   PlanGround ground{
       .plane_n_per_m = plane_for(*cell.surface, device.capabilities).stiffness_n_per_m,
-      .friction = friction_of(scaled_tool(cell), *cell.surface),
       .press_n = press_of(cell)};
+  const FrictionOptions friction =
+      friction_for(scaled_tool(cell), *cell.surface, device.capabilities);
+  const double own = std::min(friction.own_friction_n / ground.press_n, friction.own_coefficient);
+  ground.friction = std::max(0.0, friction.coefficient - own);
   if (cell.trial == Trial::kBundle) {
     ground.friction += std::min(BundleFeel::kMaxN / ground.press_n, BundleFeel::kMaxFactor);
   }

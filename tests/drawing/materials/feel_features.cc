@@ -104,7 +104,8 @@ FeelFeatures features_of(const StrokeForces& forces, double leg_mm) {
   const double push =
       0.5 * (mean_of(forces.along_x, &Force::z) + mean_of(forces.along_y, &Force::z));
   const double pull = 0.5 * (surface_mean(forces.along_x) + surface_mean(forces.along_y));
-  features.jnd[0] = std::log(std::max(pull, 1e-3) / std::max(push, 1e-3)) / kForceJnd;
+  const double dry = std::max(0.0, pull - forces.viscous_n) + forces.device_friction_n;
+  features.jnd[0] = std::log(std::max(dry, 1e-3) / std::max(push, 1e-3)) / kForceJnd;
   // Hardness is the steepest growth of the normal force within 10 ms while the pen lands; the hand
   // always lands in the same way.
   double steepest = 1e-3;

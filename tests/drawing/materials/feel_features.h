@@ -8,8 +8,9 @@
 
 namespace felt {
 
-/// How a stroke feels, computed from its forces alone, in units of a just noticeable difference
-/// (JND): if a feature of two strokes differs by 1, a person notices it in 75 % of the comparisons.
+/// How a stroke feels, computed from its forces and the friction of the device alone, in units of a
+/// just noticeable difference (JND): if a feature of two strokes differs by 1, a person notices it
+/// in 75 % of the comparisons.
 struct FeelFeatures {
   static constexpr std::size_t kCount = 6;
   std::array<double, kCount> jnd{};

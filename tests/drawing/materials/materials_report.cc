@@ -20,9 +20,10 @@ human hand and no real surface was measured: frictions, stiffnesses and reliefs 
 ([share/materials](../share/materials) says which), and the devices are
 [simulated](../src/felt/devices/simulated/README.md).
 
-All tables hold for the full strength of these forces. The option `pencil.strength` has the default 0.5
-([why](design/simulation.md#what-the-default-forces-were-chosen-by)), which halves friction and grain of what draws;
-set it to 1 to feel what the tables say.
+The tables hold for the full friction. The option `pencil.strength` has the default 0.6
+([why](design/simulation.md#what-the-default-forces-were-chosen-by)), which takes a share of the friction. The relief keeps its
+force from 0.5 on: with the defaults, the pencil feels rough-paper, watercolour, canvas, blackboard and wood on every device at 50
+and 100 mm/s (a test checks it). What a device rubs by itself is not rendered again ([rule](design/forces.md#friction)).
 
 Each surface has one relief, made from a seed. The ink shows it and the hand feels it (R47).
 
@@ -60,7 +61,7 @@ Felt on every device at every of these speeds (`ctest -L materials` holds it):
 constexpr const char* kBlind = R"(
 ## Told apart blindly
 The same strokes are drawn with every choice, 40 mm along x and 40 mm along y, at 50 to 150 mm/s, with
-0.5 to 0.8 N and a trembling typical hand. From the forces alone six features are taken: friction,
+0.5 to 0.8 N and a trembling typical hand. From the forces and the friction of the device alone six features are taken: friction,
 hardness, and how strong and how coarse the texture is in each of the two directions, each with the
 error that a sense makes: 10 % of a force, 22 % of a stiffness, 20 % of the strength and 25 % of the
 wavelength of a texture, of which nothing is felt far below 0.04 N. The nearest centroid decides. 40

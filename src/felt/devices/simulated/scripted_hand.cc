@@ -148,7 +148,9 @@ class AimMaker {
     const double depth_mm = std::max(0.0, -pen(i).z);
     if (depth_mm > 0.0 && options_.contact != ContactBy::kDepthInAir) {
       const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
-      push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
+      // The device renders what the surface has beyond the device's own friction (Friction).
+      const double own_n = std::min(options_.device_friction_n, kPencilOnPaper * plane_n);
+      push += std::max(0.0, options_.friction * plane_n - own_n) * Vec3{way.x, way.y, 0.0};
       // For a resting pen, the direction of the device's friction is unknown. So that the pen still
       // presses enough, the force is increased by this friction. A sliding pen does not need this,
       // because the friction then acts along the motion.

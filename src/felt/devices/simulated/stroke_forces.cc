@@ -89,6 +89,11 @@ StrokeForces draw_stroke(const StrokePlan& plan) {
   StrokeForces forces;
   forces.leg_s = plan.leg_mm / plan.speed_mm_per_s;
   forces.period_s = 1e-9 * static_cast<double>(plan.period_ns);
+  forces.device_friction_n = device.mechanics.friction_n;
+  forces.viscous_n =
+      std::min(Friction::kMaxViscousN,
+               1e-3 * friction_for(*plan.tool, *plan.surface, can).viscosity_n_s_per_m *
+                   std::max(0.0, plan.speed_mm_per_s - kUnknownSpeedMmPerS));
   VirtualClock clock(*servo);
   bool has_touched = false;
   while (true) {

@@ -29,12 +29,14 @@ struct StrokePlan {
 /// The forces of the device on the hand, tick by tick.
 struct StrokeForces {
   double period_s = 0.001;
-  double leg_s = 0.0;           ///< time for each of the two legs, at full speed
-  std::vector<Force> touching;  ///< while the pen comes down, from the first contact on
-  std::vector<Force> resting;   ///< while the pen rests
-  std::vector<Force> along_x;   ///< the middle nine tenths of the first leg
-  std::vector<Force> along_y;   ///< the middle nine tenths of the second leg
-  bool is_sound = true;         ///< the safety chain found nothing wrong
+  double leg_s = 0.0;              ///< time for each of the two legs, at full speed
+  double device_friction_n = 0.0;  ///< friction that the hand feels in addition
+  double viscous_n = 0.0;          ///< viscous part of the forces along the legs
+  std::vector<Force> touching;     ///< while the pen comes down, from the first contact on
+  std::vector<Force> resting;      ///< while the pen rests
+  std::vector<Force> along_x;      ///< the middle nine tenths of the first leg
+  std::vector<Force> along_y;      ///< the middle nine tenths of the second leg
+  bool is_sound = true;            ///< the safety chain found nothing wrong
 };
 
 /// Simulates the stroke in virtual time, with device, hand, loop, safety chain and surface. The

@@ -38,6 +38,14 @@ Capabilities of_model(std::string_view id, Vec3 (*turn)(const Vec3&) = as_axes_a
   return with_workspace(turn(device.workspace_max - device.workspace_min), device);
 }
 
+// Returns `rest`, with the mass and friction of a model of device_models().
+StylusMechanics mechanics_of(std::string_view id, StylusMechanics rest = {}) noexcept {
+  const Capabilities& device = find_device_model(id)->capabilities;
+  rest.mass_kg = device.mass_kg;
+  rest.friction_n = device.friction_n;
+  return rest;
+}
+
 // Returns the capabilities of an invented device that is as weak as the Touch and harder to keep
 // stable than any real device. Its advised force, limits and step are chosen so that a light pen
 // without friction is exposed to every force that the safety chain lets pass.
@@ -47,6 +55,7 @@ Capabilities of_worst() noexcept {
   device.max_stiffness_n_per_m = 1000.0;
   device.max_damping_n_s_per_m = 5.0;
   device.position_step_mm = 0.03;
+  device.friction_n = 0.0;
   return device;
 }
 
@@ -63,32 +72,32 @@ const std::array<StylusPreset, 9>& presets() noexcept {
        .label = "3D Systems Touch (Phantom Omni)",
        .source =
            "forces: CHAI3D's table, maker's data sheet; mass, friction, steps, workspace: estimate",
-       .mechanics = {.mass_kg = 0.045, .friction_n = 0.26, .weight_n = 0.1},
+       .mechanics = mechanics_of("touch", {.weight_n = 0.1}),
        .capabilities = of_model("touch")},
       {.name = "touch-x",
        .label = "3D Systems Touch X (Phantom Desktop)",
        .source = "forces: CHAI3D's table; the rest: estimate",
-       .mechanics = {.mass_kg = 0.045, .friction_n = 0.06, .weight_n = 0.1},
+       .mechanics = mechanics_of("touch-x", {.weight_n = 0.1}),
        .capabilities = of_model("touch-x")},
       {.name = "premium",
        .label = "Phantom Premium 1.5",
        .source = "forces: CHAI3D's table; steps: the 2002 paper; mass, friction: estimate",
-       .mechanics = {.mass_kg = 0.075, .friction_n = 0.04, .weight_n = 0.05},
+       .mechanics = mechanics_of("premium-1.5", {.weight_n = 0.05}),
        .capabilities = of_model("premium-1.5")},
       {.name = "falcon",
        .label = "Novint Falcon",
        .source = "forces, workspace: CHAI3D's table; mass, friction, steps, continuous: estimate",
-       .mechanics = {.mass_kg = 0.15, .friction_n = 0.4, .viscous_n_s_per_m = 0.5, .weight_n = 0.3},
+       .mechanics = mechanics_of("falcon", {.viscous_n_s_per_m = 0.5, .weight_n = 0.3}),
        .capabilities = of_model("falcon")},
       {.name = "omega",
        .label = "Force Dimension omega.3",
        .source = "forces: CHAI3D's table; steps, workspace, mass, friction: estimate",
-       .mechanics = {.mass_kg = 0.3, .friction_n = 0.05},
+       .mechanics = mechanics_of("omega.3"),
        .capabilities = of_model("omega.3", depth_first)},
       {.name = "inverse3",
        .label = "Haply Inverse3",
        .source = "stiffness: the maker's tutorials; the rest: estimate",
-       .mechanics = {.mass_kg = 0.12, .friction_n = 0.05, .weight_n = 0.1},
+       .mechanics = mechanics_of("inverse3", {.weight_n = 0.1}),
        .capabilities = of_model("inverse3")},
       {.name = "mouse",
        .label = "Mouse: no force, no pressure",

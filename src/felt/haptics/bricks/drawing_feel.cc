@@ -11,6 +11,8 @@ namespace felt {
 namespace {
 
 constexpr double kOneSpring = 300.0;
+/// Coefficient of friction from which on the whole viscosity acts.
+constexpr double kDampedFriction = 0.1;
 /// Maximum change of a force by one step of the position sensor.
 constexpr double kQuietStepN = 0.025;
 constexpr double kSoftest = 200.0;
@@ -68,9 +70,24 @@ FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
   const double stiffness = std::min(
       {tool.bristle_n_per_m, quiet.stiffness_n_per_m, std::max(budget - kOneSpring, 0.5 * budget)});
   const double damping = tool.bristle_n_s_per_m * stiffness / tool.bristle_n_per_m;
-  return {.coefficient = friction_of(tool, surface),
+  const double coefficient = friction_of(tool, surface);
+  const double slides = std::min(1.0, coefficient / kDampedFriction);
+  return {.coefficient = coefficient,
           .stiffness_n_per_m = stiffness,
-          .damping_n_s_per_m = std::min(damping, quiet.damping_n_s_per_m)};
+          .damping_n_s_per_m = std::min(damping, quiet.damping_n_s_per_m),
+          // The eraser must be told from what draws, on every device.
+          .own_friction_n = tool.draws ? device.friction_n : 0.0,
+          .own_coefficient = tool.strength * kPencilOnPaper,
+          .viscosity_n_s_per_m = slides * matched_viscosity_n_s_per_m(device)};
+}
+
+double matched_viscosity_n_s_per_m(const Capabilities& device) noexcept {
+  constexpr double kPerS = 18.0, kSpeedMPerS = 0.1, kQuietShare = 0.7;
+  const double matched = kPerS * device.mass_kg;
+  const double dry = device.friction_n / kSpeedMPerS;
+  return std::min({std::clamp(2.0 * matched - dry, 0.0, matched),
+                   0.5 * finite_positive(device.max_damping_n_s_per_m),
+                   kQuietShare * quiet_limits(device).damping_n_s_per_m});
 }
 
 double firm_push_n(const Capabilities& device) noexcept {
@@ -96,6 +113,7 @@ TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
           .firm_push_n = flattening_push_n(device),
           .friction = friction.coefficient,
           .bristle_n_per_m = friction.stiffness_n_per_m,
+          .own_friction_n = friction.own_friction_n,
           .period_s = period_s(device)};
 }
 

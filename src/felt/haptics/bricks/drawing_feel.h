@@ -37,11 +37,23 @@ double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 /// a sliding pen would hum between two steps (docs/stability.md): at 60 to 100 Hz, with 0.03 to
 /// 0.06 N if a step is 0.055 mm. The width of a line is computed with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
+/// Returns the viscosity b along the page that gives a hand the damping which the mass m of the
+/// device takes from it, N s/m: 18/s m (docs/design/forces.md#viscosity). The dry friction f of the
+/// device damps, too: at a speed of 100 mm/s, like f/v. What it damps beyond 18/s m is taken from
+/// b. At most half of the largest damping of the device, and less if its sensor is coarse, as for
+/// the plane; 0 if its mass is unknown.
+double matched_viscosity_n_s_per_m(const Capabilities& device) noexcept;
+
+/// Friction of a pencil on paper, the reference of all frictions (share/materials).
+inline constexpr double kPencilOnPaper = 0.25;
+
 /// Returns the friction options for a medium on a surface, on a device. The stiffness k of the
 /// bristle is the one that the medium specifies (default 600 N/m) if this leaves 300 N/m of the
 /// budget for one more spring (edit, snap). On slower loops k is less (300 N/m at 3 ms), and the
 /// damping d is reduced in proportion. A coarse sensor also reduces k and d, just as it reduces C
-/// and B of the plane.
+/// and B of the plane. The friction of the device itself is that of the capabilities, for a medium
+/// that draws; that of the eraser is added to it. The viscosity is matched_viscosity_n_s_per_m(),
+/// proportionally less for a medium that slides with a coefficient below 0.1.
 FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
 

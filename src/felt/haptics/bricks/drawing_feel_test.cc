@@ -32,6 +32,37 @@ TEST(Material, R13_SurfacesAndToolsAreOrderedByTheirDrag) {
   EXPECT_EQ(media().front().id, "pencil");
 }
 
+TEST(DrawingFeel, R68_TheViscosityMatchesTheMassOfTheDevice) {
+  const auto viscosity = [](double mass_kg, double friction_n, double most = 30.0) {
+    return matched_viscosity_n_s_per_m(
+        {.max_damping_n_s_per_m = most, .friction_n = friction_n, .mass_kg = mass_kg});
+  };
+  EXPECT_NEAR(viscosity(0.1, 0.0), 1.8, 1e-12);
+  EXPECT_NEAR(viscosity(0.1, 0.18), 1.8, 1e-12);
+  EXPECT_NEAR(viscosity(0.1, 0.27), 0.9, 1e-12);
+  EXPECT_EQ(viscosity(0.045, 0.26), 0.0);     // a Touch damps by itself
+  EXPECT_EQ(viscosity(0.3, 0.05, 5.0), 2.5);  // half of what the device can render
+  EXPECT_EQ(viscosity(0.0, 0.0), 0.0);        // unknown
+  EXPECT_EQ(viscosity(0.3, 0.05, 0.0), 0.0);
+}
+
+TEST(DrawingFeel, R68_WhatDrawsGetsTheFrictionBeyondTheDeviceAndTheEraserAllOfIt) {
+  const Capabilities device{
+      .max_force_n = 3.0, .max_damping_n_s_per_m = 5.0, .friction_n = 0.05, .mass_kg = 0.1};
+  for (Medium medium : media()) {
+    for (const SurfaceMaterial& surface : surface_materials()) {
+      const FrictionOptions friction = friction_for(medium, surface, device);
+      EXPECT_EQ(friction.own_friction_n, medium.draws ? 0.05 : 0.0) << medium.id;
+      EXPECT_EQ(friction.own_coefficient, 0.25);
+      EXPECT_NEAR(friction.viscosity_n_s_per_m, 1.8 * std::min(1.0, friction.coefficient / 0.1),
+                  1e-12);
+    }
+    medium.strength = 0.0;
+    const FrictionOptions none = friction_for(medium, surface_materials()[0], device);
+    EXPECT_EQ(none.viscosity_n_s_per_m, 0.0);
+  }
+}
+
 TEST(DrawingFeel, R56_TheBudgetFollowsTheDelay) {
   const auto budget = [](std::int64_t period_us, int delay) {
     Capabilities device;

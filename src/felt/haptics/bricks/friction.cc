@@ -15,10 +15,32 @@ Vec shortened(Vec v, double limit) noexcept {
 
 }  // namespace
 
+double Friction::limit_n(const FrictionOptions& options, const ForceMemory& memory) noexcept {
+  const double whole_n = options.coefficient * memory.normal_force_n;
+  const double own_n =
+      std::min(options.own_friction_n, options.own_coefficient * memory.normal_force_n);
+  return std::max({0.0, memory.friction_factor * whole_n - own_n, memory.friction_grain * whole_n});
+}
+
 Force Friction::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
-  const double factor = std::max(memory.friction_factor, 0.0);
+  const double dry_limit_n = limit_n(options_, memory);
   memory.friction_factor = 1.0;
-  const double limit_n = options_.coefficient * factor * memory.normal_force_n;
+  memory.friction_grain = 0.0;
+  const Force dry = dry_n(sample, dry_limit_n, memory);
+  return dry + viscous_n(sample, memory);
+}
+
+Force Friction::viscous_n(const PenSample& sample, ForceMemory& memory) const noexcept {
+  if (!(options_.viscosity_n_s_per_m > 0.0) || !(memory.normal_force_n > 0.0)) return {};
+  const double share = std::min(1.0, memory.normal_force_n / kWholeViscosityN);
+  const double n_s_per_mm = 1e-3 * share * options_.viscosity_n_s_per_m;
+  const Vec drag = shortened(-n_s_per_mm * known_velocity(sample), kMaxViscousN);
+  const Force force{drag.x, drag.y, 0.0};
+  memory.terms.add("viscosity", force);
+  return force;
+}
+
+Force Friction::dry_n(const PenSample& sample, double limit_n, ForceMemory& memory) const noexcept {
   const double stiffness = 1e-3 * options_.stiffness_n_per_m * memory.scale.friction;
   if (!(limit_n > 0.0) || !(stiffness > 0.0)) {
     memory.bristle_is_set = false;
@@ -35,9 +57,10 @@ Force Friction::operator()(const PenSample& sample, ForceMemory& memory) const n
   const Vec pull = shortened(-stiffness * stretch - damping * known_velocity(sample), limit_n);
 
   const Force force{pull.x, pull.y, 0.0};
-  const Force plain = factor > 0.0 ? (1.0 / factor) * force : force;
-  memory.terms.add("friction", factor == 1.0 ? force : plain);
-  if (factor != 1.0) memory.terms.add("texture", force - plain);
+  const double plain_n = Friction::limit_n(options_, memory);  // without texture
+  const Force plain = (plain_n / limit_n) * force;
+  memory.terms.add("friction", plain_n == limit_n ? force : plain);
+  if (plain_n != limit_n) memory.terms.add("texture", force - plain);
   return force;
 }
 

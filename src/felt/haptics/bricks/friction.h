@@ -12,6 +12,10 @@ struct FrictionOptions {
   double coefficient = 0.25;         ///< mu, static = kinetic
   double stiffness_n_per_m = 600.0;  ///< k of the bristle
   double damping_n_s_per_m = 2.0;    ///< d of the bristle
+  /// f: friction of the device itself, which is not rendered again up to mu0 Fn.
+  double own_friction_n = 0.0;
+  double own_coefficient = 0.0;      ///< mu0
+  double viscosity_n_s_per_m = 0.0;  ///< b, in addition (matched_viscosity_n_s_per_m)
 };
 
 /// Dry friction that depends on the path of the pen, not on the sign of its velocity (R13, R41,
@@ -31,18 +35,37 @@ struct FrictionOptions {
 /// clamping F to mu Fn removes the damper's contribution. If the normal force is zero, the friction
 /// is zero, and the bristle is detached.
 ///
+/// The hand already feels the friction f of the device. Up to mu0 Fn, that of a pencil on paper, f
+/// counts as the friction of the surface. So mu Fn above is what the surface has beyond it, with
+/// the grain in any case: max(mu Fn - min(f, mu0 Fn), g mu Fn), where g is memory.friction_grain, 0
+/// without a grain that can be felt. What rubs more than a pencil therefore does so on every
+/// device. The viscous friction, -b v, is added to F while the pen presses.
+///
 /// memory.scale.friction scales k and d. memory.friction_factor, set by a texture before this
 /// brick, multiplies mu for one tick; the resulting change of the force is reported as the term
-/// "texture".
+/// "texture", and -b v as "viscosity".
 class Friction {
  public:
   explicit Friction(const FrictionOptions& options = {}) noexcept : options_(options) {}
+
+  /// Largest viscous force, N, so that a fast pen does not feel a wall.
+  static constexpr double kMaxViscousN = 0.3;
+  /// Push from which on the whole viscosity acts, N, so that a landing pen feels no step.
+  static constexpr double kWholeViscosityN = 0.1;
+
+  /// Returns the largest dry friction of this tick, N: what the material has beyond the device, and
+  /// at least the grain.
+  static double limit_n(const FrictionOptions& options, const ForceMemory& memory) noexcept;
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
   [[nodiscard]] Slopes slopes() const noexcept;
   [[nodiscard]] const FrictionOptions& options() const noexcept { return options_; }
 
  private:
+  [[nodiscard]] Force dry_n(const PenSample& sample, double limit_n,
+                            ForceMemory& memory) const noexcept;
+  [[nodiscard]] Force viscous_n(const PenSample& sample, ForceMemory& memory) const noexcept;
+
   FrictionOptions options_;
 };
 

@@ -36,6 +36,43 @@ RC_GTEST_PROP(Friction, R13_NeverExceedsMuFnNorLiftsThePen, ()) {
   }
 }
 
+RC_GTEST_PROP(Friction, R68_WhatTheDeviceHasByItselfIsNotRenderedAgain, ()) {
+  const double mu = *rc::gen::inRange(0, 100) * 0.01, own_n = *rc::gen::inRange(0, 50) * 0.01;
+  const double normal_n = *rc::gen::inRange(1, 200) * 0.01;
+  const double factor = *rc::gen::inRange(0, 180) * 0.01, grain = *rc::gen::inRange(0, 100) * 0.01;
+  const double reference = *rc::gen::inRange(0, 60) * 0.01;
+  const Friction friction(
+      {.coefficient = mu, .own_friction_n = own_n, .own_coefficient = reference});
+  ForceMemory memory;
+  Force force;
+  for (double mm = 0.0; mm < 3.0; mm += 0.05) {
+    memory.begin_tick(0.001);
+    memory.normal_force_n = normal_n;
+    memory.friction_factor = factor;
+    memory.friction_grain = grain;
+    force = friction(rig::pen_at({mm, 0, -1}, {50, 0, 0}), memory);
+  }
+  const double counted_n = std::min(own_n, reference * normal_n);
+  const double beyond_n =
+      std::max({0.0, factor * mu * normal_n - counted_n, grain * mu * normal_n});
+  RC_ASSERT(std::fabs(force.x + beyond_n) < 1e-12);
+  RC_ASSERT(force.y == 0.0);
+}
+
+RC_GTEST_PROP(Friction, R68_TheViscosityOpposesTheMotionAndIsNoWall, ()) {
+  const double b = *rc::gen::inRange(1, 800) * 0.01, normal_n = *rc::gen::inRange(0, 200) * 0.01;
+  const Friction friction({.coefficient = 0.0, .viscosity_n_s_per_m = b});
+  const Vec3 velocity{1.0 * *rc::gen::inRange(-900, 900), 1.0 * *rc::gen::inRange(-900, 900), 0};
+  ForceMemory memory;
+  const Force force = step(friction, memory, {0, 0, -1}, velocity, normal_n);
+  const PenSample sample = rig::pen_at({0, 0, -1}, velocity);
+  const double share = std::min(1.0, normal_n / Friction::kWholeViscosityN);
+  const double whole_n = 1e-3 * b * share * norm(known_velocity(sample));
+  RC_ASSERT(std::fabs(norm(force) - std::min(whole_n, Friction::kMaxViscousN)) < 1e-12);
+  RC_ASSERT(force.x * velocity.x + force.y * velocity.y <= 0.0);
+  RC_ASSERT(force.z == 0.0);
+}
+
 TEST(Friction, InTheAirThereIsNoneAndTheBristleIsLifted) {
   const Friction friction;
   ForceMemory memory;

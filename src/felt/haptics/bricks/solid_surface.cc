@@ -126,10 +126,11 @@ Force SolidSurface::across_and_along(const PenSample& sample, double across_n_pe
   on_surface.position = touch.proxy.place();
   on_surface.velocity = velocity;
   grain_(on_surface, memory);  // sets the factor of the friction
-  touch.friction_factor = std::max(0.0, memory.friction_factor);
+  const double limit_n = Friction::limit_n(options_.friction, memory);
+  const double whole_n = options_.friction.coefficient * memory.normal_force_n;
+  touch.friction_factor = whole_n > 0.0 ? limit_n / whole_n : 1.0;
   memory.friction_factor = 1.0;
-  const double limit_n =
-      options_.friction.coefficient * touch.friction_factor * memory.normal_force_n;
+  memory.friction_grain = 0.0;
   const Vec3 stretch = offset - dot(offset, normal) * normal;
   const Vec3 slip = known_part(velocity - speed * normal);
   // The share of the budget scales the damper with the bristle, as in Friction.

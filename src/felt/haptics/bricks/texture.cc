@@ -8,6 +8,8 @@ namespace {
 
 /// The modulation leaves at least a fifth of the friction.
 constexpr double kDeepest = 0.8;
+/// Grain of less force cannot be felt: a wave has the amplitude sqrt(2) rms.
+constexpr double kFeltRmsN = 0.02;
 
 /// Returns about x if x is small; always within -1 and 1, with a slope of at most 1.
 double bounded(double x) noexcept {
@@ -40,6 +42,12 @@ Texture::Texture(const HeightField* field, const TextureOptions& options) noexce
     const double steepest = kMaxCountedN * friction_ * field_->max_slope();
     gain_ = std::min(strength * wave_number / friction_, limit_n_per_mm / steepest);
     stiffness_n_per_m_ = 1e3 * gain_ * steepest;
+    const double rms = kDeepest * bounded(gain_ / kDeepest * 1e-3 * field_->spec().rms_um);
+    if (friction_ * kMaxCountedN * rms >= kFeltRmsN) {
+      valley_ = 2.0 * rms;
+    } else if (options.own_friction_n > 0.0) {
+      gain_ = stiffness_n_per_m_ = 0.0;
+    }
   }
 }
 
@@ -66,6 +74,8 @@ Force Texture::operator()(const PenSample& sample, ForceMemory& memory) const no
   if (law_ == TextureLaw::kFriction) {
     const double modulation = kDeepest * bounded(gain_ / kDeepest * grain.height_mm);
     memory.friction_factor = 1.0 + share * (counted / push) * modulation;
+    const double above_valley = valley_ > 0.0 ? std::max(0.0, valley_ + modulation) : 0.0;
+    memory.friction_grain = share * (counted / push) * above_valley;
     return {};
   }
   const Vec force = -share * gain_ * counted * memory.scale.lateral * grain.slope;

@@ -26,6 +26,7 @@ struct TextureOptions {
   double firm_push_n = 2.0;
   double friction = 0.25;          ///< mu0 of the Friction that comes after the texture
   double bristle_n_per_m = 600.0;  ///< bristle stiffness of that friction
+  double own_friction_n = 0.0;     ///< that of the device (FrictionOptions)
   double period_s = 0.001;         ///< period of the loop; it bounds the strength
 };
 
@@ -66,9 +67,15 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// period of the loop, the loop cannot follow a wave. So the strength is full up to half of
 /// lambda/(4T), decreases smoothly above that, and is 0 from lambda/(4T) on.
 ///
-/// Place it between the plane and the friction. kFriction acts through memory.friction_factor, and
-/// the friction reports the term "texture". The field must outlive the loop; if it is null, the
-/// surface is smooth.
+/// A device with friction of its own. The surface's friction is rendered only beyond that of the
+/// device (Friction), which would cut off the valleys of a relief, and often all of it. So the part
+/// of the relief above its usual valleys, 2 RMS below the mean, is rendered in any case, if
+/// it can be felt at all (0.02 N RMS at the push where the texture stops growing). On paper it
+/// cannot.
+///
+/// Place it between the plane and the friction. kFriction acts through memory.friction_factor
+/// and memory.friction_grain, and the friction reports the term "texture". The field must outlive
+/// the loop; if it is null, the surface is smooth.
 class Texture {
  public:
   static constexpr double kMaxCountedN = 0.6;  ///< push above which the texture stops growing, N
@@ -94,7 +101,8 @@ class Texture {
   double bristle_n_per_m_;
   double wear_;
   double firm_push_n_;
-  double gain_ = 0.0;  // kFriction: k in 1/mm; kGradient: factor of the slope
+  double valley_ = 0.0;  // depth below the mean from which grain counts; 0: grain is not felt
+  double gain_ = 0.0;    // kFriction: k in 1/mm; kGradient: factor of the slope
   double stiffness_n_per_m_ = 0.0;
 };
 

@@ -179,6 +179,41 @@ TEST(Texture, CanBeFelt) {
   EXPECT_GT(smallest, 0.0);
 }
 
+/// Returns the smallest and the largest friction of a pencil that slides over 60 mm of the surface
+/// with a push of 0.8 N, N, without that of the device, which is `own_n`.
+std::pair<double, double> frictions_on(const SurfaceMaterial& surface, double own_n) {
+  Capabilities device = rig::Setup{}.capabilities();
+  device.friction_n = own_n;
+  const ForceModel model(make_surface_force(surface, media()[0], device, surface_grain(surface)));
+  ForceMemory memory;
+  double smallest = 1e9, largest = 0.0;
+  const double depth_mm = 800.0 / plane_for(surface, device).stiffness_n_per_m;
+  for (int i = 0; i < 3000; ++i) {
+    memory.begin_tick(0.001);
+    const Force force = model(rig::pen_at({0.02 * i, 0, -depth_mm}, {20, 0, 0}, 0.001 * i), memory);
+    if (i < 200) continue;
+    smallest = std::min(smallest, -force.x);
+    largest = std::max(largest, -force.x);
+  }
+  return {smallest, largest};
+}
+
+TEST(Texture, R68_AReliefIsFeltOnADeviceWithMoreFrictionThanTheSurface) {
+  for (const char* id : {"rough-paper", "watercolour", "canvas", "blackboard", "wood"}) {
+    const SurfaceMaterial& surface = *find_surface(id);
+    const auto [smallest, largest] = frictions_on(surface, 1.0);
+    EXPECT_GT(largest - smallest, 0.08) << id;
+    const auto [least, most] = frictions_on(surface, 0.0);
+    EXPECT_LE(largest - smallest, most - least + 1e-12) << id;
+  }
+  // What cannot be felt is not rendered, because it would only be more friction.
+  for (const char* id : {"paper", "felt", "glass"}) {
+    const auto [smallest, largest] = frictions_on(*find_surface(id), 1.0);
+    EXPECT_NEAR(smallest, largest, 1e-12) << id;
+  }
+  EXPECT_NEAR(frictions_on(*find_surface("paper"), 1.0).second, 0.0, 1e-12);
+}
+
 /// An arbitrary relief under an arbitrary medium in an arbitrary loop, within the ranges of
 /// user-defined files.
 struct AnyTexture {

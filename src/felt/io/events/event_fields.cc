@@ -289,6 +289,14 @@ constexpr std::array kDeviceFields = {
                [](Value& v, EventFields& e) {
                  return parse_quantity<&Capabilities::position_step_mm>(v, "position_step_mm", e);
                }},
+    EventField{"friction_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::friction_n>(v, "friction_n", e);
+               }},
+    EventField{"mass_kg", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::mass_kg>(v, "mass_kg", e);
+               }},
     EventField{"period_ms", false, parse_period},
     EventField{"delay_ticks", false,
                [](Value& v, EventFields& e) {

@@ -176,6 +176,8 @@ struct AddWhat {
     out.add_number("max_stiffness_n_per_m", can.max_stiffness_n_per_m);
     out.add_number("max_damping_n_s_per_m", can.max_damping_n_s_per_m);
     out.add_number("position_step_mm", can.position_step_mm);
+    if (can.friction_n != 0.0) out.add_number("friction_n", can.friction_n);
+    if (can.mass_kg != 0.0) out.add_number("mass_kg", can.mass_kg);
     out.add_number("period_ms", static_cast<double>(can.period_ns) / 1e6);
     out.add_number("delay_ticks", can.delay_ticks);
     out.add_bool("senses_pressure", can.senses_pressure);

@@ -85,7 +85,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
       "{\"t_ms\":0,\"event\":\"device\",\"sensed_axes\":3,\"actuated_axes\":3,\"max_force_n\":0,"
       "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
       "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
-      "\"senses_pressure\":false,\"defaults\":5}\n");
+      "\"senses_pressure\":false,\"defaults\":6}\n");
   EXPECT_EQ(line_of({0, ChooseOffer{OfferKind::kCircle}}),
             "{\"t_ms\":0,\"event\":\"choose\",\"what\":\"circle\"}\n");
   EXPECT_EQ(line_of({0, UseGuide{}}), "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"none\"}\n");
@@ -179,6 +179,8 @@ UseDevice any_device() {
   can.max_stiffness_n_per_m = quantity();
   can.max_damping_n_s_per_m = quantity();
   can.position_step_mm = quantity();
+  can.friction_n = quantity();
+  can.mass_kg = quantity();
   can.period_ns = *rc::gen::inRange<std::int64_t>(1, 1'000'000'001);
   can.delay_ticks = *rc::gen::inRange(0, 8);
   can.senses_pressure = *rc::gen::arbitrary<bool>();

@@ -33,7 +33,9 @@ class BundleFeel {
 
   Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
     if (memory.normal_force_n > 0.0 && friction_ > 0.0) {
-      memory.friction_factor += std::min(more_n_ / memory.normal_force_n, max_factor_) / friction_;
+      const double more = std::min(more_n_ / memory.normal_force_n, max_factor_) / friction_;
+      memory.friction_factor += more;
+      memory.friction_grain += more;
     }
     return {};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -44,6 +45,13 @@ class ScaledInertia {
   double share_;
 };
 
+/// Returns the medium as the option `strength` changes it: its friction in proportion, its grain
+/// only below 0.5. A relief that can be felt costs less accuracy than friction, and with half of
+/// its force it could not be felt (docs/materials.md).
+inline Medium felt_medium(const Medium& medium, double strength) {
+  return scaled_medium(medium, strength, std::min(1.0, 2.0 * strength));
+}
+
 /// Returns the clicks between the steps of the width, or none if the option is off or the device
 /// does not press by depth.
 inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scene) {
@@ -66,8 +74,7 @@ inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scen
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target,
                                     const std::optional<Point>& held_at = {}) {
-  Medium material =
-      scaled_medium(medium_of(scene, settings.medium), settings.strength, settings.strength);
+  Medium material = felt_medium(medium_of(scene, settings.medium), settings.strength);
   if (scene.guide.softens_friction) material = guided_medium(std::move(material));
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));

@@ -252,7 +252,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
              "Press harder to get it, or go on drawing."},
     strength_option("Force level of friction, grain, attraction, hold and stabiliser. Does not "
                     "affect the hardness of the surface.",
-                    0.5),
+                    0.6),
 }};
 
 /// The options in the form that the tool uses.

@@ -37,6 +37,7 @@ class RoughFeel {
     if (memory.normal_force_n > 0.0 && friction_ > 0.0) {
       const double more = std::min(more_, max_n_ / memory.normal_force_n);
       memory.friction_factor += more / friction_;
+      memory.friction_grain += more / friction_;
     }
     return {};
   }
