@@ -144,11 +144,12 @@ QString term_label(const char* name) {
     const char* name;
     const char* label;
   };
-  static constexpr std::array<Label, 12> kLabels{{
+  static constexpr std::array<Label, 13> kLabels{{
       {"asked", QT_TRANSLATE_NOOP("SafetyWords", "Sum, requested")},
       {"sent", QT_TRANSLATE_NOOP("SafetyWords", "Sent to the pen")},
       {"plane", QT_TRANSLATE_NOOP("SafetyWords", "Surface")},
       {"friction", QT_TRANSLATE_NOOP("SafetyWords", "Friction")},
+      {"viscosity", QT_TRANSLATE_NOOP("SafetyWords", "Viscosity")},
       {"texture", QT_TRANSLATE_NOOP("SafetyWords", "Grain")},
       {"edit", QT_TRANSLATE_NOOP("SafetyWords", "Curve")},
       {"snap", QT_TRANSLATE_NOOP("SafetyWords", "Snap")},

@@ -1676,6 +1676,10 @@
         <translation>Reibung</translation>
     </message>
     <message>
+        <source>Viscosity</source>
+        <translation>Zähigkeit</translation>
+    </message>
+    <message>
         <source>Grain</source>
         <translation>Körnung</translation>
     </message>

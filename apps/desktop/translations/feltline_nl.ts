@@ -1676,6 +1676,10 @@
         <translation>Wrijving</translation>
     </message>
     <message>
+        <source>Viscosity</source>
+        <translation>Viscositeit</translation>
+    </message>
+    <message>
         <source>Grain</source>
         <translation>Korrel</translation>
     </message>

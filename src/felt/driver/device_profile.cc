@@ -38,6 +38,9 @@ struct HandParts {
   PlaneParts right, left;
 };
 
+// No device for hands has more; larger ones are grams or a slip.
+constexpr double kMostFrictionN = 10.0, kMostMassKg = 10.0;
+
 constexpr std::string_view kLeft = "left_";  // prefix of the keys of the left hand's plane
 
 std::string_view trimmed(std::string_view text) noexcept {
@@ -82,10 +85,12 @@ Result<void> set(std::string& to, std::string_view text) {
   return {};
 }
 
-Result<void> set(std::optional<double>& to, std::string_view text, double smallest) {
+Result<void> set(std::optional<double>& to, std::string_view text, double smallest,
+                 double largest = kMaxProfileNumber) {
   const auto read = numbers<1>(text);
   if (!read) return tl::unexpected(read.error());
   if ((*read)[0] < smallest) return invalid_data("is too small");
+  if ((*read)[0] > largest) return invalid_data("is too large");
   to = (*read)[0];
   return {};
 }
@@ -155,9 +160,9 @@ Result<bool> set_value(DeviceProfile& profile, HandParts& parts, std::string_vie
   } else if (key == "stiffness_cap_n_per_m") {
     done = set(profile.stiffness_cap_n_per_m, text, kMinStiffnessCap);
   } else if (key == "friction_n") {
-    done = set(profile.friction_n, text, 0.0);
+    done = set(profile.friction_n, text, 0.0, kMostFrictionN);
   } else if (key == "mass_kg") {
-    done = set(profile.mass_kg, text, 0.0);
+    done = set(profile.mass_kg, text, 0.0, kMostMassKg);
   } else if (key.substr(0, kLeft.size()) == kLeft) {
     return set_part(parts.left, key.substr(kLeft.size()), text);
   } else {
@@ -257,6 +262,7 @@ void forget_planes_of_another(DeviceProfile& profile, std::string_view serial) {
   if (!is_of(profile, serial)) {
     profile.plane = profile.other_plane = std::nullopt;
     profile.area = profile.other_area = std::nullopt;
+    profile.friction_n = profile.mass_kg = std::nullopt;
   }
   if (!serial.empty()) profile.serial = serial;
 }

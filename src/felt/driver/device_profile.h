@@ -67,8 +67,8 @@ bool is_of(const DeviceProfile& profile, std::string_view serial) noexcept;
 
 /// Switches the device to the other hand, with that hand's plane and area.
 void switch_hand(DeviceProfile& profile) noexcept;
-/// Removes all planes and areas if is_of() returns false. Sets the profile's serial number to
-/// `serial` if `serial` is not empty.
+/// Removes all planes, areas and measurements if is_of() returns false. Sets the profile's serial
+/// number to `serial` if `serial` is not empty.
 void forget_planes_of_another(DeviceProfile& profile, std::string_view serial);
 
 /// Returns `device` with the user's limits, which can only lower the limits of the device, and with

@@ -240,6 +240,11 @@ TEST(DeviceProfile, WhatWasMeasuredReplacesTheModelsEstimates) {
   EXPECT_EQ(limited_by(profile, touch).mass_kg, 0.045);
   profile.mass_kg = 0.08;
   EXPECT_EQ(limited_by(profile, touch).mass_kg, 0.08);
+  profile.serial = "one";
+  forget_planes_of_another(profile, "two");
+  EXPECT_EQ(limited_by(profile, touch), touch);
+  EXPECT_FALSE(parse_device_profile("device = a\nmass_kg = 45\n", "p"));  // grams
+  EXPECT_FALSE(parse_device_profile("device = a\nfriction_n = -1\n", "p"));
 }
 
 TEST(DeviceProfile, AnotherOfItsKindIsNotIt) {

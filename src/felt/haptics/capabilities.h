@@ -35,8 +35,8 @@ struct Capabilities {
   int delay_ticks = 1;                 ///< ticks from reading a position until its force acts
   bool senses_pressure = false;
   /// Millimetres on the page for one millimetre of the hand, 0.5..2 (PlaneCalibration::scale). The
-  /// lengths, stiffness and damping in this struct are those on the page; forces are not scaled.
-  /// limits_for() applies its bounds at the hand.
+  /// lengths, stiffness, damping and mass in this struct are those on the page; forces are not
+  /// scaled. limits_for() applies its bounds at the hand.
   double page_scale = 1.0;
 
   /// Returns true if the device can output any force.

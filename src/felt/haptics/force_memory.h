@@ -83,6 +83,14 @@ struct ShakeBand {
   Vec low{};
 };
 
+/// How fast the positions of the pen move along the page, mm/s, low-pass filtered (Friction).
+struct PageMotion {
+  Point pen{};
+  Vec velocity{};
+  std::int64_t time_ns = 0;
+  bool is_set = false;
+};
+
 /// Whether a guide holds the pen (Guide).
 struct GuideHold {
   std::uint32_t number = 0;  ///< GuidePiece::hold
@@ -117,8 +125,9 @@ struct ForceMemory {
   /// The part of friction_factor that is felt as grain, from the valleys of the relief on; 0..1.8.
   double friction_grain = 0.0;
   // Each of the following belongs to one kind of brick.
-  Point bristle{};                     ///< anchor of the friction's bristle, mm
-  bool bristle_is_set = false;         ///< false while the pen is above the surface
+  Point bristle{};              ///< anchor of the friction's bristle, mm
+  bool bristle_is_set = false;  ///< false while the pen is above the surface
+  PageMotion page_motion;
   double normal_speed_mm_per_s = 0.0;  ///< low-pass filtered dz/dt of the plane brick
   double last_z_mm = 0.0;
   std::int64_t last_z_time_ns = 0;

@@ -176,7 +176,8 @@ std::uint32_t ink_color_on(std::uint32_t ink_rgb, std::uint32_t surface_rgb) noe
 
 /// Returns the friction coefficient of a pair: the medium's entry for that surface if it has one,
 /// otherwise mu_medium mu_surface / mu_paper (the `friction` of the medium, of the surface and of
-/// the surface "paper"), at most kMaxFriction (docs/design/forces.md#surfaces).
+/// the surface "paper"), at most kMaxFriction (docs/design/forces.md#surfaces), times the strength
+/// of the medium.
 double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept;
 
 }  // namespace felt

@@ -124,8 +124,8 @@ Paper, pencil, 1 kHz with delays of 0, 1 and 2 ticks, and 5 kHz with 1 tick.
 constexpr const char* kWhatFails = R"(
 Why, by kind:
 
-* **worst; well, edit or guide; 1 kHz with 1 or 2 ticks of delay; light hand or none: 0.03 to 0.07
-  N.**
+* **worst; well, edit, guide, trace or teacher; most of them at 1 kHz with 1 or 2 ticks of delay in a
+  light hand or none: 0.03 to 0.04 N.**
   This simulated device has no friction. The pen is held by two springs in the surface, the
   friction's bristle and the target, edit or guide, which together use the whole budget of [the
   design](design/limits.md#stiffness-budget) (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in

@@ -34,7 +34,7 @@ Broken check_change(const Document& before, const StrokeChange& change) {
 }
 
 bool is_of_the_surface(std::string_view term) {
-  return term == "plane" || term == "friction" || term == "texture";
+  return term == "plane" || term == "friction" || term == "viscosity" || term == "texture";
 }
 
 bool is_fine(Point p) {

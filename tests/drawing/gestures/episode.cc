@@ -183,6 +183,14 @@ void Episode::command(const What& what) {
   is_command_ = false;
 }
 
+/// Counts a touch that begins for either of two contacts: one that every event resets, and one that
+/// no event resets. The session resets its own after some events, and how fast it saw the pen land
+/// decides whether a gap is a bounce.
+void Episode::count_touch(const PenSample& sample) {
+  const bool is_new = contact_.update(sample) == Contact::Change::kTouched;
+  if (unbroken_contact_.update(sample) == Contact::Change::kTouched || is_new) ++touches_;
+}
+
 void Episode::take(const PenSample& sample) {
   if (broken_) return;
   now_ns_ = sample.time_ns;
@@ -190,7 +198,7 @@ void Episode::take(const PenSample& sample) {
   ++samples_in_gesture_;
   const bool is_place = is_pen_position(sample.position);
   pen_is_up_ = is_place ? !in_contact(sample) : pen_is_up_;
-  if (is_place && contact_.update(sample) == Contact::Change::kTouched) ++touches_;
+  if (is_place) count_touch(sample);
   const Result<void> done = session_.sample(sample);
   if (!done) return break_rule("a sample is refused: " + done.error().message);
   if (commits_ > touches_) return break_rule("a gesture is more than one step");

@@ -76,15 +76,15 @@ FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
           .stiffness_n_per_m = stiffness,
           .damping_n_s_per_m = std::min(damping, quiet.damping_n_s_per_m),
           // The eraser must be told from what draws, on every device.
-          .own_friction_n = tool.draws ? device.friction_n : 0.0,
+          .own_friction_n = tool.draws ? finite_positive(device.friction_n) : 0.0,
           .own_coefficient = tool.strength * kPencilOnPaper,
           .viscosity_n_s_per_m = slides * matched_viscosity_n_s_per_m(device)};
 }
 
 double matched_viscosity_n_s_per_m(const Capabilities& device) noexcept {
   constexpr double kPerS = 18.0, kSpeedMPerS = 0.1, kQuietShare = 0.7;
-  const double matched = kPerS * device.mass_kg;
-  const double dry = device.friction_n / kSpeedMPerS;
+  const double matched = kPerS * finite_positive(device.mass_kg);
+  const double dry = finite_positive(device.friction_n) / kSpeedMPerS;
   return std::min({std::clamp(2.0 * matched - dry, 0.0, matched),
                    0.5 * finite_positive(device.max_damping_n_s_per_m),
                    kQuietShare * quiet_limits(device).damping_n_s_per_m});

@@ -39,7 +39,9 @@ struct FrictionOptions {
 /// counts as the friction of the surface. So mu Fn above is what the surface has beyond it, with
 /// the grain in any case: max(mu Fn - min(f, mu0 Fn), g mu Fn), where g is memory.friction_grain, 0
 /// without a grain that can be felt. What rubs more than a pencil therefore does so on every
-/// device. The viscous friction, -b v, is added to F while the pen presses.
+/// device. The viscous friction, -b v, is added to F while the pen presses. It has no limit of
+/// friction, so v counts only as far as the positions bear it out (PageMotion): a device whose
+/// velocity has the wrong sign, or stands still, is not driven.
 ///
 /// memory.scale.friction scales k and d. memory.friction_factor, set by a texture before this
 /// brick, multiplies mu for one tick; the resulting change of the force is reported as the term

@@ -45,7 +45,7 @@ RC_GTEST_PROP(Friction, R68_WhatTheDeviceHasByItselfIsNotRenderedAgain, ()) {
       {.coefficient = mu, .own_friction_n = own_n, .own_coefficient = reference});
   ForceMemory memory;
   Force force;
-  for (double mm = 0.0; mm < 3.0; mm += 0.05) {
+  for (double mm = 0.0; mm < 8.0; mm += 0.05) {
     memory.begin_tick(0.001);
     memory.normal_force_n = normal_n;
     memory.friction_factor = factor;
@@ -59,18 +59,39 @@ RC_GTEST_PROP(Friction, R68_WhatTheDeviceHasByItselfIsNotRenderedAgain, ()) {
   RC_ASSERT(force.y == 0.0);
 }
 
+/// Returns the viscous force on a pen that moves at `velocity` for 0.1 s and reports `reported`.
+Force viscous_force(double b, Vec velocity, Vec reported, double normal_n) {
+  const Friction friction({.coefficient = 0.0, .viscosity_n_s_per_m = b});
+  ForceMemory memory;
+  Force force;
+  for (int i = 0; i <= 100; ++i) {
+    const Vec at = 0.001 * i * velocity;
+    memory.begin_tick(0.001);
+    memory.normal_force_n = normal_n;
+    PenSample sample = rig::pen_at({at.x, at.y, -1}, {reported.x, reported.y, 0}, 0.001 * i);
+    force = friction(sample, memory);
+  }
+  return force;
+}
+
 RC_GTEST_PROP(Friction, R68_TheViscosityOpposesTheMotionAndIsNoWall, ()) {
   const double b = *rc::gen::inRange(1, 800) * 0.01, normal_n = *rc::gen::inRange(0, 200) * 0.01;
-  const Friction friction({.coefficient = 0.0, .viscosity_n_s_per_m = b});
-  const Vec3 velocity{1.0 * *rc::gen::inRange(-900, 900), 1.0 * *rc::gen::inRange(-900, 900), 0};
-  ForceMemory memory;
-  const Force force = step(friction, memory, {0, 0, -1}, velocity, normal_n);
-  const PenSample sample = rig::pen_at({0, 0, -1}, velocity);
+  const Vec v{1.0 * *rc::gen::inRange(-900, 900), 1.0 * *rc::gen::inRange(-900, 900)};
+  const Force force = viscous_force(b, v, v, normal_n);
   const double share = std::min(1.0, normal_n / Friction::kWholeViscosityN);
-  const double whole_n = 1e-3 * b * share * norm(known_velocity(sample));
-  RC_ASSERT(std::fabs(norm(force) - std::min(whole_n, Friction::kMaxViscousN)) < 1e-12);
-  RC_ASSERT(force.x * velocity.x + force.y * velocity.y <= 0.0);
+  const double whole_n = 1e-3 * b * share * norm(known_velocity(rig::pen_at({}, {v.x, v.y, 0})));
+  RC_ASSERT(std::fabs(norm(force) - std::min(whole_n, Friction::kMaxViscousN)) < 1e-9);
+  RC_ASSERT(force.x * v.x + force.y * v.y <= 0.0);
   RC_ASSERT(force.z == 0.0);
+}
+
+TEST(Friction, R68_R49_AWrongVelocityDoesNotDriveThePen) {
+  EXPECT_EQ(viscous_force(2.0, {50, 0}, {-50, 0}, 0.5), Force{});  // of the wrong sign
+  EXPECT_EQ(viscous_force(2.0, {50, 0}, {0, 50}, 0.5), Force{});   // across
+  EXPECT_EQ(viscous_force(2.0, {}, {50, 0}, 0.5), Force{});        // of a pen at rest
+  const Force tenfold = viscous_force(2.0, {10, 0}, {100, 0}, 0.5);
+  EXPECT_LT(tenfold.x, 0.0);
+  EXPECT_GE(tenfold.x, -1e-3 * 2.0 * 2.0 * 10.0 * 1.01);
 }
 
 TEST(Friction, InTheAirThereIsNoneAndTheBristleIsLifted) {

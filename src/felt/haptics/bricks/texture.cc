@@ -44,7 +44,7 @@ Texture::Texture(const HeightField* field, const TextureOptions& options) noexce
     stiffness_n_per_m_ = 1e3 * gain_ * steepest;
     const double rms = kDeepest * bounded(gain_ / kDeepest * 1e-3 * field_->spec().rms_um);
     if (friction_ * kMaxCountedN * rms >= kFeltRmsN) {
-      valley_ = 2.0 * rms;
+      valley_ = std::min(1.0, 2.0 * rms);
     } else if (options.own_friction_n > 0.0) {
       gain_ = stiffness_n_per_m_ = 0.0;
     }

@@ -204,6 +204,7 @@ TEST(Texture, R68_AReliefIsFeltOnADeviceWithMoreFrictionThanTheSurface) {
     const auto [smallest, largest] = frictions_on(surface, 1.0);
     EXPECT_GT(largest - smallest, 0.08) << id;
     const auto [least, most] = frictions_on(surface, 0.0);
+    EXPECT_LE(largest, most + 1e-12) << id;
     EXPECT_LE(largest - smallest, most - least + 1e-12) << id;
   }
   // What cannot be felt is not rendered, because it would only be more friction.
@@ -294,6 +295,20 @@ RC_GTEST_PROP(Texture, R48_FrictionHoldsToTheBoundAtEveryPlaceAndPush, ()) {
 
 RC_GTEST_PROP(Texture, R48_GradientHoldsToTheBoundAtEveryPlaceAndPush, ()) {
   holds_everywhere(TextureLaw::kGradient);
+}
+
+RC_GTEST_PROP(Texture, R68_TheGrainIsAPartOfTheFriction, ()) {
+  const AnyTexture any = any_texture(TextureLaw::kFriction);
+  const Texture texture(&any.field, any.options);
+  ForceMemory memory;
+  for (int i = 0; i < 50; ++i) {
+    memory.begin_tick(0.001);
+    memory.normal_force_n = 0.01 * *rc::gen::inRange(1, 200);
+    const Vec3 at{0.1 * *rc::gen::inRange(0, 1000), 0.1 * *rc::gen::inRange(0, 1000), -1};
+    texture(rig::pen_at(at, {1.0 * *rc::gen::inRange(0, 300), 0, 0}), memory);
+    RC_ASSERT(memory.friction_grain >= 0.0);
+    RC_ASSERT(memory.friction_grain <= memory.friction_factor + 1e-12);
+  }
 }
 
 RC_GTEST_PROP(Texture, R47_APushWearsTheReliefAsItDoesForTheEye, ()) {
