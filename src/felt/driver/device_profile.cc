@@ -39,7 +39,7 @@ struct HandParts {
 };
 
 // No device for hands has more; larger ones are grams or a slip.
-constexpr double kMostFrictionN = 10.0, kMostMassKg = 10.0;
+constexpr double kMaxFrictionN = 10.0, kMaxMassKg = 10.0;
 
 constexpr std::string_view kLeft = "left_";  // prefix of the keys of the left hand's plane
 
@@ -160,9 +160,9 @@ Result<bool> set_value(DeviceProfile& profile, HandParts& parts, std::string_vie
   } else if (key == "stiffness_cap_n_per_m") {
     done = set(profile.stiffness_cap_n_per_m, text, kMinStiffnessCap);
   } else if (key == "friction_n") {
-    done = set(profile.friction_n, text, 0.0, kMostFrictionN);
+    done = set(profile.friction_n, text, 0.0, kMaxFrictionN);
   } else if (key == "mass_kg") {
-    done = set(profile.mass_kg, text, 0.0, kMostMassKg);
+    done = set(profile.mass_kg, text, 0.0, kMaxMassKg);
   } else if (key.substr(0, kLeft.size()) == kLeft) {
     return set_part(parts.left, key.substr(kLeft.size()), text);
   } else {
