@@ -434,11 +434,11 @@ TEST(Pencil, R43_TheForceIsZeroAtTheTargetAndOutOfReach) {
   };
   EXPECT_EQ(pull(3.0, "both"), 0.0);
   EXPECT_EQ(pull(1.5, "both"), 0.0);
-  EXPECT_NEAR(pull(1.3, "both"), 0.1, 1e-12);
-  EXPECT_NEAR(pull(0.5, "both"), 0.06, 1e-12);
+  EXPECT_NEAR(pull(1.3, "both"), 0.12, 1e-12);
+  EXPECT_NEAR(pull(0.5, "both"), 0.072, 1e-12);
   EXPECT_EQ(pull(0.0, "both"), 0.0);
   EXPECT_EQ(pull(1.3, "snap"), 0.0);
-  EXPECT_NEAR(pull(1.3, "force"), 0.1, 1e-12);
+  EXPECT_NEAR(pull(1.3, "force"), 0.12, 1e-12);
 }
 
 TEST(Pencil, R44_AShortScribbleInsideReachNeverCloses) {
