@@ -39,8 +39,6 @@ double grain_share_of(const ProbeRequest& request, const Capabilities& device,
                       const HeightField* grain) {
   if (!grain || !(request.medium.grain > 0.0)) return 1.0;
   const FrictionOptions friction = friction_for(request.medium, request.surface, device);
-  const Texture felt(grain, texture_for(request.medium, request.surface, device));
-  if (!(felt.stiffness_n_per_m() > 0.0)) return 0.0;  // too weak beside the friction of the device
   const auto stiffness = [&](double height_share) {
     const HeightField field =
         grain->scaled(request.surface.grain_mm, height_share * request.surface.grain_um);
