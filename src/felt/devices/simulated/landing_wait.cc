@@ -10,21 +10,18 @@ bool touches(const Aim& aim) noexcept {
   return aim.target_mm.z < 0.0 || aim.pressure.value_or(0.0) > 0.0;
 }
 
-/// Moves the aim above a place, as high as it is, but not higher than a hand hovers.
-void move_above(const Vec3& place_mm, std::int64_t now_ns, std::int64_t tick_ns,
-                GlidingAim& aim) noexcept {
-  Aim above = aim.newest();
-  above.target_mm.x = place_mm.x;
-  above.target_mm.y = place_mm.y;
-  above.target_mm.z = std::min(above.target_mm.z, LandingWait::kMaxHeightMm);
-  aim.set(above, now_ns, tick_ns);
+void move_to(const Vec3& target_mm, std::int64_t now_ns, std::int64_t tick_ns,
+             GlidingAim& aim) noexcept {
+  Aim moved = aim.newest();
+  moved.target_mm = target_mm;
+  aim.set(moved, now_ns, tick_ns);
 }
 
 }  // namespace
 
-/// Returns true if the stylus is above the surface, does not fall, and is near the place and slow,
-/// or if friction holds it there. At the turning point of an oscillation it has no speed for one
-/// read only, so friction counts after two.
+/// Returns true if the stylus is above the surface, low enough, does not fall, and is near the
+/// place and slow, or if friction holds it there. At the turning point of an oscillation it has no
+/// speed for one read only, so friction counts after two.
 bool LandingWait::is_at_rest(const Aim& next, const HeldBody& body) noexcept {
   const Vec3 off = body.position() - next.target_mm;
   const Vec3& velocity = body.velocity();
@@ -32,8 +29,10 @@ bool LandingWait::is_at_rest(const Aim& next, const HeldBody& body) noexcept {
   const bool was_stuck = is_stuck_;
   is_stuck_ = speed == 0.0;
   const bool is_near = std::hypot(off.x, off.y) <= kNearMm && speed <= kSlowMmPerS;
+  const double height_mm = body.position().z;
+  const bool is_low = height_mm >= 0.0 && height_mm <= kMaxHeightMm + kNearMm;
   const bool falls = velocity.z < -kSlowMmPerS;
-  return body.position().z >= 0.0 && !falls && (is_near || (was_stuck && is_stuck_));
+  return is_low && !falls && (is_near || (was_stuck && is_stuck_));
 }
 
 bool LandingWait::holds(const Aim& next, std::int64_t late_ns, const HeldBody& body,
@@ -49,9 +48,9 @@ bool LandingWait::holds(const Aim& next, std::int64_t late_ns, const HeldBody& b
   if (phase_ == Phase::kNone) {
     phase_ = Phase::kAbove;
     is_stuck_ = false;
-    const Vec3 way = next.target_mm - aim.newest().target_mm;
-    const bool is_high = aim.newest().target_mm.z > kMaxHeightMm;
-    if (way.x != 0.0 || way.y != 0.0 || is_high) move_above(next.target_mm, now_ns, tick_ns, aim);
+    const Vec3 from = aim.newest().target_mm;
+    above_mm_ = {next.target_mm.x, next.target_mm.y, std::min(from.z, kMaxHeightMm)};
+    if (!(above_mm_ == from)) move_to(above_mm_, now_ns, tick_ns, aim);
     arrives_ns_ = aim.arrives_ns();
     const double patience = 1.0 - static_cast<double>(late_ns) / kMaxLateNs;
     until_ns_ =
@@ -60,7 +59,9 @@ bool LandingWait::holds(const Aim& next, std::int64_t late_ns, const HeldBody& b
   const bool at_rest = is_at_rest(next, body);
   const bool is_up = body.position().z >= 0.0 || now_ns >= arrives_ns_ + kMaxAboveNs;
   if (now_ns < arrives_ns_ || !is_up || (!at_rest && now_ns < until_ns_)) {
-    move_above(body.braking_aim_mm(next.target_mm), now_ns, tick_ns, aim);
+    Vec3 braking = body.braking_aim_mm(above_mm_);
+    braking.z = std::max(braking.z, std::min(above_mm_.z, kMinHeightMm));
+    move_to(braking, now_ns, tick_ns, aim);
     return true;
   }
   phase_ = Phase::kDown;

@@ -22,6 +22,8 @@ class LandingWait {
   static constexpr double kSlowMmPerS = 20.0;
   /// The hand puts the stylus down from at most this height. From higher up it would bounce.
   static constexpr double kMaxHeightMm = 6.0;
+  /// The hand that slows a rising stylus down aims at least so high: it does not press.
+  static constexpr double kMinHeightMm = 0.5;
   /// Maximum wait above the place of the press, after the aim has arrived there. It is shorter the
   /// later the hand already is, so that the waits of many quick strokes do not add up.
   static constexpr std::int64_t kMaxAboveNs = 250'000'000;
@@ -42,6 +44,7 @@ class LandingWait {
   [[nodiscard]] bool is_at_rest(const Aim& next, const HeldBody& body) noexcept;
 
   Phase phase_ = Phase::kNone;
+  Vec3 above_mm_;                // where the hand waits
   std::int64_t arrives_ns_ = 0;  // when the aim is above the place of the press
   std::int64_t until_ns_ = 0;    // end of the wait
   bool is_stuck_ = false;        // friction held the stylus at the last read

@@ -185,6 +185,32 @@ TEST(LandingWait, R18_ATapAfterAFastMotionIsOneContact) {
   });
 }
 
+// A stylus that comes from high up is not let fall from the top of an oscillation, where it has no
+// speed: it would bounce.
+TEST(LandingWait, R18_ALineThatBeginsFarBelowIsOneContact) {
+  int pairs = 0;
+  for_each_pair([&](const StylusPreset& device, const SimulatedHand& hand) {
+    if (hand.stiffness_n_per_m < typical_hand().stiffness_n_per_m)
+      return;  // a soft hand may bounce
+    ++pairs;
+    for (const double high_mm : {0.0, 4.0, 10.0, 16.0, 30.0}) {
+      for (const double away_mm : {5.0, 40.0}) {
+        std::vector<Event> events{{0, {.position = kStart, .height_mm = high_mm}}};
+        std::int64_t ms = 800;
+        const Point press = kStart + Vec{away_mm, away_mm};
+        const auto add = [&](double right_mm, bool touching) {
+          events.push_back({ms, {ms * kMs, press + Vec{right_mm, 0.0}, touching}});
+        };
+        for (int i = 0; i < 320; ++i, ++ms) add(0.3 * i, true);
+        add(96.0, false);
+        const Drawn drawn = draw(device, hand, events, 800);
+        EXPECT_GE(drawn.takes_ms, 320) << high_mm << " mm up, " << away_mm << " mm away";
+      }
+    }
+  });
+  EXPECT_GE(pairs, 8);
+}
+
 /// Returns a line of 20 mm, and a press `pause_ms` after it, `off_mm` from its end.
 std::vector<Event> line_and_press(int pause_ms, double off_mm, bool by_tablet) {
   std::vector<Event> all{{0, {.position = kStart}}};
