@@ -34,6 +34,9 @@ struct Capabilities {
   std::int64_t period_ns = 1'000'000;  ///< period of the servo loop, 0.2..4 ms
   int delay_ticks = 1;                 ///< ticks from reading a position until its force acts
   bool senses_pressure = false;
+  /// Largest push that a line of full width may need, N (firm_push_n). Not a fact of the device: a
+  /// session sets it for old recordings, whose lines were drawn with another.
+  double full_push_n = 1.2;
   /// Millimetres on the page for one millimetre of the hand, 0.5..2 (PlaneCalibration::scale). The
   /// lengths, stiffness, damping and mass in this struct are those on the page; forces are not
   /// scaled. limits_for() applies its bounds at the hand.

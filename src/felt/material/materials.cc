@@ -76,12 +76,12 @@ std::uint32_t ink_color_on(std::uint32_t ink_rgb, std::uint32_t surface_rgb) noe
 }
 
 double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept {
+  double whole = std::min(medium.friction * surface.friction / surface_materials().front().friction,
+                          kMaxFriction);
   for (const PairFriction& pair : medium.pairs) {
-    if (pair.surface == surface.id) return medium.strength * pair.coefficient;
+    if (pair.surface == surface.id) whole = pair.coefficient;
   }
-  return medium.strength *
-         std::min(medium.friction * surface.friction / surface_materials().front().friction,
-                  kMaxFriction);
+  return std::max(medium.strength * whole, std::min(whole, medium.kept_friction));
 }
 
 }  // namespace felt

@@ -83,6 +83,8 @@ struct Medium {
   double wear = 0.0;  ///< share of the relief that a firm press flattens (relief_left), 0..1
   std::vector<PairFriction> pairs{};
   double strength = 1.0;  ///< multiplies every friction; set by tools, not stored
+  /// A friction up to this one is not reduced by `strength`; set by tools, not stored.
+  double kept_friction = 0.0;
   MediumLine line{};
   MediumLook look{};
   MediumSound sound{};

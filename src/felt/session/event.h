@@ -142,12 +142,15 @@ struct RestyleEvent {
 /// The version of the tools' default options. A recording contains this version, because a
 /// recording leaves out options that have their default. old_defaults.h lists those of
 /// earlier versions.
-inline constexpr int kOptionDefaults = 6;
+inline constexpr int kOptionDefaults = 7;
 /// Since this version, a pen that bounces while it lands draws one line (Contact::set_landing).
 inline constexpr int kLandingDefaults = 4;
 /// Before this version, a layer event that left no open layer added one. Since then, the first ink
 /// adds it.
 inline constexpr int kLateLayerDefaults = 5;
+/// Before this version, a line of full width could need a push of 2 N (Capabilities::full_push_n).
+inline constexpr int kFirmPushDefaults = 7;
+inline constexpr double kOldFullPushN = 2.0;
 
 /// Sets the device that samples come from and forces go to. Applies to all later events.
 /// {"event":"device","max_force_n":3.3,...} A gesture in progress is committed as if the pen had

@@ -116,6 +116,7 @@ struct Session::Apply {
   Result<void> operator()(const UseDevice& e) const {
     Result<void> ended = session.finish();
     session.options_.device = e.capabilities;
+    if (e.defaults < kFirmPushDefaults) session.options_.device.full_push_n = kOldFullPushN;
     if (!ended) return ended;
     return session.use_defaults(e.defaults);
   }

@@ -4,13 +4,13 @@
 
 namespace felt {
 
-WellShape well_of(const SnapOptions& options, double strength) noexcept {
+WellShape well_of(const SnapOptions& options, double strength, double slope_n_per_mm) noexcept {
   const double quarter = 0.25 * options.reach_mm;
-  const double core = std::clamp(options.force_n / kWellSlopeNPerMm, quarter, 3.0 * quarter);
+  const double core = std::clamp(options.force_n / slope_n_per_mm, quarter, 3.0 * quarter);
   WellShape shape{.radius_mm = options.reach_mm,
                   .core_mm = core,
                   .rim_mm = quarter,
-                  .force_n = strength * std::min(options.force_n, kWellSlopeNPerMm * core)};
+                  .force_n = strength * std::min(options.force_n, slope_n_per_mm * core)};
   shape.damping_n_s_per_m *= strength;
   return shape;
 }

@@ -36,9 +36,10 @@ inline constexpr double kWellSlopeNPerMm = 0.24;
 
 /// Returns the shape of the attraction. The core, where the force grows with the distance, and the
 /// rim, where it fades to zero, are each a quarter of the reach wide. If the force is large, the
-/// core is wider, so that the stiffness stays below kWellSlopeNPerMm. If the reach is too small for
+/// core is wider, so that the stiffness stays below `slope_n_per_mm`. If the reach is too small for
 /// that, the force is reduced. `strength` scales force and damping.
-WellShape well_of(const SnapOptions& options, double strength = 1.0) noexcept;
+WellShape well_of(const SnapOptions& options, double strength = 1.0,
+                  double slope_n_per_mm = kWellSlopeNPerMm) noexcept;
 
 /// A point that attracts the pen: an end of a stroke of the document, a point on a stroke, or the
 /// start of the stroke being drawn.

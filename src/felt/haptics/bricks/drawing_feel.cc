@@ -91,11 +91,11 @@ double matched_viscosity_n_s_per_m(const Capabilities& device) noexcept {
 }
 
 double firm_push_n(const Capabilities& device) noexcept {
-  constexpr double kMaxN = 2.0, kMinN = 0.2, kSlides = 0.6;
+  constexpr double kMinN = 0.2, kSlides = 0.6;
   const SafetyLimits limits = limits_for(device);
   double held_n = sustained_force_n(limits);
   if (limits.peak_force_n > 0.0) held_n = std::min(held_n, limits.peak_force_n);
-  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kMinN, kMaxN);
+  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kMinN, device.full_push_n);
 }
 
 double flattening_push_n(const Capabilities& device) noexcept {

@@ -61,14 +61,15 @@ FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
 /// value remain distinguishable on every device.
 inline constexpr double kHardestNPerM = 800.0;
 
-/// Returns F1, the push that draws a line of full width and tone: 0.2 to 2 N. The device can hold
-/// this force permanently (sustained_force_n), together with the friction of a medium that slides
-/// with a coefficient of up to 0.6. So the width does not depend on how warm the motors are (R14):
-/// a push below F1 is never limited, and any push above F1 draws full width. A user who lowers the
-/// force limit lowers F1, too, if `device` comes from with_force_limit(). With a limit below 0.25
-/// N, or with forces off, the surface yields before full width is reached. The width then depends
-/// on the depth of the pen. If the user has set a master strength s (a factor on all forces) below
-/// 1, the surface feels softer, and a push of s F1 draws full width.
+/// Returns F1, the push that draws a line of full width and tone: 0.2 to 1.2 N
+/// (Capabilities::full_push_n), so that a firm push draws broad on a strong device. The device can
+/// hold this force permanently (sustained_force_n), together with the friction of a medium that
+/// slides with a coefficient of up to 0.6. So the width does not depend on how warm the motors are
+/// (R14): a push below F1 is never limited, and any push above F1 draws full width. A user who
+/// lowers the force limit lowers F1, too, if `device` comes from with_force_limit(). With a limit
+/// below 0.25 N, or with forces off, the surface yields before full width is reached. The width
+/// then depends on the depth of the pen. If the user has set a master strength s (a factor on all
+/// forces) below 1, the surface feels softer, and a push of s F1 draws full width.
 double firm_push_n(const Capabilities& device) noexcept;
 
 /// Returns the push at which the hand feels the relief flattened as far as the medium can flatten

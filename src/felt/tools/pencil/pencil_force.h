@@ -45,11 +45,30 @@ class ScaledInertia {
   double share_;
 };
 
-/// Returns the medium as the option `strength` changes it: its friction in proportion, its grain
-/// only below 0.5. A relief that can be felt costs less accuracy than friction, and with half of
-/// its force it could not be felt (docs/materials.md).
+/// Returns the share of those forces that the option `strength` reduces only below 0.5: grain, the
+/// friction of slippery media and the attraction. They cost little accuracy, and with half of their
+/// force they could not be felt (docs/materials.md).
+inline double weak_share(double strength) noexcept {
+  return std::min(1.0, 2.0 * strength);
+}
+
+/// Returns the medium as the option `strength` changes it: its friction in proportion, but not
+/// below that of a brush pen, and its grain by weak_share().
 inline Medium felt_medium(const Medium& medium, double strength) {
-  return scaled_medium(medium, strength, std::min(1.0, 2.0 * strength));
+  constexpr double kSlippery = 0.11;
+  Medium felt = scaled_medium(medium, strength, weak_share(strength));
+  felt.kept_friction = kSlippery * weak_share(strength);
+  return felt;
+}
+
+/// Returns the attraction of a target: the option `attraction_n` beyond what the device rubs, so
+/// that it moves a hand that would rest beside the target.
+inline WellShape attraction_of(const PencilSettings& settings,
+                               const Capabilities& device) noexcept {
+  constexpr double kSlopeNPerMm = 0.3;
+  SnapOptions snap = settings.snap;
+  if (snap.force_n > 0.0) snap.force_n += finite_positive(device.friction_n);
+  return well_of(snap, weak_share(settings.strength), kSlopeNPerMm);
 }
 
 /// Returns the clicks between the steps of the width, or none if the option is off or the device
@@ -79,7 +98,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
-  const WellShape shape = well_of(settings.snap, settings.strength);
+  const WellShape shape = attraction_of(settings, scene.device);
   const PushClicks clicks = width_clicks(settings, scene);
   SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
   if (held_at) well = SnapWells(*held_at, hold_shape(settings.strength));

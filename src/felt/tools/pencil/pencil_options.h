@@ -163,7 +163,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .min = 0.0,
      .max = 1.0,
      .fallback = 0.2,
-     .help = "Force that draws the pen to its target.",
+     .help = "Force that draws a slow pen to its target, beyond the friction of the device.",
      .when = "snap=force|both",
      .is_seldom = true},
     {.id = "keep_separate",

@@ -25,14 +25,15 @@ struct WidthStops {
 /// "Change curve width"; docs/design/errata.md#e20). Their force is added to that of the plane of
 /// the surface. With d the depth, and d0 the depth at which the width does not change:
 ///
-///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
+///   F = K max(harder d, lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///
-/// So at the broadest width the surface gets stiffer when the user presses harder. At the thinnest
-/// width, the user needs more force to press down to the depth d0, beyond which the width grows
-/// again: a detent. The force is zero at the surface, never pulls inwards, and is continuous. The
-/// force of both springs depends only on the depth, so they are passive. WidthStop must come after
-/// the plane in the chain, because it reads the normal speed that the plane computes. K is the part
-/// of the device's stiffness that the plane does not use (see width_stop_stiffness).
+/// So at the broadest width the surface is stiffer: by a seventh on the softest devices, which can
+/// be felt (a difference of 8 to 13 %, docs/design/forces.md#felt). At the thinnest width, the user
+/// needs more force to press down to the depth d0, beyond which the width grows again: a detent.
+/// The force is zero at the surface, never pulls inwards, and is continuous. The force of both
+/// springs depends only on the depth, so they are passive. WidthStop must come after the plane in
+/// the chain, because it reads the normal speed that the plane computes. K is the part of the
+/// device's stiffness that the plane does not use (see width_stop_stiffness).
 class WidthStop {
  public:
   WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept
@@ -40,8 +41,8 @@ class WidthStop {
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
     const double depth = depth_mm(sample);
-    const double stretch = stops_.harder * std::max(0.0, depth - neutral_mm_) +
-                           stops_.lighter * std::min(depth, neutral_mm_);
+    const double stretch =
+        std::max(stops_.harder * depth, stops_.lighter * std::min(depth, neutral_mm_));
     const double spring = 1e-3 * stiffness_ * memory.scale.normal * stretch;
     const double speed = memory.normal_speed_mm_per_s;
     const double damper = std::clamp(-1e-3 * kDampingNSPerM * speed, -spring, spring);

@@ -27,18 +27,14 @@ WidthFeel at_stop(double harder, double lighter) {
 TEST(WidthForce, TheStopPushesMoreTheNearerTheLimitAndNeverPullsIn) {
   const Fixture fixture;
   const WidthSettings settings;
-  const double neutral = 1e3 * (0.1 + 0.5 * 1.9) / 500.0;  // 2.1 mm on paper
+  const double neutral = 1e3 * (0.1 + 0.5 * 1.1) / 500.0;  // 1.3 mm on paper
   for (double z = 0.0; z < 6.0; z += 0.05) {
     double last = 500.0 * 1e-3 * z;
     for (const double near : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double push =
           force_at(make_width_force(settings, fixture.scene(), at_stop(near, 0)), {0, 0, -z}).z;
       EXPECT_GE(push, last - 1e-12);
-      if (z <= neutral) {
-        EXPECT_NEAR(push, 0.5 * z, 1e-12);
-      } else {
-        EXPECT_NEAR(push, 0.5 * z + near * 0.4 * (z - neutral), 1e-9);
-      }
+      EXPECT_NEAR(push, 0.5 * z + near * 0.4 * z, 1e-9);
       last = push;
     }
     const double light =
