@@ -172,6 +172,40 @@ TEST(FineSurface, TheBorderIsWithinAFifthOfAPixelOfTheOutline) {
   }
 }
 
+// Where two discs meet, the outline has inner corners, from which creases lead inwards. Beside
+// these creases, triangles that are too large for the corner turn by 60 degrees and more: jagged
+// light.
+TEST(FineSurface, ThereAreNoRipplesBesideTheCreaseOfAnInnerCorner) {
+  for (const double r : {14.0, 18.0, 22.0}) {
+    for (const double right_mm : {24.0, 30.0}) {
+      SCOPED_TRACE(std::to_string(r) + ", " + std::to_string(right_mm));
+      const Vec between{right_mm, 6.0};
+      SolidDrawing drawing;
+      drawing.circle({50.0, 50.0}, 20.0);
+      drawing.circle(Point{50.0, 50.0} + between, r);
+      const Solid solid = inflated(drawing);
+      // The corners are on the line at this distance from the first centre, across the line between
+      // the centres.
+      const double d = norm(between), u = (400.0 - r * r + d * d) / (2.0 * d);
+      const Vec axis = (1.0 / d) * between, across = perp(axis);
+      for (const double side : {-1.0, 1.0}) {
+        const Point corner =
+            Point{50.0, 50.0} + u * axis + side * std::sqrt(400.0 - u * u) * across;
+        const SolidBody& body = solid.bodies.at(0);
+        const auto is_beside = [&](std::uint32_t a, std::uint32_t b) {
+          const Vec3 p = 0.5 * (body.points[a] + body.points[b]);
+          const Vec from = Point{solid.origin.x + p.x, solid.origin.y - p.y} - corner;
+          const double inwards = -side * dot(across, from), off = std::fabs(dot(axis, from));
+          return norm(from) > 0.5 && norm(from) < 3.0 && off > 0.15 && inwards > 0.0;
+        };
+        const std::vector<double> all = turns(body, is_beside);
+        ASSERT_GT(all.size(), 20U);
+        EXPECT_LT(all.back(), 30.0);
+      }
+    }
+  }
+}
+
 RC_GTEST_PROP(FineSurface, DividedTrianglesFillTheMesh, ()) {
   Random random(*rc::gen::inRange<std::uint64_t>(1, 100000));
   // A square of triangles with any values inside.

@@ -122,6 +122,32 @@ TEST(FrontPaint, IsSeenOnTheFrontOnly) {
   }
 }
 
+// The pixels of the ink are stretched where the surface is steep: they must not show as steps.
+TEST(FrontPaint, ItsBorderIsSmoothHoweverLargeItsPixelsAre) {
+  testing::SolidDrawing drawing;
+  drawing.circle({50, 50}, 30.0);
+  const Solid ball = inflated(drawing.document);
+  Result<Image> ink = Image::create(60, 60);
+  ASSERT_TRUE(ink);
+  const Pixels pixels = ink->pixels();
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 30; x < 60; ++x) pixels.data[y * pixels.stride + 4 * x + 3] = 255;  // black
+  }
+  const FrontPaint paint{*std::move(ink), {-30.0, 30.0}, 1.0};
+  SolidCamera camera = solid_camera(0.0, 0.0);
+  camera.px_per_mm = 20.0;
+  camera.origin_px = {100.0, 100.0};
+  SolidLook look;
+  look.paint = &paint;
+  const Result<Image> image = paint_solid(ball, camera, look, 200, 200);
+  ASSERT_TRUE(image);
+  const int from = image->at(80, 100).r, to = image->at(120, 100).r;
+  EXPECT_GT(from, to + 100);
+  for (int x = 80; x < 120; ++x) {
+    EXPECT_LT(image->at(x, 100).r - image->at(x + 1, 100).r, (from - to) / 4) << x;
+  }
+}
+
 TEST(FrontPaint, AGlbHasItAsATextureOfEachBodyWithInk) {
   testing::SolidDrawing drawing;
   drawing.circle({50, 50}, 30.0);

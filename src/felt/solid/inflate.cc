@@ -151,6 +151,7 @@ class Inflation {
 
  private:
   [[nodiscard]] Result<SolidBody> body_from(const MirrorAxes& axes) const;
+  Result<SolidBody> body_with(const MirrorAxes& axes);
   [[nodiscard]] tl::unexpected<Error> error_at(const char* what, Point p) const;
   [[nodiscard]] Result<SolidBody> checked(SolidBody body) const;
 
@@ -222,10 +223,20 @@ Result<SolidBody> Inflation::run(const OutlineSize& whole) {
   orient(rings_);
   const MirrorAxes axes = find_mirror_axes(curves_, rings_, 0.25 * spec_.tolerance_mm);
   if (axes.count > 0) {
-    Result<SolidBody> body = body_from(axes);
+    Result<SolidBody> body = body_with(axes);
     if (body) return body;
   }
-  return body_from({});
+  return body_with({});
+}
+
+/// Returns the body with small triangles at inner corners; if it is not sound, without them. At the
+/// bottom of a narrow notch, the steep surface of such triangles may be too thin for a file.
+Result<SolidBody> Inflation::body_with(const MirrorAxes& axes) {
+  spec_.inner_corners = InnerCorners::kGraded;
+  Result<SolidBody> body = body_from(axes);
+  if (body) return body;
+  spec_.inner_corners = InnerCorners::kPlain;
+  return body_from(axes);
 }
 
 Result<void> check_options(const InflateOptions& options) {

@@ -154,6 +154,39 @@ int bend_steps(std::span<const Point> part, double length_mm, const RingSpec& sp
   return std::max(1, static_cast<int>(std::ceil(steps)));
 }
 
+/// Returns true if the area at the left of the line has a corner at the second point that turns
+/// inwards by more than about 20 degrees.
+bool is_inner_corner(Point before, Point at, Point after) {
+  constexpr double kMinTurnRad = 0.35;
+  const Vec in = at - before, out = after - at;
+  return std::atan2(cross(in, out), dot(in, out)) < -kMinTurnRad;
+}
+
+/// Adds points on the edges at inner corners, nearer and nearer to the corner: the heights are not
+/// smooth there, so the triangles must be small.
+std::vector<Point> graded(const std::vector<Point>& points, double min_edge_mm) {
+  std::vector<std::uint8_t> is_corner(points.size(), 0);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    is_corner[i] = is_inner_corner(points[i - 1], points[i], points[i + 1]) ? 1 : 0;
+  }
+  std::vector<Point> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0 && (is_corner[i - 1] || is_corner[i])) {
+      const Point a = points[i - 1], b = points[i];
+      const double length = distance(a, b);
+      std::vector<double> shares;
+      for (double share = 0.5; share * length > min_edge_mm; share *= 0.5) {
+        if (is_corner[i - 1]) shares.push_back(share);
+        if (is_corner[i] && (share < 0.5 || !is_corner[i - 1])) shares.push_back(1.0 - share);
+      }
+      std::sort(shares.begin(), shares.end());
+      for (const double share : shares) all.push_back(lerp(a, b, share));
+    }
+    all.push_back(points[i]);
+  }
+  return all;
+}
+
 }  // namespace ring_work
 
 Ring fine_ring(std::span<const Cubic> curve, const RingSpec& spec) {
@@ -189,7 +222,8 @@ std::vector<Point> border_points(std::span<const Point> line, const RingSpec& sp
     points.push_back(line[i]);
     last = i;
   }
-  return points;
+  const bool is_graded = spec.inner_corners == InnerCorners::kGraded;
+  return is_graded ? ring_work::graded(points, spec.min_edge_mm) : points;
 }
 
 EdgeGrid::EdgeGrid(std::vector<Edge> edges, double reach_mm)

@@ -12,6 +12,10 @@ namespace felt {
 /// A closed polygon; the last point is joined to the first.
 using Ring = std::vector<Point>;
 
+/// Whether the edges of the border become shorter towards inner corners, where the heights are not
+/// smooth (docs/design/solids.md#mesh).
+enum class InnerCorners : std::uint8_t { kGraded, kPlain };
+
 /// The lengths that decide how the outline of a body is sampled, in mm.
 struct RingSpec {
   double edge_mm = 1.0;        ///< the longest edge of the border
@@ -21,6 +25,7 @@ struct RingSpec {
   /// shorter than `min_edge_mm`.
   double max_turn_rad = 0.14;
   double min_edge_mm = 0.1;
+  InnerCorners inner_corners = InnerCorners::kGraded;
 };
 
 /// Returns a polygon that follows the curves within a twentieth of the tolerance, with edges of at
@@ -30,7 +35,8 @@ struct RingSpec {
 Ring fine_ring(std::span<const Cubic> curve, const RingSpec& spec);
 
 /// Returns a part of a polygon with few points: those that Douglas-Peucker keeps, and more of the
-/// line between them where an edge would be too long or the line bends. The ends are kept.
+/// line between them where an edge would be too long or the line bends, and towards inner corners:
+/// those that turn to the right, as the area is at the left of the line. The ends are kept.
 std::vector<Point> border_points(std::span<const Point> line, const RingSpec& spec);
 
 /// Tells whether a point is near one of many straight edges. Each cell of a grid lists the edges

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -84,6 +85,45 @@ void edit_a_body(benchmark::State& state) {
   state.SetLabel(std::string(body_edit_kind_name(edits[0].kind)));
 }
 BENCHMARK(edit_a_body)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+
+/// How the cuts of cut_a_body() lie.
+enum class Cuts : std::uint8_t {
+  kAround,  ///< around the body, each takes off another piece of its rim
+  kEqual,   ///< all the same
+};
+
+std::vector<BodyEdit> cuts_of(std::int64_t count, Cuts cuts) {
+  std::vector<BodyEdit> edits;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double turns =
+        cuts == Cuts::kEqual ? 0.0 : static_cast<double>(i) / static_cast<double>(count);
+    const double a = 2.0 * std::numbers::pi * turns;
+    const Vec3 along{-std::sin(a), std::cos(a), 0.0};
+    const Vec3 middle{100.0 + 47.5 * along.y, -100.0 - 47.5 * along.x, 0.0};
+    edits.push_back(
+        {.kind = BodyEditKind::kCut, .path_mm = {middle + 25.0 * along, middle - 25.0 * along}});
+  }
+  return edits;
+}
+
+/// Measures a number of cuts of a disc of 100 mm, from the inflated body to the checked one.
+void cut_a_body(benchmark::State& state) {
+  testing::SolidDrawing drawing;
+  drawing.circle({100.0, 100.0}, 50.0);
+  const Result<InflatedDrawing> inflated = inflate(drawing.document, {.triangles = 5000});
+  if (!inflated) return state.SkipWithError(inflated.error().message.c_str());
+  const std::vector<BodyEdit> edits = cuts_of(state.range(0), static_cast<Cuts>(state.range(1)));
+  std::size_t triangles = 0;
+  for (auto _ : state) {
+    const EditedSolid edited = apply_body_edits(inflated->solid, edits);
+    for (const std::string& refusal : edited.refusals) {
+      if (!refusal.empty()) return state.SkipWithError(refusal.c_str());
+    }
+    triangles = triangle_count(edited.solid);
+  }
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+BENCHMARK(cut_a_body)->ArgsProduct({{1, 2, 10, 100}, {0, 1}})->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace felt

@@ -62,15 +62,24 @@ SolidShade shade_of(Rgba color) {
   return {color.r / 255.0, color.g / 255.0, color.b / 255.0};
 }
 
-/// Returns the colour of a body under the ink at a point of its front.
+/// Returns the colour of a body under the ink at a point of its front: between the four nearest
+/// pixels of the ink, because pixels would show as steps where the surface is steep.
 SolidShade inked(const SolidShade& body, const FrontPaint& paint, const Vec3& at) {
   const Vec px = paint.to_px(at);
-  const auto x = static_cast<int>(std::floor(px.x)), y = static_cast<int>(std::floor(px.y));
-  if (x < 0 || y < 0 || x >= paint.ink.width() || y >= paint.ink.height()) return body;
-  const Rgba ink = paint.ink.at(x, y);
-  SolidShade shade = shade_of(ink);
-  for (std::size_t k = 0; k < 3; ++k) shade[k] += (1.0 - ink.a / 255.0) * body[k];
-  return shade;
+  const double left = std::floor(px.x - 0.5), top = std::floor(px.y - 0.5);
+  SolidShade ink{};
+  double alpha = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const double x = left + k % 2, y = top + k / 2;
+    if (x < 0.0 || y < 0.0 || x >= paint.ink.width() || y >= paint.ink.height()) continue;
+    const double share = (1.0 - std::fabs(px.x - 0.5 - x)) * (1.0 - std::fabs(px.y - 0.5 - y));
+    const Rgba pixel = paint.ink.at(static_cast<int>(x), static_cast<int>(y));
+    const SolidShade shade = shade_of(pixel);
+    for (std::size_t part = 0; part < 3; ++part) ink[part] += share * shade[part];
+    alpha += share * pixel.a / 255.0;
+  }
+  for (std::size_t part = 0; part < 3; ++part) ink[part] += (1.0 - alpha) * body[part];
+  return ink;
 }
 
 /// Returns the colour in the light: half of it from a lamp, half from the sky and the floor, and a

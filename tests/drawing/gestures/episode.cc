@@ -12,7 +12,7 @@
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/session/layer_edit.h"
 #include "felt/stroke/color_text.h"
-#include "felt/tools/contact.h"
+#include "tests/drawing/gestures/counted_tools.h"
 #include "tests/drawing/gestures/random_gesture.h"
 #include "tests/drawing/gestures/random_sketch.h"
 
@@ -123,7 +123,7 @@ Episode::Episode(const EpisodeOptions& options, const std::vector<Stroke>& real,
       totals_(totals),
       dice_(options.seed),
       probe_(any_device(dice_)),
-      session_(make_tools(), session_options(real)) {}
+      session_(make_counted_tools(touches_), session_options(real)) {}
 
 SessionOptions Episode::session_options(const std::vector<Stroke>& real) {
   SessionOptions options;
@@ -165,9 +165,6 @@ void Episode::see_edit(const Edit& edit) {
 template <class What>
 void Episode::apply(const What& what) {
   if (broken_) return;
-  // If the pen is up, the tip may be bouncing. The event ends the wait for a bounce, so the next
-  // touch starts a new gesture.
-  if (pen_is_up_) contact_ = {};
   Event event;
   event.time_ns = now_ns_;
   event.what.emplace<What>(what);
@@ -183,26 +180,15 @@ void Episode::command(const What& what) {
   is_command_ = false;
 }
 
-/// Counts a touch that begins for either of two contacts: one that every event resets, and one that
-/// no event resets. The session resets its own after some events, and how fast it saw the pen land
-/// decides whether a gap is a bounce.
-void Episode::count_touch(const PenSample& sample) {
-  const bool is_new = contact_.update(sample) == Contact::Change::kTouched;
-  if (unbroken_contact_.update(sample) == Contact::Change::kTouched || is_new) ++touches_;
-}
-
 void Episode::take(const PenSample& sample) {
   if (broken_) return;
   now_ns_ = sample.time_ns;
   ++totals_.samples;
   ++samples_in_gesture_;
-  const bool is_place = is_pen_position(sample.position);
-  pen_is_up_ = is_place ? !in_contact(sample) : pen_is_up_;
-  if (is_place) count_touch(sample);
   const Result<void> done = session_.sample(sample);
   if (!done) return break_rule("a sample is refused: " + done.error().message);
   if (commits_ > touches_) return break_rule("a gesture is more than one step");
-  if (!is_place) return;
+  if (!is_pen_position(sample.position)) return;
   if (session_.preview()) ++tool_totals().previews;
   if (const Reading* reading = session_.tool().reading()) {
     if (std::exchange(last_news_, reading->news) != reading->news) ++tool_totals().readings;
@@ -359,8 +345,6 @@ void Episode::interfere() {
       where_ += ", it is finished";
       const Result<void> done = session_.finish();
       if (!done) break_rule("finish: " + done.error().message);
-      // The session forgets that the pen is down: the next samples are a separate gesture.
-      contact_ = {};
       return;
     }
     default:
@@ -407,7 +391,6 @@ void Episode::import() {
   ++touches_;  // the import is a separate undo step
   const Result<void> done = session_.import(now_ns_, {"random"}, strokes);
   if (!done) break_rule("import: " + done.error().message);
-  contact_ = {};
 }
 
 void Episode::select_or_delete() {
@@ -479,8 +462,6 @@ void Episode::use_ring() {
   if (edits_ != edits) break_rule("a ring changed the document");
   apply(UseRing{});
   if (session_.ring()) break_rule("a ring stays open");
-  contact_ = {};
-  pen_is_up_ = !touches;
 }
 
 void Episode::back_and_forth() {

@@ -9,7 +9,6 @@
 
 #include "felt/session/session.h"
 #include "felt/session/surface_options.h"
-#include "felt/tools/contact.h"
 #include "tests/drawing/gestures/checks.h"
 #include "tests/drawing/gestures/dice.h"
 
@@ -60,7 +59,6 @@ class Episode {
   /// Same as apply(), for events whose edits do not come from a tool.
   template <class What>
   void command(const What& what);
-  void count_touch(const PenSample& sample);
   void take(const PenSample& sample);
   void check_state(const PenSample& sample);
 
@@ -92,8 +90,7 @@ class Episode {
   Broken broken_;
   std::string where_;
   std::int64_t now_ns_ = 0;
-  Contact contact_, unbroken_contact_;
-  bool pen_is_up_ = true;
+  // Contacts that the session has reported to the tools, and imports; edits of tools.
   std::uint64_t touches_ = 0, commits_ = 0;
   std::size_t samples_in_gesture_ = 0;
   VelocityFilter velocity_;

@@ -15,6 +15,11 @@
 namespace felt {
 namespace {
 
+/// Error of the fitted width of a line on a surface that is felt: a tenth of a thin line. With
+/// more, the fit may spread the thin end of a line over the whole of it, so that it looks like a
+/// blob at its start (docs/design/loop.md#landing).
+constexpr double kFeltWidthToleranceMm = 0.05;
+
 constexpr std::array<ToolUse, 1> kPencilUses = {
     {{.hint = "Draw; press harder for a broader line. End on a line’s end to join it.",
       .first_modifier = "straight line",
@@ -105,8 +110,13 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
 
 /// Makes a new fitter only if the widths have changed, so that all lines use the same buffers.
 void PencilTool::make_fitter(const Scene& scene) {
-  const InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
-  if (fitter_ && fitted_.width_map == ink.width_map) return;
+  InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
+  if (Pressing(scene.surface, scene.device).is_felt()) {
+    ink.width.tolerance_mm = std::min(ink.width.tolerance_mm, kFeltWidthToleranceMm);
+  }
+  const bool is_same = fitter_ && fitted_.width_map == ink.width_map &&
+                       fitted_.width.tolerance_mm == ink.width.tolerance_mm;
+  if (is_same) return;
   fitter_ = std::make_unique<InkFitter>(ink);
   fitted_ = ink;
 }
