@@ -48,9 +48,9 @@ PencilSettings pencil_as_shipped(std::string_view medium = "pencil") {
 /// loop against the motion, and the friction of the device.
 double drag_n(const StylusPreset& device, const ForceModel& model, double stiffness_n_per_m) {
   SimulatedStylus stylus(device, typical_hand());
-  const auto servo = std::make_unique<Servo>(
-      stylus, ServoOptions{.period_ns = device.capabilities.period_ns,
-                           .limits = limits_for(device.capabilities)});
+  const auto servo =
+      std::make_unique<Servo>(stylus, ServoOptions{.period_ns = device.capabilities.period_ns,
+                                                   .limits = limits_for(device.capabilities)});
   servo->publish(model);
   servo->arm();
   stylus.place({kMiddle.x - 30.0, kMiddle.y, 3.0});
@@ -93,9 +93,9 @@ double rests_at_mm(const StylusPreset& device, const Scene& scene, double short_
   std::optional<SnapTarget> target;
   if (attracts) target = SnapTarget{{StrokeId{1}, StrokeTip::kStart}, kMiddle};
   SimulatedStylus stylus(device, typical_hand());
-  const auto servo = std::make_unique<Servo>(
-      stylus, ServoOptions{.period_ns = device.capabilities.period_ns,
-                           .limits = limits_for(device.capabilities)});
+  const auto servo =
+      std::make_unique<Servo>(stylus, ServoOptions{.period_ns = device.capabilities.period_ns,
+                                                   .limits = limits_for(device.capabilities)});
   servo->publish(make_pencil_force(pencil_as_shipped(), scene, target));
   servo->arm();
   stylus.place({kMiddle.x - 20.0, kMiddle.y, 2.0});
@@ -114,7 +114,7 @@ double rests_at_mm(const StylusPreset& device, const Scene& scene, double short_
 TEST(FeltAtTheDefaults, R70_AttractionMovesAHandThatStopsShort) {
   for_each_device([](const StylusPreset& device, const testing::Fixture& fixture) {
     const Scene scene = fixture.scene();
-    const WellShape well = attraction_of(pencil_as_shipped(), scene.device);
+    const WellShape well = attraction_of(pencil_as_shipped(), scene.device, PenPlace::kOnPage);
     double most_n = 0.0;
     for (double mm = 0.0; mm <= well.radius_mm; mm += 0.01) {
       most_n = std::max(most_n, well.force_at_n(mm));

@@ -148,9 +148,10 @@ inline constexpr int kLandingDefaults = 4;
 /// Before this version, a layer event that left no open layer added one. Since then, the first ink
 /// adds it.
 inline constexpr int kLateLayerDefaults = 5;
-/// Before this version, a line of full width could need a push of 2 N (Capabilities::full_push_n).
+/// Before this version, a line of full width could need a push of 2 N (Capabilities::full_push_n),
+/// and the width of felt lines was fitted less exactly (Scene::felt_width_tolerance_mm).
 inline constexpr int kFirmPushDefaults = 7;
-inline constexpr double kOldFullPushN = 2.0;
+inline constexpr double kOldFullPushN = 2.0, kOldFeltWidthToleranceMm = 0.15;
 
 /// Sets the device that samples come from and forces go to. Applies to all later events.
 /// {"event":"device","max_force_n":3.3,...} A gesture in progress is committed as if the pen had

@@ -461,7 +461,9 @@ Scene Session::scene() const {
           active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_),
           parts_->ink_medium,
           size ? size->mm : Scene::kUsualInkWidthMm,
-          parts_->visible_guides};
+          parts_->visible_guides,
+          option_defaults_ < kFirmPushDefaults ? kOldFeltWidthToleranceMm
+                                               : Scene::kFeltWidthToleranceMm};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

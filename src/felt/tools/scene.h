@@ -28,6 +28,9 @@ struct ActiveGuide {
 /// device that renders forces. Does not change while a sample is handled.
 struct Scene {
   static constexpr double kUsualInkWidthMm = 1.0;
+  /// A tenth of a thin line. With more, the fit may spread the thin end of a line over the whole of
+  /// it, so that it looks like a blob at its start (docs/design/loop.md#landing).
+  static constexpr double kFeltWidthToleranceMm = 0.05;
 
   const Document& document;
   const StrokeIndex& index;        ///< index of `document`, up to date
@@ -43,6 +46,9 @@ struct Scene {
   double ink_width_mm = kUsualInkWidthMm;  ///< width of a line that a mouse draws in this medium
   /// The guides of the document, by ascending id; none while guides are hidden.
   std::span<const DrawingGuidePtr> guides = {};
+  /// Largest error of the fitted width of a line on a surface that is felt, mm. Recordings of older
+  /// versions have another.
+  double felt_width_tolerance_mm = kFeltWidthToleranceMm;
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

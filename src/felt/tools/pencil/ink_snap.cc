@@ -23,6 +23,9 @@ constexpr double kSlowMmPerS = 100.0;
 /// If the pen is faster than this, the user flicks it off the surface or passes the target.
 constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
+/// The attraction is stronger than what a writing hand should feel at every end that it passes. So
+/// the pen must be slow for it to begin, and stay slow.
+constexpr double kFeltMmPerS = 40.0, kLetGoMmPerS = 60.0;
 constexpr double kMaxMeetMmPerS = 60.0;
 
 /// If the gap is less than kSureShare of the extent of an outline, the outline is closed from every
@@ -295,13 +298,13 @@ void InkSnap::find_attraction(const Scene& scene) {
   if (attraction_) {
     const double gap = distance(track_.pen(), attraction_->point);
     const bool stays = is_still_there(*attraction_, scene.document) &&
-                       track_.speed_mm_per_s() <= kMaxEndMmPerS &&
+                       track_.speed_mm_per_s() <= kLetGoMmPerS &&
                        gap <= std::min(options_.reach_mm, closest_mm_ + kLeaveMm);
     closest_mm_ = std::min(closest_mm_, gap);
     if (stays) return;
     attraction_.reset();
   }
-  if (!is_slow(options_.reach_mm)) return;
+  if (track_.speed_mm_per_s() > kFeltMmPerS) return;
   const Aim on_surface{options_.reach_mm, 25.0, 0.4, options_.reach_mm, 0.0, true};
   const Aim in_air{std::min(options_.reach_mm, kAirReachMm), 12.0, 0.3, 0.0, 0.0, true};
   auto found =

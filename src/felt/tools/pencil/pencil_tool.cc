@@ -15,11 +15,6 @@
 namespace felt {
 namespace {
 
-/// Error of the fitted width of a line on a surface that is felt: a tenth of a thin line. With
-/// more, the fit may spread the thin end of a line over the whole of it, so that it looks like a
-/// blob at its start (docs/design/loop.md#landing).
-constexpr double kFeltWidthToleranceMm = 0.05;
-
 constexpr std::array<ToolUse, 1> kPencilUses = {
     {{.hint = "Draw; press harder for a broader line. End on a line’s end to join it.",
       .first_modifier = "straight line",
@@ -112,7 +107,7 @@ ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
 void PencilTool::make_fitter(const Scene& scene) {
   InkFitOptions ink = drawn_with(medium_of(scene, settings_.medium), settings_.ink);
   if (Pressing(scene.surface, scene.device).is_felt()) {
-    ink.width.tolerance_mm = std::min(ink.width.tolerance_mm, kFeltWidthToleranceMm);
+    ink.width.tolerance_mm = std::min(ink.width.tolerance_mm, scene.felt_width_tolerance_mm);
   }
   const bool is_same = fitter_ && fitted_.width_map == ink.width_map &&
                        fitted_.width.tolerance_mm == ink.width.tolerance_mm;
@@ -359,7 +354,8 @@ std::optional<SnapTarget> PencilTool::attraction() const noexcept {
 
 ForceModel PencilTool::force(const Scene& scene) const {
   const auto held_at = in_gesture() ? shapes_.holds_at() : std::nullopt;
-  return make_pencil_force(settings_, scene, attraction(), held_at);
+  const PenPlace place = in_gesture() ? PenPlace::kOnPage : PenPlace::kInAir;
+  return make_pencil_force(settings_, scene, attraction(), held_at, place);
 }
 
 void PencilTool::draw_shapes(Overlay& overlay) const {
