@@ -155,3 +155,15 @@ for ending in ndjson xopp inkml svg; do
 done
 run 0 "$feltline" convert fills.felt -o fills.pdf
 [ ! -s err ] || fail "a notice about fills that a PDF has: $(cat err)"
+
+# A huge file that is no drawing is refused by its first bytes, without reading the rest of it.
+truncate -s 2000M zeros.felt
+run 1 limit_memory 400000 "$feltline" info zeros.felt
+has err "zeros.felt: is not a Feltline drawing"
+run 1 limit_memory 400000 "$feltline" convert zeros.felt -o zeros.svg --salvage
+has err "zeros.felt: is larger than 536870912 bytes"
+cp a.felt longer.felt
+truncate -s 2000M longer.felt
+run 1 limit_memory 400000 "$feltline" info longer.felt
+has err "is 2097152000 bytes long"
+rm zeros.felt longer.felt

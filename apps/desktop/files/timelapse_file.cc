@@ -27,7 +27,10 @@ Result<VisibleInk> read_imported(const std::string& path) {
 /// Reads a script or a drawing with a recording.
 Result<void> read_recording_file(const std::string& name, const std::string& output,
                                  TimelapseInput& input) {
-  const Result<std::string> bytes = read_regular_file(name, kMaxFeltBytes);
+  const Result<std::string> bytes =
+      read_regular_file(name, [&name](std::string_view head, std::uint64_t size) {
+        return check_drawing_head(head, size, name);
+      });
   if (!bytes) return tl::unexpected(bytes.error());
   const Result<FileFormat> format = readable_format(*bytes, name);
   if (!format) return tl::unexpected(with_context(format.error(), name));
