@@ -194,12 +194,8 @@ void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Sele
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
   strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
-  connected_.reset();
+  connected_ = strokes_.connected_pull();
   completion_ns_ = 0.0;
-  if (strokes_.may_part()) {
-    connected_.emplace(BrushOptions{});
-    for (const StrokeId id : strokes_.whole_strokes()) connected_->keep_shape(id);
-  }
   drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.min_scale());
   doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
 }
