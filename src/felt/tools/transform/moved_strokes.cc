@@ -151,7 +151,10 @@ void MovedStrokes::prepare_copies(const Document& document, const Selection& sel
     }
   }
   places_ = std::move(builder).build("");
-  if (!check_copies(document, {items_.size(), points_})) *this = MovedStrokes();
+  if (const Result<void> fits = check_copies(document, {items_.size(), points_}); !fits) {
+    *this = MovedStrokes();
+    refusal_ = fits.error();
+  }
 }
 
 void MovedStrokes::add(MovedLine line) {

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/document/stroke_index.h"
@@ -52,6 +54,11 @@ class MovedStrokes {
   [[nodiscard]] double min_scale() const noexcept { return min_scale_; }
   /// Returns a selection of all copies as whole strokes, or nullopt if `duplicates` was false.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
+
+  /// Returns the error of check_copies() if it refused the copies; once, and nullopt after that.
+  [[nodiscard]] std::optional<Error> take_refusal() noexcept {
+    return std::exchange(refusal_, std::nullopt);
+  }
 
   /// Returns what closes the gaps of finished() and of a preview, or nullopt if lines that share a
   /// point cannot part (ConnectedLines::may_part).
@@ -111,6 +118,7 @@ class MovedStrokes {
   std::vector<Point> anchors_;
   double min_scale_ = 0.0;
   std::optional<Selection> copies_;
+  std::optional<Error> refusal_;
 
   Edit work_;  // the preview in progress, with its first strokes
   std::vector<Shown> shown_;

@@ -212,6 +212,9 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
     centre_ = pen_;
     frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
   }
+  if (doing_ == Doing::kNothing && duplicates_) {
+    return {.refusal = strokes_.take_refusal(), .same_preview = true};
+  }
   if (doing_ != Doing::kTransform && doing_ != Doing::kPicture) return {.same_preview = true};
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0,
                settings_.about_centre || (sample.buttons & kThirdModifier) != 0);
