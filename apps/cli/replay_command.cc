@@ -402,17 +402,6 @@ Result<void> take_up(const Drawing& start, Session& session) {
   return {};
 }
 
-/// Prints how many gestures changed nothing, because the drawing would have exceeded a limit.
-void note_refusals(const ReplayCommandArguments& args, const Session& session, Console& console) {
-  const Refusals& refusals = session.refusals();
-  if (refusals.gestures == 0) return;
-  console.notice(fmt::format("{}: {} of the pen changed nothing: {}",
-                             input_name(args.scripts.front()),
-                             refusals.gestures == 1 ? std::string("1 gesture")
-                                                    : fmt::format("{} gestures", refusals.gestures),
-                             refusals.first));
-}
-
 /// Plays the recording and writes the resulting drawing. `heard` is the result of writing the sound
 /// file.
 Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
@@ -422,7 +411,7 @@ Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
   if (outputs.sound) outputs.sound->begin(session);
   Result<Drawing> frame = apply_recording_file(args.scripts.front(), session);
   if (!frame) return tl::unexpected(frame.error());
-  note_refusals(args, session, console);
+  note_refusals(input_name(args.scripts.front()), session.refusals(), console);
   if (session.option_defaults() != kOptionDefaults) {
     console.notice(input_name(args.scripts.front()) +
                    ": recorded by an earlier version of Feltline. Its option defaults were used, "
@@ -479,7 +468,7 @@ void run_replay(ReplayCommandArguments args, Console& console) {
   outputs->run = &run;
   Result<void> done = play_scripts(args, run, console);
   console.end_progress();
-  note_refusals(args, machine.session(), console);
+  note_refusals(input_name(args.scripts.front()), machine.session().refusals(), console);
   if (done && console.failed()) return;  // a notice with --strict
   if (done) done = write_outputs(args, *std::move(start), *outputs, machine);
   if (!done) return console.error(done.error().message);

@@ -10,7 +10,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
-#include "felt/tools/transform/moved_strokes.h"
+#include "felt/tools/moved_strokes.h"
 
 namespace felt {
 namespace {

@@ -477,17 +477,12 @@ class Assembly {
 
 }  // namespace
 
-Result<std::size_t> check_salvage_head(std::string_view head, std::uint64_t size) {
-  return check_felt_head(head, size).value_or(kMaxSalvageBytes);
-}
-
 Result<Salvaged> salvage_felt_bytes(std::string_view bytes) {
   Result<Drawing> whole = parse_felt(bytes);
   if (whole) return Salvaged{*std::move(whole), {}};
   if (bytes.size() > kMaxSalvageBytes) {
-    return fail(ErrorCode::kLimitExceeded, whole.error().message + ", and is larger than " +
-                                               std::to_string(kMaxSalvageBytes) +
-                                               " bytes, so it cannot be salvaged");
+    return fail(ErrorCode::kLimitExceeded,
+                whole.error().message + ", and is too large to be salvaged (over 512 MiB)");
   }
   Findings findings;
   scan_rows(bytes, [&findings](const ScannedRow& row) { findings.take(row); });

@@ -16,7 +16,9 @@ inline constexpr std::size_t kMaxSalvageBytes = std::size_t{512} << 20;
 
 /// Checks the first bytes of a file (HeadCheck). Returns kMaxFeltBytes if they are intact, and
 /// otherwise kMaxSalvageBytes.
-Result<std::size_t> check_salvage_head(std::string_view head, std::uint64_t size);
+inline Result<std::size_t> check_salvage_head(std::string_view head, std::uint64_t size) {
+  return check_felt_head(head, size).value_or(kMaxSalvageBytes);
+}
 
 /// The result of the recovery of a damaged file.
 struct Salvaged {

@@ -1,4 +1,4 @@
-#include "felt/tools/transform/moved_strokes.h"
+#include "felt/tools/moved_strokes.h"
 
 #include <algorithm>
 #include <limits>

@@ -12,8 +12,8 @@
 #include "felt/document/stroke_index.h"
 #include "felt/geometry/affine.h"
 #include "felt/geometry/rect.h"
+#include "felt/tools/connected_lines.h"
 #include "felt/tools/connected_pull.h"
-#include "felt/tools/transform/connected_lines.h"
 
 namespace felt {
 
