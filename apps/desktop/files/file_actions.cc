@@ -84,9 +84,10 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
             if (done) Q_EMIT exported(path, lost, changed);
           });
   auto* films = new TimelapseActions(*this, studio, actions, window);
-  connect(films, &TimelapseActions::made, this, [this](const QString& path, bool done) {
-    if (done) Q_EMIT exported(path, LostObjects(), QString());
-  });
+  connect(films, &TimelapseActions::made, this,
+          [this](const QString& path, bool done, const QString& changed) {
+            if (done) Q_EMIT exported(path, LostObjects(), changed);
+          });
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   show_large_icons(*recent_menu_);
   fill_recent_menu();

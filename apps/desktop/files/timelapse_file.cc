@@ -39,6 +39,7 @@ Result<void> read_recording_file(const std::string& name, const std::string& out
   if (*format == FileFormat::kFelt) {
     const Result<Imported> opened = parse_drawing(*bytes, name);
     if (!opened) return tl::unexpected(with_context(opened.error(), name));
+    input.report = opened->report;
     return use_newest_recording(name, opened->drawing, input);
   }
   if (*format != FileFormat::kNdjson) {
@@ -83,6 +84,7 @@ Result<void> make_timelapse(const QString& path, const TimelapseRequest& request
   const std::string output = path.toStdString(), name = request.recording.toStdString();
   Result<TimelapseInput> input = read_input(output, request);
   if (!input) return tl::unexpected(input.error());
+  progress.report = std::move(input->report);
   TimelapseSource& source = input->source;
   source.is_cancelled = [&progress] { return progress.is_cancelled.load(); };
   const Result<TimelapseSurvey> survey = survey_recording(source);

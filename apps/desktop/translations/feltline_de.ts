@@ -8617,6 +8617,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Eine Datei</translation>
     </message>
     <message>
+    <message>
+        <source>Changed in the recording: %1.</source>
+        <translation>In der Aufzeichnung geändert: %1.</translation>
+    </message>
         <source>C&amp;hoose…</source>
         <translation>&amp;Wählen…</translation>
     </message>

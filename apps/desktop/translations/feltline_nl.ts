@@ -8617,6 +8617,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Een bestand</translation>
     </message>
     <message>
+    <message>
+        <source>Changed in the recording: %1.</source>
+        <translation>In de opname gewijzigd: %1.</translation>
+    </message>
         <source>C&amp;hoose…</source>
         <translation>&amp;Kiezen…</translation>
     </message>
