@@ -91,16 +91,8 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
   // If nothing could be read, keeps an existing output file instead of replacing it by an empty
   // one.
   if (!read || (empty && console.failed())) return;
-  if (Result<void> done = output->finish(); !done) console.error(done.error().message);
-}
-
-/// Prints a notice about each kind of object that the format cannot keep.
-void note_losses(const Drawing& drawing, Format format, const ConvertArguments& args,
-                 Console& console) {
-  const LostObjects lost = lost_objects(drawing, format, args.compact);
-  std::vector<std::string> texts = loss_texts(lost);
-  if (lost.hidden_strokes > 0) texts.front() += "; --layers all includes them";
-  for (const std::string& text : texts) console.notice(args.output + ": " + text);
+  if (Result<void> done = output->finish(); !done) return console.error(done.error().message);
+  note_losses(args.output, output->lost(), console);
 }
 
 /// Joins the pieces of strokes if the user wants that, and prints how many there were.
@@ -134,7 +126,8 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
           })
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
           .and_then([&](DrawingOutput output) {
-            note_losses(opened->drawing, format, args, console);
+            note_losses(args.output, lost_objects(opened->drawing, format, args.compact), console,
+                        "; --layers all includes them");
             return output.write(std::move(opened->drawing));
           });
   if (!done) console.error(done.error().message);

@@ -238,7 +238,17 @@ Result<void> DrawingOutput::finish_drawing() {
     builder.add(layer, std::move(named.stroke), named.id);
     return {};
   });
-  return read ? write(std::move(builder).build()) : read;
+  if (!read) return read;
+  Drawing drawing = std::move(builder).build();
+  lost_ = lost_objects(drawing, format_, picture_.compact);
+  return write(std::move(drawing));
+}
+
+void note_losses(const std::string& output, const LostObjects& lost, Console& console,
+                 const std::string& hint) {
+  std::vector<std::string> texts = loss_texts(lost);
+  if (lost.hidden_strokes > 0) texts.front() += hint;
+  for (const std::string& text : texts) console.notice(output + ": " + text);
 }
 
 }  // namespace felt::cli

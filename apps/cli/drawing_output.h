@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include "console.h"
 #include "felt/document/drawing.h"
+#include "felt/formats/lost_objects.h"
 #include "felt/geometry/rect.h"
 #include "felt/stroke/named_stroke.h"
 #include "format.h"
@@ -59,6 +61,8 @@ class DrawingOutput {
   Result<void> append(const EncodedStrokes& strokes);
   /// Completes the file after the last append().
   Result<void> finish();
+  /// Returns what the file does not contain of the appended strokes. Call it after finish().
+  [[nodiscard]] const LostObjects& lost() const noexcept { return lost_; }
 
  private:
   DrawingOutput(std::string path, Format format, PictureOptions picture, Output output);
@@ -76,6 +80,12 @@ class DrawingOutput {
   bool has_begun_ = false;
   Rect ink_;
   StrokeSpool spool_;
+  LostObjects lost_;
 };
+
+/// Prints a notice about each kind of object that the file `output` does not contain. `hint`
+/// follows the notice about strokes of hidden layers.
+void note_losses(const std::string& output, const LostObjects& lost, Console& console,
+                 const std::string& hint = {});
 
 }  // namespace felt::cli

@@ -253,6 +253,7 @@ void run_fit(const FitArguments& args, Console& console) {
   if (stats.strokes == 0 && console.failed()) return;
   if (output) {
     if (Result<void> done = output->finish(); !done) return console.error(done.error().message);
+    note_losses(args.output, output->lost(), console);
   }
   if (!args.stats.empty()) print("{}", stats_json(stats));
 }

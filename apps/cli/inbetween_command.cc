@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "commands.h"
+#include "drawing_output.h"
 #include "felt/base/numbered_names.h"
 #include "felt/base/same_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
+#include "felt/formats/lost_objects.h"
 #include "felt/io/drawing_parts.h"
 #include "felt/io/svg/svg_animated.h"
 #include "felt/motion/key_layers.h"
@@ -156,6 +158,8 @@ class FilmMaker {
   /// Returns the number of numbered files that make() writes.
   [[nodiscard]] std::size_t file_count() const;
   Result<void> make();
+  /// Prints what the first numbered file that cannot contain everything leaves out.
+  void print_losses(Console& console) const { note_losses(loses_, lost_, console); }
 
  private:
   bool add_layers(const Drawing& drawing, Console& console);
@@ -177,6 +181,8 @@ class FilmMaker {
   std::optional<Rect> area_;  // if absent, the page is shown
   std::vector<AnimatedPicture> pictures_;
   std::size_t written_ = 0;
+  std::string loses_;  // the first file that leaves something out
+  LostObjects lost_;
   std::string table_;
 };
 
@@ -205,6 +211,7 @@ bool FilmMaker::add_layers(const Drawing& drawing, Console& console) {
   for (FilmKey& key : keys_) {
     key.drawing.has_page = drawing.has_page;
     key.drawing.materials = drawing.materials;
+    key.drawing.names = drawing.names;
   }
   if (keys_.size() >= 2) return true;
   console.error(input_name(args_.inputs.front()) +
@@ -236,6 +243,10 @@ Result<void> FilmMaker::write_numbered(const Drawing& drawing) {
   if (auto ok = use_surface_of(drawing, picture_); !ok) return ok;
   options.grain = picture_.grain;
   const std::string path = output_.names->name(++written_);
+  if (lost_ == LostObjects()) {
+    lost_ = lost_objects(drawing, output_.format);
+    loses_ = path;
+  }
   return drawing_bytes(drawing, output_.format, options)
       .map_error([&](Error error) { return with_context(std::move(error), path); })
       .and_then([&](const std::string& bytes) {
@@ -399,7 +410,8 @@ void run_inbetween(const InbetweenArguments& args, Console& console) {
   FilmMaker film(args, std::move(output), *std::move(picture), std::move(ease), std::move(pairs));
   if (!film.read_keys(console)) return;
   film.check_files(console);
-  if (const Result<void> made = film.make(); !made) console.error(made.error().message);
+  if (const Result<void> made = film.make(); !made) return console.error(made.error().message);
+  film.print_losses(console);
 }
 
 }  // namespace

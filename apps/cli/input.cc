@@ -143,21 +143,25 @@ Result<std::string> Input::read_all(std::size_t max_bytes) const {
   return bytes;
 }
 
+tl::unexpected<Error> Input::with_salvage_hint(Error error, const ReadOptions& options) const {
+  if (format_ == FileFormat::kFelt && !options.salvage && error.code == ErrorCode::kInvalidData) {
+    error.message += "; `feltline convert --salvage` recovers the readable parts";
+  }
+  return tl::unexpected(std::move(error));
+}
+
 Result<Imported> Input::read_drawing(const ReadOptions& options) const {
   try {
-    const Result<std::string> bytes =
-        read_all(format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes);
+    const Result<std::size_t> max_bytes =
+        check_drawing_head(head_, static_cast<std::uint64_t>(size_bytes_), name_, options.salvage);
+    if (!max_bytes) return with_salvage_hint(max_bytes.error(), options);
+    const Result<std::string> bytes = read_all(*max_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
     ReadOptions with_folder = options;
     with_folder.import.folder = folder_of(name_);
     Result<Imported> drawing = parse_drawing(*bytes, name_, with_folder);
-    if (drawing || format_ != FileFormat::kFelt || options.salvage ||
-        drawing.error().code != ErrorCode::kInvalidData) {
-      return drawing;
-    }
-    return fail(
-        drawing.error().code,
-        drawing.error().message + "; `feltline convert --salvage` recovers the readable parts");
+    if (drawing) return drawing;
+    return with_salvage_hint(drawing.error(), options);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kLimitExceeded, "not enough memory to read it");
   }

@@ -45,6 +45,9 @@ class Input {
   Input(std::string name, int fd) noexcept : name_(std::move(name)), fd_(fd) {}
   static Result<Input> begin(const std::string& path, int fd, bool regular_only);
   [[nodiscard]] Result<std::string> read_all(std::size_t max_bytes) const;
+  /// Adds to the error of a damaged .felt file that it can be salvaged.
+  [[nodiscard]] tl::unexpected<Error> with_salvage_hint(Error error,
+                                                        const ReadOptions& options) const;
   Result<void> read_head();
   Result<void> find_kind(const std::string& path);
 

@@ -411,6 +411,7 @@ Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
   if (outputs.sound) outputs.sound->begin(session);
   Result<Drawing> frame = apply_recording_file(args.scripts.front(), session);
   if (!frame) return tl::unexpected(frame.error());
+  note_refusals(input_name(args.scripts.front()), session.refusals(), console);
   if (session.option_defaults() != kOptionDefaults) {
     console.notice(input_name(args.scripts.front()) +
                    ": recorded by an earlier version of Feltline. Its option defaults were used, "
@@ -467,6 +468,7 @@ void run_replay(ReplayCommandArguments args, Console& console) {
   outputs->run = &run;
   Result<void> done = play_scripts(args, run, console);
   console.end_progress();
+  note_refusals(input_name(args.scripts.front()), machine.session().refusals(), console);
   if (done && console.failed()) return;  // a notice with --strict
   if (done) done = write_outputs(args, *std::move(start), *outputs, machine);
   if (!done) return console.error(done.error().message);

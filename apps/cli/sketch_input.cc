@@ -76,4 +76,10 @@ bool report_notices(const std::string& name, const ImportReport& report, Console
   return !console.failed();
 }
 
+void note_refusals(const std::string& name, const Refusals& refusals, Console& console) {
+  if (refusals.gestures == 0) return;
+  console.notice(fmt::format("{}: {} {} of the pen changed nothing: {}", name, refusals.gestures,
+                             refusals.gestures == 1 ? "gesture" : "gestures", refusals.first));
+}
+
 }  // namespace felt::cli

@@ -4,6 +4,7 @@
 
 #include "console.h"
 #include "drawing_output.h"
+#include "felt/session/session_options.h"
 #include "format.h"
 #include "input.h"
 
@@ -19,5 +20,8 @@ bool for_each_piece(const Input& input, Format format, Console& console,
 /// Prints a notice for each kind of unsupported content in the file called `name`. Returns false if
 /// the console counts a notice as a failure.
 bool report_notices(const std::string& name, const ImportReport& report, Console& console);
+
+/// Prints how many gestures in the script called `name` changed nothing, and why the first did.
+void note_refusals(const std::string& name, const Refusals& refusals, Console& console);
 
 }  // namespace felt::cli

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "felt/formats/drawing_materials.h"
+#include "felt/formats/drawing_reader.h"
+#include "felt/store/felt_file.h"
 #include "input.h"
 #include "known_materials.h"
 #include "replay_arguments.h"
@@ -13,19 +15,20 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kMaxScriptBytes = std::size_t{2} << 30;  // as kMaxFeltBytes
-
 Result<std::string> read_text_of(const Input& input) {
   std::string text;
   const ReadBytes read = input.reader();
   std::array<char, std::size_t{1} << 16> block{};
+  std::size_t max_bytes = 0;
   for (;;) {
     const Result<std::size_t> count = read(block);
     if (!count) return tl::unexpected(with_context(count.error(), input.name()));
     if (*count == 0) return text;
     text.append(block.data(), *count);
-    if (text.size() > kMaxScriptBytes) {
-      return fail(ErrorCode::kLimitExceeded, input.name() + ": is larger than 2 GiB");
+    if (max_bytes == 0) max_bytes = format_of_bytes(text) ? kMaxFeltBytes : kMaxUnrecognisedBytes;
+    if (text.size() > max_bytes) {
+      return fail(ErrorCode::kLimitExceeded,
+                  input.name() + ": is larger than " + std::to_string(max_bytes) + " bytes");
     }
   }
 }

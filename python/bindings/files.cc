@@ -155,7 +155,10 @@ Result<void> add_line(const NdjsonLine& line, NdjsonParser& parser, QuickdrawPar
 }
 
 Result<RawFile> raw_strokes(const std::string& path) {
-  const Result<std::string> bytes = read_regular_file(path, kMaxDrawingBytes);
+  const Result<std::string> bytes =
+      read_regular_file(path, [](std::string_view head, std::uint64_t) {
+        return format_of_bytes(head) ? kMaxDrawingBytes : kMaxUnrecognisedBytes;
+      });
   if (!bytes) return tl::unexpected(bytes.error());
   constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
   LineReader reader(read_text(*bytes));

@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <optional>
+
 #include "bindings.h"
 #include "felt/base/read_file.h"
 #include "felt/formats/drawing_reader.h"
@@ -139,8 +141,15 @@ Result<FeltRecording> script_recording(const std::string& path, std::string_view
   return recording;
 }
 
+/// Checks the first bytes of a file with recordings or a script (HeadCheck).
+Result<std::size_t> check_recording_head(std::string_view head, std::uint64_t size) {
+  const std::optional<FileFormat> format = format_of_bytes(head);
+  if (format == FileFormat::kFelt) return check_felt_head(head, size);
+  return format ? kMaxFeltBytes : kMaxUnrecognisedBytes;
+}
+
 Result<std::vector<FeltRecording>> recordings_in(const std::string& path) {
-  const Result<std::string> bytes = read_regular_file(path, kMaxFeltBytes);
+  const Result<std::string> bytes = read_regular_file(path, check_recording_head);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto head = std::string_view(*bytes).substr(0, kFormatHeadBytes);
   if (format_of_bytes(head) != FileFormat::kFelt) {

@@ -155,3 +155,46 @@ for ending in ndjson xopp inkml svg; do
 done
 run 0 "$feltline" convert fills.felt -o fills.pdf
 [ ! -s err ] || fail "a notice about fills that a PDF has: $(cat err)"
+
+# A conversion of lines one by one names what is lost once with its number, as one of a whole drawing
+# does. Lines that stay lines keep everything.
+run 0 "$feltline" fit in.ndjson -o charcoal.ndjson --medium charcoal
+run 0 "$feltline" convert charcoal.ndjson -o same.ndjson
+is_empty err
+same same.ndjson charcoal.ndjson
+run 0 "$feltline" convert charcoal.ndjson -o charcoal.felt
+run 0 "$feltline" convert charcoal.felt -o whole.xopp
+grep -v "names of" err | sed 's/.*whole.xopp: //' >whole.err
+has whole.err "the media of 20 strokes became a plain pen, because the format has none"
+run 0 "$feltline" convert charcoal.ndjson -o lines.xopp
+grep -v "names of" err | sed 's/.*lines.xopp: //' >lines.err
+same lines.err whole.err
+run 0 "$feltline" fit in.ndjson -o fitted.xopp --medium charcoal
+has err "fitted.xopp: the media of 20 strokes became a plain pen, because the format has none"
+sed 's/"id":"[^"]*"/"id":"cat"/' charcoal.ndjson >named.ndjson
+run 0 "$feltline" convert named.ndjson -o named.xopp
+has err "named.xopp: the names of 20 strokes became numbers, because the format cannot hold them"
+[ "$(grep -c "names of" err)" = 1 ] || fail "a loss is named more than once"
+# Flat ends and pointed corners (trips into the corner) of a file of before they were removed.
+echo '{"id":"flat","closed":false,"segments":[[4.0,0.0,2.675,1.325,1.35,2.65,0.025,3.975],[0.025,3.975,1.35,2.65,2.675,1.325,4.0,0.0],[4.0,0.0,17.333333333,0.0,30.666666667,0.0,44.0,0.0]],"joints":["corner","corner"],"widths":[[0,8],[1,0.05],[1.0001,0.06],[2,0.06],[2.0001,8],[3,8]]}' >trips.ndjson
+run 0 "$feltline" convert trips.ndjson -o kept.ndjson
+is_empty err
+lines kept.ndjson 1
+run 0 "$feltline" convert trips.ndjson -o round.xopp
+has err "round.xopp: 1 stroke with flat ends or pointed corners became round"
+run 0 "$feltline" convert trips.ndjson -o kept.inkml
+run 0 "$feltline" convert kept.inkml -o from_ink.felt
+run 0 "$feltline" convert from_ink.felt -o round.ndjson
+has err "round.ndjson: 1 stroke with flat ends or pointed corners became round"
+
+# A huge file that is no drawing is refused by its first bytes, without reading the rest of it.
+truncate -s 2000M zeros.felt
+run 1 limit_memory 400000 "$feltline" info zeros.felt
+has err "zeros.felt: is not a Feltline drawing"
+run 1 limit_memory 400000 "$feltline" convert zeros.felt -o zeros.svg --salvage
+has err "zeros.felt: is larger than 536870912 bytes"
+cp a.felt longer.felt
+truncate -s 2000M longer.felt
+run 1 limit_memory 400000 "$feltline" info longer.felt
+has err "is 2097152000 bytes long"
+rm zeros.felt longer.felt

@@ -94,14 +94,18 @@ truncate -s 2200M large.felt
 run 1 limit_memory 1000000 "$feltline" info large.felt
 has err "large.felt: is larger than 2147483648 bytes"
 truncate -s 1500M large.felt
+run 1 limit_memory 1000000 "$feltline" info large.felt
+has err "large.felt: is a database of another program, not a Feltline drawing"
+echo '<svg xmlns="http://www.w3.org/2000/svg">' >large.svg
+truncate -s 1000M large.svg
 if [ -z "${FELT_SANITIZE:-}" ]; then
-  for command in "info large.felt" "convert large.felt -o x.svg"; do
+  for command in "info large.svg" "convert large.svg -o x.felt"; do
     # shellcheck disable=SC2086  # must be split into words
-    run 1 limit_memory 1000000 "$feltline" $command
-    has err "feltline: large.felt: not enough memory to read it"
+    run 1 limit_memory 800000 "$feltline" $command
+    has err "feltline: large.svg: not enough memory to read it"
   done
 fi
-rm large.felt
+rm large.felt large.svg
 run 1 bash -c "ulimit -f 1; '$feltline' fit - -o big.felt" < <(strokes 50)
 has err "cannot write: File too large"
 

@@ -316,3 +316,27 @@ run 1 "$feltline" --strict timelapse raw.ndjson -o strict.svg
 echo '{"event":"pen","x":1,"y":2,"z":0,"pressure":512,"t_ms":0}' >raw_event.ndjson
 run 1 "$feltline" replay raw_event.ndjson -o strict.ndjson
 has err "raw_event.ndjson:1: pressure: is not between 0 and 1"
+
+# A line that needs a layer where there are too many draws nothing; replay counts such gestures.
+awk 'BEGIN {
+  print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" viewBox=\"0 0 100 100\" " \
+    "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" " \
+    "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\">"
+  for (i = 1; i <= 10000; i++) {
+    printf "<g inkscape:groupmode=\"layer\" inkscape:label=\"%d\" sodipodi:insensitive=\"true\">", i
+    if (i == 1) printf "<path d=\"M10 10L50 40\" stroke=\"red\" fill=\"none\"/>"
+    print "</g>"
+  }
+  print "</svg>" }' >full.svg
+for y in 20 40; do
+  printf '{"t_ms":%d,"event":"pen","x":10,"y":%d,"z":%d}\n' $((y * 100)) $y 5 $((y * 100 + 50)) $y -1
+  printf '{"t_ms":%d,"event":"pen","x":60,"y":%d,"z":%d}\n' $((y * 100 + 200)) $y -1 $((y * 100 + 250)) $y 5
+done >two_lines.ndjson
+for how in "" --as-recorded; do
+  # shellcheck disable=SC2086  # no word if it is empty
+  run 0 "$feltline" replay two_lines.ndjson --on full.svg $how -o refused.felt
+  has err "two_lines.ndjson: 2 gestures of the pen changed nothing: all layers are hidden or locked"
+  [ "$(grep -c "changed nothing" err)" = 1 ] || fail "the gestures are not named once"
+done
+run 0 "$feltline" replay two_lines.ndjson -o drawn.felt
+! grep -q "changed nothing" err || fail "a gesture that draws is counted"

@@ -1,29 +1,105 @@
 #include "desktop/files/added_strokes.h"
 
 #include <QCoreApplication>
-#include <algorithm>
-#include <span>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/copied_ink.h"
+#include "felt/formats/lost_objects.h"
 
 namespace felt::desktop {
+namespace {
 
-bool add_strokes(Studio& studio, const QString& from, const VisibleInk& ink,
-                 std::span<const std::string> materials, ImportReport& report) {
-  for (const std::string& label : studio.add_media(materials, ink.strokes)) {
+/// Returns the names of the strokes of visible_ink(), in their order; empty for a stroke without.
+std::vector<std::string> visible_names(const Drawing& drawing) {
+  std::vector<std::string> names;
+  for (const Layer& layer : drawing.document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      const auto named = drawing.names ? drawing.names->find(id) : StrokeNames::const_iterator();
+      names.push_back(drawing.names && named != drawing.names->end() ? named->second : "");
+    }
+  }
+  return names;
+}
+
+/// Gives the selected strokes, which were just added, these names. Returns the number of names that
+/// they cannot have: a name is that of one stroke, and one like "s12" means another id.
+std::size_t add_names(const Session& session, const std::vector<std::string>& added,
+                      std::shared_ptr<const StrokeNames>& names) {
+  auto all = names ? std::make_shared<StrokeNames>(*names) : std::make_shared<StrokeNames>();
+  std::set<std::string> used;
+  for (const auto& [id, name] : *all) {
+    if (session.document().find(id)) used.insert(name);
+  }
+  std::size_t i = 0, lost = 0;
+  for (const auto& [id, marks] : session.selection().strokes()) {
+    if (i == added.size()) break;
+    const std::string& name = added[i++];
+    if (name.empty()) continue;
+    if (stroke_id_of_name(name).value == 0 && used.insert(name).second) {
+      all->insert_or_assign(id, name);
+    } else {
+      ++lost;
+    }
+  }
+  if (all->size() > (names ? names->size() : 0)) names = std::move(all);
+  return lost;
+}
+
+/// Reports what of a drawing add_drawing() does not add.
+void note_left_out(const Drawing& drawing, std::size_t names, ImportReport& report) {
+  // What lines without layers cannot hold, apart from what is added.
+  const LostObjects lost = lost_objects(drawing, FileFormat::kNdjson);
+  std::size_t pictures = 0;
+  for (const Layer& layer : drawing.document.layers()) pictures += layer.picture ? 1 : 0;
+  const std::pair<std::size_t, QString> kinds[] = {
+      {pictures,
+       QCoreApplication::translate(
+           "AddedStrokes", "Pictures of this file were not added: %1. Open the file to see them.")},
+      {lost.hidden_strokes,
+       QCoreApplication::translate("AddedStrokes",
+                                   "Lines of hidden layers that were not added: "
+                                   "%1. Open the file to see them.")},
+      {lost.layers, QCoreApplication::translate(
+                        "AddedStrokes",
+                        "Layers whose lines were added to the current layer, without the name of "
+                        "their own: %1")},
+      {lost.opacities + lost.blends,
+       QCoreApplication::translate("AddedStrokes",
+                                   "Opacities and blend modes of layers that were left out: %1")},
+      {lost.guides + lost.symmetries + lost.timings + lost.body_edits,
+       QCoreApplication::translate(
+           "AddedStrokes",
+           "Guides, symmetry groups, timings and edits of the body that were not added: %1. Open "
+           "the file to see them.")},
+      {names,
+       QCoreApplication::translate(
+           "AddedStrokes",
+           "Names of lines that were left out, because lines of this drawing have them: %1")},
+  };
+  for (const auto& [count, what] : kinds) {
+    if (count > 0) report.add(0, {}, what.arg(count).toStdString());
+  }
+}
+
+}  // namespace
+
+bool add_drawing(Studio& studio, const QString& from, const Drawing& added, Vec by_mm,
+                 UsedNames used, std::shared_ptr<const StrokeNames>& names, ImportReport& report) {
+  const VisibleInk ink = moved_ink(visible_ink(added.document), by_mm);
+  for (const std::string& label : studio.add_media(added.materials, ink.strokes)) {
     const QString what = QCoreApplication::translate(
         "AddedStrokes", "“%1” differs here: the added strokes look as it does in this drawing");
     report.add(0, {}, what.arg(QString::fromStdString(label)).toStdString());
   }
-  return studio.import(from, ink.strokes, ink.fills);
-}
-
-void note_pictures(const Document& document, ImportReport& report) {
-  const std::span<const Layer> layers = document.layers();
-  const auto count = std::count_if(layers.begin(), layers.end(),
-                                   [](const Layer& layer) { return layer.picture != nullptr; });
-  if (count == 0) return;
-  const QString what = QCoreApplication::translate(
-      "AddedStrokes", "Pictures of this file were not added: %1. Open the file to see them.");
-  report.add(0, {}, what.arg(count).toStdString());
+  if (!studio.import(from, ink.strokes, ink.fills)) return false;
+  const std::size_t lost = add_names(studio.session(), visible_names(added), names);
+  note_left_out(added, used == UsedNames::kReported ? lost : 0, report);
+  return true;
 }
 
 }  // namespace felt::desktop

@@ -1,24 +1,25 @@
 #pragma once
 
 #include <QString>
-#include <span>
-#include <string>
+#include <memory>
 
 #include "desktop/engine/studio.h"
-#include "felt/document/visible_strokes.h"
+#include "felt/document/drawing.h"
 #include "felt/io/import.h"
 
 namespace felt::desktop {
 
-/// Adds the strokes and fills of another drawing as one step of undo, together with their media.
-/// `materials` contains the texts of the media. If the studio's drawing already has a medium with
-/// the same name but other values, that medium stays as it is, and `report` names it. `from` is the
-/// name of the strokes' source; a recording stores it. Returns false if the session refuses the
-/// strokes (Studio::import).
-bool add_strokes(Studio& studio, const QString& from, const VisibleInk& ink,
-                 std::span<const std::string> materials, ImportReport& report);
+/// What becomes of a name that a stroke of the drawing has already: it is reported as left out, or
+/// not, because the strokes are copies of those of the drawing.
+enum class UsedNames { kReported, kExpected };
 
-/// Reports the number of pictures of layers, which add_strokes() does not add.
-void note_pictures(const Document& document, ImportReport& report);
+/// Adds the visible strokes and fills of another drawing, moved by `by_mm`, as one step of undo,
+/// together with their media. If the studio's drawing already has a medium with the same name but
+/// other values, that medium stays as it is. `names` are the names of the strokes of the studio's
+/// drawing (Drawing::names); it gets those of the added strokes. `report` gets what was changed or
+/// left out, each kind once with its number. `from` is the name of the strokes' source; a recording
+/// stores it. Returns false if the session refuses the strokes (Studio::import).
+bool add_drawing(Studio& studio, const QString& from, const Drawing& added, Vec by_mm,
+                 UsedNames used, std::shared_ptr<const StrokeNames>& names, ImportReport& report);
 
 }  // namespace felt::desktop

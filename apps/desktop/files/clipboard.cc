@@ -45,7 +45,11 @@ QByteArray strokes_of(const Drawing& drawing) {
     const Result<std::string> svg = svg_text(drawing, {.margin_mm = kMarginMm});
     if (svg) return bytes_of(*svg);
   }
-  append_sketch_lines(text, drawing.document);
+  for (const Layer& layer : drawing.document.layers()) {
+    for (const StrokeId id : layer.strokes) {
+      append_sketch_line(text, name_in_file(drawing, id), drawing.document.find(id)->data());
+    }
+  }
   return bytes_of(text);
 }
 

@@ -32,8 +32,14 @@ QByteArray fingerprint(const QMimeData& data) {
 }  // namespace
 
 ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs,
-                                   PictureActions& pictures, QWidget* window)
-    : QObject(window), studio_(studio), dialogs_(dialogs), pictures_(pictures), window_(window) {
+                                   PictureActions& pictures,
+                                   std::shared_ptr<const StrokeNames>& names, QWidget* window)
+    : QObject(window),
+      studio_(studio),
+      dialogs_(dialogs),
+      pictures_(pictures),
+      names_(names),
+      window_(window) {
   cut_ = actions.add(QStringLiteral("edit.cut"), tr("Cu&t"), {QKeySequence::Cut},
                      tr("Move the selected strokes to the clipboard"), [this] { cut(); });
   actions.add(QStringLiteral("edit.copy"), tr("&Copy"), {QKeySequence::Copy},
@@ -66,6 +72,7 @@ Drawing ClipboardActions::chosen() const {
 }
 
 void ClipboardActions::remember_and_put(Drawing drawing) {
+  drawing.names = names_;
   std::unique_ptr<QMimeData> data = strokes_mime(std::move(drawing));
   copied_ = fingerprint(*data);
   put(std::move(data));
@@ -117,8 +124,7 @@ void ClipboardActions::paste() {
   if (pointer) return paste_at(*pointer);
   std::optional<Imported> pasted = this->pasted();
   if (!pasted) return;
-  const bool is_ours = fingerprint(*QGuiApplication::clipboard()->mimeData()) == copied_;
-  const double beside_mm = is_ours ? kBesideMm * ++pastes_ : 0.0;
+  const double beside_mm = is_ours() ? kBesideMm * ++pastes_ : 0.0;
   add(*std::move(pasted), {beside_mm, beside_mm});
 }
 
@@ -135,10 +141,15 @@ void ClipboardActions::paste_at(Point middle) {
 }
 
 void ClipboardActions::add(Imported pasted, Vec by_mm) {
-  add_strokes(studio_, QStringLiteral("clipboard"),
-              moved_ink(visible_ink(pasted.drawing.document), by_mm), pasted.drawing.materials,
+  const UsedNames used = is_ours() ? UsedNames::kExpected : UsedNames::kReported;
+  add_drawing(studio_, QStringLiteral("clipboard"), pasted.drawing, by_mm, used, names_,
               pasted.report);
   Q_EMIT taken(tr("the clipboard"), pasted.report);
+}
+
+/// Returns true if the clipboard has the strokes that this window copied last.
+bool ClipboardActions::is_ours() const {
+  return fingerprint(*QGuiApplication::clipboard()->mimeData()) == copied_;
 }
 
 }  // namespace felt::desktop

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -29,8 +30,9 @@ class ClipboardActions : public QObject {
   Q_OBJECT
 
  public:
+  /// `names` are those of the strokes of the studio's drawing; a paste adds to them.
   ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, PictureActions& pictures,
-                   QWidget* window);
+                   std::shared_ptr<const StrokeNames>& names, QWidget* window);
 
   /// Sets a function that returns the position of the pointer on the page, or nullopt if it is
   /// elsewhere. Without a function, pastes are not moved to the pointer.
@@ -44,6 +46,7 @@ class ClipboardActions : public QObject {
 
  private:
   [[nodiscard]] Drawing chosen() const;
+  [[nodiscard]] bool is_ours() const;
   void copy();
   void cut();
   void paste();
@@ -56,6 +59,7 @@ class ClipboardActions : public QObject {
   Studio& studio_;
   FileDialogs& dialogs_;
   PictureActions& pictures_;
+  std::shared_ptr<const StrokeNames>& names_;
   QWidget* window_;
   QAction* cut_;
   std::function<std::optional<Point>()> pointer_;

@@ -8,6 +8,7 @@
 #include <QImage>
 
 #include "desktop/files/clipboard_actions.h"
+#include "desktop/files/drawing_file.h"
 #include "desktop/files/testing/studio_fixture.h"
 #include "felt/io/testing/test_drawings.h"
 
@@ -29,6 +30,36 @@ TEST(Clipboard, StrokesComeBackExactlyByBothRoutes) {
   QMimeData bad;
   bad.setData(QString::fromLatin1(kStrokesMime), "{nonsense}\n");
   EXPECT_FALSE(drawing_of(bad));
+}
+
+TEST(Clipboard, NamesGoAlongIfTheyAreFree) {
+  StudioFixture fixture;
+  fixture.draw(1, 2);
+  Drawing made = fixture.files->drawing();
+  made.names = std::make_shared<const StrokeNames>(StrokeNames{{StrokeId{1}, "cat-1"}});
+  ASSERT_TRUE(write_drawing(fixture.at("named.felt"), made));
+  fixture.person->unsaved = FileDialogs::Unsaved::kDiscard;
+  ASSERT_TRUE(fixture.files->open(fixture.at("named.felt")));
+  ImportReport said;
+  QObject::connect(fixture.files, &FileActions::taken, &fixture.window,
+                   [&said](const QString&, const ImportReport& report) { said = report; });
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  fixture.actions.find(QStringLiteral("edit.copy"))->trigger();
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  EXPECT_EQ(fixture.document().stroke_count(), 4u);
+  EXPECT_EQ(used_names(fixture.files->drawing()), (StrokeNames{{StrokeId{1}, "cat-1"}}));
+  EXPECT_TRUE(said.empty()) << "a copy in the same drawing has no name of its own";
+  fixture.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  fixture.actions.find(QStringLiteral("edit.cut"))->trigger();
+  EXPECT_TRUE(used_names(fixture.files->drawing()).empty());
+  fixture.actions.find(QStringLiteral("edit.paste"))->trigger();
+  const StrokeNames names = used_names(fixture.files->drawing());
+  ASSERT_EQ(names.size(), 1u);
+  EXPECT_EQ(names.begin()->second, "cat-1");
+  EXPECT_TRUE(said.empty());
+  StudioFixture other;
+  other.actions.find(QStringLiteral("edit.paste"))->trigger();
+  ASSERT_EQ(used_names(other.files->drawing()).size(), 1u) << "another drawing gets it, too";
 }
 
 TEST(Clipboard, DrawingsOfOtherProgramsArePastedByTypeAndAsText) {

@@ -25,7 +25,6 @@
 #include "desktop/files/picture_actions.h"
 #include "desktop/files/recent_pictures.h"
 #include "desktop/files/timelapse_actions.h"
-#include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/session/session_medium.h"
 
@@ -76,17 +75,18 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
       recent_menu_(new QMenu(tr("Open &recent"), window)) {
   add_file_actions(actions);
   pictures_ = new PictureActions(studio, actions, *dialogs_, window);
-  clipboard_ = new ClipboardActions(studio, actions, *dialogs_, *pictures_, window);
-  connect(clipboard_, &ClipboardActions::taken, this, &FileActions::taken);
+  clipboard_ = new ClipboardActions(studio, actions, *dialogs_, *pictures_, names_, window);
+  connect(clipboard_, &ClipboardActions::taken, this, &FileActions::report_added);
   auto* output = new OutputActions(*this, studio, actions, window);
   connect(output, &OutputActions::exported, this,
           [this](const QString& path, bool done, const LostObjects& lost, const QString& changed) {
             if (done) Q_EMIT exported(path, lost, changed);
           });
   auto* films = new TimelapseActions(*this, studio, actions, window);
-  connect(films, &TimelapseActions::made, this, [this](const QString& path, bool done) {
-    if (done) Q_EMIT exported(path, LostObjects(), QString());
-  });
+  connect(films, &TimelapseActions::made, this,
+          [this](const QString& path, bool done, const QString& changed) {
+            if (done) Q_EMIT exported(path, LostObjects(), changed);
+          });
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   show_large_icons(*recent_menu_);
   fill_recent_menu();
@@ -286,13 +286,11 @@ bool FileActions::import(const QString& given) {
     return false;
   }
   Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
-  const Drawing& drawing = opened->drawing;
-  if (!add_strokes(studio_, path, visible_ink(drawing.document), drawing.materials,
+  if (!add_drawing(studio_, path, opened->drawing, {}, UsedNames::kReported, names_,
                    opened->report)) {
     return false;
   }
-  note_pictures(drawing.document, opened->report);
-  Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
+  report_added(QFileInfo(path).fileName(), opened->report);
   return true;
 }
 

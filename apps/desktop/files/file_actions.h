@@ -141,6 +141,7 @@ class FileActions : public QObject {
   void take_over(RecoveryOffer offer);
   void forget_rescued();
   void offer_once();
+  void report_added(const QString& name, const ImportReport& report);
   void show_status(const AutosaveStatus& status);
   [[nodiscard]] QString last_folder() const;
 
@@ -161,7 +162,7 @@ class FileActions : public QObject {
   DrawingLooks looks_;
   std::shared_ptr<const DrawingExtras> extras_;  // content of the opened file that Feltline does
                                                  // not use but writes back when it saves
-  std::shared_ptr<const StrokeNames> names_;     // of the opened file (Drawing::names)
+  std::shared_ptr<const StrokeNames> names_;     // Drawing::names
   QDateTime seen_on_disk_;  // modification time of the file path_ when this window last read or
                             // wrote the file
   int saves_in_work_ = 0;

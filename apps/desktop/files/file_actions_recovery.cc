@@ -17,6 +17,13 @@ void FileActions::start_autosave(const QStringList& roots) {
   autosave_->begin(display_name(), path_);
 }
 
+/// Reports what was added to the drawing. The autosave has the names of strokes only since it
+/// began.
+void FileActions::report_added(const QString& name, const ImportReport& report) {
+  if (autosave_ && !autosave_->has_names(names_)) autosave_->begin(display_name(), path_);
+  Q_EMIT taken(name, report);
+}
+
 /// Offers recovery once per process, in the first window, after the window was shown.
 void FileActions::offer_once() {
   static bool is_done = false;

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QTest>
 #include <QUrl>
+#include <set>
 
 #include "desktop/engine/kept_options.h"
 #include "desktop/engine/settings.h"
@@ -102,6 +103,51 @@ TEST(FileActions, ADrawingWithoutAFileHasNoneOfTheNamesOfTheLastOne) {
   fixture.actions.find(QStringLiteral("file.new"))->trigger();
   fixture.draw(2);
   EXPECT_TRUE(used_names(fixture.files->drawing()).empty());
+}
+
+/// Writes a drawing whose strokes 1 and 2 are named, on two layers, one of which has an opacity.
+void write_named(StudioFixture& fixture, const char* file) {
+  fixture.draw(1, 3);
+  fixture.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "Back"});
+  fixture.draw(2, 1);
+  Drawing made = fixture.files->drawing();
+  made.names = std::make_shared<const StrokeNames>(
+      StrokeNames{{StrokeId{1}, "cat-1"}, {StrokeId{2}, "dog"}});
+  ASSERT_TRUE(write_drawing(fixture.at(file), made));
+}
+
+std::multiset<std::string> names_in(const Drawing& drawing) {
+  std::multiset<std::string> names;
+  for (const auto& [id, name] : used_names(drawing)) names.insert(name);
+  return names;
+}
+
+TEST(FileActions, AnImportKeepsNamesAndSaysWhatItLeavesOut) {
+  StudioFixture fixture;
+  write_named(fixture, "named.felt");
+  StudioFixture other;
+  other.draw(7, 2);
+  QStringList said;
+  QObject::connect(other.files, &FileActions::taken, &other.window,
+                   [&said](const QString&, const ImportReport& report) {
+                     said.clear();
+                     for (const ImportNotice& notice : report.notices()) {
+                       said += QString::fromStdString(notice.what);
+                     }
+                   });
+  ASSERT_TRUE(other.files->import(fixture.at("named.felt")));
+  EXPECT_EQ(names_in(other.files->drawing()), (std::multiset<std::string>{"cat-1", "dog"}));
+  ASSERT_EQ(said.size(), 1);
+  EXPECT_TRUE(said.front().startsWith(QStringLiteral("Layers whose lines were added")));
+  EXPECT_TRUE(said.front().endsWith(QStringLiteral(": 2")));
+  // A name is that of one line.
+  ASSERT_TRUE(other.files->import(fixture.at("named.felt")));
+  EXPECT_EQ(names_in(other.files->drawing()), (std::multiset<std::string>{"cat-1", "dog"}));
+  ASSERT_EQ(said.size(), 2);
+  EXPECT_TRUE(said.back().startsWith(QStringLiteral("Names of lines that were left out")));
+  EXPECT_TRUE(said.back().endsWith(QStringLiteral(": 2"))) << said.back().toStdString();
+  other.save_as("both.felt");
+  EXPECT_EQ(names_in(read_felt(other.at("both.felt").toStdString()).value()).size(), 2u);
 }
 
 TEST(FileActions, NothingIsLostUnasked) {

@@ -60,6 +60,9 @@ QString lost_text(const LostObjects& lost) {
       {lost.locks, NoticeBar::tr("Locked layers that became unlocked: %1.")},
       {lost.hidden_strokes, NoticeBar::tr("Lines of hidden layers that were left out: %1.")},
       {lost.shown_strokes, NoticeBar::tr("Lines of hidden layers that became visible: %1.")},
+      {lost.sharp_ends,
+       NoticeBar::tr("Lines whose flat ends and pointed corners became round: %1.")},
+      {lost.names, NoticeBar::tr("Names of lines that became numbers: %1.")},
       {lost.media, NoticeBar::tr("Lines whose medium became a plain pen: %1.")},
       {lost.materials, NoticeBar::tr("Left out, because the format has no custom materials: %1.")},
   };

@@ -83,6 +83,26 @@ TEST(NoticeBar, AnExportSaysWhatItLeftOut) {
   EXPECT_TRUE(text().contains(QStringLiteral("no edits of the body: 5.")));
 }
 
+TEST(NoticeBar, NamesEveryKindOfLossOnceWithItsNumber) {
+  constexpr std::size_t LostObjects::*kKinds[] = {
+      &LostObjects::fills,         &LostObjects::pictures,   &LostObjects::blends,
+      &LostObjects::groups,        &LostObjects::timings,    &LostObjects::body_edits,
+      &LostObjects::guides,        &LostObjects::symmetries, &LostObjects::opacities,
+      &LostObjects::layers,        &LostObjects::locks,      &LostObjects::hidden_strokes,
+      &LostObjects::shown_strokes, &LostObjects::sharp_ends, &LostObjects::media,
+      &LostObjects::materials,     &LostObjects::names};
+  static_assert(std::size(kKinds) * sizeof(std::size_t) == sizeof(LostObjects));
+  NoticeBar bar;
+  for (const auto& kind : kKinds) {
+    LostObjects lost;
+    lost.*kind = 437;
+    bar.show_written(QStringLiteral("a.xopp"), lost);
+    QString all;
+    for (const QLabel* label : bar.findChildren<QLabel*>()) all += label->text();
+    EXPECT_EQ(all.count(QStringLiteral("437")), 1) << (&kind - kKinds) << all.toStdString();
+  }
+}
+
 TEST(FormatTexts, TranslatorsSeeEveryWordOfTheTable) {
   QSet<QString> words;
   for (const char* word : format_words()) words.insert(QString::fromUtf8(word));

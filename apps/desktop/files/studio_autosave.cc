@@ -89,6 +89,7 @@ void StudioAutosave::begin(const QString& name, const QString& path) {
   head_timer_.stop();
   Drawing drawing = current_();
   note_media(drawing);
+  names_ = drawing.names;
   autosave_->session_began(studio_->session(), std::move(drawing), name.toStdString(),
                            path.toStdString(), studio_->is_modified());
 }

@@ -40,6 +40,10 @@ class StudioAutosave : public QObject {
   /// Updates name and path after a save. Whether the drawing has unsaved changes is stored
   /// separately, whenever Studio::is_modified() changes.
   void rename(const QString& name, const QString& path);
+  /// Returns true if the autosave has these names of strokes (Drawing::names).
+  [[nodiscard]] bool has_names(const std::shared_ptr<const StrokeNames>& names) const {
+    return names == names_;
+  }
   /// Reports that the user chose to discard the drawing when the window closes.
   void discard() { is_discarded_ = true; }
   /// Waits until all changes so far are on the disk or could not be written.
@@ -66,6 +70,7 @@ class StudioAutosave : public QObject {
   std::optional<Autosave> autosave_;
   QTimer head_timer_;
   std::set<std::string> media_;  // ids of the media whose texts are in the autosave
+  std::shared_ptr<const StrokeNames> names_;
   bool is_discarded_ = false;
 };
 

@@ -18,6 +18,15 @@ namespace {
 constexpr int kPollMs = 100;
 constexpr int kProgressSteps = 1000;
 
+/// Returns a sentence about the notices of a recording, or an empty text if there are none.
+QString changed_in(const ImportReport& report) {
+  if (report.empty()) return {};
+  QStringList texts;
+  for (const ImportNotice& notice : report.notices()) texts += text_of(notice_text(notice));
+  return TimelapseActions::tr("Changed in the recording: %1.")
+      .arg(texts.join(QStringLiteral("; ")));
+}
+
 }  // namespace
 
 TimelapseActions::TimelapseActions(FileActions& files, Studio& studio, Actions& actions,
@@ -143,7 +152,7 @@ void TimelapseActions::end(const QString& path, const Result<void>& done) {
         window_, tr("“%1” was not exported").arg(QFileInfo(path).fileName()),
         is_damaged ? error_words(done.error()) : why, is_damaged ? why : QString());
   }
-  Q_EMIT made(path, done.has_value());
+  Q_EMIT made(path, done.has_value(), changed_in(progress_->report));
 }
 
 }  // namespace felt::desktop

@@ -40,8 +40,9 @@ class TimelapseActions : public QObject {
   [[nodiscard]] TimelapseRequest with_drawing(TimelapseRequest request) const;
 
  Q_SIGNALS:
-  /// The film is complete (`done`), was cancelled, or failed.
-  void made(const QString& path, bool done);
+  /// The film is complete (`done`), was cancelled, or failed. `changed` says what of the recording
+  /// was changed or left out; it may be empty.
+  void made(const QString& path, bool done, const QString& changed);
 
  private:
   void ask();

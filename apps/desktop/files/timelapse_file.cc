@@ -27,7 +27,10 @@ Result<VisibleInk> read_imported(const std::string& path) {
 /// Reads a script or a drawing with a recording.
 Result<void> read_recording_file(const std::string& name, const std::string& output,
                                  TimelapseInput& input) {
-  const Result<std::string> bytes = read_regular_file(name, kMaxFeltBytes);
+  const Result<std::string> bytes =
+      read_regular_file(name, [&name](std::string_view head, std::uint64_t size) {
+        return check_drawing_head(head, size, name);
+      });
   if (!bytes) return tl::unexpected(bytes.error());
   const Result<FileFormat> format = readable_format(*bytes, name);
   if (!format) return tl::unexpected(with_context(format.error(), name));
@@ -36,6 +39,7 @@ Result<void> read_recording_file(const std::string& name, const std::string& out
   if (*format == FileFormat::kFelt) {
     const Result<Imported> opened = parse_drawing(*bytes, name);
     if (!opened) return tl::unexpected(with_context(opened.error(), name));
+    input.report = opened->report;
     return use_newest_recording(name, opened->drawing, input);
   }
   if (*format != FileFormat::kNdjson) {
@@ -80,6 +84,7 @@ Result<void> make_timelapse(const QString& path, const TimelapseRequest& request
   const std::string output = path.toStdString(), name = request.recording.toStdString();
   Result<TimelapseInput> input = read_input(output, request);
   if (!input) return tl::unexpected(input.error());
+  progress.report = std::move(input->report);
   TimelapseSource& source = input->source;
   source.is_cancelled = [&progress] { return progress.is_cancelled.load(); };
   const Result<TimelapseSurvey> survey = survey_recording(source);

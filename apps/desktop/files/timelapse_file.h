@@ -7,6 +7,7 @@
 
 #include "felt/base/result.h"
 #include "felt/document/drawing.h"
+#include "felt/io/import.h"
 #include "felt/material/materials.h"
 #include "felt/timelapse/timelapse_film.h"
 
@@ -30,6 +31,8 @@ struct TimelapseRequest {
 struct TimelapseProgress {
   std::atomic<bool> is_cancelled{false};      ///< set it to end the work; no file is written then
   std::atomic<std::int64_t> done{0}, all{0};  ///< frames; `all` is 0 until the first one
+  /// What was changed or left out of the recording. Read it when make_timelapse() has returned.
+  ImportReport report{};
 };
 
 /// Reads the recording, plays it and writes its film. Fails if the film would overwrite the

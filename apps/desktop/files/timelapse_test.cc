@@ -88,6 +88,25 @@ TEST(Timelapse, TheFilmOfARecordingHasAllFrames) {
   EXPECT_EQ(bytes_of(fixture.at("b.webm")), frames);
 }
 
+TEST(Timelapse, SaysWhatItChangesInRawStrokes) {
+  FilmFixture fixture;
+  fixture.request.format = TimelapseFormat::kSvg;
+  QString changed = QStringLiteral("nothing was exported");
+  QObject::connect(
+      fixture.files, &FileActions::exported, fixture.films(),
+      [&changed](const QString&, const LostObjects&, const QString& what) { changed = what; });
+  ASSERT_TRUE(fixture.make(fixture.at("lines.svg")));
+  EXPECT_EQ(changed, QString()) << "a recording is drawn as it is";
+  fixture.request.recording = fixture.at("raw.ndjson");
+  ASSERT_TRUE(
+      write_file(fixture.request.recording.toStdString(),
+                 R"({"points":[[10,10,512,0],[20,10,700,100],[30,10,900,200],[40,10,900,300]]})"));
+  ASSERT_TRUE(fixture.make(fixture.at("raw.svg")));
+  EXPECT_TRUE(changed.contains(QStringLiteral("has pressures outside 0 to 1")))
+      << changed.toStdString();
+  EXPECT_EQ(changed.count(QStringLiteral("pressures outside")), 1) << "once";
+}
+
 TEST(Timelapse, TheSessionOfTheWindowIsFilmedWhileItIsRecorded) {
   StudioOptions options{.live = false};
   const QTemporaryDir folder;

@@ -33,6 +33,26 @@
         <source>Pictures of this file were not added: %1. Open the file to see them.</source>
         <translation>Nicht hinzugefügte Bilder dieser Datei: %1. Öffnen Sie die Datei, um sie zu sehen.</translation>
     </message>
+    <message>
+        <source>Lines of hidden layers that were not added: %1. Open the file to see them.</source>
+        <translation>Nicht hinzugefügte Linien ausgeblendeter Ebenen: %1. Öffnen Sie die Datei, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>Layers whose lines were added to the current layer, without the name of their own: %1</source>
+        <translation>Ebenen, deren Linien ohne den Namen der Ebene zur aktuellen Ebene hinzugefügt wurden: %1</translation>
+    </message>
+    <message>
+        <source>Opacities and blend modes of layers that were left out: %1</source>
+        <translation>Weggelassene Deckkräfte und Mischmodi von Ebenen: %1</translation>
+    </message>
+    <message>
+        <source>Guides, symmetry groups, timings and edits of the body that were not added: %1. Open the file to see them.</source>
+        <translation>Nicht hinzugefügte Hilfslinien, Symmetriegruppen, Zeitpläne und Bearbeitungen des Körpers: %1. Öffnen Sie die Datei, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>Names of lines that were left out, because lines of this drawing have them: %1</source>
+        <translation>Weggelassene Namen von Linien, weil Linien dieser Zeichnung sie schon haben: %1</translation>
+    </message>
 </context>
 <context>
     <name>Arguments</name>
@@ -5019,6 +5039,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <source>Left out, because the format has no custom materials: %1.</source>
         <translation>Weggelassen, weil das Format keine eigenen Materialien hat: %1.</translation>
     </message>
+    <message>
+        <source>Lines whose flat ends and pointed corners became round: %1.</source>
+        <translation>Linien, deren flache Enden und spitze Ecken rund wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Names of lines that became numbers: %1.</source>
+        <translation>Namen von Linien, die zu Nummern wurden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OfferPopup</name>
@@ -8588,6 +8616,10 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Changed in the recording: %1.</source>
+        <translation>In der Aufzeichnung geändert: %1.</translation>
     </message>
 </context>
 <context>

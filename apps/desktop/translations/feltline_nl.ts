@@ -33,6 +33,26 @@
         <source>Pictures of this file were not added: %1. Open the file to see them.</source>
         <translation>Niet toegevoegde afbeeldingen van dit bestand: %1. Open het bestand om ze te zien.</translation>
     </message>
+    <message>
+        <source>Lines of hidden layers that were not added: %1. Open the file to see them.</source>
+        <translation>Niet toegevoegde lijnen van verborgen lagen: %1. Open het bestand om ze te zien.</translation>
+    </message>
+    <message>
+        <source>Layers whose lines were added to the current layer, without the name of their own: %1</source>
+        <translation>Lagen waarvan de lijnen zonder de naam van de laag aan de huidige laag zijn toegevoegd: %1</translation>
+    </message>
+    <message>
+        <source>Opacities and blend modes of layers that were left out: %1</source>
+        <translation>Weggelaten dekkingen en mengmodi van lagen: %1</translation>
+    </message>
+    <message>
+        <source>Guides, symmetry groups, timings and edits of the body that were not added: %1. Open the file to see them.</source>
+        <translation>Niet toegevoegde hulplijnen, symmetriegroepen, timings en bewerkingen van het lichaam: %1. Open het bestand om ze te zien.</translation>
+    </message>
+    <message>
+        <source>Names of lines that were left out, because lines of this drawing have them: %1</source>
+        <translation>Weggelaten namen van lijnen, omdat lijnen van deze tekening ze al hebben: %1</translation>
+    </message>
 </context>
 <context>
     <name>Arguments</name>
@@ -5019,6 +5039,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <source>Left out, because the format has no custom materials: %1.</source>
         <translation>Weggelaten, omdat het formaat geen eigen materialen heeft: %1.</translation>
     </message>
+    <message>
+        <source>Lines whose flat ends and pointed corners became round: %1.</source>
+        <translation>Lijnen waarvan de vlakke uiteinden en puntige hoeken rond werden: %1.</translation>
+    </message>
+    <message>
+        <source>Names of lines that became numbers: %1.</source>
+        <translation>Namen van lijnen die nummers werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OfferPopup</name>
@@ -8588,6 +8616,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Export</source>
         <translation>Exporteren</translation>
+    </message>
+    <message>
+        <source>Changed in the recording: %1.</source>
+        <translation>In de opname gewijzigd: %1.</translation>
     </message>
 </context>
 <context>

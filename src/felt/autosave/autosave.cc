@@ -119,6 +119,7 @@ void Autosave::add_layer_in_use(const Session& session, AutosaveMessage& message
 }
 
 void Autosave::post(AutosaveMessage message) {
+  if (message.path) message.stamp = FileStamp::of(*message.path);
   bool was_empty = false;
   {
     const std::lock_guard lock(mutex_);
@@ -260,6 +261,7 @@ void Autosave::apply(AutosaveMessage& message) {
   }
   if (message.path) {
     info_.path = *std::move(message.path);
+    info_.stamp = message.stamp;
     is_info_written_ = false;
   }
   if (message.modified) set_modified(*message.modified);

@@ -71,7 +71,9 @@ struct AutosaveMessage {
   /// active layer of `head` are ignored.
   std::unique_ptr<Drawing> head = {};
   std::optional<std::string> name = {};  ///< the drawing's name, as shown to the user
-  std::optional<std::string> path = {};  ///< path of the user's file; "" if the drawing has no file
+  /// Path of the user's file, which was just read or saved; "" if the drawing has no file.
+  std::optional<std::string> path = {};
+  std::optional<FileStamp> stamp = {};  ///< of that file; post() sets it
   /// True if the drawing has unsaved changes. An edit also sets it to true.
   std::optional<bool> modified = {};
   std::optional<Selection> selection = {};

@@ -36,6 +36,14 @@ tl::unexpected<Error> database_error(const std::string& path, const char* doing)
 
 }  // namespace
 
+std::optional<FileStamp> FileStamp::of(const std::string& path) {
+  struct stat info {};
+  if (path.empty() || ::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return {};
+  constexpr std::int64_t kNsPerS = 1'000'000'000;
+  return FileStamp{static_cast<std::uint64_t>(info.st_size),
+                   info.st_mtim.tv_sec * kNsPerS + info.st_mtim.tv_nsec};
+}
+
 /// The prepared statements and the size of the WAL. This struct is on the heap, because SQLite
 /// keeps a pointer to it (for count_frames) when the database object moves.
 struct AutosaveDatabase::Statements {

@@ -15,6 +15,17 @@ struct sqlite3;
 
 namespace felt {
 
+/// Tells whether a file is still the one that was read or written: its size and the time of its
+/// last change.
+struct FileStamp {
+  std::uint64_t bytes = 0;
+  std::int64_t changed_at_ns = 0;  ///< since 1970
+
+  /// Returns the stamp of a regular file, or nullopt if there is none at `path`.
+  static std::optional<FileStamp> of(const std::string& path);
+  friend bool operator==(const FileStamp&, const FileStamp&) noexcept = default;
+};
+
 /// The content of a database apart from the ink.
 struct AutosaveInfo {
   std::string name;       ///< the drawing's name, as shown to the user
@@ -22,6 +33,11 @@ struct AutosaveInfo {
   bool modified = false;  ///< true if the drawing has unsaved changes
   /// Page, colour, palette, view, materials and active layer. The document of `head` is ignored.
   Drawing head;
+  /// Stamp of the user's file when it was last read or saved; absent if there is no file.
+  std::optional<FileStamp> stamp{};
+  /// True if the drawing has extras, which only the user's file contains; absent if the autosave is
+  /// of a version that did not note it.
+  std::optional<bool> has_extras{};
 };
 
 /// Kinds of live chunks, which hold the unfinished gesture (live_ink.h).

@@ -330,6 +330,11 @@ Result<std::string> info_bytes(const AutosaveInfo& info) {
   out.u8(info.modified ? 1 : 0);
   out.u64(info.head.layer.value);
   if (auto ok = append_page(out, info.head); !ok) return tl::unexpected(ok.error());
+  out.u8(info.has_extras.value_or(info.head.extras != nullptr) ? 1 : 0);
+  out.u8(info.stamp ? 1 : 0);
+  if (!info.stamp) return bytes;
+  out.u64(info.stamp->bytes);
+  out.u64(static_cast<std::uint64_t>(info.stamp->changed_at_ns));
   return bytes;
 }
 
@@ -344,6 +349,12 @@ Result<AutosaveInfo> read_info(std::string_view bytes) {
   if (!head) return tl::unexpected(head.error());
   info.head = *std::move(head);
   info.head.layer = layer;
+  if (!in.has(1, 2)) return info;
+  info.has_extras = in.u8() != 0;
+  if (in.u8() == 0 || !in.has(1, 16)) return info;
+  info.stamp.emplace();
+  info.stamp->bytes = in.u64();
+  info.stamp->changed_at_ns = static_cast<std::int64_t>(in.u64());
   return info;
 }
 

@@ -142,13 +142,87 @@ TEST(FeltRecording, IsThereAfterARecovery) {
   {
     AutosaveDatabase store = AutosaveDatabase::create(folder.at("state"), "a").value();
     ASSERT_TRUE(store.write_base(drawing));
-    ASSERT_TRUE(store.put_info({"a", folder.at("a.felt"), false, {}}));
+    ASSERT_TRUE(store.put_info({"a", folder.at("a.felt"), false, drawing}));
     ASSERT_TRUE(store.commit());
     left = store.folder();
   }
   const Recovered recovered = recover_autosave(left).value();
   EXPECT_TRUE(recovered.drawing.document == drawing.document);
   EXPECT_EQ(recordings_of(recovered.drawing).value().size(), 1u);
+}
+
+/// A program that opened a.felt, draws on, and crashes.
+class AfterACrash : public ::testing::Test {
+ protected:
+  AfterACrash() : fixture_({.roots = {folder_.path}}) {}
+
+  void open(const Drawing& drawing) {
+    ASSERT_TRUE(write_felt(path_, drawing));
+    Drawing read = read_felt(path_).value();
+    has_extras_ = read.extras != nullptr;
+    read.document = fixture_.session->document();
+    drawing_ = read;
+    fixture_.autosave->session_began(*fixture_.session, std::move(read), "a", path_, false);
+    fixture_.autosave->process();
+    fixture_.draw(5);
+    fixture_.autosave->process();
+  }
+  void save() {
+    drawing_.document = fixture_.session->document();
+    ASSERT_TRUE(write_felt(path_, drawing_));
+    fixture_.autosave->post({.name = "a", .path = path_, .modified = false});
+    fixture_.draw(6);
+    fixture_.autosave->process();
+  }
+  [[nodiscard]] std::size_t recordings_of_recovered() {
+    recovered_ = fixture_.crashed();
+    EXPECT_EQ(recovered_.drawing.document, fixture_.session->document());
+    return recordings_of(recovered_.drawing).value().size();
+  }
+  [[nodiscard]] std::string problem() const {
+    EXPECT_LE(recovered_.problems.size(), 1u);
+    return recovered_.problems.empty() ? "" : recovered_.problems.front();
+  }
+
+  felt::testing::TestFolder folder_;
+  std::string path_ = folder_.at("a.felt");
+  felt::testing::AutosaveFixture fixture_;
+  Drawing drawing_;
+  bool has_extras_ = false;
+  Recovered recovered_;
+};
+
+TEST_F(AfterACrash, RecordingsOfTheFileAreThereBeforeAndAfterASave) {
+  open(drawing_of(draw()));
+  ASSERT_TRUE(has_extras_);
+  EXPECT_EQ(recordings_of_recovered(), 1u);
+  save();
+  EXPECT_EQ(recordings_of_recovered(), 1u);
+  EXPECT_EQ(problem(), "");
+}
+
+TEST_F(AfterACrash, AnotherDrawingInTheFileGivesNoneOfItsRecordings) {
+  open(drawing_of(draw()));
+  Drawing other = drawing_of(draw());
+  ASSERT_TRUE(add_recording(other, draw().recording));
+  ASSERT_TRUE(write_felt(path_, other));
+  EXPECT_EQ(recordings_of_recovered(), 0u);
+  EXPECT_THAT(problem(), HasSubstr(path_ + " has changed since Feltline last read or saved it"));
+}
+
+TEST_F(AfterACrash, AMissingFileIsNamedOnlyIfItHadRecordings) {
+  open(drawing_of(draw()));
+  std::filesystem::remove(path_);
+  EXPECT_EQ(recordings_of_recovered(), 0u);
+  EXPECT_THAT(problem(), HasSubstr(path_ + " is not there any more"));
+}
+
+TEST_F(AfterACrash, ADrawingWithoutRecordingsTakesNone) {
+  open(Drawing());
+  ASSERT_FALSE(has_extras_);
+  ASSERT_TRUE(write_felt(path_, drawing_of(draw())));
+  EXPECT_EQ(recordings_of_recovered(), 0u);
+  EXPECT_EQ(problem(), "") << "nothing was lost";
 }
 
 /// Reads the file as any program does that uses SQLite and does not know Feltline.

@@ -102,6 +102,7 @@ class Assembly {
     use_about();
     if (database_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
     if (failure_) return tl::unexpected(*failure_);
+    read_extras();
     read_live();
     if (database_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
     return std::move(out_);
@@ -260,7 +261,25 @@ class Assembly {
       about_->head.names = std::move(out_.drawing.names);
       out_.drawing = std::move(about_->head);
     }
+    out_.drawing.extras = nullptr;
     if (!out_.drawing.document.layer(out_.drawing.layer)) out_.drawing.layer = {};
+  }
+
+  /// Recordings, and content of a newer Feltline, do not change while drawing, so they are read
+  /// from the user's file, if that is still the file that was last read or saved.
+  void read_extras() {
+    if (out_.path.empty() || (about_ && about_->has_extras == false)) return;
+    const std::optional<FileStamp> stamp = FileStamp::of(out_.path);
+    const Result<Drawing> file = read_felt(out_.path);
+    const bool had_extras = about_ && about_->has_extras == true;
+    const bool is_same = about_ && stamp && stamp == about_->stamp;
+    if (file && (is_same || file->document == out_.drawing.document)) {
+      out_.drawing.extras = file->extras;
+    } else if (had_extras || (file && file->extras)) {
+      problem(
+          "recordings and other data beside the drawing were not recovered, because " + out_.path +
+          (stamp ? " has changed since Feltline last read or saved it" : " is not there any more"));
+    }
   }
 
   void read_live() {
@@ -366,11 +385,6 @@ Result<Recovered> recover_autosave(const std::string& folder) {
   Result<Recovered> out = Assembly(*database, std::move(problems)).run();
   if (!out) return tl::unexpected(with_context(out.error(), folder));
   out->changed_at_s = autosave_changed_at(folder);
-  // Recordings, and content of a newer Feltline, do not change while drawing, so they are read from
-  // the user's file. If it cannot be read, only the drawing is recovered.
-  if (!out->drawing.extras && !out->path.empty()) {
-    if (const Result<Drawing> file = read_felt(out->path)) out->drawing.extras = file->extras;
-  }
   return out;
 }
 

@@ -115,6 +115,19 @@ Result<FileFormat> readable_format(std::string_view head, const std::string& pat
                                            readable_names());
 }
 
+Result<std::size_t> check_drawing_head(std::string_view head, std::uint64_t size,
+                                       const std::string& path, bool salvage) {
+  const Result<FileFormat> format = readable_format(head, path);
+  if (!format) return tl::unexpected(format.error());
+  if (*format == FileFormat::kFelt) {
+    return salvage ? check_salvage_head(head, size) : check_felt_head(head, size);
+  }
+  if (!format_of_bytes(head.substr(0, kFormatHeadBytes))) return kMaxUnrecognisedBytes;
+  const bool is_script =
+      *format == FileFormat::kNdjson && ndjson_content(head) == NdjsonContent::kEvents;
+  return is_script ? kMaxFeltBytes : kMaxDrawingBytes;
+}
+
 Result<Imported> parse_drawing(std::string_view bytes, const std::string& path,
                                const ReadOptions& options) {
   const Result<FileFormat> format = readable_format(bytes, path);
@@ -137,7 +150,9 @@ Result<Imported> read_drawing(const std::string& path, const ReadOptions& option
   if (Result<void> fine = check_kind(path, options.files_only); !fine) {
     return tl::unexpected(fine.error());
   }
-  const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  const Result<std::string> bytes = read_file(path, [&](std::string_view head, std::uint64_t size) {
+    return check_drawing_head(head, size, path, options.salvage);
+  });
   if (!bytes) return tl::unexpected(bytes.error());
   ReadOptions with_folder = options;
   with_folder.import.folder = folder_of(path);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ namespace felt {
 
 /// Maximum size in bytes of a file that is read, for formats other than .felt.
 inline constexpr std::size_t kMaxDrawingBytes = std::size_t{1} << 30;
+/// Maximum size in bytes of a file whose format is known only by its name, because its first bytes
+/// are not recognised.
+inline constexpr std::size_t kMaxUnrecognisedBytes = std::size_t{64} << 20;
 
 /// Options for reading a drawing.
 struct ReadOptions {
@@ -34,6 +38,12 @@ struct ReadOptions {
 /// limit, has no known format, or is damaged; the message begins with the path. Safe to call from
 /// any thread.
 Result<Imported> read_drawing(const std::string& path, const ReadOptions& options = {});
+
+/// Checks the first bytes of the file `path` before the rest is read (HeadCheck). Returns the
+/// maximum size of a file of its format. Fails if read_drawing() would refuse any file that begins
+/// so; the message does not begin with the path.
+Result<std::size_t> check_drawing_head(std::string_view head, std::uint64_t size,
+                                       const std::string& path, bool salvage = false);
 
 /// Returns the folder of a file, for ImportOptions::folder; empty for stdin ("-") and for "".
 std::string folder_of(const std::string& path);

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "felt/base/check.h"
 #include "felt/document/fill.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/motion/end_links.h"
 #include "felt/motion/lone_stroke.h"
 #include "felt/motion/oriented_pair.h"
@@ -46,6 +50,12 @@ std::vector<std::size_t> layer_map(const Document& from, const Document& to) {
   return map;
 }
 
+/// Returns the name of a stroke that it can have under another id, or "".
+std::string own_name(const Drawing& drawing, StrokeId id) {
+  std::string name = name_in_file(drawing, id);
+  return stroke_id_of_name(name).value == 0 ? name : std::string();
+}
+
 FillPtr faded(const Fill& fill, const Similarity& motion, double t, bool appears) {
   Fill result{{}, fill.color, 0.0};
   for (const FillLoop& loop : fill.loops) {
@@ -83,6 +93,7 @@ struct Inbetween::Plan {
     bool is_lone = false;
     std::size_t index = 0;  // in blends or lone
     BetweenPlace place;
+    std::string name{};  // own_name()
   };
   struct MovingFill {
     FillPtr fill;
@@ -94,6 +105,7 @@ struct Inbetween::Plan {
     double rank = 0.0;
     std::size_t layer = 0;
     StrokePtr stroke;
+    std::string name{};
   };
 
   Drawing from, to;
@@ -109,7 +121,8 @@ struct Inbetween::Plan {
   void add_lone(const KeyStrokes& a, const KeyStrokes& b, const StrokeMatch& match);
   void add_fills();
   [[nodiscard]] std::vector<Made> made_at(double t) const;
-  [[nodiscard]] Document document_at(double t) const;
+  /// Sets the document and the names of strokes of a drawing to those at t.
+  void set_strokes(double t, Drawing& drawing) const;
 };
 
 void Inbetween::Plan::add_lone(const KeyStrokes& a, const KeyStrokes& b, const StrokeMatch& match) {
@@ -119,7 +132,8 @@ void Inbetween::Plan::add_lone(const KeyStrokes& a, const KeyStrokes& b, const S
   const double rank = key_rank(i, key.strokes.size());
   const std::size_t layer =
       appears ? layer_map(from.document, to.document)[key.layers[i]] : key.layers[i];
-  items.push_back({true, lone.size(), {layer, rank, rank}});
+  items.push_back(
+      {true, lone.size(), {layer, rank, rank}, own_name(appears ? to : from, key.ids[i])});
   lone.push_back({key.strokes[i], appears, {}});
 }
 
@@ -141,7 +155,7 @@ void Inbetween::Plan::add_matches(const KeyStrokes& a, const KeyStrokes& b) {
     }
     const BetweenPlace place{a.layers[*match.from], key_rank(*match.from, a.strokes.size()),
                              key_rank(*match.to, b.strokes.size())};
-    items.push_back({false, blends.size(), place});
+    items.push_back({false, blends.size(), place, own_name(from, a.ids[*match.from])});
     const Point there = moved(motion, shape_of(pair->a).centre);
     local.push_back({there, shape_of(pair->b).centre - there});
     StrokeBlend blend(pair->a, pair->b, motion);
@@ -179,12 +193,14 @@ std::vector<Inbetween::Plan::Made> Inbetween::Plan::made_at(double t) const {
     if (item.is_lone) {
       auto stroke = lone_stroke_at(lone[item.index], correspondence.motion, t, how);
       if (!stroke) continue;
-      made.push_back({rank, item.place.layer, std::make_shared<const Stroke>(*std::move(stroke))});
+      made.push_back(
+          {rank, item.place.layer, std::make_shared<const Stroke>(*std::move(stroke)), item.name});
       continue;
     }
     Result<Stroke> stroke = blends[item.index].blend.stroke(t, poses[item.index]);
     if (!stroke) continue;  // beyond the range of coordinates
-    made.push_back({rank, item.place.layer, std::make_shared<const Stroke>(*std::move(stroke))});
+    made.push_back(
+        {rank, item.place.layer, std::make_shared<const Stroke>(*std::move(stroke)), item.name});
   }
   std::stable_sort(made.begin(), made.end(), [](const Made& x, const Made& y) {
     return x.layer != y.layer ? x.layer < y.layer : x.rank < y.rank;
@@ -192,7 +208,7 @@ std::vector<Inbetween::Plan::Made> Inbetween::Plan::made_at(double t) const {
   return made;
 }
 
-Document Inbetween::Plan::document_at(double t) const {
+void Inbetween::Plan::set_strokes(double t, Drawing& drawing) const {
   Edit edit{"In-between", {}};
   const Document empty;
   const Layer& first = empty.layers().front();
@@ -209,9 +225,13 @@ Document Inbetween::Plan::document_at(double t) const {
   }
   std::vector<std::size_t> counts(ids.size(), 0), fill_counts(ids.size(), 0);
   std::uint64_t number = 0;
-  for (const Made& m : made_at(t)) {
+  auto names = std::make_shared<StrokeNames>();
+  std::set<std::string> used;  // two parts of a stroke have its name, and only one can keep it
+  for (Made& m : made_at(t)) {
     const StrokePlace place{ids[m.layer], counts[m.layer]++};
-    edit.changes.push_back({empty.new_id(number++), nullptr, m.stroke, {}, place});
+    const StrokeId id = empty.new_id(number++);
+    edit.changes.push_back({id, nullptr, std::move(m.stroke), {}, place});
+    if (!m.name.empty() && used.insert(m.name).second) names->emplace(id, std::move(m.name));
   }
   for (const MovingFill& moving : fills) {
     const FillPtr fill = faded(*moving.fill, correspondence.motion, t, moving.appears);
@@ -223,9 +243,9 @@ Document Inbetween::Plan::document_at(double t) const {
     edit.guides.push_back({empty.new_guide_id(number++), nullptr, guide});
   }
   edit.toggles_guides = from.document.shows_guides() != empty.shows_guides();
-  Document document;
-  FELT_CHECK(document.apply(edit).has_value());
-  return document;
+  drawing.document = {};
+  FELT_CHECK(drawing.document.apply(edit).has_value());
+  drawing.names = names->empty() ? nullptr : std::move(names);
 }
 
 Inbetween::Inbetween(std::unique_ptr<const Plan> plan) noexcept : plan_(std::move(plan)) {}
@@ -252,10 +272,9 @@ Drawing Inbetween::at(double t) const {
   if (!(t > 0.0)) return plan_->from;
   if (t >= 1.0) return plan_->to;
   Drawing drawing = plan_->from;
-  drawing.document = plan_->document_at(t);
+  plan_->set_strokes(t, drawing);
   drawing.layer = {};
   drawing.extras = nullptr;
-  drawing.names = nullptr;
   return drawing;
 }
 

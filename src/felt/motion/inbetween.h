@@ -41,7 +41,8 @@ KeyStrokes key_strokes(const Document& document);
 /// together. Fills fade over and move with the drawing. The in-betweens have the page, the layers
 /// and the guides of the first drawing; a stroke that only the second one has is in the layer of
 /// the same name or, without such a layer, in the highest visible one. Hidden layers are empty.
-/// Strokes are numbered anew.
+/// Strokes are numbered again, but keep their names (Drawing::names): matched strokes those of the
+/// first drawing.
 ///
 /// Immutable, so several threads may use it. Keeps the strokes of both drawings.
 class Inbetween {

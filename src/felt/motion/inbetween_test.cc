@@ -40,6 +40,27 @@ TEST(Inbetween, IsTheKeysAtBothEnds) {
   EXPECT_EQ(motion.at(7.0), b);
 }
 
+TEST(Inbetween, KeepsTheNamesOfStrokes) {
+  const auto same = made_strokes(6, 3);
+  std::vector<StrokePtr> more = same;
+  more.push_back(line({150, 0}, {160, 90}));
+  Drawing a = drawing_of(same), b = drawing_of(more);
+  const std::vector<StrokeId>& of_a = a.document.layers().front().strokes;
+  const std::vector<StrokeId>& of_b = b.document.layers().front().strokes;
+  a.names = std::make_shared<const StrokeNames>(
+      StrokeNames{{of_a[0], "ear"}, {of_a[4], "tail"}, {of_a[5], "s3"}});
+  b.names = std::make_shared<const StrokeNames>(
+      StrokeNames{{of_b[0], "left ear"}, {of_b[6], "whisker"}, {of_b[1], "tail"}});
+  const Inbetween motion = motion_of(a, b);
+  for (const double t : {0.25, 0.5}) {
+    std::vector<std::string> names;
+    for (const auto& [id, name] : used_names(motion.at(t))) names.push_back(name);
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"ear", "tail", "whisker"})) << "one each";
+  }
+  EXPECT_EQ(motion_of(drawing_of(same), drawing_of(more)).at(0.5).names, nullptr);
+}
+
 TEST(Inbetween, ComesCloseToTheKeys) {
   const auto from = made_strokes(25, 4);
   const auto to = moved_strokes(from, {{100, 100}, {130, 110}, 0.8, 1.2}, 1.0, 5);

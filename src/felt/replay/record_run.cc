@@ -125,7 +125,7 @@ Result<void> RecordRun::turn() {
     sample.time_ns = last_ns_ = std::max(last_ns_, sample.time_ns + offset_ns_);
     if (Result<void> reported = session_.sample(sample); !reported) {
       if (reported.error().code != ErrorCode::kLimitExceeded) return reported;
-      notice("This line draws nothing: " + reported.error().message + ".");
+      notice("This gesture changes nothing: " + reported.error().message + ".");
     }
   }
   servo.publish(session_.force());

@@ -107,7 +107,8 @@ struct DuplicateEvent {
   friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
 };
 
-/// Moves the strokes that are wholly selected. Strokes that are selected in part do not change. If
+/// Moves the strokes that are wholly selected. Lines that share a point with them follow at that
+/// point, as in a drag of the transform tool; other strokes that are selected in part stay. If
 /// the previous change of the document was a move of the same strokes at most kTogetherNs earlier,
 /// both are one undo step. {"event":"move","dx":1,"dy":-0.1}
 struct MoveEvent {

@@ -241,6 +241,8 @@ TEST(LayerEvents, NoEventAddsMoreLayersThanFilesMayHave) {
       EXPECT_EQ(errors[i], "") << i;
     }
   }
+  EXPECT_EQ(f.session->refusals().gestures, 3U) << "one of the recording, two of the pen";
+  EXPECT_THAT(f.session->refusals().first, HasSubstr("at most 10000 layers"));
   EXPECT_EQ(f.apply(UndoEvent{}), "");
   EXPECT_EQ(f.session->document(), document);
   EXPECT_EQ(f.layer(Do::kRemove, 2), "");

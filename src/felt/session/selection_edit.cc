@@ -10,7 +10,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
-#include "felt/stroke/edit/mend_joints.h"
+#include "felt/tools/moved_strokes.h"
 
 namespace felt {
 namespace {
@@ -121,24 +121,26 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
   return std::move(builder).build("Duplicate");
 }
 
-Result<Edit> move_edit(const Document& document, const Selection& selection,
-                       const MoveEvent& event) {
+Result<void> check_move(const MoveEvent& event) {
   const Vec by = event.by_mm;
-  if (!(std::abs(by.x) <= MoveEvent::kMaxMm && std::abs(by.y) <= MoveEvent::kMaxMm)) {
-    return fail(ErrorCode::kInvalidArgument, "move: is farther than 10000 mm");
+  if (std::abs(by.x) <= MoveEvent::kMaxMm && std::abs(by.y) <= MoveEvent::kMaxMm) return {};
+  return fail(ErrorCode::kInvalidArgument, "move: is farther than 10000 mm");
+}
+
+Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event) {
+  Selection whole;
+  for (const auto& [id, marks] : scene.selection.strokes()) {
+    if (scene.selection.is_whole(id)) whole.set_whole(id, marks.size());
   }
-  EditBuilder builder(document);
-  if (by == Vec{}) return std::move(builder).build("Move");
-  for (const auto& [id, marks] : selection.strokes()) {
-    if (!selection.is_whole(id)) continue;
-    StrokeData data = document.find(id)->data();
-    for (Point& p : data.points) p = p + by;
-    mend_rounding(data);
-    Result<Stroke> moved = Stroke::create(std::move(data));
-    if (!moved) return tl::unexpected(with_context(moved.error(), "move"));
-    builder.replace(id, std::make_shared<const Stroke>(*std::move(moved)));
+  const MovedStrokes strokes(scene.document, scene.index, whole, false);
+  if (strokes.empty() || event.by_mm == Vec{}) return MoveEdit{};
+  MoveEdit move{strokes.finished(translation(event.by_mm), 1.0, "Move")};
+  if (move.edit.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "move: a line cannot be drawn at its new position");
   }
-  return std::move(builder).build("Move");
+  if (auto pull = strokes.connected_pull()) pull->complete(move.edit, scene);
+  move.selection = strokes.selection_after(move.edit, scene.selection);
+  return move;
 }
 
 Edit order_edit(const Document& document, const Selection& selection, OrderEvent::To to) {

@@ -7,6 +7,7 @@
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/session/event.h"
+#include "felt/tools/scene.h"
 
 namespace felt {
 
@@ -28,11 +29,19 @@ Edit delete_edit(const Document& document, const Selection& selection);
 /// points invalid. The message names the stroke. Also fails if check_copies() refuses the copies.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
 
-/// Moves the strokes that are wholly selected. The edit is empty if no stroke is wholly selected or
-/// the offset is 0. Fails if the event's offset is invalid, or if a stroke breaks an invariant at
-/// its new position.
-Result<Edit> move_edit(const Document& document, const Selection& selection,
-                       const MoveEvent& event);
+/// An edit, and the selection after it if the edit adds joints to selected strokes.
+struct MoveEdit {
+  Edit edit;
+  std::optional<Selection> selection{};
+};
+
+/// Fails if the offset of the event is invalid.
+Result<void> check_move(const MoveEvent& event);
+/// Moves the strokes of scene.selection that are wholly selected, as a drag of the transform tool
+/// does: lines that share a point with them follow (MovedStrokes). The edit is empty if no stroke
+/// is wholly selected or the offset is 0. Fails if a stroke breaks an invariant at its new
+/// position. Requires an event that check_move() accepts.
+Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event);
 
 /// Moves the strokes that are wholly selected to the top or the bottom of their layers. The edit is
 /// empty if they are there already.

@@ -191,8 +191,11 @@ Result<void> Session::sample(const PenSample& reported) {
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
   sample.velocity = parts_->velocity.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
-  const Result<void> opened = begins_ink(sample) ? open_layer_for_ink() : Result<void>();
-  if (!opened) must_lift_ = true;  // before the gesture begins
+  Result<void> opened = begins_ink(sample) ? open_layer_for_ink() : Result<void>();
+  if (!opened) {
+    must_lift_ = true;  // before the gesture begins
+    opened = refusals_.add(opened.error());
+  }
   if (options_.on_event) {
     record({sample.time_ns,
             PenEvent{sample.position, sample.pressure, sample.buttons, sample.tilt_deg}});

@@ -62,8 +62,7 @@ struct ExactOffer;
 /// Use it on the edit thread only. It does not use clocks, threads or files.
 class Session {
  public:
-  /// Starts with the first tool that draws, or with the first tool if no tool draws. Requires at
-  /// least one tool.
+  /// Starts with the first tool that draws, or else with the first tool. Requires a tool.
   Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options);
   ~Session();
   Session(Session&&) noexcept;
@@ -76,7 +75,7 @@ class Session {
   /// body_edit_edit an event. After a failure nothing has changed, and the event is not recorded.
   Result<void> apply(const Event& event);
   /// Handles one pen sample. Fails if a tool returns an invalid edit (a bug). Also fails with
-  /// kLimitExceeded, unlike a PenEvent, if a line draws nothing for want of a layer (kMaxLayers).
+  /// kLimitExceeded, unlike a PenEvent, once for each gesture in refusals().
   Result<void> sample(const PenSample& reported);
   /// Handles an ImportEvent: adds the strokes of its file on top of the current layer, as one undo
   /// step. The pieces of the fills name the strokes by their numbers, from 1 (VisibleInk).
@@ -163,7 +162,8 @@ class Session {
   [[nodiscard]] std::uint64_t selection_count() const noexcept { return selections_; }
   /// Returns the version (kOptionDefaults) of the defaults of those options that no event has set.
   [[nodiscard]] int option_defaults() const noexcept { return option_defaults_; }
-  /// Returns the number of dropped samples.
+  /// Return the gestures that changed nothing, and the number of dropped samples.
+  [[nodiscard]] const Refusals& refusals() const noexcept { return refusals_; }
   [[nodiscard]] std::uint64_t dropped_samples() const noexcept { return dropped_; }
 
  private:
@@ -289,6 +289,7 @@ class Session {
   std::unique_ptr<EdgeRidges> edge_ridges_;  // null until an edge is felt
   std::unique_ptr<ExactOffer> exact_;        // null: no offer
   std::uint64_t dropped_ = 0;
+  Refusals refusals_;
   std::uint64_t edits_ = 0;
   std::uint64_t selections_ = 0;
 };

@@ -91,15 +91,17 @@ Result<void> Session::duplicate_selected() {
 
 Result<void> Session::move_selected(std::int64_t time_ns, const MoveEvent& event) {
   // Reports an invalid value before anything changes.
-  if (Result<Edit> edit = move_edit({}, {}, event); !edit) return tl::unexpected(edit.error());
+  if (Result<void> valid = check_move(event); !valid) return valid;
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  Result<Edit> edit = move_edit(document_, selection_, event);
-  if (!edit) return tl::unexpected(edit.error());
-  if (edit->empty()) return {};
+  Result<MoveEdit> move = move_edit(scene(), event);
+  if (!move) return tl::unexpected(move.error());
+  if (move->edit.empty()) return {};
   const bool continues = moved_ && moved_->position == history_.position() &&
                          time_ns - moved_->time_ns <= MoveEvent::kTogetherNs;
-  Result<void> done = continues ? commit_with_previous(*std::move(edit)) : commit(*std::move(edit));
+  Result<void> done =
+      continues ? commit_with_previous(std::move(move->edit)) : commit(std::move(move->edit));
+  if (done && move->selection) set_selection(*std::move(move->selection));
   moved_ = Moved{time_ns, history_.position()};
   return done;
 }

@@ -268,6 +268,23 @@ TEST(SessionSelection, MovesInQuickSuccessionAreOneStep) {
   EXPECT_FALSE(fixture.apply(MoveEvent{{0, std::nan("")}}));
 }
 
+/// A recording contains the gesture, so an event does not fail, but it counts.
+TEST(SessionSelection, AGestureThatExceedsALimitIsCounted) {
+  CommandFixture fixture;
+  const Error why{ErrorCode::kLimitExceeded, "copies stop here"};
+  fixture.tool->answers.push_back({.refusal = why});
+  fixture.pen(0, 0, -1);
+  EXPECT_EQ(fixture.session.refusals().gestures, 1U);
+  fixture.pen(1, 0, -1);
+  fixture.pen(1, 0, 5);
+  fixture.tool->answers.push_back({.refusal = Error{ErrorCode::kLimitExceeded, "and here"}});
+  const Result<void> done = fixture.session.sample({1'000'000'000, {0, 0, -1}, {}, {}, 0, {}});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message, "and here");
+  EXPECT_EQ(fixture.session.refusals().gestures, 2U);
+  EXPECT_EQ(fixture.session.refusals().first, why.message);
+}
+
 TEST(SessionSelection, OrderMovesToTheTopOrTheBottomOfTheLayer) {
   CommandFixture fixture;
   for (int i = 0; i < 3; ++i) fixture.line(0, 20.0 * i);

@@ -81,6 +81,7 @@ Result<void> Session::take(ToolResult result) {
     offer_ = std::move(result.offer);
     offer_edits_ = edits_;
   }
+  if (done && result.refusal) return refusals_.add(*std::move(result.refusal));
   if (!done) {
     return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
   }

@@ -1,13 +1,30 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
 
+#include "felt/base/result.h"
 #include "felt/document/history.h"
 #include "felt/material/materials.h"
 #include "felt/session/event.h"
 
 namespace felt {
+
+/// Counts the gestures that changed nothing because the drawing would have exceeded a limit: a line
+/// that would need one more layer (kMaxLayers), or a drag that would make copies (check_copies).
+struct Refusals {
+  std::uint64_t gestures = 0;
+  std::string first{};  ///< why the first of them was refused; empty if there is none
+
+  /// Counts a gesture. Returns the error that says why it was refused.
+  tl::unexpected<Error> add(Error error) {
+    if (gestures++ == 0) first = error.message;
+    return tl::unexpected(std::move(error));
+  }
+};
 
 /// What a session starts with, and what it reports to.
 struct SessionOptions {

@@ -21,6 +21,10 @@ constexpr std::size_t kHeaderBytes = 100;
 constexpr std::size_t kWriteVersionAt = 18, kReadVersionAt = 19;
 constexpr const char* kDamaged = "is damaged or incomplete";
 constexpr std::size_t kUserVersionAt = 60, kApplicationIdAt = 68;
+/// The type of the first page's b-tree, and the two types of a table
+/// (https://www.sqlite.org/fileformat2.html#b_tree_pages).
+constexpr std::size_t kTypeOfPageAt = 100;
+constexpr char kInnerTablePage = 5, kLeafTablePage = 13;
 constexpr std::size_t kSizeOfPageAt = 16, kChangesAt = 24, kPagesAt = 28, kPagesValidForAt = 92;
 /// A file that is this many times as long as its header says is not read.
 constexpr std::uint64_t kMaxExcess = 2;
@@ -40,19 +44,19 @@ tl::unexpected<Error> too_large() {
 
 /// Fails if a file is far longer than its header says
 /// (https://www.sqlite.org/fileformat2.html#1.3), because SQLite would examine every page of it.
-Result<void> check_length(std::string_view bytes) {
+Result<void> check_length(std::string_view bytes, std::uint64_t length) {
   if (big_endian(bytes, kChangesAt) != big_endian(bytes, kPagesValidForAt)) return {};
   const std::uint32_t size = big_endian(bytes, kSizeOfPageAt) >> 16;
   const std::uint64_t page_bytes = size == 1 ? 65'536 : size;
   const std::uint64_t stated = page_bytes * big_endian(bytes, kPagesAt);
-  if (stated == 0 || bytes.size() / kMaxExcess <= stated) return {};
-  return invalid_data(std::string(kDamaged) + ": it is " + std::to_string(bytes.size()) +
+  if (stated == 0 || length / kMaxExcess <= stated) return {};
+  return invalid_data(std::string(kDamaged) + ": it is " + std::to_string(length) +
                       " bytes long, but contains a drawing of " + std::to_string(stated));
 }
 
-/// Checks the first bytes of a file before SQLite reads it.
-Result<void> check_header(std::string_view bytes) {
-  if (bytes.size() > kMaxFeltBytes) return too_large();
+/// Checks the first bytes of a file of this length before SQLite reads it.
+Result<void> check_header(std::string_view bytes, std::uint64_t length) {
+  if (length > kMaxFeltBytes) return too_large();
   if (bytes.empty()) return invalid_data("is empty");
   const std::size_t known = std::min(bytes.size(), kMagic.size());
   if (bytes.substr(0, known) != kMagic.substr(0, known)) {
@@ -72,14 +76,18 @@ Result<void> check_header(std::string_view bytes) {
   if (bytes[kWriteVersionAt] != 1 || bytes[kReadVersionAt] != 1) {
     return invalid_data("was changed by another program, which did not close it");
   }
-  return check_length(bytes);
+  if (bytes.size() > kTypeOfPageAt && bytes[kTypeOfPageAt] != kInnerTablePage &&
+      bytes[kTypeOfPageAt] != kLeafTablePage) {
+    return invalid_data(std::string(kDamaged) + ": its first page is not a table");
+  }
+  return check_length(bytes, length);
 }
 
 /// Parses a file. If the file has extras, they need the bytes: they keep `keep`, which owns the
 /// same bytes, or a copy if `keep` is null.
 Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep,
                       std::vector<std::string>* notices = nullptr) {
-  if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
+  if (auto ok = check_header(bytes, bytes.size()); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);
   if (!database) return tl::unexpected(with_context(database.error(), kDamaged));
   const Result<FeltSchema> schema = read_schema(*database);
@@ -97,6 +105,10 @@ Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string>
 }
 
 }  // namespace
+
+Result<std::size_t> check_felt_head(std::string_view head, std::uint64_t size) {
+  return check_header(head, size).map([] { return kMaxFeltBytes; });
+}
 
 Result<Drawing> parse_felt(std::string_view bytes, std::vector<std::string>* notices) {
   return parse(bytes, nullptr, notices);
@@ -124,7 +136,7 @@ Result<std::string> felt_bytes(const Drawing& drawing) {
 
 Result<Drawing> read_felt(const std::string& path) {
   Result<std::string> bytes =
-      path == "-" ? read_file(path, kMaxFeltBytes) : read_regular_file(path, kMaxFeltBytes);
+      path == "-" ? read_file(path, check_felt_head) : read_regular_file(path, check_felt_head);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto shared = std::make_shared<const std::string>(*std::move(bytes));
   Result<Drawing> drawing = parse(*shared, shared);

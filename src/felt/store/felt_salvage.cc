@@ -478,19 +478,19 @@ class Assembly {
 }  // namespace
 
 Result<Salvaged> salvage_felt_bytes(std::string_view bytes) {
-  if (bytes.size() > kMaxFeltBytes) {
-    return fail(ErrorCode::kLimitExceeded,
-                "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
-  }
   Result<Drawing> whole = parse_felt(bytes);
   if (whole) return Salvaged{*std::move(whole), {}};
+  if (bytes.size() > kMaxSalvageBytes) {
+    return fail(ErrorCode::kLimitExceeded,
+                whole.error().message + ", and is too large to be salvaged (over 512 MiB)");
+  }
   Findings findings;
   scan_rows(bytes, [&findings](const ScannedRow& row) { findings.take(row); });
   return Assembly(std::move(findings)).make(whole.error().message);
 }
 
 Result<Salvaged> salvage_felt(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  const Result<std::string> bytes = read_file(path, check_salvage_head);
   if (!bytes) return tl::unexpected(bytes.error());
   Result<Salvaged> salvaged = salvage_felt_bytes(*bytes);
   if (salvaged) return salvaged;

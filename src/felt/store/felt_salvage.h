@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,15 @@
 #include "felt/store/felt_file.h"
 
 namespace felt {
+
+/// Maximum size in bytes of a damaged file that is salvaged. It is in memory as a whole.
+inline constexpr std::size_t kMaxSalvageBytes = std::size_t{512} << 20;
+
+/// Checks the first bytes of a file (HeadCheck). Returns kMaxFeltBytes if they are intact, and
+/// otherwise kMaxSalvageBytes.
+inline Result<std::size_t> check_salvage_head(std::string_view head, std::uint64_t size) {
+  return check_felt_head(head, size).value_or(kMaxSalvageBytes);
+}
 
 /// The result of the recovery of a damaged file.
 struct Salvaged {
@@ -24,8 +35,8 @@ struct Salvaged {
 /// are not recovered. The file is only read. If the file is intact, the result is the same as that
 /// of read_felt().
 ///
-/// Fails if the file cannot be read or no part of a drawing is found; the message begins with the
-/// path.
+/// Fails if the file cannot be read, is damaged and has more than kMaxSalvageBytes, or if no part
+/// of a drawing is found; the message begins with the path.
 Result<Salvaged> salvage_felt(const std::string& path);
 /// Does the same with bytes in memory.
 Result<Salvaged> salvage_felt_bytes(std::string_view bytes);

@@ -315,7 +315,7 @@ Result<std::vector<StudySession>> StudyFolder::sessions() const {
 Result<FeltRecording> StudyFolder::recording(const SessionInfo& info, const TrialResult& result,
                                              std::string* bytes) const {
   const std::string file = file_of(info, result.recording);
-  Result<std::string> text = read_regular_file(file, kMaxFeltBytes);
+  Result<std::string> text = read_regular_file(file, check_felt_head);
   if (!text) return tl::unexpected(text.error());
   Result<FeltRecording> recording = last_recording(*text);
   if (!recording) return tl::unexpected(with_context(recording.error(), file));

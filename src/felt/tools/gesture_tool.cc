@@ -47,6 +47,7 @@ ToolResult GestureTool::add(const PenSample& sample, const Scene& scene) {
     ToolResult next = move(s, scene);
     if (next.preview) result.preview = std::move(next.preview);
     if (next.selection) result.selection = std::move(next.selection);
+    if (next.refusal) result.refusal = std::move(next.refusal);
   };
   for (const PenSample& between : gap_) take(between);
   gap_.clear();

@@ -109,6 +109,8 @@ struct ToolResult {
   /// What else the finished gesture could mean. `commit` and `selection` are those of the choice
   /// that applies.
   std::optional<Offer> offer = {};
+  /// Why the gesture changes nothing, if it would exceed a limit. Set once in a gesture.
+  std::optional<Error> refusal = {};
   /// If true, a missing `preview` keeps the previous one instead of removing it, for example
   /// because nothing visible has changed.
   bool same_preview = false;

@@ -168,7 +168,7 @@ TEST(JoinedTransform, R33_ALoopedPartGoesThereAndBackWithinANanometre) {
     const Document before = d.fixture.document;
     const Point from = d.some_point();
     const Vec by{d.random.uniform(-9, 9), d.random.uniform(-9, 9)};
-    if (MovedStrokes(before, d.fixture.index, d.fixture.selection, false).may_part()) {
+    if (MovedStrokes(before, d.fixture.index, d.fixture.selection, false).connected_pull()) {
       ++loose;
       continue;
     }
@@ -207,7 +207,7 @@ TEST(JoinedTransform, R33_LinesThatAreSelectedWholeGoThereAndBackWithinANanometr
     const std::size_t after_there = count_junctions(d);
     const MovedStrokes back(d.fixture.document, d.fixture.index, d.fixture.selection, false);
     d.fixture.apply(back.finished(*inverse(map), 1.0, "Back"));
-    if (!there.may_part() && junctions == after_there) {
+    if (!there.connected_pull() && junctions == after_there) {
       EXPECT_LE(largest_distance_mm(d, before, d.fixture.document), 1e-9);
     }
   }
@@ -276,8 +276,8 @@ TEST(JoinedTransform, R33_ASelectedPartGetsAJointUnderAMovedEndAndStaysSelected)
   marks[0] = marks[1] = 1;
   d.select(base, std::move(marks));
   d.select(post, Selection::Marks(d.fixture.document.find(post)->data().points.size(), 1));
-  EXPECT_FALSE(
-      MovedStrokes(d.fixture.document, d.fixture.index, d.fixture.selection, false).may_part())
+  EXPECT_FALSE(MovedStrokes(d.fixture.document, d.fixture.index, d.fixture.selection, false)
+                   .connected_pull())
       << "nothing has to be bent";
   d.drag("move", {-40, 0}, {-44, 6});
   const Selection::Marks* after = d.fixture.selection.find(base);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/document/copy_limit.h"
+#include "felt/document/edit_builder.h"
 #include "felt/stroke/edit/point_marks.h"
 #include "felt/tools/testing/tool_fixture.h"
 #include "felt/tools/transform/transform_tool.h"
@@ -435,6 +437,29 @@ TEST(Transform, TheSecondButtonDuplicates) {
     t.fixture.undo();
     EXPECT_EQ(t.fixture.strokes().size(), 1u);
   }
+}
+
+TEST(Transform, ADragWhoseCopiesAreTooManySaysSoOnce) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  const StrokePtr dot = std::make_shared<const Stroke>(straight_stroke({0, 0}, {9, 0}, 1, 1));
+  EditBuilder builder(t.fixture.document);
+  for (std::size_t i = 2; i <= kMaxCopiedObjects; ++i) builder.add({1}, dot);
+  ASSERT_TRUE(t.fixture.document.apply(std::move(builder).build("Add")));
+  for (const bool duplicates : {true, false}) {
+    int refusals = 0;
+    t.pen.up({10, 30});
+    for (const Point p : way({10, 30}, {70, 30})) {
+      t.down(p, duplicates ? kSecondModifier : 0);
+      if (t.last.refusal) ++refusals;
+    }
+    t.pen.up({70, 30});
+    EXPECT_EQ(refusals, duplicates ? 1 : 0);
+    EXPECT_EQ(t.start_of(id), duplicates ? (Point{0, 0}) : (Point{60, 0}));
+  }
+  t.pen.up({70, 30});
+  t.down({70, 30}, kSecondModifier);
+  EXPECT_FALSE(t.last.refusal) << "a click makes no copies";
 }
 
 TEST(Transform, WidthsAreScaledWhereAsked) {

@@ -194,12 +194,8 @@ void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Sele
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
   strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
-  connected_.reset();
+  connected_ = strokes_.connected_pull();
   completion_ns_ = 0.0;
-  if (strokes_.may_part()) {
-    connected_.emplace(BrushOptions{});
-    for (const StrokeId id : strokes_.whole_strokes()) connected_->keep_shape(id);
-  }
   drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.min_scale());
   doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
 }
@@ -215,6 +211,9 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene& scene) {
   if (doing_ == Doing::kCentre) {
     centre_ = pen_;
     frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
+  }
+  if (doing_ == Doing::kNothing && duplicates_) {
+    return {.refusal = strokes_.take_refusal(), .same_preview = true};
   }
   if (doing_ != Doing::kTransform && doing_ != Doing::kPicture) return {.same_preview = true};
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0,

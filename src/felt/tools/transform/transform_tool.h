@@ -6,8 +6,8 @@
 
 #include "felt/tools/connected_pull.h"
 #include "felt/tools/gesture_tool.h"
+#include "felt/tools/moved_strokes.h"
 #include "felt/tools/selection_view.h"
-#include "felt/tools/transform/moved_strokes.h"
 #include "felt/tools/transform/transform_drag.h"
 #include "felt/tools/transform/transform_frame.h"
 #include "felt/tools/transform/transform_options.h"

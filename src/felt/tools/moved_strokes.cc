@@ -1,4 +1,4 @@
-#include "felt/tools/transform/moved_strokes.h"
+#include "felt/tools/moved_strokes.h"
 
 #include <algorithm>
 #include <limits>
@@ -97,12 +97,13 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
   places_ = std::move(builder).build("");
 }
 
-std::vector<StrokeId> MovedStrokes::whole_strokes() const {
-  std::vector<StrokeId> whole;
+std::optional<ConnectedPull> MovedStrokes::connected_pull() const {
+  if (!may_part_) return std::nullopt;
+  ConnectedPull pull{BrushOptions{}};
   for (std::size_t i = 0; i < std::min(selected_, items_.size()); ++i) {
-    if (items_[i].is_selected_whole) whole.push_back(places_.changes[i].id);
+    if (items_[i].is_selected_whole) pull.keep_shape(places_.changes[i].id);
   }
-  return whole;
+  return pull;
 }
 
 std::optional<Selection> MovedStrokes::selection_after(const Edit& edit,
@@ -150,7 +151,10 @@ void MovedStrokes::prepare_copies(const Document& document, const Selection& sel
     }
   }
   places_ = std::move(builder).build("");
-  if (!check_copies(document, {items_.size(), points_})) *this = MovedStrokes();
+  if (const Result<void> fits = check_copies(document, {items_.size(), points_}); !fits) {
+    *this = MovedStrokes();
+    refusal_ = fits.error();
+  }
 }
 
 void MovedStrokes::add(MovedLine line) {

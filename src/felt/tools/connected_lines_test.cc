@@ -1,11 +1,11 @@
-#include "felt/tools/transform/connected_lines.h"
+#include "felt/tools/connected_lines.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "felt/tools/moved_strokes.h"
 #include "felt/tools/testing/tool_fixture.h"
-#include "felt/tools/transform/moved_strokes.h"
 
 namespace felt::connected_lines_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "felt/tools/transform/moved_strokes.h"
+#include "felt/tools/moved_strokes.h"
 
 #include <gtest/gtest.h>
 
@@ -93,8 +93,13 @@ TEST(MovedStrokes, CopiesStopBeforeTheyFillTheMemory) {
     for (int i = 0; i < count; ++i) selection.set_whole(builder.add({1}, stroke), 3001);
     ASSERT_TRUE(document.apply(std::move(builder).build("Add")));
     const StrokeIndex index{Document()};  // not used for copies
-    const MovedStrokes copies(document, index, selection, true);
+    MovedStrokes copies(document, index, selection, true);
     EXPECT_EQ(copies.empty(), count == 3400) << "up to 20,000,000 control points";
+    const std::optional<Error> refusal = copies.take_refusal();
+    EXPECT_EQ(refusal.has_value(), count == 3400);
+    EXPECT_EQ(refusal.value_or(Error{}).code,
+              count == 3400 ? ErrorCode::kLimitExceeded : Error{}.code);
+    EXPECT_FALSE(copies.take_refusal()) << "once";
     EXPECT_EQ(copies.copies().has_value(), count == 3300);
   }
 }

@@ -1,4 +1,4 @@
-#include "felt/tools/transform/connected_lines.h"
+#include "felt/tools/connected_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,14 +3,17 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/document/stroke_index.h"
 #include "felt/geometry/affine.h"
 #include "felt/geometry/rect.h"
-#include "felt/tools/transform/connected_lines.h"
+#include "felt/tools/connected_lines.h"
+#include "felt/tools/connected_pull.h"
 
 namespace felt {
 
@@ -52,10 +55,14 @@ class MovedStrokes {
   /// Returns a selection of all copies as whole strokes, or nullopt if `duplicates` was false.
   [[nodiscard]] const std::optional<Selection>& copies() const noexcept { return copies_; }
 
-  /// Returns true if lines that share a point may part (ConnectedLines::may_part).
-  [[nodiscard]] bool may_part() const noexcept { return may_part_; }
-  /// Returns the strokes that are selected as a whole.
-  [[nodiscard]] std::vector<StrokeId> whole_strokes() const;
+  /// Returns the error of check_copies() if it refused the copies; once, and nullopt after that.
+  [[nodiscard]] std::optional<Error> take_refusal() noexcept {
+    return std::exchange(refusal_, std::nullopt);
+  }
+
+  /// Returns what closes the gaps of finished() and of a preview, or nullopt if lines that share a
+  /// point cannot part (ConnectedLines::may_part).
+  [[nodiscard]] std::optional<ConnectedPull> connected_pull() const;
   /// Returns the selection after `edit`, which finished() has made, if the edit adds joints to
   /// selected strokes; otherwise nullopt. `before` is the selection at the touch. A stroke that was
   /// selected in part is deselected if ConnectedPull has added further joints to it.
@@ -111,6 +118,7 @@ class MovedStrokes {
   std::vector<Point> anchors_;
   double min_scale_ = 0.0;
   std::optional<Selection> copies_;
+  std::optional<Error> refusal_;
 
   Edit work_;  // the preview in progress, with its first strokes
   std::vector<Shown> shown_;
