@@ -1,6 +1,7 @@
 // A move by the arrow keys keeps shared points together, as a drag of the transform tool does.
 #include <gtest/gtest.h>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
 
@@ -54,6 +55,30 @@ TEST(MoveEvents, R33_LinesThatShareAPointFollow) {
   EXPECT_EQ(f.session->history().undo_count(), 1U) << "three keys in quick succession";
   f.must(UndoEvent{});
   EXPECT_EQ(f.session->document(), before);
+}
+
+TEST(MoveEvents, R33_APastedCopyLeavesItsOriginalsBehind) {
+  for (const bool by_one_line : {false, true}) {
+    Connected f;
+    const Document before = f.session->document();
+    f.must(SelectStrokes{by_one_line ? SelectStrokes::What::kNone : SelectStrokes::What::kAll});
+    const VisibleInk ink = visible_ink(before);
+    const std::vector<StrokePtr> some{ink.strokes.front()};
+    ASSERT_TRUE(f.session->import(f.now_ns, {"copy", true}, by_one_line ? some : ink.strokes));
+    f.must(MoveEvent{{0, 3}});
+    for (std::uint64_t id = 1; id <= 4; ++id) {
+      EXPECT_EQ(f.session->document().find({id})->data(), before.find({id})->data()) << id;
+    }
+    EXPECT_EQ(f.at(5, 0), (Point{0, 3}));
+  }
+}
+
+TEST(MoveEvents, R33_LinesStayInRecordingsOfOlderVersions) {
+  Connected f;
+  f.must(UseDevice{{}, kFirmPushDefaults - 1});
+  f.must(MoveEvent{{0, 3}});
+  EXPECT_EQ(f.at(1, 0), (Point{0, 3}));
+  EXPECT_EQ(f.at(2, 0), (Point{10, 0}));
 }
 
 TEST(MoveEvents, R33_ThereAndBackIsWhereItWas) {

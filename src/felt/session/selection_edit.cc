@@ -10,7 +10,6 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
-#include "felt/tools/moved_strokes.h"
 
 namespace felt {
 namespace {
@@ -127,12 +126,12 @@ Result<void> check_move(const MoveEvent& event) {
   return fail(ErrorCode::kInvalidArgument, "move: is farther than 10000 mm");
 }
 
-Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event) {
+Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event, Followers followers) {
   Selection whole;
   for (const auto& [id, marks] : scene.selection.strokes()) {
     if (scene.selection.is_whole(id)) whole.set_whole(id, marks.size());
   }
-  const MovedStrokes strokes(scene.document, scene.index, whole, false);
+  const MovedStrokes strokes(scene.document, scene.index, whole, false, followers);
   if (strokes.empty() || event.by_mm == Vec{}) return MoveEdit{};
   MoveEdit move{strokes.finished(translation(event.by_mm), 1.0, "Move")};
   if (move.edit.empty()) {

@@ -7,6 +7,7 @@
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/session/event.h"
+#include "felt/tools/moved_strokes.h"
 #include "felt/tools/scene.h"
 
 namespace felt {
@@ -41,7 +42,7 @@ Result<void> check_move(const MoveEvent& event);
 /// does: lines that share a point with them follow (MovedStrokes). The edit is empty if no stroke
 /// is wholly selected or the offset is 0. Fails if a stroke breaks an invariant at its new
 /// position. Requires an event that check_move() accepts.
-Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event);
+Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event, Followers followers);
 
 /// Moves the strokes that are wholly selected to the top or the bottom of their layers. The edit is
 /// empty if they are there already.

@@ -94,7 +94,8 @@ Result<void> Session::move_selected(std::int64_t time_ns, const MoveEvent& event
   if (Result<void> valid = check_move(event); !valid) return valid;
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  Result<MoveEdit> move = move_edit(scene(), event);
+  Result<MoveEdit> move = move_edit(
+      scene(), event, option_defaults_ < kFirmPushDefaults ? Followers::kStay : Followers::kFollow);
   if (!move) return tl::unexpected(move.error());
   if (move->edit.empty()) return {};
   const bool continues = moved_ && moved_->position == history_.position() &&

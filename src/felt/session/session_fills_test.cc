@@ -129,10 +129,6 @@ TEST(SessionFills, CopiesAndImportsTakeTheirFillsAlong) {
 
   const VisibleInk ink = visible_ink(f.session->document());
   FilledSquare other;
-  // Lines of a locked layer do not follow those that lie on them.
-  const LayerId under = other.session->document().layers().front().id;
-  other.must(LayerEvent{LayerEvent::Do::kAdd, {}, "Top"});
-  other.must(LayerEvent{LayerEvent::Do::kLock, under, {}});
   ASSERT_TRUE(other.session->import(other.now_ns, {"a.felt", true}, ink.strokes, ink.fills));
   EXPECT_EQ(other.session->document().fill_count(), 3U);
   EXPECT_EQ(other.session->selection().strokes().size(), 8U);
@@ -140,11 +136,8 @@ TEST(SessionFills, CopiesAndImportsTakeTheirFillsAlong) {
   for (const FillPtr& fill : ink.fills) EXPECT_EQ(fill->loops[0].pieces.size(), 4U);
   EXPECT_EQ(ink.fills[0]->loops[0].pieces[0].stroke, StrokeId{1});
   // The first imported fill lies exactly on the square that was there, and leaves it behind.
-  std::vector<FillId> ids;
-  for (const Layer& layer : other.session->document().layers()) {
-    ids.insert(ids.end(), layer.fills.begin(), layer.fills.end());
-  }
-  ASSERT_EQ(ids.size(), 3U);
+  const std::vector<FillId>& fills = other.session->document().layers().front().fills;
+  const std::vector<FillId> ids(fills.begin(), fills.end());
   std::vector<Rect> before;
   for (const FillId id : ids)
     before.push_back(fill_bounds(*other.session->document().find_fill(id)));

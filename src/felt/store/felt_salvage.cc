@@ -480,10 +480,6 @@ class Assembly {
 Result<Salvaged> salvage_felt_bytes(std::string_view bytes) {
   Result<Drawing> whole = parse_felt(bytes);
   if (whole) return Salvaged{*std::move(whole), {}};
-  if (bytes.size() > kMaxSalvageBytes) {
-    return fail(ErrorCode::kLimitExceeded,
-                whole.error().message + ", and is too large to be salvaged (over 512 MiB)");
-  }
   Findings findings;
   scan_rows(bytes, [&findings](const ScannedRow& row) { findings.take(row); });
   return Assembly(std::move(findings)).make(whole.error().message);

@@ -11,7 +11,8 @@
 
 namespace felt {
 
-/// Maximum size in bytes of a damaged file that is salvaged. It is in memory as a whole.
+/// Maximum size in bytes of a file that is salvaged although its first bytes are damaged, too. It
+/// is in memory as a whole.
 inline constexpr std::size_t kMaxSalvageBytes = std::size_t{512} << 20;
 
 /// Checks the first bytes of a file (HeadCheck). Returns kMaxFeltBytes if they are intact, and
@@ -35,8 +36,8 @@ struct Salvaged {
 /// are not recovered. The file is only read. If the file is intact, the result is the same as that
 /// of read_felt().
 ///
-/// Fails if the file cannot be read, is damaged and has more than kMaxSalvageBytes, or if no part
-/// of a drawing is found; the message begins with the path.
+/// Fails if the file cannot be read or is larger than check_salvage_head() allows, or if no part of
+/// a drawing is found; the message begins with the path.
 Result<Salvaged> salvage_felt(const std::string& path);
 /// Does the same with bytes in memory.
 Result<Salvaged> salvage_felt_bytes(std::string_view bytes);

@@ -56,20 +56,36 @@ double shortest_segment_mm(const Stroke& stroke, const Selection::Marks& marks) 
   return shortest;
 }
 
+/// Returns true if a line that is not selected has the same points as one that is: the selection
+/// was pasted in place, and what it touches belongs to the originals.
+bool lies_on_its_original(const Document& document, const StrokeIndex& index,
+                          const Selection& selection, const std::vector<MovedLine>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [&](const MovedLine& line) {
+    const std::vector<Point>& points = line.stroke->data().points;
+    Rect place;
+    place.extend(points.front());
+    const std::vector<StrokeId> near = index.strokes_in(place);
+    return std::any_of(near.begin(), near.end(), [&](StrokeId id) {
+      return id != line.id && !selection.strokes().contains(id) &&
+             document.find(id)->data().points == points;
+    });
+  });
+}
+
 }  // namespace
 
 MovedStrokes::MovedStrokes(const Document& document, const StrokeIndex& index,
-                           const Selection& selection, bool duplicates) {
+                           const Selection& selection, bool duplicates, Followers followers) {
   if (duplicates) {
     prepare_copies(document, selection);
   } else {
-    prepare_originals(document, index, selection);
+    prepare_originals(document, index, selection, followers);
   }
   min_scale_ = std::min(min_scale_, 1.0);
 }
 
 void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex& index,
-                                     const Selection& selection) {
+                                     const Selection& selection, Followers followers) {
   std::vector<MovedLine> lines;
   for (const auto& [id, marks] : selection.strokes()) {
     StrokePtr stroke = document.find(id);
@@ -79,7 +95,8 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
     close_marks(*lines.back().stroke, lines.back().marks);
   }
   selected_ = lines.size();
-  if (lines.size() <= kMaxConnected) {
+  if (followers == Followers::kFollow && lines.size() <= kMaxConnected &&
+      !lies_on_its_original(document, index, selection, lines)) {
     ConnectedLines connected = connected_lines(document, index, std::move(lines));
     lines = std::move(connected.lines);
     may_part_ = connected.may_part;

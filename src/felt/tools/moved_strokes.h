@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,10 @@
 #include "felt/tools/connected_pull.h"
 
 namespace felt {
+
+/// Whether lines that share a point with the selection follow it. They stay if the arrow keys move
+/// it in recordings of older versions.
+enum class Followers : std::uint8_t { kFollow, kStay };
 
 /// The selected strokes as they were at the touch, prepared for mapping (R33): strokes, marks and
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
@@ -41,11 +46,12 @@ class MovedStrokes {
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
   /// point: an end moves with the point, and a line on which an end lies gets a joint at that
-  /// point. The remaining parts of these strokes resist like the unselected part of a partly
+  /// point. Nothing follows a selection that was pasted onto its originals. The remaining parts of
+  /// the strokes that follow resist like the unselected part of a partly
   /// selected line. Strokes on locked layers stay. If an end of a moving line lies on such a
   /// stroke, this end stays too, unless the line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
-               bool duplicates);
+               bool duplicates, Followers followers = Followers::kFollow);
 
   [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
   /// Returns the fixed points that hold the selection (R34); empty for copies.
@@ -100,7 +106,7 @@ class MovedStrokes {
   };
 
   void prepare_originals(const Document& document, const StrokeIndex& index,
-                         const Selection& selection);
+                         const Selection& selection, Followers followers);
   void prepare_copies(const Document& document, const Selection& selection);
   void add(MovedLine line);
   [[nodiscard]] static StrokePtr moved(const Item& item, const Aim& aim);

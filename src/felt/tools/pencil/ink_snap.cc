@@ -23,9 +23,11 @@ constexpr double kSlowMmPerS = 100.0;
 /// If the pen is faster than this, the user flicks it off the surface or passes the target.
 constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
-/// The attraction is stronger than what a writing hand should feel at every end that it passes. So
-/// the pen must be slow for it to begin, and stay slow.
-constexpr double kFeltMmPerS = 40.0, kLetGoMmPerS = 60.0;
+/// A pen rests beside its target if it has been slower than the first speed for kRestS; it no
+/// longer does above the second. Writing hands pass many ends, and are that slow for a shorter
+/// time.
+constexpr double kRestMmPerS = 20.0, kLeavesMmPerS = 60.0;
+constexpr std::int64_t kRestNs = 150'000'000;
 constexpr double kMaxMeetMmPerS = 60.0;
 
 /// If the gap is less than kSureShare of the extent of an outline, the outline is closed from every
@@ -74,6 +76,7 @@ void InkSnap::begin(Point pen, std::int64_t time_ns, const SnapOptions& options,
   end(last_);
   options_ = options;
   is_drawing_ = true;
+  slow_since_ns_ = time_ns;
   track_.begin(pen, time_ns);
   crossings_from_ = pen;
   if (options.mode != SnapMode::kOff) find_begun_on(scene);
@@ -81,7 +84,7 @@ void InkSnap::begin(Point pen, std::int64_t time_ns, const SnapOptions& options,
 
 void InkSnap::end(std::optional<StrokeId> drawn) noexcept {
   last_ = drawn;
-  is_drawing_ = is_in_air_ = false;
+  is_drawing_ = is_in_air_ = rests_ = false;
   begun_on_.reset();
   begun_part_ = {};
   target_.reset();
@@ -106,6 +109,7 @@ void InkSnap::update(Point pen, std::int64_t time_ns, const SnapOptions& options
         find({r, 45.0, 0.5 * r, kCloseShare * r + early, kSureShare, false}, kMeetShare * r, scene);
     start_target_ = find_start(scene);
   }
+  follow_rest(time_ns);
   find_attraction(scene);
 }
 
@@ -290,6 +294,14 @@ std::optional<SnapTarget> InkSnap::find_start(const Scene& scene) const {
   return SnapTarget{{hit->stroke}, hit->point, true};
 }
 
+void InkSnap::follow_rest(std::int64_t time_ns) noexcept {
+  if (track_.speed_mm_per_s() > (rests_ ? kLeavesMmPerS : kRestMmPerS)) {
+    slow_since_ns_ = time_ns;
+    rests_ = false;
+  }
+  rests_ = rests_ || time_ns - slow_since_ns_ >= kRestNs;
+}
+
 void InkSnap::find_attraction(const Scene& scene) {
   if (!attracts(options_.mode)) {
     attraction_.reset();
@@ -298,13 +310,13 @@ void InkSnap::find_attraction(const Scene& scene) {
   if (attraction_) {
     const double gap = distance(track_.pen(), attraction_->point);
     const bool stays = is_still_there(*attraction_, scene.document) &&
-                       track_.speed_mm_per_s() <= kLetGoMmPerS &&
+                       track_.speed_mm_per_s() <= kMaxEndMmPerS &&
                        gap <= std::min(options_.reach_mm, closest_mm_ + kLeaveMm);
     closest_mm_ = std::min(closest_mm_, gap);
     if (stays) return;
     attraction_.reset();
   }
-  if (track_.speed_mm_per_s() > kFeltMmPerS) return;
+  if (!is_slow(options_.reach_mm)) return;
   const Aim on_surface{options_.reach_mm, 25.0, 0.4, options_.reach_mm, 0.0, true};
   const Aim in_air{std::min(options_.reach_mm, kAirReachMm), 12.0, 0.3, 0.0, 0.0, true};
   auto found =

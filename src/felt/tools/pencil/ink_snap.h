@@ -71,6 +71,9 @@ class InkSnap {
   }
   /// Returns the target that attracts the pen. Returns nullopt if attraction is off.
   [[nodiscard]] const std::optional<SnapTarget>& attraction() const noexcept { return attraction_; }
+  /// Returns true if the pen is on the page and has been slow for long enough to rest, or leaves
+  /// slowly.
+  [[nodiscard]] bool rests() const noexcept { return rests_; }
 
  private:
   /// Conditions on the distance and direction of the pen for a target.
@@ -89,6 +92,7 @@ class InkSnap {
 
   void find_begun_on(const Scene& scene);
   void note_crossings(const Scene& scene);
+  void follow_rest(std::int64_t time_ns) noexcept;
   void find_attraction(const Scene& scene);
   [[nodiscard]] bool is_heading_for(Point target, const Aim& aim) const noexcept;
   [[nodiscard]] bool is_slow(double gap_mm) const noexcept;
@@ -104,7 +108,8 @@ class InkSnap {
 
   SnapOptions options_;
   PenTrack track_;
-  bool is_drawing_ = false, is_in_air_ = false;
+  bool is_drawing_ = false, is_in_air_ = false, rests_ = false;
+  std::int64_t slow_since_ns_ = 0;
   std::optional<StrokeId> last_;   // the line just finished
   std::optional<TipId> begun_on_;  // the end nearest to the start, joined or not
   Part begun_part_;                // stroke of begun_on_, from its other end

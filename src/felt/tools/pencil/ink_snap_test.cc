@@ -92,6 +92,34 @@ TEST(InkSnap, R43_LinesOfAHatchingNeitherAttractNorSnap) {
   }
 }
 
+TEST(InkSnap, R70_APenRestsAfterItHasBeenSlowForAWhile) {
+  Fixture fixture;
+  InkSnap snap;
+  std::int64_t now_ns = 0;
+  Point pen{20, 50};
+  const auto move = [&](double mm_per_s, int ms) {
+    for (int i = 0; i < ms; ++i) {
+      pen.x += 1e-3 * mm_per_s;
+      snap.update(pen, now_ns += 1'000'000, kOptions, fixture.scene());
+    }
+  };
+  snap.begin(pen, now_ns, kOptions, fixture.scene());
+  move(100.0, 200);
+  EXPECT_FALSE(snap.rests());
+  move(10.0, 120);
+  EXPECT_FALSE(snap.rests()) << "the end of a letter";
+  move(10.0, 130);
+  EXPECT_TRUE(snap.rests());
+  move(40.0, 100);
+  EXPECT_TRUE(snap.rests()) << "it is drawn to the target";
+  move(100.0, 60);
+  EXPECT_FALSE(snap.rests());
+  move(0.0, 300);
+  EXPECT_TRUE(snap.rests());
+  snap.end(std::nullopt);
+  EXPECT_FALSE(snap.rests());
+}
+
 TEST(InkSnap, R43_AnEndAttractsThePenThatComesToItSlowly) {
   Fixture fixture;
   const StrokeId id = fixture.add(straight_stroke({50, 50}, {50, 90}, 1, 1));

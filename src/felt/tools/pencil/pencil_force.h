@@ -62,18 +62,18 @@ inline Medium felt_medium(const Medium& medium, double strength) {
   return felt;
 }
 
-enum class PenPlace : std::uint8_t { kInAir, kOnPage };
+enum class PenPace : std::uint8_t { kPasses, kRests };
 
-/// Returns the attraction of a target: the option `attraction_n` beyond what the device rubs, so
-/// that it moves a hand that would rest beside the target; in the air, half of the option. With all
-/// of it there, simulated people began 18 of 2,334 strokes at ends of other lines by mistake
-/// (`./dev bench feel --snapping`).
+/// Returns the attraction of a target. It draws a pen that rests beside the target with the option
+/// `attraction_n` beyond what the device rubs, so that it moves the hand, and a pen that may only
+/// pass with half of the option: with all of it, a soft hand that writes was drawn to the ends of
+/// other letters (`./dev bench feel --snapping`).
 inline WellShape attraction_of(const PencilSettings& settings, const Capabilities& device,
-                               PenPlace place) noexcept {
-  constexpr double kSlopeNPerMm = 0.3, kShareInAir = 0.5;
+                               PenPace pace) noexcept {
+  constexpr double kSlopeNPerMm = 0.3, kPassingShare = 0.5;
   SnapOptions snap = settings.snap;
-  if (place == PenPlace::kInAir) {
-    snap.force_n *= kShareInAir;
+  if (pace == PenPace::kPasses) {
+    snap.force_n *= kPassingShare;
   } else if (snap.force_n > 0.0) {
     snap.force_n += finite_positive(device.friction_n);
   }
@@ -102,13 +102,13 @@ inline PushClicks width_clicks(const PencilSettings& settings, const Scene& scen
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target,
                                     const std::optional<Point>& held_at = {},
-                                    PenPlace place = PenPlace::kOnPage) {
+                                    PenPace pace = PenPace::kPasses) {
   Medium material = felt_medium(medium_of(scene, settings.medium), settings.strength);
   if (scene.guide.softens_friction) material = guided_medium(std::move(material));
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
-  const WellShape shape = attraction_of(settings, scene.device, place);
+  const WellShape shape = attraction_of(settings, scene.device, pace);
   const PushClicks clicks = width_clicks(settings, scene);
   SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
   if (held_at) well = SnapWells(*held_at, hold_shape(settings.strength));

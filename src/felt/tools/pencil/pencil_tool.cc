@@ -354,8 +354,8 @@ std::optional<SnapTarget> PencilTool::attraction() const noexcept {
 
 ForceModel PencilTool::force(const Scene& scene) const {
   const auto held_at = in_gesture() ? shapes_.holds_at() : std::nullopt;
-  const PenPlace place = in_gesture() ? PenPlace::kOnPage : PenPlace::kInAir;
-  return make_pencil_force(settings_, scene, attraction(), held_at, place);
+  const PenPace pace = snap_.rests() ? PenPace::kRests : PenPace::kPasses;
+  return make_pencil_force(settings_, scene, attraction(), held_at, pace);
 }
 
 void PencilTool::draw_shapes(Overlay& overlay) const {
