@@ -25,17 +25,17 @@ constexpr Point kMiddle{60.0, 50.0};
 
 template <class Use>
 void for_each_device(Use use) {
-  int devices = 0;
+  int tried = 0;
   for (StylusPreset device : stylus_presets()) {
     if (!device.capabilities.has_force()) continue;
-    ++devices;
+    ++tried;
     SCOPED_TRACE(std::string(device.name));
     center_workspace(device.capabilities, kMiddle);
     testing::Fixture fixture;
     fixture.device = device.capabilities;
     use(device, fixture);
   }
-  EXPECT_GE(devices, 7);
+  EXPECT_GE(tried, 7);
 }
 
 PencilSettings pencil_as_shipped(std::string_view medium = "pencil") {

@@ -7771,8 +7771,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>weicher Bleistift</translation>
     </message>
     <message>
-        <source>Force that draws the pen to its target.</source>
-        <translation>Kraft, die den Stift zu seinem Ziel zieht.</translation>
+        <source>Force that draws a slow pen to its target, beyond the friction of the device.</source>
+        <translation>Kraft, die einen langsamen Stift zu seinem Ziel zieht, über die Reibung des Geräts hinaus.</translation>
     </message>
     <message>
         <source>How near to its target a line that is meant to meet it is connected.</source>

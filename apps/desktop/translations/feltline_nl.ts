@@ -7771,8 +7771,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>zacht potlood</translation>
     </message>
     <message>
-        <source>Force that draws the pen to its target.</source>
-        <translation>Kracht die de pen naar zijn doel trekt.</translation>
+        <source>Force that draws a slow pen to its target, beyond the friction of the device.</source>
+        <translation>Kracht die een langzame pen naar zijn doel trekt, boven op de wrijving van het apparaat.</translation>
     </message>
     <message>
         <source>How near to its target a line that is meant to meet it is connected.</source>
