@@ -23,12 +23,13 @@ constexpr double kSlowMmPerS = 100.0;
 /// If the pen is faster than this, the user flicks it off the surface or passes the target.
 constexpr double kMaxEndMmPerS = 150.0;
 constexpr double kMaxCloseMmPerS = 400.0;
-/// A pen rests beside its target if it has been slower than the first speed for kRestS; it no
+constexpr double kMaxMeetMmPerS = 60.0;
+
+/// A pen rests beside its target if it has been slower than the first speed for kRestNs; it no
 /// longer does above the second. Writing hands pass many ends, and are that slow for a shorter
 /// time.
 constexpr double kRestMmPerS = 20.0, kLeavesMmPerS = 60.0;
 constexpr std::int64_t kRestNs = 150'000'000;
-constexpr double kMaxMeetMmPerS = 60.0;
 
 /// If the gap is less than kSureShare of the extent of an outline, the outline is closed from every
 /// direction.
