@@ -20,7 +20,7 @@ void FileActions::start_autosave(const QStringList& roots) {
 /// Reports what was added to the drawing. The autosave has the names of strokes only since it
 /// began.
 void FileActions::report_added(const QString& name, const ImportReport& report) {
-  if (autosave_ && !autosave_->has_names(names_)) autosave_->begin(display_name(), path_);
+  if (autosave_ && !autosave_->has_names(names_)) autosave_->begin(display_name(), {});
   Q_EMIT taken(name, report);
 }
 

@@ -84,14 +84,15 @@ StudioAutosave::~StudioAutosave() {
   autosave_.reset();
 }
 
-void StudioAutosave::begin(const QString& name, const QString& path) {
+void StudioAutosave::begin(const QString& name, const std::optional<QString>& path) {
   is_discarded_ = false;
   head_timer_.stop();
   Drawing drawing = current_();
   note_media(drawing);
   names_ = drawing.names;
   autosave_->session_began(studio_->session(), std::move(drawing), name.toStdString(),
-                           path.toStdString(), studio_->is_modified());
+                           path ? std::optional(path->toStdString()) : std::nullopt,
+                           studio_->is_modified());
 }
 
 void StudioAutosave::rename(const QString& name, const QString& path) {

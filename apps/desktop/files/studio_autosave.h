@@ -36,7 +36,8 @@ class StudioAutosave : public QObject {
   ~StudioAutosave() override;
 
   /// Starts the autosave of another drawing, named `name`, with its file `path`, which may be "".
-  void begin(const QString& name, const QString& path);
+  /// If `path` is nullopt, it is the same drawing with more names of strokes.
+  void begin(const QString& name, const std::optional<QString>& path);
   /// Updates name and path after a save. Whether the drawing has unsaved changes is stored
   /// separately, whenever Studio::is_modified() changes.
   void rename(const QString& name, const QString& path);

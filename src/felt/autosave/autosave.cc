@@ -48,7 +48,7 @@ std::vector<Event> context_of(const Session& session) {
   const auto add_option = [&](const std::string& id) {
     if (const Result<OptionValue> value = session.option(id)) add(SetOption{id, *value});
   };
-  add(UseDevice{session.device()});
+  add(UseDevice{session.device(), session.option_defaults()});
   for (const AnyMaterial& own : not_built_in(session.materials())) {
     add(UseMaterial{write_material(own)});
   }
@@ -84,7 +84,7 @@ Autosave::~Autosave() {
 }
 
 void Autosave::session_began(const Session& session, Drawing drawing, std::string name,
-                             std::string path, bool modified) {
+                             std::optional<std::string> path, bool modified) {
   layer_ = layer_of_ink(session);
   selection_count_ = 0;
   post({.drawing = std::make_unique<Drawing>(std::move(drawing)),
@@ -248,7 +248,14 @@ void Autosave::process() {
 }
 
 void Autosave::apply(AutosaveMessage& message) {
-  if (message.drawing) replace_drawing(std::move(*message.drawing));
+  if (message.drawing) {
+    AutosaveInfo last = std::move(info_);
+    replace_drawing(std::move(*message.drawing));
+    if (!message.path) {
+      info_.path = std::move(last.path);
+      info_.stamp = last.stamp;
+    }
+  }
   if (message.head) {
     message.head->document = std::move(drawing_.document);
     message.head->layer = drawing_.layer;

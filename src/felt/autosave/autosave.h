@@ -116,9 +116,10 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// Starts saving a session that has this drawing.
-  void session_began(const Session& session, Drawing drawing, std::string name, std::string path,
-                     bool modified);
+  /// Starts saving a session that has this drawing. `path` is as in AutosaveMessage; nullopt if the
+  /// file was neither read nor saved since the last path.
+  void session_began(const Session& session, Drawing drawing, std::string name,
+                     std::optional<std::string> path, bool modified);
   /// Queues an event that the session accepted. Call from SessionOptions::on_event.
   void event_applied(const Session& session, const Event& event);
   /// Queues an edit that the document applied. Call from SessionOptions::on_edit.

@@ -327,7 +327,8 @@ class Assembly {
     for (const PenSample& sample : stretch.overhang) {
       if (sample.time_ns <= reported_ns) continue;
       reported_ns = sample.time_ns;
-      if (!session.sample(sample)) break;
+      const Result<void> done = session.sample(sample);
+      if (!done && done.error().code != ErrorCode::kLimitExceeded) break;
     }
     static_cast<void>(session.finish());
     out_.last_sample_ns = reported_ns;

@@ -125,7 +125,7 @@ Result<std::size_t> check_drawing_head(std::string_view head, std::uint64_t size
   if (!format_of_bytes(head.substr(0, kFormatHeadBytes))) return kMaxUnrecognisedBytes;
   const bool is_script =
       *format == FileFormat::kNdjson && ndjson_content(head) == NdjsonContent::kEvents;
-  return is_script ? kMaxFeltBytes : kMaxDrawingBytes;
+  return kMaxDrawingBytes;
 }
 
 Result<Imported> parse_drawing(std::string_view bytes, const std::string& path,

@@ -73,6 +73,34 @@ TEST(MoveEvents, R33_APastedCopyLeavesItsOriginalsBehind) {
   }
 }
 
+// A copy that has moved a little along its original touches it, and a line that is only passed does
+// so for one key.
+TEST(MoveEvents, R33_WhatTheSelectionPassesStays) {
+  Connected f;
+  const Document before = f.session->document();
+  const std::vector<StrokePtr> some{visible_ink(before).strokes.front()};
+  f.must(SelectStrokes{SelectStrokes::What::kNone});
+  ASSERT_TRUE(f.session->import(f.now_ns, {"copy", true}, some));
+  for (int i = 0; i < 4; ++i) f.must(MoveEvent{{1, 0}});
+  for (int i = 0; i < 12; ++i) f.must(MoveEvent{{0, 1}});
+  for (std::uint64_t id = 1; id <= 4; ++id) {
+    EXPECT_EQ(f.session->document().find({id})->data(), before.find({id})->data()) << id;
+  }
+  EXPECT_EQ(f.at(5, 0), (Point{4, 12}));
+  f.must(UndoEvent{});
+  EXPECT_EQ(f.session->document().find({5})->data().points, some.front()->data().points);
+}
+
+TEST(MoveEvents, R33_AnotherSelectionIsAMoveOfItsOwn) {
+  Connected f;
+  f.must(MoveEvent{{0, 1}});
+  f.must(SelectStrokes{SelectStrokes::What::kInvert});
+  const Point at = f.at(1, 0.5);
+  f.must(MoveEvent{{20, 0}});
+  EXPECT_EQ(f.session->history().undo_count(), 2U);
+  EXPECT_NEAR(f.at(1, 0.5).y, at.y, 1e-9);
+}
+
 TEST(MoveEvents, R33_LinesStayInRecordingsOfOlderVersions) {
   Connected f;
   f.must(UseDevice{{}, kFirmPushDefaults - 1});

@@ -10,6 +10,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/edit/mend_joints.h"
 
 namespace felt {
 namespace {
@@ -126,20 +127,38 @@ Result<void> check_move(const MoveEvent& event) {
   return fail(ErrorCode::kInvalidArgument, "move: is farther than 10000 mm");
 }
 
-Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event, Followers followers) {
+Result<MoveEdit> move_edit(const Scene& scene, Vec by_mm) {
   Selection whole;
   for (const auto& [id, marks] : scene.selection.strokes()) {
     if (scene.selection.is_whole(id)) whole.set_whole(id, marks.size());
   }
-  const MovedStrokes strokes(scene.document, scene.index, whole, false, followers);
-  if (strokes.empty() || event.by_mm == Vec{}) return MoveEdit{};
-  MoveEdit move{strokes.finished(translation(event.by_mm), 1.0, "Move")};
+  const MovedStrokes strokes(scene.document, scene.index, whole, false);
+  if (strokes.empty() || by_mm == Vec{}) return MoveEdit{};
+  MoveEdit move{strokes.finished(translation(by_mm), 1.0, "Move")};
   if (move.edit.empty()) {
-    return fail(ErrorCode::kInvalidArgument, "move: a line cannot be drawn at its new position");
+    // Far from the origin, rounding may break an invariant, which this mends.
+    Result<Edit> alone = move_alone_edit(scene.document, scene.selection, by_mm);
+    if (!alone) return tl::unexpected(alone.error());
+    return MoveEdit{*std::move(alone)};
   }
   if (auto pull = strokes.connected_pull()) pull->complete(move.edit, scene);
   move.selection = strokes.selection_after(move.edit, scene.selection);
   return move;
+}
+
+Result<Edit> move_alone_edit(const Document& document, const Selection& selection, Vec by_mm) {
+  EditBuilder builder(document);
+  if (by_mm == Vec{}) return std::move(builder).build("Move");
+  for (const auto& [id, marks] : selection.strokes()) {
+    if (!selection.is_whole(id)) continue;
+    StrokeData data = document.find(id)->data();
+    for (Point& p : data.points) p = p + by_mm;
+    mend_rounding(data);
+    Result<Stroke> moved = Stroke::create(std::move(data));
+    if (!moved) return tl::unexpected(with_context(moved.error(), "move"));
+    builder.replace(id, std::make_shared<const Stroke>(*std::move(moved)));
+  }
+  return std::move(builder).build("Move");
 }
 
 Edit order_edit(const Document& document, const Selection& selection, OrderEvent::To to) {

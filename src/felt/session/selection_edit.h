@@ -42,7 +42,9 @@ Result<void> check_move(const MoveEvent& event);
 /// does: lines that share a point with them follow (MovedStrokes). The edit is empty if no stroke
 /// is wholly selected or the offset is 0. Fails if a stroke breaks an invariant at its new
 /// position. Requires an event that check_move() accepts.
-Result<MoveEdit> move_edit(const Scene& scene, const MoveEvent& event, Followers followers);
+Result<MoveEdit> move_edit(const Scene& scene, Vec by_mm);
+/// Moves the strokes that are wholly selected, and no others. Fails as move_edit().
+Result<Edit> move_alone_edit(const Document& document, const Selection& selection, Vec by_mm);
 
 /// Moves the strokes that are wholly selected to the top or the bottom of their layers. The edit is
 /// empty if they are there already.

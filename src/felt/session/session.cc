@@ -466,7 +466,8 @@ Scene Session::scene() const {
           size ? size->mm : Scene::kUsualInkWidthMm,
           parts_->visible_guides,
           option_defaults_ < kFirmPushDefaults ? kOldFeltWidthToleranceMm
-                                               : Scene::kFeltWidthToleranceMm};
+                                               : Scene::kFeltWidthToleranceMm,
+          option_defaults_ >= kFirmPushDefaults};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

@@ -199,6 +199,7 @@ class Session {
   Result<void> delete_selected();
   Result<void> duplicate_selected();
   Result<void> move_selected(std::int64_t time_ns, const MoveEvent& event);
+  Result<void> move_connected(std::int64_t time_ns, Vec by_mm);
   Result<void> order_selected(OrderEvent::To to);
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
@@ -266,12 +267,7 @@ class Session {
   bool pen_is_down_ = false;
   // The pen has touched the surface, and the gesture has no result yet.
   bool gesture_is_open_ = false;
-  // The last move or timing event, and the position in the history after it.
-  struct Moved {
-    std::int64_t time_ns;
-    std::uint64_t position;
-  };
-  std::optional<Moved> moved_;
+  std::optional<RecentChange> moved_;  // by the last move or timing event
   // The edit that shows the last line as drawn, and the position in the history before it.
   struct AsDrawn {
     Edit edit;

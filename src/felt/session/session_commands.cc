@@ -94,16 +94,44 @@ Result<void> Session::move_selected(std::int64_t time_ns, const MoveEvent& event
   if (Result<void> valid = check_move(event); !valid) return valid;
   if (gesture_in_progress()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  Result<MoveEdit> move = move_edit(
-      scene(), event, option_defaults_ < kFirmPushDefaults ? Followers::kStay : Followers::kFollow);
-  if (!move) return tl::unexpected(move.error());
-  if (move->edit.empty()) return {};
+  if (option_defaults_ >= kFirmPushDefaults) return move_connected(time_ns, event.by_mm);
+  Result<Edit> edit = move_alone_edit(document_, selection_, event.by_mm);
+  if (!edit) return tl::unexpected(edit.error());
+  if (edit->empty()) return {};
   const bool continues = moved_ && moved_->position == history_.position() &&
                          time_ns - moved_->time_ns <= MoveEvent::kTogetherNs;
-  Result<void> done =
-      continues ? commit_with_previous(std::move(move->edit)) : commit(std::move(move->edit));
+  Result<void> done = continues ? commit_with_previous(*std::move(edit)) : commit(*std::move(edit));
+  moved_ = RecentChange{time_ns, history_.position()};
+  return done;
+}
+
+/// Moves the selected strokes and those that follow. Moves in quick succession are one move of the
+/// drawing before the first of them, so that lines which are only passed do not follow.
+Result<void> Session::move_connected(std::int64_t time_ns, Vec by_mm) {
+  const bool continues = moved_ && moved_->after == selection_ && history_.can_undo() &&
+                         moved_->position == history_.position() && !history_.can_redo() &&
+                         time_ns - moved_->time_ns <= MoveEvent::kTogetherNs;
+  RecentChange change{time_ns, 0, by_mm, selection_};
+  if (continues) {
+    change.by_mm += moved_->by_mm;
+    change.before = moved_->before;
+    const Result<Edit> undone = history_.undo(document_);
+    if (!undone) return tl::unexpected(undone.error());
+    follow(*undone);
+    set_selection(*change.before);
+  }
+  Result<MoveEdit> move = move_edit(scene(), change.by_mm);
+  if (!move && continues) {
+    if (const Result<Edit> redone = history_.redo(document_); redone) follow(*redone);
+    set_selection(*moved_->after);
+  }
+  if (!move) return tl::unexpected(move.error());
+  if (move->edit.empty()) return {};
+  Result<void> done = commit(std::move(move->edit));
   if (done && move->selection) set_selection(*std::move(move->selection));
-  moved_ = Moved{time_ns, history_.position()};
+  change.position = history_.position();
+  change.after = selection_;
+  moved_ = std::move(change);
   return done;
 }
 
@@ -185,7 +213,7 @@ Result<void> Session::change_timing(std::int64_t time_ns, const TimingEvent& eve
   const bool continues = !event.pairs && moved_ && moved_->position == history_.position() &&
                          time_ns - moved_->time_ns <= TimingEvent::kTogetherNs;
   Result<void> done = continues ? commit_with_previous(*std::move(edit)) : commit(*std::move(edit));
-  if (!event.pairs) moved_ = Moved{time_ns, history_.position()};
+  if (!event.pairs) moved_ = RecentChange{time_ns, history_.position()};
   return done;
 }
 

@@ -13,6 +13,15 @@
 
 namespace felt {
 
+/// The last move or timing event. Those in quick succession are one step of undo.
+struct RecentChange {
+  std::int64_t time_ns = 0;
+  std::uint64_t position = 0;  ///< in the history, after it
+  // Of moves with the lines that follow.
+  Vec by_mm{};                                       ///< of all in quick succession
+  std::optional<Selection> before = {}, after = {};  ///< the selection before the first, and now
+};
+
 /// Counts the gestures that changed nothing because the drawing would have exceeded a limit: a line
 /// that would need one more layer (kMaxLayers), or a drag that would make copies (check_copies).
 struct Refusals {

@@ -309,6 +309,26 @@ TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
   }
 }
 
+TEST(Session, R14_RecordingsOfOlderVersionsKeepTheirPush) {
+  for (const int version : {kFirmPushDefaults - 1, kFirmPushDefaults}) {
+    Session session(make_tools(), {});
+    const bool is_old = version < kFirmPushDefaults;
+    const Capabilities strong{.max_force_n = 12.0, .continuous_force_n = 12.0};
+    ASSERT_TRUE(session.apply({0, UseDevice{strong, version}}));
+    EXPECT_EQ(session.device().full_push_n, is_old ? 2.0 : 1.2);
+    std::int64_t now_ns = 0;
+    for (int i = 0; i <= 400; ++i) {
+      const double depth_mm = i < 400 ? 2.0 : -3.0;  // 1 N on paper
+      ASSERT_TRUE(session.apply({now_ns += 1'000'000, PenEvent{{0.1 * i, 0.0, -depth_mm}, {}}}));
+    }
+    ASSERT_TRUE(session.finish());
+    const StrokePtr line = session.document().find({1});
+    ASSERT_TRUE(line);
+    EXPECT_NEAR(line->width_mm(0.5 * line->segment_count()), 0.3 + 5.7 * 0.9 / (is_old ? 1.9 : 1.1),
+                0.2);
+  }
+}
+
 TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {
   Fixture fixture;
   fixture.line(0, 0);

@@ -75,17 +75,17 @@ bool lies_on_its_original(const Document& document, const StrokeIndex& index,
 }  // namespace
 
 MovedStrokes::MovedStrokes(const Document& document, const StrokeIndex& index,
-                           const Selection& selection, bool duplicates, Followers followers) {
+                           const Selection& selection, bool duplicates, bool leaves_originals) {
   if (duplicates) {
     prepare_copies(document, selection);
   } else {
-    prepare_originals(document, index, selection, followers);
+    prepare_originals(document, index, selection, leaves_originals);
   }
   min_scale_ = std::min(min_scale_, 1.0);
 }
 
 void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex& index,
-                                     const Selection& selection, Followers followers) {
+                                     const Selection& selection, bool leaves_originals) {
   std::vector<MovedLine> lines;
   for (const auto& [id, marks] : selection.strokes()) {
     StrokePtr stroke = document.find(id);
@@ -95,8 +95,9 @@ void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex
     close_marks(*lines.back().stroke, lines.back().marks);
   }
   selected_ = lines.size();
-  if (followers == Followers::kFollow && lines.size() <= kMaxConnected &&
-      !lies_on_its_original(document, index, selection, lines)) {
+  const bool are_copies =
+      leaves_originals && lies_on_its_original(document, index, selection, lines);
+  if (lines.size() <= kMaxConnected && !are_copies) {
     ConnectedLines connected = connected_lines(document, index, std::move(lines));
     lines = std::move(connected.lines);
     may_part_ = connected.may_part;

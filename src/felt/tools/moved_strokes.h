@@ -18,10 +18,6 @@
 
 namespace felt {
 
-/// Whether lines that share a point with the selection follow it. They stay if the arrow keys move
-/// it in recordings of older versions.
-enum class Followers : std::uint8_t { kFollow, kStay };
-
 /// The selected strokes as they were at the touch, prepared for mapping (R33): strokes, marks and
 /// positions in the layers are looked up once, in time linear in the selection and its layers.
 ///
@@ -46,12 +42,13 @@ class MovedStrokes {
   ///
   /// Strokes that are not selected but share a point (junctions.h) with moving ink follow at that
   /// point: an end moves with the point, and a line on which an end lies gets a joint at that
-  /// point. Nothing follows a selection that was pasted onto its originals. The remaining parts of
+  /// point. If `leaves_originals`, nothing
+  /// follows a selection of which a line was pasted onto its original. The remaining parts of
   /// the strokes that follow resist like the unselected part of a partly
   /// selected line. Strokes on locked layers stay. If an end of a moving line lies on such a
   /// stroke, this end stays too, unless the line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
-               bool duplicates, Followers followers = Followers::kFollow);
+               bool duplicates, bool leaves_originals = true);
 
   [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
   /// Returns the fixed points that hold the selection (R34); empty for copies.
@@ -106,7 +103,7 @@ class MovedStrokes {
   };
 
   void prepare_originals(const Document& document, const StrokeIndex& index,
-                         const Selection& selection, Followers followers);
+                         const Selection& selection, bool leaves_originals);
   void prepare_copies(const Document& document, const Selection& selection);
   void add(MovedLine line);
   [[nodiscard]] static StrokePtr moved(const Item& item, const Aim& aim);

@@ -49,6 +49,9 @@ struct Scene {
   /// Largest error of the fitted width of a line on a surface that is felt, mm. Recordings of older
   /// versions have another.
   double felt_width_tolerance_mm = kFeltWidthToleranceMm;
+  /// If true, lines that were pasted in place can be moved without their originals
+  /// (MovedStrokes). False in recordings of older versions.
+  bool copies_leave_originals = true;
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

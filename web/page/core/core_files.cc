@@ -35,7 +35,7 @@ void Core::rebase() {
   base = base_of(studio);
   written_.clear();
   const std::int64_t now = studio.now_ns();
-  append_event_line(written_, {now, UseDevice{session.device()}});
+  append_event_line(written_, {now, UseDevice{session.device(), session.option_defaults()}});
   for (const std::string& id : session.option_ids()) {
     const Result<OptionValue> value = session.option(id);
     if (value) append_event_line(written_, {now, SetOption{id, *value}});

@@ -95,7 +95,7 @@ double firm_push_n(const Capabilities& device) noexcept {
   const SafetyLimits limits = limits_for(device);
   double held_n = sustained_force_n(limits);
   if (limits.peak_force_n > 0.0) held_n = std::min(held_n, limits.peak_force_n);
-  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kMinN, device.full_push_n);
+  return std::max(kMinN, std::min(held_n / std::sqrt(1.0 + kSlides * kSlides), device.full_push_n));
 }
 
 double flattening_push_n(const Capabilities& device) noexcept {

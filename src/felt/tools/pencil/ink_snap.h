@@ -52,6 +52,8 @@ class InkSnap {
   /// If the pen stops within this distance of another line, relative to the snap radius, the two
   /// lines meet.
   static constexpr double kMeetShare = 0.3;
+  /// A pen that has come this near has reached the target that attracts it.
+  static constexpr double kReachedMm = 0.3;
 
   /// Handles a hover sample. `is_near` says whether the pen is near the surface.
   void hover(Point pen, std::int64_t time_ns, bool is_near, const SnapOptions& options,
@@ -72,8 +74,10 @@ class InkSnap {
   /// Returns the target that attracts the pen. Returns nullopt if attraction is off.
   [[nodiscard]] const std::optional<SnapTarget>& attraction() const noexcept { return attraction_; }
   /// Returns true if the pen is on the page and has been slow for long enough to rest, or leaves
-  /// slowly.
-  [[nodiscard]] bool rests() const noexcept { return rests_; }
+  /// slowly, and has not been at attraction() yet. A target that has been reached lets the pen go.
+  [[nodiscard]] bool rests() const noexcept {
+    return rests_ && (!attraction_ || closest_mm_ > kReachedMm);
+  }
 
  private:
   /// Conditions on the distance and direction of the pen for a target.

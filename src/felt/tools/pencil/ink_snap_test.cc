@@ -92,8 +92,29 @@ TEST(InkSnap, R43_LinesOfAHatchingNeitherAttractNorSnap) {
   }
 }
 
+TEST(InkSnap, R70_ATargetThatIsReachedLetsThePenGo) {
+  Fixture fixture;
+  fixture.add(straight_stroke({50, 50}, {50, 90}, 1, 1));
+  Line slow{fixture};
+  slow.draw(way({20, 50}, {49, 50}));
+  ASSERT_TRUE(slow.snap.attraction());
+  const auto rest = [&](Point pen) {
+    for (int i = 0; i < 300; ++i) {
+      slow.snap.update(pen, slow.now_ns += 1'000'000, kOptions, fixture.scene());
+    }
+  };
+  rest({49, 50});
+  EXPECT_TRUE(slow.snap.rests());
+  rest({49.9, 50});
+  EXPECT_FALSE(slow.snap.rests());
+  rest({49, 50});
+  ASSERT_TRUE(slow.snap.attraction());
+  EXPECT_FALSE(slow.snap.rests()) << "it goes away again";
+}
+
 TEST(InkSnap, R70_APenRestsAfterItHasBeenSlowForAWhile) {
   Fixture fixture;
+  fixture.add(straight_stroke({80, 50}, {80, 90}, 1, 1));
   InkSnap snap;
   std::int64_t now_ns = 0;
   Point pen{20, 50};

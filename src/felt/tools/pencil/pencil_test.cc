@@ -441,6 +441,29 @@ TEST(Pencil, R43_TheForceIsZeroAtTheTargetAndOutOfReach) {
   EXPECT_NEAR(pull(1.3, "force"), 0.1, 1e-12);
 }
 
+TEST(Pencil, R70_ATargetDrawsAPenThatRestsBesideItBeyondTheFrictionOfTheDevice) {
+  Pencil p;
+  p.fixture.device.friction_n = 0.26;
+  p.fixture.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+  p.pen.step_ns = 2'500'000;
+  for (double x = 20.0; x < 48.5; x += 0.1) p.pen.down({x, 50});
+  const auto pull_n = [&] {
+    ForceMemory memory;
+    memory.begin_tick(1e-3);
+    PenSample sample;
+    sample.position = {48.5, 50, 1.0};  // above the surface, without friction
+    static_cast<void>(p.tool.force(p.fixture.scene())(sample, memory));
+    for (const ForceTerms::Term& term : memory.terms) {
+      if (std::string_view(term.name) == "snap") return term.force.x;
+    }
+    return 0.0;
+  };
+  for (int i = 0; i < 20; ++i) p.pen.down({48.5, 50});
+  EXPECT_NEAR(pull_n(), 0.1, 1e-9) << "it may only pass";
+  for (int i = 0; i < 80; ++i) p.pen.down({48.5, 50});
+  EXPECT_GE(pull_n(), 0.44);
+}
+
 TEST(Pencil, R44_AShortScribbleInsideReachNeverCloses) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     testing::RandomStroke random(seed);

@@ -193,7 +193,8 @@ void TransformTool::hold_stroke(const Scene& scene, std::uint32_t buttons) {
 void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Selection& selection,
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
-  strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
+  strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_,
+                          scene.copies_leave_originals);
   connected_ = strokes_.connected_pull();
   completion_ns_ = 0.0;
   drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.min_scale());

@@ -27,13 +27,13 @@ struct WidthStops {
 ///
 ///   F = K max(harder d, lighter min(d, d0)) - B vz,   |B vz| at most the spring
 ///
-/// So at the broadest width the surface is stiffer: by a seventh on the softest devices, which can
-/// be felt (a difference of 8 to 13 %, docs/design/forces.md#width-stop). At the thinnest width,
-/// the user needs more force to press down to the depth d0, beyond which the width grows again: a
-/// detent. The force is zero at the surface, never pulls inwards, and is continuous. The force of
-/// both springs depends only on the depth, so they are passive. WidthStop must come after the plane
-/// in the chain, because it reads the normal speed that the plane computes. K is the part of the
-/// device's stiffness that the plane does not use (see width_stop_stiffness).
+/// So at the broadest width the surface is stiffer: by a quarter on paper on the softest devices,
+/// which can be felt (a difference of 8 to 13 %, docs/design/forces.md#width-stop). At the thinnest
+/// width, the user needs more force to press down to the depth d0, beyond which the width grows
+/// again: a detent. The force is zero at the surface, never pulls inwards, and is continuous. The
+/// force of both springs depends only on the depth, so they are passive. WidthStop must come after
+/// the plane in the chain, because it reads the normal speed that the plane computes. K is the part
+/// of the device's stiffness that the plane does not use (see width_stop_stiffness).
 class WidthStop {
  public:
   WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept
