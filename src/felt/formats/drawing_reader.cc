@@ -123,8 +123,6 @@ Result<std::size_t> check_drawing_head(std::string_view head, std::uint64_t size
     return salvage ? check_salvage_head(head, size) : check_felt_head(head, size);
   }
   if (!format_of_bytes(head.substr(0, kFormatHeadBytes))) return kMaxUnrecognisedBytes;
-  const bool is_script =
-      *format == FileFormat::kNdjson && ndjson_content(head) == NdjsonContent::kEvents;
   return kMaxDrawingBytes;
 }
 
