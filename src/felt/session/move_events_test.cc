@@ -126,7 +126,7 @@ TEST(MoveEvents, R33_ADragOfTheSameLengthGivesTheSame) {
   for (int i = 0; i <= 40; ++i) drag.must(PenEvent{{3, 0.1 * i, -1}, {}, 0});
   drag.must(PenEvent{{3, 4, 5}, {}, 0});
   drag.must(SelectTool{"pencil"});
-  for (const std::uint64_t id : {1, 2, 3, 4}) {
+  for (const std::uint64_t id : {1U, 2U, 3U, 4U}) {
     const int n = keys.session->document().find({id})->segment_count();
     ASSERT_EQ(drag.session->document().find({id})->segment_count(), n) << id;
     for (int i = 0; i <= 4 * n; ++i) {
