@@ -29,7 +29,7 @@ constexpr double kMaxMeetMmPerS = 60.0;
 /// longer does above the second. Writing hands pass many ends, and are that slow for a shorter
 /// time.
 constexpr double kRestMmPerS = 20.0, kLeavesMmPerS = 60.0;
-constexpr std::int64_t kRestNs = 150'000'000;
+constexpr double kRestNs = 150e6;
 
 /// If the gap is less than kSureShare of the extent of an outline, the outline is closed from every
 /// direction.
@@ -300,7 +300,9 @@ void InkSnap::follow_rest(std::int64_t time_ns) noexcept {
     slow_since_ns_ = time_ns;
     rests_ = false;
   }
-  rests_ = rests_ || time_ns - slow_since_ns_ >= kRestNs;
+  // Subtracts in double, because the difference of two arbitrary times may not fit into 64 bits.
+  const double slow_ns = static_cast<double>(time_ns) - static_cast<double>(slow_since_ns_);
+  rests_ = rests_ || slow_ns >= kRestNs;
 }
 
 void InkSnap::find_attraction(const Scene& scene) {
