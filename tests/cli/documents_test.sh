@@ -187,7 +187,7 @@ run 0 "$feltline" convert kept.inkml -o from_ink.felt
 run 0 "$feltline" convert from_ink.felt -o round.ndjson
 has err "round.ndjson: 1 stroke with flat ends or pointed corners became round"
 
-# A huge file that is no drawing is refused by its first bytes, without reading the rest of it.
+# The first bytes decide: the rest of a huge file of zeros is not read.
 truncate -s 2000M zeros.felt
 run 1 limit_memory 400000 "$feltline" info zeros.felt
 has err "zeros.felt: is not a Feltline drawing"

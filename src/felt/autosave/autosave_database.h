@@ -33,10 +33,10 @@ struct AutosaveInfo {
   bool modified = false;  ///< true if the drawing has unsaved changes
   /// Page, colour, palette, view, materials and active layer. The document of `head` is ignored.
   Drawing head;
-  /// Stamp of the user's file when it was last read or saved; absent if there is no file.
+  /// Stamp of the user's file when it was last read or saved; nullopt if there is no file.
   std::optional<FileStamp> stamp{};
-  /// True if the drawing has extras, which only the user's file contains; absent if the autosave is
-  /// of a version that did not note it.
+  /// True if the drawing has extras, which only the user's file contains; nullopt if the autosave
+  /// is of a version that did not note it.
   std::optional<bool> has_extras{};
 };
 

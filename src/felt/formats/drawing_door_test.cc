@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "felt/base/atomic_file.h"
+#include "felt/base/testing/test_folder.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
@@ -21,25 +22,19 @@ namespace {
 using felt::testing::by_value;
 using felt::testing::random_drawing;
 using felt::testing::strokes_in;
+using felt::testing::TestFolder;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A folder that is deleted after the test.
 class Door : public ::testing::Test {
  protected:
-  Door() {
-    std::string name = (std::filesystem::temp_directory_path() / "felt-door-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Door() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_.at(name); }
   [[nodiscard]] std::string put(const std::string& name, std::string_view bytes) const {
-    EXPECT_TRUE(write_file(at(name), bytes));
-    return at(name);
+    return folder_.put(name, bytes);
   }
 
  private:
-  std::string folder_;
+  TestFolder folder_;
 };
 
 std::string message(const Result<Imported>& result) {

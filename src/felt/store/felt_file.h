@@ -20,8 +20,8 @@ inline constexpr std::uint32_t kFeltVersion = 1;
 /// Maximum size in bytes of a file that is read or written.
 inline constexpr std::size_t kMaxFeltBytes = std::size_t{2} << 30;
 
-/// Checks the first bytes of a file (HeadCheck), so that a file that is no drawing is not read as a
-/// whole. Returns kMaxFeltBytes.
+/// Checks the first bytes of a file (HeadCheck), so that other files are refused before they are
+/// read. Returns kMaxFeltBytes.
 Result<std::size_t> check_felt_head(std::string_view head, std::uint64_t size);
 
 /// Reads a drawing (docs/formats/felt.md) exactly as it was written, including the highest ids that

@@ -1,38 +1,20 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "felt/autosave/autosave.h"
 #include "felt/autosave/recovery.h"
+#include "felt/base/testing/test_folder.h"
 #include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 
 namespace felt::testing {
-
-/// A folder that is deleted after the test. It is in memory if the machine has such a file system,
-/// because thousands of commits would wait for a disk otherwise.
-struct TestFolder {
-  TestFolder() {
-    const bool has_memory = ::access("/dev/shm", W_OK) == 0;
-    std::string name = (has_memory ? "/dev/shm/" : ::testing::TempDir()) + "felt-store-XXXXXX";
-    path = ::mkdtemp(name.data());
-  }
-  ~TestFolder() { std::filesystem::remove_all(path); }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-  [[nodiscard]] std::string at(const char* name) const { return path + '/' + name; }
-
-  std::string path;
-};
 
 /// A session with a simulated pen, saved by an autosave without a thread.
 class AutosaveFixture {
