@@ -85,7 +85,8 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
       "{\"t_ms\":0,\"event\":\"device\",\"sensed_axes\":3,\"actuated_axes\":3,\"max_force_n\":0,"
       "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
       "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
-      "\"senses_pressure\":false,\"defaults\":6}\n");
+      "\"senses_pressure\":false,\"defaults\":" +
+          std::to_string(kOptionDefaults) + "}\n");
   EXPECT_EQ(line_of({0, ChooseOffer{OfferKind::kCircle}}),
             "{\"t_ms\":0,\"event\":\"choose\",\"what\":\"circle\"}\n");
   EXPECT_EQ(line_of({0, UseGuide{}}), "{\"t_ms\":0,\"event\":\"guide\",\"kind\":\"none\"}\n");
