@@ -15,6 +15,8 @@
 //   bench_feel --baselines [--people N] [--device NAME]
 // Simulated people of all models draw in the air, on the plane alone, with the default forces and
 // with a tablet (baselines.h). Without --device, with all simulated devices that have forces.
+//   bench_feel --retracing [--people N] [--device NAME]
+// Simulated people draw over lines (retracing.h). Without --device, with all of them.
 //   bench_feel --pull [--people N] [--device NAME]
 // Simulated people pull a line to given points (pull_people.h).
 #include <fmt/core.h>
@@ -35,6 +37,7 @@
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
 #include "pull_people.h"
+#include "retracing.h"
 #include "snap_bars.h"
 
 namespace felt::bench {
@@ -50,7 +53,7 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> set;
   std::size_t people = 20;
   PersonModel model = PersonModel::kProportional;
-  bool snapping = false, pull = false, baselines = false;
+  bool snapping = false, pull = false, baselines = false, retracing = false;
 };
 
 [[noreturn]] void fail_usage() {
@@ -60,6 +63,7 @@ struct Options {
              "       bench_feel --hand NAME [--csv F] [the options above]\n"
              "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n"
              "       bench_feel --baselines [--people N] [--device NAME]\n"
+             "       bench_feel --retracing [--people N] [--device NAME]\n"
              "       bench_feel --pull [--people N] [--device NAME]\n");
   std::exit(2);
 }
@@ -71,7 +75,9 @@ Options options_of(int argc, char** argv) {
     options.snapping = options.snapping || name == "--snapping";
     options.pull = options.pull || name == "--pull";
     options.baselines = options.baselines || name == "--baselines";
-    if (name == "--snapping" || name == "--pull" || name == "--baselines") {
+    options.retracing = options.retracing || name == "--retracing";
+    if (name == "--snapping" || name == "--pull" || name == "--baselines" ||
+        name == "--retracing") {
       --i;
       continue;
     }
@@ -107,7 +113,7 @@ Options options_of(int argc, char** argv) {
       options.files.push_back(std::string("share/samples/") + name + ".ndjson");
     }
   }
-  if (options.device.empty() && !options.baselines) options.device = "touch";
+  if (options.device.empty() && !options.baselines && !options.retracing) options.device = "touch";
   const bool known = options.device.empty() || (find_stylus_preset(options.device) &&
                                                 (options.hand.empty() || find_hand(options.hand)));
   if (!known || !(options.mm_per_unit > 0.0)) fail_usage();
@@ -264,7 +270,8 @@ Result<void> compare_people(const Options& options) {
   return {};
 }
 
-Result<void> compare_with_baselines(const Options& options) {
+/// Returns the device of the options, or all that have forces, apart from the worst one.
+std::vector<std::string> devices_of(const Options& options) {
   std::vector<std::string> devices;
   for (const StylusPreset& preset : stylus_presets()) {
     const bool is_one = options.device.empty()
@@ -272,7 +279,16 @@ Result<void> compare_with_baselines(const Options& options) {
                             : preset.name == options.device;
     if (is_one) devices.emplace_back(preset.name);
   }
-  return compare_baselines(devices, options.people);
+  return devices;
+}
+
+Result<void> compare(const Options& options) {
+  if (options.baselines) return compare_baselines(devices_of(options), options.people);
+  if (options.pull) return compare_pulls(options.device, options.people);
+  if (!options.retracing) return compare_people(options);
+  const Result<bool> is_met = compare_retracing(devices_of(options), options.people);
+  if (!is_met) return tl::unexpected(is_met.error());
+  return *is_met ? Result<void>() : fail(ErrorCode::kInvalidData, "a bar is missed");
 }
 
 int run(int argc, char** argv) {
@@ -281,9 +297,7 @@ int run(int argc, char** argv) {
     return check_snap_bars(options.files, options.hand, options.people) ? 0 : 1;
   }
   if (options.hand.empty()) {
-    const Result<void> compared = options.baselines ? compare_with_baselines(options)
-                                  : options.pull    ? compare_pulls(options.device, options.people)
-                                                    : compare_people(options);
+    const Result<void> compared = compare(options);
     if (!compared) fmt::print(stderr, "bench_feel: {}\n", compared.error().message);
     return compared ? 0 : 1;
   }

@@ -62,8 +62,8 @@ std::optional<Options> options_of(int argc, char** argv) {
 }
 
 void print(const char* name, const FalseOffers& f) {
-  fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", name, f.strokes, f.scratch_outs,
-             f.double_loops, f.accepted_shapes, f.rests);
+  fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6} {:>6} {:>8}\n", name, f.strokes,
+             f.scratch_outs, f.double_loops, f.accepted_shapes, f.rests, f.holds, f.retraced);
 }
 
 /// The real strokes that count.
@@ -79,8 +79,8 @@ std::vector<RealPage> pages_of(const char* name, const Result<std::vector<RealPa
 class RealStrokes {
  public:
   explicit RealStrokes(const Options& options) : options_(options) {
-    fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6}\n", "real strokes", "n", "scratch-out",
-               "double loop", "shape accepted", "rests");
+    fmt::print("{:<34} {:>7} {:>11} {:>11} {:>12} {:>6} {:>6} {:>8}\n", "real strokes", "n",
+               "scratch-out", "double loop", "shape accepted", "rests", "held", "retraced");
   }
   /// Draws pages that count, and remembers them for the variants.
   void add(const char* name, std::vector<RealPage> pages) {

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "felt/base/constants.h"
+#include "felt/devices/simulated/stylus_presets.h"
 #include "felt/gather/testing/labelled_drawing.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/ndjson/ndjson_parser.h"
@@ -51,18 +53,23 @@ class Setter {
 class Drawer {
  public:
   Drawer() {
+    apply(UseDevice{find_stylus_preset("touch")->capabilities});
     for (const char* id : {"pencil.scratch_out", "pencil.double_loop", "pencil.shapes"}) {
       apply(SetOption{id, true});
     }
   }
-  void draw(const std::vector<InkSample>& stroke) {
+  /// Draws a stroke and returns the line that held the pen on the way.
+  std::optional<StrokeId> draw(const std::vector<InkSample>& stroke) {
+    std::optional<StrokeId> held;
     hover(stroke.front().position);
     const std::int64_t start_ns = now_ns_ + 1'000'000;
     for (const InkSample& s : stroke) {
       now_ns_ = std::max(now_ns_, start_ns + s.time_ns.value_or(0));
       apply(PenEvent{{s.position.x, s.position.y, -0.1}, s.pressure.value_or(0.5), 0});
+      if (session_.retraced()) held = session_.retraced();
     }
     for (int i = 0; i < 8; ++i) hover(stroke.back().position);
+    return held;
   }
   [[nodiscard]] const Session& session() const { return session_; }
 
@@ -98,6 +105,14 @@ std::vector<std::vector<InkSample>> strokes_of(const Document& document) {
     for (const StrokeId id : layer.strokes) strokes.push_back(samples_of(*document.find(id)));
   }
   return strokes;
+}
+
+/// Gives the label to the strokes that have none.
+void label_new(const Document& document, std::uint32_t label,
+               std::map<StrokeId, std::uint32_t>& labels) {
+  for (const Layer& layer : document.layers()) {
+    for (const StrokeId id : layer.strokes) labels.emplace(id, label);
+  }
 }
 
 bool offers(const OfferView& offer, OfferKind kind) {
@@ -146,15 +161,17 @@ Result<std::vector<RealPage>> read_drawings(const std::string& folder, double di
   for (const LabelledDrawing& drawing : *drawings) {
     const double scale = diagonal_mm / drawing.diagonal();
     RealPage page{drawing.name, {}};
-    for (const RoughLine& line : drawing.lines) {
+    for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
       std::vector<InkSample> stroke;
-      for (const Point p : line) {
+      for (const Point p : drawing.lines[i]) {
         InkSample s;
         s.position = {scale * p.x, scale * p.y};
         s.time_ns = static_cast<std::int64_t>(stroke.size()) * kUnknownStepNs;
         stroke.push_back(s);
       }
-      if (!stroke.empty()) page.strokes.push_back(std::move(stroke));
+      if (stroke.empty()) continue;
+      page.strokes.push_back(std::move(stroke));
+      page.labels.push_back(drawing.labels[i]);
     }
     pages.push_back(std::move(page));
   }
@@ -224,6 +241,8 @@ FalseOffers& FalseOffers::operator+=(const FalseOffers& other) noexcept {
   double_loops += other.double_loops;
   accepted_shapes += other.accepted_shapes;
   rests += other.rests;
+  holds += other.holds;
+  retraced += other.retraced;
   return *this;
 }
 
@@ -231,9 +250,16 @@ FalseOffers draw_pages(const std::vector<RealPage>& pages, bool each) {
   FalseOffers all;
   for (const RealPage& page : pages) {
     Drawer drawer;
+    std::map<StrokeId, std::uint32_t> labels;
     for (std::size_t i = 0; i < page.strokes.size(); ++i) {
-      drawer.draw(page.strokes[i]);
+      const std::optional<StrokeId> held = drawer.draw(page.strokes[i]);
       ++all.strokes;
+      if (held) {
+        const bool is_meant = !page.labels.empty() && labels[*held] == page.labels[i];
+        ++(is_meant ? all.retraced : all.holds);
+        if (each && !is_meant) fmt::print("  {}#{}: held to {}\n", page.name, i, held->value);
+      }
+      if (!page.labels.empty()) label_new(drawer.session().document(), page.labels[i], labels);
       const std::optional<OfferView> offer = drawer.session().offered();
       if (!offer) continue;
       const bool scratches = offers(*offer, OfferKind::kDelete);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace felt::bench {
 struct RealPage {
   std::string name;
   std::vector<std::vector<InkSample>> strokes;
+  /// For each stroke the line of the drawing that it is part of, if that is known.
+  std::vector<std::uint32_t> labels = {};
 };
 
 /// How strokes whose positions are not known are placed.
@@ -43,9 +46,11 @@ std::vector<PageVariant> page_variants();
 /// Returns the changed pages. The top left corner of the box around a page stays.
 std::vector<RealPage> varied(const std::vector<RealPage>& pages, const PageVariant& variant);
 
-/// Offers that real strokes got.
+/// Offers that real strokes got, and strokes that were held to a line as if they retraced it.
 struct FalseOffers {
   std::size_t strokes = 0, scratch_outs = 0, double_loops = 0, accepted_shapes = 0, rests = 0;
+  std::size_t holds = 0;     ///< to another line than that of the label
+  std::size_t retraced = 0;  ///< held to a stroke of the same label
   [[nodiscard]] std::size_t wrong() const { return scratch_outs + double_loops + accepted_shapes; }
   FalseOffers& operator+=(const FalseOffers& other) noexcept;
 };

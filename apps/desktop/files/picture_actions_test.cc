@@ -37,6 +37,11 @@ const Layer& lowest(const StudioFixture& fixture) {
   return fixture.document().layers()[0];
 }
 
+void drop_picture(StudioFixture& fixture) {
+  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
+  fixture.files->take_dropped({fixture.at("a.jpg")});
+}
+
 TEST(PictureActions, ADroppedPictureBecomesALayerThatFitsThePage) {
   StudioFixture fixture;
   fixture.studio.set_page({200.0, 100.0, {255, 255, 255, 255}});
@@ -77,8 +82,7 @@ TEST(PictureActions, InkDoesNotGoToThePicture) {
 TEST(PictureActions, AnotherDrawingKeepsItsCurrentLayer) {
   StudioFixture fixture;
   fixture.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
-  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
-  fixture.files->take_dropped({fixture.at("a.jpg")});
+  drop_picture(fixture);
   Document other;  // with layers of the same ids
   Edit edit{"Add layers", {}, {}};
   for (std::uint64_t id = 2; id <= fixture.studio.session().layer().value; ++id) {
@@ -96,8 +100,7 @@ TEST(PictureActions, AnotherDrawingKeepsItsCurrentLayer) {
 TEST(PictureActions, ALayerThatTheUserChoosesStaysTheCurrentOne) {
   StudioFixture fixture;
   const LayerId own = fixture.studio.session().layer();
-  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
-  fixture.files->take_dropped({fixture.at("a.jpg")});
+  drop_picture(fixture);
   const LayerId picture = fixture.studio.session().layer();
   fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, own});
   fixture.studio.apply(LayerEvent{LayerEvent::Do::kUse, picture});
@@ -108,8 +111,7 @@ TEST(PictureActions, ALayerThatTheUserChoosesStaysTheCurrentOne) {
 TEST(PictureActions, ALayerThatWasLockedMeanwhileIsNotUsed) {
   StudioFixture fixture;
   const LayerId own = fixture.studio.session().layer();
-  ASSERT_TRUE(red_image(30, 20).save(fixture.at("a.jpg")));
-  fixture.files->take_dropped({fixture.at("a.jpg")});
+  drop_picture(fixture);
   fixture.studio.apply(LayerEvent{LayerEvent::Do::kLock, own});
   fixture.studio.apply(SelectTool{"pencil"});
   EXPECT_EQ(fixture.studio.session().layer(), lowest(fixture).id);

@@ -6955,6 +6955,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Abstand zum Stift behalten</translation>
     </message>
     <message>
+        <source>Retracing</source>
+        <translation>Nachziehen</translation>
+    </message>
+    <message>
+        <source>Force that holds a slow pen to a line that it draws over; 0 for none.</source>
+        <translation>Kraft, die einen langsamen Stift an der Linie hält, die er nachzieht; 0 für keine.</translation>
+    </message>
+    <message>
         <source>Keep lines separate</source>
         <translation>Linien getrennt lassen</translation>
     </message>
@@ -8159,8 +8167,8 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Den Stift am Ende einer Linie stillhalten: Feltline bietet die Form an, der sie ähnelt. Fester drücken nimmt sie an, Weiterzeichnen lehnt sie ab.</translation>
     </message>
     <message>
-        <source>Force level of friction, grain, attraction, hold and stabiliser. Does not affect the hardness of the surface.</source>
-        <translation>Stärke von Reibung, Körnung, Anziehung, Halt und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
+        <source>Force level of friction, grain, attraction, hold, retracing and stabiliser. Does not affect the hardness of the surface.</source>
+        <translation>Stärke von Reibung, Körnung, Anziehung, Halt, Nachziehen und Stabilisator. Die Härte des Untergrunds bleibt gleich.</translation>
     </message>
     <message>
         <source>Read</source>

@@ -6955,6 +6955,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Afstand tot de pen houden</translation>
     </message>
     <message>
+        <source>Retracing</source>
+        <translation>Overtrekken</translation>
+    </message>
+    <message>
+        <source>Force that holds a slow pen to a line that it draws over; 0 for none.</source>
+        <translation>Kracht die een langzame pen bij de lijn houdt die hij overtrekt; 0 voor geen.</translation>
+    </message>
+    <message>
         <source>Keep lines separate</source>
         <translation>Lijnen apart houden</translation>
     </message>
@@ -8159,7 +8167,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>De pen aan het einde van een lijn stilhouden: Feltline biedt de vorm aan waarop ze lijkt. Harder drukken neemt die aan, verder tekenen wijst die af.</translation>
     </message>
     <message>
-        <source>Force level of friction, grain, attraction, hold and stabiliser. Does not affect the hardness of the surface.</source>
+        <source>Force level of friction, grain, attraction, hold, retracing and stabiliser. Does not affect the hardness of the surface.</source>
         <translation>Sterkte van wrijving, korrel, aantrekking, houvast en stabilisator. De hardheid van de ondergrond verandert niet.</translation>
     </message>
     <message>

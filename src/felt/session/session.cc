@@ -52,10 +52,13 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   return {id.substr(0, dot), id.substr(dot + 1)};
 }
 
-/// A guide of a study has priority over those of the drawing.
-ActiveGuide active_guide(const GuideTrack* study, const StrokeGuide& drawing) noexcept {
+/// A guide of a study has priority over those of the drawing, and these over a line that is drawn
+/// over.
+ActiveGuide active_guide(const GuideTrack* study, const StrokeGuide& drawing,
+                         const Retrace& retrace) noexcept {
   if (study) return {&study->guide(), study->number()};
   if (drawing.force()) return {drawing.force(), drawing.number(), drawing.is_near()};
+  if (retrace.force()) return {retrace.force(), retrace.number(), true};
   return {};
 }
 
@@ -213,7 +216,7 @@ Result<void> Session::sample(const PenSample& reported) {
     offer_.reset();
   }
   if (contact == Contact::Change::kTouched) exact_.reset();
-  follow_stroke_guide(sample);
+  follow_guides(sample);
   Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
   if (!parts_->contact.is_down() && !gesture_in_progress()) ink_layer_step_.reset();
@@ -243,6 +246,7 @@ Result<void> Session::finish() {
   gesture_is_open_ = false;
   ink_layer_step_.reset();
   stroke_guide_->stop();
+  parts_->retrace.stop();
   // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
   // lifted first.
   const bool was_down = std::exchange(pen_is_down_, false);
@@ -342,6 +346,10 @@ const GuideLine* Session::guide() const noexcept {
   return parts_->guide ? &parts_->guide->line() : nullptr;
 }
 
+std::optional<StrokeId> Session::retraced() const noexcept {
+  return parts_->retrace.line();
+}
+
 const DrawingGuide* Session::symmetry() const noexcept {
   const auto& guides = parts_->visible_guides;
   const auto found = std::find_if(guides.rbegin(), guides.rend(), [](const auto& guide) {
@@ -405,13 +413,16 @@ void Session::draw(Overlay& overlay) const {
   draw_ring(overlay);
 }
 
-void Session::follow_stroke_guide(const PenSample& sample) {
+void Session::follow_guides(const PenSample& sample) {
   const bool draws = tool().info().kind == ToolKind::kDraws && !parts_->guide;
   if (!draws) stroke_guide_->stop();
   stroke_guide_->update(sample, parts_->contact.is_down(),
                         draws ? std::span<const DrawingGuidePtr>(parts_->visible_guides)
                               : std::span<const DrawingGuidePtr>(),
                         seen(), guide_spring_for(options_.device));
+  const bool is_guided = parts_->guide || stroke_guide_->force();
+  const double retrace_n = options_.device.has_force() && !is_guided ? tool().retrace_n() : 0.0;
+  parts_->retrace.update(sample, parts_->contact.is_down(), scene(), retrace_n);
 }
 
 std::vector<std::string> Session::option_ids() const {
@@ -461,7 +472,7 @@ Scene Session::scene() const {
           options_.device,
           ink_color(),
           options_.materials,
-          active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_),
+          active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_, parts_->retrace),
           parts_->ink_medium,
           size ? size->mm : Scene::kUsualInkWidthMm,
           parts_->visible_guides,

@@ -127,6 +127,8 @@ class Session {
   [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
+  /// Returns the line that holds the pen because it is drawn over (Retrace).
+  [[nodiscard]] std::optional<StrokeId> retraced() const noexcept;
   /// Returns the open ring, with what the pen chooses in it, or null (UseRing).
   [[nodiscard]] const ChoiceRing* ring() const noexcept { return ring_.get(); }
   /// Returns the edges that are felt (UseEdges).
@@ -213,7 +215,7 @@ class Session {
   void draw_offer(Overlay& overlay) const;
   Result<void> make_exact();
   void offer_exact(const Edit& drawn);
-  void follow_stroke_guide(const PenSample& sample);
+  void follow_guides(const PenSample& sample);
   void follow_edges(const PenSample& sample);
   /// Moves the ring's choice, and lifts the pen of the sample.
   void follow_ring(PenSample& sample);

@@ -54,6 +54,7 @@ void Session::cancel() {
   offer_.reset();
   ink_layer_step_.reset();
   stroke_guide_->stop();
+  parts_->retrace.stop();
   show({});
   gesture_is_open_ = false;
 }

@@ -12,6 +12,7 @@
 #include "felt/session/surface_options.h"
 #include "felt/tools/contact.h"
 #include "felt/tools/guide_track.h"
+#include "felt/tools/retrace.h"
 #include "felt/tools/selection_view.h"
 
 namespace felt {
@@ -30,6 +31,7 @@ struct Session::Parts {
   std::vector<DrawingGuidePtr> visible_guides;  // of the document
   std::optional<GuideTrack> guide;
   std::uint32_t guide_number = 0;  // the last number that a guide has used
+  Retrace retrace;
 };
 
 }  // namespace felt

@@ -17,24 +17,6 @@ namespace {
 
 constexpr std::int64_t kRestNs = 250'000'000;  // after the pen was lifted
 constexpr int kStopMs = 200;                   // to reach the end of the path while towing
-constexpr double kCornerCosine = 0.87;         // of 30 degrees
-
-/// Returns the path with each corner given twice, as plan_movement() expects it. A closed path ends
-/// where it began.
-std::vector<Point> via_points(const StudyPath& path) {
-  std::vector<Point> points = path.points;
-  if (path.ends == TrialPathEnds::kClosed && points.front() != points.back()) {
-    points.push_back(points.front());
-  }
-  std::vector<Point> via;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    via.push_back(points[i]);
-    if (i == 0 || i + 1 == points.size()) continue;
-    const Vec in = points[i] - points[i - 1], out = points[i + 1] - points[i];
-    if (dot(in, out) < kCornerCosine * norm(in) * norm(out)) via.push_back(points[i]);
-  }
-  return via;
-}
 
 /// Returns the rope if the pen tows the nib in a condition.
 std::optional<TowOptions> rope_of(const StudyCondition& condition) {

@@ -182,4 +182,20 @@ StudyPath model_of(const StudyPath& path) {
   return model;
 }
 
+std::vector<Point> via_points(const StudyPath& path) {
+  constexpr double kCornerCosine = 0.87;  // of 30 degrees
+  std::vector<Point> points = path.points;
+  if (path.ends == TrialPathEnds::kClosed && points.front() != points.back()) {
+    points.push_back(points.front());
+  }
+  std::vector<Point> via;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    via.push_back(points[i]);
+    if (i == 0 || i + 1 == points.size()) continue;
+    const Vec in = points[i] - points[i - 1], out = points[i + 1] - points[i];
+    if (dot(in, out) < kCornerCosine * norm(in) * norm(out)) via.push_back(points[i]);
+  }
+  return via;
+}
+
 }  // namespace felt

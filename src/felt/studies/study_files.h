@@ -35,6 +35,10 @@ struct StudyPath {
   TrialPathEnds ends = TrialPathEnds::kOpen;
 };
 
+/// Returns the path with each corner given twice, as plan_movement() expects it. A closed path ends
+/// where it began.
+std::vector<Point> via_points(const StudyPath& path);
+
 /// A study with everything that it needs from other files.
 struct StudyFiles {
   Study study;

@@ -180,26 +180,28 @@ std::optional<GuideShape> guide_shape(const DrawingGuide& g, Point touch) {
   }
 }
 
-std::vector<Point> guide_path(const DrawingGuide& g, const Document& document) {
-  if (g.kind == Kind::kTeacher) {
-    const bool fits = std::all_of(g.points.begin(), g.points.end(), is_in_range);
-    return fits ? g.points : std::vector<Point>();
-  }
-  if (g.kind != Kind::kTrace) return {};
-  const StrokePtr stroke = document.find(g.stroke);
-  if (!stroke) return {};
+std::vector<Point> stroke_path(const Stroke& stroke) {
   double length_mm = 0.0;
-  for (int i = 0; i < stroke->segment_count(); ++i) length_mm += control_length(stroke->segment(i));
+  for (int i = 0; i < stroke.segment_count(); ++i) length_mm += control_length(stroke.segment(i));
   const double step = std::max(kTraceStepMm, 2.0 * length_mm / double(kMaxTracePoints));
-  std::vector<Point> path{stroke->segment(0).p[0]};
-  for (int i = 0; i < stroke->segment_count(); ++i) {
-    const Cubic curve = stroke->segment(i);
+  std::vector<Point> path{stroke.segment(0).p[0]};
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic curve = stroke.segment(i);
     const int count =
         static_cast<int>(std::clamp(std::ceil(control_length(curve) / step), 1.0, 1000.0));
     for (int k = 1; k <= count; ++k) path.push_back(evaluate(curve, double(k) / count));
     if (path.size() > kMaxTracePoints - 1000) break;
   }
   return path;
+}
+
+std::vector<Point> guide_path(const DrawingGuide& g, const Document& document) {
+  if (g.kind == Kind::kTeacher) {
+    const bool fits = std::all_of(g.points.begin(), g.points.end(), is_in_range);
+    return fits ? g.points : std::vector<Point>();
+  }
+  const StrokePtr stroke = g.kind == Kind::kTrace ? document.find(g.stroke) : nullptr;
+  return stroke ? stroke_path(*stroke) : std::vector<Point>();
 }
 
 std::vector<GuideStraight> perspective_lines(const DrawingGuide& g, Point touch) {

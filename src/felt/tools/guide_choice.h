@@ -53,6 +53,10 @@ std::optional<std::size_t> choose_guide(std::span<const DrawingGuidePtr> guides,
 /// compass and ellipses. Returns nullopt for other kinds, and if the shape would be degenerate.
 std::optional<GuideShape> guide_shape(const DrawingGuide& guide, Point touch);
 
+/// Returns the centre line of a stroke as points at most 0.25 mm apart. Of a very long stroke, the
+/// points are further apart, or the end is left out, so that there are at most kMaxGuidePoints.
+std::vector<Point> stroke_path(const Stroke& stroke);
+
 /// Returns the path of a trace (the centre line of its stroke) or a teacher; empty for other kinds,
 /// if the stroke does not exist, or if the path is not finite.
 std::vector<Point> guide_path(const DrawingGuide& guide, const Document& document);

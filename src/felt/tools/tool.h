@@ -160,6 +160,10 @@ class Tool {
   [[nodiscard]] virtual std::vector<std::pair<std::string_view, double>> options_for_size(
       double mm) const;
 
+  /// Returns the largest force with which a line that is drawn over holds the pen (Retrace), N; 0
+  /// for a tool that does not draw.
+  [[nodiscard]] virtual double retrace_n() const { return 0.0; }
+
   /// Returns the ToolUse of the current mode. Its hint is ToolInfo::help if the tool gives none.
   [[nodiscard]] ToolUse use() const;
 };

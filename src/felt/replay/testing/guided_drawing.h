@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "felt/devices/simulated/person.h"
@@ -24,9 +26,11 @@ struct GuidedDrawing {
 };
 
 /// Lets a person draw along `line.points` with a simulated Phantom Premium, the haptic loop and the
-/// pencil, while `line` guides the pen.
+/// pencil, while `line` guides the pen. `page` is what has been drawn before, and `retrace_n` the
+/// value of that option of the pencil; "" for its default.
 inline GuidedDrawing draw_guided(const Person& person, const GuideLine& line,
-                                 std::uint64_t trial = 0) {
+                                 std::uint64_t trial = 0, Document page = {},
+                                 const std::string& retrace_n = "") {
   std::vector<Point> path = line.points;
   if (line.is_closed) path.push_back(path.front());
   GuidedDrawing drawing;
@@ -52,11 +56,12 @@ inline GuidedDrawing draw_guided(const Person& person, const GuideLine& line,
   ReplaySettings settings =
       replay_settings(*find_stylus_preset("premium"), typical_hand(), true, {}, {});
   settings.person = person;
-  ReplayMachine machine(settings, Document(), {.tick = watch});
+  ReplayMachine machine(settings, std::move(page), {.tick = watch});
   const auto must = [](const Result<void>& done) {
     EXPECT_TRUE(done) << (done ? "" : done.error().message);
   };
   must(machine.add({0, line.kind == GuideKind::kNone ? UseGuide{} : UseGuide{line}}));
+  if (!retrace_n.empty()) must(machine.set_option("pencil.retrace_n", retrace_n));
   const RecordedPath plan = plan_movement(person, path, trial);
   for (const TimedAim& aim : script_hand(std::span(&plan, 1), machine.hand_options())) {
     must(machine.add({aim.time_ns, HandEvent{.target = aim.target_mm, .pressure = aim.pressure}}));

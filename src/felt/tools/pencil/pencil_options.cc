@@ -10,6 +10,7 @@ PencilSettings pencil_settings(const OptionValues& values) {
   s.medium = values.open_choice(Row::kMedium);
   s.refine = values.is_on(Row::kRefine);
   s.keep_separate = values.is_on(Row::kKeepSeparate);
+  s.retrace_n = values.number(Row::kRetrace);
   s.width_steps = values.is_on(Row::kWidthSteps);
   s.strength = values.number(Row::kStrength);
 

@@ -39,6 +39,7 @@ struct PencilOption {
     kSnapRadius,
     kAttraction,
     kKeepSeparate,
+    kRetrace,
     kStabiliser,
     kStabiliserMass,
     kStabiliserLength,
@@ -175,6 +176,14 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
              "another still closes it.",
      .when = "snap=snap|both",
      .is_seldom = true},
+    {.id = "retrace_n",
+     .label = "Retracing",
+     .unit = "N",
+     .min = 0.0,
+     .max = 0.2,
+     .fallback = 0.1,
+     .help = "Force that holds a slow pen to a line that it draws over; 0 for none.",
+     .is_seldom = true},
     {.id = "stabiliser",
      .label = "Stabiliser",
      .unit = "",
@@ -250,9 +259,10 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .fallback = 0,
      .help = "Hold the pen still at the end of a line: the shape that it resembles is offered. "
              "Press harder to get it, or go on drawing."},
-    strength_option("Force level of friction, grain, attraction, hold and stabiliser. Does not "
-                    "affect the hardness of the surface.",
-                    0.6),
+    strength_option(
+        "Force level of friction, grain, attraction, hold, retracing and stabiliser. Does not "
+        "affect the hardness of the surface.",
+        0.6),
 }};
 
 /// The options in the form that the tool uses.
@@ -262,6 +272,7 @@ struct PencilSettings {
   bool refine = true;
   SnapOptions snap;
   bool keep_separate = false;
+  double retrace_n = 0.0;  ///< largest force of a line that is drawn over
   bool width_steps = false;
   StabiliserOptions stabiliser;
   std::optional<Shake> steady;  ///< the shaking to remove, if any

@@ -348,6 +348,10 @@ void PencilTool::take_options(const OptionValues& options) {
   fitter_.reset();
 }
 
+double PencilTool::retrace_n() const {
+  return settings_.retrace_n * weak_share(settings_.strength);
+}
+
 std::optional<SnapTarget> PencilTool::attraction() const noexcept {
   return is_waiting() ? std::nullopt : snap_.attraction();
 }

@@ -56,6 +56,7 @@ class PencilTool final : public GestureTool {
   /// Keeps the ratio of the thinnest to the broadest line if their ranges allow it.
   [[nodiscard]] std::vector<std::pair<std::string_view, double>> options_for_size(
       double mm) const override;
+  [[nodiscard]] double retrace_n() const override;
 
  protected:
   ToolResult hover(const PenSample& sample, const Scene& scene) override;
