@@ -165,28 +165,28 @@ run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay in.ndjson --on plain.f
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" convert on.felt -o on.svg
 has on.svg 'felt:surface="my-paper"'
 has on.svg "id = &quot;faint&quot;"
-run 0 "$feltline" replay in.ndjson --surface wood --forces wood.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --surface wood --forces wood.csv --set pencil.snap=off --set pencil.retrace_n=0
 # A surface in a file is drawn on, too, and travels with the drawing.
 sed 's/^id = "[^"]*"/id = "of-file"/; s/^friction = [0-9.]*/friction = 1.1/' \
   "$XDG_DATA_HOME/feltline/materials/my-paper.toml" >of-file.toml
-run 0 "$feltline" replay in.ndjson --surface of-file.toml --forces file.csv -o file.felt --set pencil.snap=off
-run 0 "$feltline" replay in.ndjson --surface my-paper --forces library.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --surface of-file.toml --forces file.csv -o file.felt --set pencil.snap=off --set pencil.retrace_n=0
+run 0 "$feltline" replay in.ndjson --surface my-paper --forces library.csv --set pencil.snap=off --set pencil.retrace_n=0
 cmp -s file.csv library.csv && fail "the friction of the file has no effect"
-run 0 "$feltline" replay in.ndjson --on file.felt --forces on-file.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --on file.felt --forces on-file.csv --set pencil.snap=off --set pencil.retrace_n=0
 same on-file.csv file.csv
 # With the former flag, the surface in the file is only the picture's.
-run 0 "$feltline" replay in.ndjson --sheet wood --surface of-file.toml --forces shown.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --sheet wood --surface of-file.toml --forces shown.csv --set pencil.snap=off --set pencil.retrace_n=0
 same shown.csv wood.csv
 run 1 "$feltline" replay in.ndjson --surface bad.toml --forces bad.csv
 # The former names of the flag and of the options.
-run 0 "$feltline" replay in.ndjson --sheet wood --forces former.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --sheet wood --forces former.csv --set pencil.snap=off --set pencil.retrace_n=0
 same former.csv wood.csv
-run 0 "$feltline" replay in.ndjson --set sheet.material=wood --forces former.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --set sheet.material=wood --forces former.csv --set pencil.snap=off --set pencil.retrace_n=0
 same former.csv wood.csv
 run 0 "$feltline" replay in.ndjson -o former.ndjson --set pencil.material=chalk
 has former.ndjson '"material":"chalk"'
 run 0 "$feltline" replay in.ndjson -o wood.felt --surface wood
-run 0 "$feltline" replay in.ndjson --on wood.felt --forces on.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --on wood.felt --forces on.csv --set pencil.snap=off --set pencil.retrace_n=0
 same on.csv wood.csv
 run 0 "$feltline" replay in.ndjson --on wood.felt --surface glass -o glass.felt
 run 0 "$feltline" convert glass.felt -o glass.svg

@@ -123,8 +123,7 @@ bool Retrace::goes_along(const Line& line, double most_deg) const noexcept {
   const Vec pen = pen_[0] - pen_[kChordSteps];
   const Vec along = line.places[0] - line.places[kChordSteps];
   const double pen_mm = norm(pen), along_mm = norm(along);
-  return along_mm >= kMinShare * pen_mm &&
-         dot(pen, along) >= cos_deg(most_deg) * pen_mm * along_mm;
+  return along_mm >= kMinShare * pen_mm && dot(pen, along) >= cos_deg(most_deg) * pen_mm * along_mm;
 }
 
 /// Returns true if a place is a step further on the stroke, and not on another part of the stroke
