@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/base/constants.h"
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/nearest.h"
 #include "felt/tools/guide_choice.h"
 #include "felt/tools/guided_feel.h"
