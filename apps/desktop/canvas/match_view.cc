@@ -46,7 +46,7 @@ MatchView::MatchView(Canvas& canvas) : QWidget(&canvas), canvas_(canvas) {
   canvas.installEventFilter(this);
   const auto refresh = [this] {
     if (isHidden()) return;
-    if (!find_matches()) return stop();
+    if (!read_keys()) return stop();
     update();
   };
   Studio& studio = canvas.studio();
@@ -58,7 +58,7 @@ MatchView::MatchView(Canvas& canvas) : QWidget(&canvas), canvas_(canvas) {
 
 bool MatchView::start() {
   canvas_.studio().finish_gesture();
-  if (!find_matches()) return false;
+  if (!read_keys()) return false;
   pressed_.reset();
   setGeometry(canvas_.rect());
   show();
@@ -79,15 +79,26 @@ std::vector<KeyPair> MatchView::pairs() const {
   return timing_or_default(layer ? layer->timing : nullptr).pairs;
 }
 
-bool MatchView::find_matches() {
+bool MatchView::read_keys() {
   const Studio& studio = canvas_.studio();
   const Document& document = studio.session().document();
   key_ = studio.session().layer();
   const LayerId next = next_key(document, key_);
   shown_.clear();
+  is_stale_ = true;
   if (!next) return false;
   from_ = key_strokes(key_drawing(document, key_, studio.page()).document);
   to_ = key_strokes(key_drawing(document, next, studio.page()).document);
+  return true;
+}
+
+const std::vector<MatchView::Shown>& MatchView::shown() {
+  if (std::exchange(is_stale_, false)) find_matches();
+  return shown_;
+}
+
+void MatchView::find_matches() {
+  ++searches_;
   const std::vector<GivenPair> given = given_pairs({.pairs = pairs()}, from_, to_);
   const auto show = [this](const auto& from, const auto& to, bool is_given) {
     Shown shown{{}, {}, is_given};
@@ -97,12 +108,11 @@ bool MatchView::find_matches() {
   };
   if (std::max(from_.strokes.size(), to_.strokes.size()) > kMaxShown) {
     for (const GivenPair& pair : given) show(pair.from, pair.to, true);
-    return true;
+    return;
   }
   const Result<Correspondence> found = match_strokes(from_.strokes, to_.strokes, given);
-  if (!found) return true;
+  if (!found) return;
   for (const StrokeMatch& match : found->matches) show(match.from, match.to, match.is_given);
-  return true;
 }
 
 void MatchView::press(QPointF at) {
@@ -160,7 +170,7 @@ void MatchView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const CanvasView& view = canvas_.view();
-  for (const Shown& match : shown_) {
+  for (const Shown& match : shown()) {
     painter.setPen(QPen(match.is_given ? kGivenColor : kMatchColor, match.is_given ? 2.5 : 1.2));
     if (match.from && match.to) {
       painter.drawLine(view.to_px(*match.from), view.to_px(*match.to));

@@ -22,7 +22,7 @@ class MatchView : public QWidget {
  public:
   /// If a key drawing has more strokes, only corrections are shown, because it would take too long
   /// to find the other matches.
-  static constexpr std::size_t kMaxShown = 400;
+  static constexpr std::size_t kMaxShown = 200;
 
   explicit MatchView(Canvas& canvas);
 
@@ -36,7 +36,10 @@ class MatchView : public QWidget {
     std::optional<Point> from, to;  ///< the middle of each stroke, in mm
     bool is_given = false;
   };
-  [[nodiscard]] const std::vector<Shown>& shown() const noexcept { return shown_; }
+  /// Finds the matches if the drawing has changed, which takes up to a second.
+  [[nodiscard]] const std::vector<Shown>& shown();
+  /// Returns how often the matches were searched.
+  [[nodiscard]] int searches() const noexcept { return searches_; }
 
  Q_SIGNALS:
   void stopped();
@@ -47,8 +50,9 @@ class MatchView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Reads the key drawings and finds the matches. Returns false if the current one is the last.
-  bool find_matches();
+  /// Reads the key drawings. Returns false if the current one is the last.
+  bool read_keys();
+  void find_matches();
   void press(QPointF at);
   void move(QPointF at);
   void release(QPointF at);
@@ -63,6 +67,8 @@ class MatchView : public QWidget {
   LayerId key_;
   KeyStrokes from_, to_;
   std::vector<Shown> shown_;
+  int searches_ = 0;
+  bool is_stale_ = true;            // shown_ is that of an earlier drawing
   std::optional<QPointF> pressed_;  // in pixels
   QPointF pen_;
 };

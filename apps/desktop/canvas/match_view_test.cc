@@ -39,7 +39,7 @@ struct MatchFixture : Fixture {
     return timing_or_default(studio.session().document().layer({1})->timing).pairs;
   }
   /// Returns the number of matches that are shown: with a line, without, and corrected.
-  [[nodiscard]] std::vector<std::size_t> counts() const {
+  [[nodiscard]] std::vector<std::size_t> counts() {
     std::size_t lines = 0, lone = 0, given = 0;
     for (const MatchView::Shown& match : matches.shown()) {
       ++(match.from && match.to ? lines : lone);
@@ -53,6 +53,16 @@ struct MatchFixture : Fixture {
 
 using Counts = std::vector<std::size_t>;
 using Pairs = std::vector<KeyPair>;
+
+TEST(MatchView, SearchesOnceForManyEdits) {
+  MatchFixture f;
+  ASSERT_TRUE(f.matches.start());
+  EXPECT_EQ(f.counts(), (Counts{2, 0, 0}));
+  const int before = f.matches.searches();
+  for (int i = 0; i < 10; ++i) f.add({30.0, 10.0 + i}, 50);
+  EXPECT_FALSE(f.matches.shown().empty());
+  EXPECT_LE(f.matches.searches(), before + 1);
+}
 
 TEST(MatchView, ADragFromLineToLineMakesAPairThatCanBeUndone) {
   MatchFixture f;
