@@ -36,7 +36,7 @@ class MatchView : public QWidget {
     std::optional<Point> from, to;  ///< the middle of each stroke, in mm
     bool is_given = false;
   };
-  /// Finds the matches if the drawing has changed, which takes up to a second.
+  /// Returns the matches. Finds them first if the drawing has changed, which takes up to a second.
   [[nodiscard]] const std::vector<Shown>& shown();
   /// Returns how often the matches were searched.
   [[nodiscard]] int searches() const noexcept { return searches_; }

@@ -127,7 +127,7 @@ class Session {
   [[nodiscard]] const DrawingGuide* symmetry() const noexcept;
   /// Returns the path along which the pencil guides the pen (UseGuide), or null.
   [[nodiscard]] const GuideLine* guide() const noexcept;
-  /// Returns the line that holds the pen because it is drawn over (Retrace).
+  /// Returns the line that holds the pen because it is drawn over (Retrace), or nullopt.
   [[nodiscard]] std::optional<StrokeId> retraced() const noexcept;
   /// Returns the open ring, with what the pen chooses in it, or null (UseRing).
   [[nodiscard]] const ChoiceRing* ring() const noexcept { return ring_.get(); }

@@ -239,5 +239,52 @@ TEST(SessionRing, RefusesWhatIsNoRing) {
   }
 }
 
+/// Draws along the line of EdgeFixture without lifting the pen, from a share of the line to
+/// another.
+void retrace_line(EdgeFixture& f, double from, double to) {
+  for (int i = 0; i <= 400; ++i) {
+    const Point pen = lerp(Point{100, 100}, Point{140, 130}, from + (to - from) * i / 400.0);
+    f.must(PenEvent{{pen.x, pen.y, -0.3}, {}, 0});
+  }
+}
+
+TEST(SessionForce, R71_ARetracedLineHoldsUntilTheStrokeEnds) {
+  EdgeFixture f;
+  f.must(SelectTool{"pencil"});
+  retrace_line(f, 0.1, 0.5);
+  EXPECT_EQ(f.session->retraced(), StrokeId{1});
+  f.must(CancelEvent{});
+  EXPECT_FALSE(f.session->retraced());
+  retrace_line(f, 0.5, 0.9);
+  EXPECT_FALSE(f.session->retraced()) << "not before the next touch";
+  f.must(PenEvent{{140, 130, 9.0}, {}, 0});
+  retrace_line(f, 0.9, 0.5);
+  EXPECT_EQ(f.session->retraced(), StrokeId{1}) << "backwards";
+  f.must(UndoEvent{});
+  EXPECT_FALSE(f.session->retraced());
+}
+
+TEST(SessionForce, R71_OnlyAPencilOnADeviceWithForcesIsHeld) {
+  EdgeFixture f;
+  f.must(SelectTool{"eraser"});
+  retrace_line(f, 0.1, 0.5);
+  EXPECT_FALSE(f.session->retraced());
+  EdgeFixture guided;
+  guided.must(SelectTool{"pencil"});
+  guided.must(UseGuide{{GuideKind::kGroove, {{0, 0}, {50, 0}}}});
+  retrace_line(guided, 0.1, 0.5);
+  EXPECT_FALSE(guided.session->retraced()) << "the guide of a study has priority";
+  EdgeFixture off;
+  off.must(SelectTool{"pencil"});
+  off.must(SetOption{"pencil.retrace_n", 0.0});
+  retrace_line(off, 0.1, 0.5);
+  EXPECT_FALSE(off.session->retraced());
+  EdgeFixture tablet;
+  tablet.must(UseDevice{});
+  tablet.must(SelectTool{"pencil"});
+  retrace_line(tablet, 0.1, 0.5);
+  EXPECT_FALSE(tablet.session->retraced());
+}
+
 }  // namespace
 }  // namespace felt::session_force_test

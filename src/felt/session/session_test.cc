@@ -304,6 +304,7 @@ TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
                                                              : version < 6 ? 0.5
                                                                            : 0.6));
     EXPECT_EQ(session.option("pencil.attraction_n"), OptionValue(version == 1 ? 0.6 : 0.2));
+    EXPECT_EQ(session.option("pencil.retrace_n"), OptionValue(version < 8 ? 0.0 : 0.1));
     const std::string take = version == 1 ? "points" : (version < 4 ? "strokes" : "parts");
     EXPECT_EQ(session.option("lasso.take"), OptionValue(take));
   }

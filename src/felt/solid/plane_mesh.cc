@@ -28,13 +28,15 @@ using Triangulation =
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
 using Mesher = CGAL::Delaunay_mesher_2<Triangulation, Criteria>;
 
+constexpr const char* kCannotBeFilled = "the outline cannot be filled";
+
 /// The bound of CGAL for the squared sine of the smallest angle: 20.7 degrees.
 constexpr double kAngleBound = 0.125;
 
-/// CGAL reads memory that is not its own if both ends of a constraint are the same.
+/// CGAL accesses memory out of bounds if both ends of a constraint are the same.
 void insert_edge(Triangulation& triangulation, Triangulation::Vertex_handle a,
                  Triangulation::Vertex_handle b) {
-  if (a == b) throw std::invalid_argument("equal points");
+  if (a == b) throw std::invalid_argument("");
   triangulation.insert_constraint(a, b);
 }
 
@@ -71,23 +73,24 @@ void mark_inside(Triangulation& triangulation) {
   }
 }
 
-/// The mesher of CGAL computes the places of new points with rounding. If parts of the outline are
-/// only some rounding errors apart (3e-14 mm at 200 mm from the origin), it never ends or reads
-/// memory that is not its own. Everything is well at this distance.
+/// The mesher of CGAL computes the positions of new points with rounding. If two points, or a point
+/// and an edge, are only some rounding errors apart (3e-14 mm at 200 mm from the origin), it does
+/// not end or accesses memory out of bounds. This distance is large enough for it.
 constexpr double kMinGapMm = 1e-9;
 
 Point point_of(Triangulation::Vertex_handle vertex) {
   return {vertex->point().x(), vertex->point().y()};
 }
 
-/// Returns true if an edge, or the gap between an edge and another point, is shorter than
-/// kMinGapMm. The triangles at an edge have the points that are nearest to it.
-bool almost_touches_itself(const Triangulation& triangulation) {
-  for (const auto& edge : triangulation.constrained_edges()) {
-    const auto [face, i] = edge;
+/// Returns true if two points, or a given edge and another point, are nearer than kMinGapMm. Each
+/// point and its nearest one are the ends of an edge of the triangulation; a point that is nearer
+/// to the inside of a given edge than to its ends is the corner of a triangle at that edge.
+bool nearly_touches_itself(const Triangulation& triangulation) {
+  for (const auto& [face, i] : triangulation.finite_edges()) {
     const Point a = point_of(face->vertex(Triangulation::cw(i)));
     const Point b = point_of(face->vertex(Triangulation::ccw(i)));
     if (distance(a, b) < kMinGapMm) return true;
+    if (!face->is_constrained(i)) continue;
     for (const auto corner : {face->vertex(i), triangulation.mirror_vertex(face, i)}) {
       if (triangulation.is_infinite(corner)) continue;
       const LineNearest near = nearest_on_line(a, b, point_of(corner));
@@ -145,9 +148,7 @@ Result<PlaneMesh> fill_plane(const std::vector<Point>& points,
     Triangulation triangulation;
     insert(triangulation, points, edges);
     if (triangulation.dimension() < 2) return invalid_data("the outline has no area");
-    if (almost_touches_itself(triangulation)) {
-      return invalid_data("the outline touches itself, or almost so");
-    }
+    if (nearly_touches_itself(triangulation)) return invalid_data(kCannotBeFilled);
     mark_inside(triangulation);
     Mesher mesher(triangulation, Criteria(kAngleBound, edge_mm));
     mesher.init(true);
@@ -161,7 +162,7 @@ Result<PlaneMesh> fill_plane(const std::vector<Point>& points,
     throw;
   } catch (const std::exception&) {
     // CGAL's text has several lines and names its sources.
-    return invalid_data("the outline cannot be filled");
+    return invalid_data(kCannotBeFilled);
   }
 }
 
@@ -185,7 +186,7 @@ Result<std::vector<std::array<std::uint32_t, 3>>> triangulate_ring(const std::ve
     throw;
   } catch (const std::exception&) {
     // CGAL's text has several lines and names its sources.
-    return invalid_data("the outline cannot be filled");
+    return invalid_data(kCannotBeFilled);
   }
 }
 

@@ -195,6 +195,11 @@ std::vector<Point> stroke_path(const Stroke& stroke) {
   return path;
 }
 
+bool is_closed_path(const Stroke& stroke, std::span<const Point> path) {
+  constexpr double kSameMm = 1.0;
+  return stroke.closed() && distance(path.front(), path.back()) < kSameMm;
+}
+
 std::vector<Point> guide_path(const DrawingGuide& g, const Document& document) {
   if (g.kind == Kind::kTeacher) {
     const bool fits = std::all_of(g.points.begin(), g.points.end(), is_in_range);

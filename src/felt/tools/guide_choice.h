@@ -56,6 +56,9 @@ std::optional<GuideShape> guide_shape(const DrawingGuide& guide, Point touch);
 /// Returns the centre line of a stroke as points at most 0.25 mm apart. Of a very long stroke, the
 /// points are further apart, or the end is left out, so that there are at most kMaxGuidePoints.
 std::vector<Point> stroke_path(const Stroke& stroke);
+/// Returns true if the stroke is closed and its path ends where it begins. The path of a very long
+/// stroke does not.
+bool is_closed_path(const Stroke& stroke, std::span<const Point> path);
 
 /// Returns the path of a trace (the centre line of its stroke) or a teacher; empty for other kinds,
 /// if the stroke does not exist, or if the path is not finite.

@@ -10,9 +10,9 @@
 
 namespace felt {
 
-/// Stiffness of the friction's bristle while a guide of the drawing acts, N/m. With the usual 600
-/// N/m, the sum of guide and bristle would exceed the stiffness budget. The strength of the
-/// friction does not change.
+/// Stiffness of the friction's bristle while a guide of the drawing or a retraced line acts, N/m.
+/// With the usual 600 N/m, the sum of guide and bristle would exceed the stiffness budget. The
+/// strength of the friction does not change.
 inline constexpr double kGuidedBristleNPerM = 150.0;
 
 /// Returns the medium with a bristle of at most kGuidedBristleNPerM.

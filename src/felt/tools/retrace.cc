@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "felt/base/constants.h"
@@ -39,20 +41,22 @@ GuideLaw Retrace::law(double force_n, const Capabilities& device) noexcept {
                    .damping_n_s_per_m = spring.damping_n_s_per_m}};
 }
 
-void Retrace::add(Places& places, Point place) noexcept {
-  std::copy_backward(places.begin(), places.end() - 1, places.end());
-  places[0] = place;
+void Retrace::add(Positions& positions, Point position) noexcept {
+  std::copy_backward(positions.begin(), positions.end() - 1, positions.end());
+  positions[0] = position;
 }
 
 void Retrace::begin(const PenSample& sample) noexcept {
   pen_.fill(on_page(sample.position));
   times_.fill(sample.time_ns);
   free_steps_ = kAgainSteps;
+  is_stopped_ = false;
 }
 
 void Retrace::stop() noexcept {
   let_go();
   lines_.clear();
+  is_stopped_ = true;
 }
 
 /// Ends the hold. Its numbers are not used again: the haptic loop would take the next hold for the
@@ -69,10 +73,13 @@ void Retrace::update(const PenSample& sample, bool is_down, const Scene& scene, 
   is_down_ = is_down;
   if (!is_down || !(force_n > 0.0)) return stop();
   if (begins) begin(sample);
+  if (is_stopped_ || !in_contact(sample)) return;
   const Point pen = on_page(sample.position);
-  if (!in_contact(sample)) return;
   if (distance(pen, pen_[0]) >= kStepMm) step(pen, sample.time_ns, scene, force_n);
-  if (track_) track_->update(sample);
+  if (!track_) return;
+  track_->update(sample);
+  // The path of a very long stroke does not reach its end.
+  if (track_->guide().distance_mm(pen) > kLeftMm) let_go();
 }
 
 void Retrace::step(Point pen, std::int64_t time_ns, const Scene& scene, double force_n) {
@@ -91,7 +98,7 @@ void Retrace::step(Point pen, std::int64_t time_ns, const Scene& scene, double f
   }
 }
 
-/// Returns the nearest point of each line near the pen.
+/// Returns the nearest point of each line near the pen, by ascending id.
 std::vector<Retrace::Near> Retrace::lines_near(Point pen, const Scene& scene) const {
   const double reach_mm = track_ ? kLeftMm : kNearMm;
   std::vector<Near> near;
@@ -100,35 +107,31 @@ std::vector<Retrace::Near> Retrace::lines_near(Point pen, const Scene& scene) co
       [&](StrokeId id, int segment) {
         const StrokePtr stroke = scene.document.find(id);
         if (!stroke) return;
-        const auto place = nearest_within(stroke->segment(segment), pen, reach_mm * reach_mm);
-        if (!place) return;
-        const Near found{id, stroke, segment + place->t, place->point,
-                         std::sqrt(place->distance_squared)};
-        const auto same = std::find_if(near.begin(), near.end(),
-                                       [&](const Near& other) { return other.id == id; });
-        if (same == near.end()) {
-          near.push_back(found);
-        } else if (found.distance_mm < same->distance_mm) {
-          *same = found;
-        }
+        const auto at = nearest_within(stroke->segment(segment), pen, reach_mm * reach_mm);
+        if (!at) return;
+        near.push_back({id, stroke, segment + at->t, at->point, std::sqrt(at->distance_squared)});
       },
       StrokeReach::kVisible);
-  std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.id < b.id; });
+  std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
+    return std::tuple(a.id, a.distance_mm, a.u) < std::tuple(b.id, b.distance_mm, b.u);
+  });
+  const auto is_same = [](const Near& a, const Near& b) { return a.id == b.id; };
+  near.erase(std::unique(near.begin(), near.end(), is_same), near.end());
   return near;
 }
 
-/// Returns true if the pen and its nearest place on the line moved in about the same direction over
-/// the last steps. The line itself may run the other way.
-bool Retrace::goes_along(const Line& line, double most_deg) const noexcept {
+/// Returns true if the pen and the nearest position on the line moved in about the same direction
+/// over the last steps. The line itself may run the other way.
+bool Retrace::goes_along(const Line& line, double max_deg) const noexcept {
   if (line.steps < static_cast<int>(kChordSteps)) return true;  // too early to say
   const Vec pen = pen_[0] - pen_[kChordSteps];
-  const Vec along = line.places[0] - line.places[kChordSteps];
+  const Vec along = line.positions[0] - line.positions[kChordSteps];
   const double pen_mm = norm(pen), along_mm = norm(along);
-  return along_mm >= kMinShare * pen_mm && dot(pen, along) >= cos_deg(most_deg) * pen_mm * along_mm;
+  return along_mm >= kMinShare * pen_mm && dot(pen, along) >= cos_deg(max_deg) * pen_mm * along_mm;
 }
 
-/// Returns true if a place is a step further on the stroke, and not on another part of the stroke
-/// that passes near, as in a zigzag.
+/// Returns true if a position is a step further on the stroke, and not on another part of the
+/// stroke that passes near, as in a zigzag.
 bool Retrace::is_onward(double from_u, const Near& to) noexcept {
   const double whole = to.stroke->segment_count();
   double middle = 0.5 * (from_u + to.u);
@@ -137,33 +140,36 @@ bool Retrace::is_onward(double from_u, const Near& to) noexcept {
   return distance(to.stroke->position(middle), to.point) <= 2.0 * kStepMm;
 }
 
-/// Updates the lines that the pen follows.
+/// Updates the lines that the pen follows, which are sorted by id. A held pen that leaps to another
+/// part of its line has left it.
 void Retrace::follow(const std::vector<Near>& near) {
   std::vector<Line> lines;
   for (const Near& at : near) {
-    const auto known = std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) {
-      return line.id == at.id && is_onward(line.u, at);
-    });
-    Line line = known == lines_.end() ? Line{.id = at.id} : *known;
-    const bool is_held = track_ && line.id == held_;
-    if (!is_held && at.distance_mm > kNearMm) continue;
-    add(line.places, at.point);
+    const auto known = std::lower_bound(lines_.begin(), lines_.end(), at.id,
+                                        [](const Line& line, StrokeId id) { return line.id < id; });
+    const bool goes_on = known != lines_.end() && known->id == at.id && is_onward(known->u, at);
+    const bool is_held = track_ && at.id == held_;
+    if (is_held ? !goes_on : at.distance_mm > kNearMm) continue;
+    Line line = goes_on ? *known : Line{.id = at.id};
+    add(line.positions, at.point);
     line.u = at.u;
     line.away_mm += at.distance_mm;
-    if (known != lines_.end()) ++line.steps;
+    line.steps += goes_on ? 1 : 0;
     if (goes_along(line, is_held ? kLeftDeg : kAlongDeg)) lines.push_back(line);
   }
   lines_ = std::move(lines);
 }
 
+/// Returns the speed over the last steps; infinity if the time does not increase.
 double Retrace::chord_mm_per_s() const noexcept {
   const double s =
       1e-9 * (static_cast<double>(times_[0]) - static_cast<double>(times_[kChordSteps]));
-  return s > 0.0 ? distance(pen_[0], pen_[kChordSteps]) / s : 0.0;
+  return s > 0.0 ? distance(pen_[0], pen_[kChordSteps]) / s
+                 : std::numeric_limits<double>::infinity();
 }
 
-/// Returns true if ink runs beside the pen in its direction, as in a hatching, or if a stroke comes
-/// back beside itself, as in a zigzag.
+/// Returns true if a line runs beside the pen in its direction, as in a hatching, or if a stroke
+/// comes back beside itself, as in a zigzag.
 bool Retrace::is_beside_ink(const Scene& scene) const {
   const Vec along = normalized(pen_[0] - pen_[kChordSteps]);
   bool is_beside = false;
@@ -171,15 +177,17 @@ bool Retrace::is_beside_ink(const Scene& scene) const {
   scene.index.for_each_segment_in(
       around(pen_[0], kBesideMm),
       [&](StrokeId id, int segment) {
-        const StrokePtr stroke = scene.document.find(id);
+        const StrokePtr stroke = is_beside ? nullptr : scene.document.find(id);
         if (!stroke) return;
-        const auto place = nearest_within(stroke->segment(segment), pen_[0], kBesideMm * kBesideMm);
-        if (!place) return;
-        const Vec away = place->point - pen_[0];
-        if (place->distance_squared < kNearMm * kNearMm) {
+        const Cubic curve = stroke->segment(segment);
+        const auto at = nearest_within(curve, pen_[0], kBesideMm * kBesideMm);
+        if (!at) return;
+        const Vec away = at->point - pen_[0];
+        if (at->distance_squared < kNearMm * kNearMm) {
           near.emplace_back(id, cross(along, away));
-        } else if (std::fabs(dot(away, along)) <= kBesideCosine * norm(away)) {
-          is_beside = true;
+        } else {
+          is_beside = std::fabs(dot(away, along)) <= kBesideCosine * norm(away) &&
+                      std::fabs(dot(tangent(curve, at->t), along)) >= cos_deg(kLeftDeg);
         }
       },
       StrokeReach::kVisible);
@@ -201,9 +209,9 @@ void Retrace::hold(const Scene& scene, double force_n) {
   }
   const StrokePtr stroke = best ? scene.document.find(best->id) : nullptr;
   if (!stroke) return;
+  free_steps_ = 0;
   GuideLine line{.kind = GuideKind::kGroove, .points = stroke_path(*stroke)};
-  // The path of a very long stroke does not come back to its start.
-  line.is_closed = stroke->closed() && distance(line.points.front(), line.points.back()) < kStepMm;
+  line.is_closed = is_closed_path(*stroke, line.points);
   if (!check_guide(line)) return;
   held_ = best->id;
   track_.emplace(std::move(line), ++hold_, law(force_n, scene.device));

@@ -20,9 +20,12 @@ namespace felt {
 ///   retrace.update(sample, is_down, scene, force_n);  // every sample
 ///   retrace.force()                                   // the force near the last sample, or null
 ///
-/// A deterministic function of the samples. Use it on the edit thread. A sample takes time linear
-/// in the number of segments near the pen; the one at which the hold begins, in the length of the
-/// line.
+/// The path of the pen is divided into steps of at least 0.5 mm; the distances along it are counted
+/// in such steps.
+///
+/// A deterministic function of the samples. Use it on the edit thread. With n segments near the
+/// pen, a step takes O(n log n); the one at which the hold begins takes time linear in the length
+/// of the line.
 class Retrace {
  public:
   /// A pen follows a line if it stays within the first distance of it ...
@@ -34,10 +37,10 @@ class Retrace {
   /// A pen is held if it was slower than the first speed, and let go if it becomes faster than the
   /// second one.
   static constexpr double kSlowMmPerS = 80.0, kFastMmPerS = 100.0;
-  /// A pen that was let go is not held again for this distance.
+  /// A pen that was let go is not held again in the same touch for this distance.
   static constexpr double kAgainMm = 10.0;
-  /// Where other ink runs beside the line up to this distance, as in a hatching, the line does not
-  /// hold the pen, and neither where the line comes back beside itself, further away than kApartMm.
+  /// No hold begins if another line runs beside the pen, between kNearMm and this distance, as in a
+  /// hatching, or if the line comes back beside itself, further away than kApartMm, as in a zigzag.
   static constexpr double kBesideMm = 2.0, kApartMm = 0.3;
   /// The first value of GuidePiece::hold. Guides of studies have smaller ones, those of a drawing
   /// greater ones.
@@ -53,7 +56,7 @@ class Retrace {
   [[nodiscard]] const Guide* force() const noexcept { return track_ ? &track_->guide() : nullptr; }
   /// Returns a number that is different each time that a line begins to hold the pen.
   [[nodiscard]] std::uint32_t number() const noexcept { return track_ ? track_->number() : hold_; }
-  /// Returns the line that holds the pen.
+  /// Returns the line that holds the pen, or nullopt.
   [[nodiscard]] std::optional<StrokeId> line() const noexcept {
     return track_ ? std::optional(held_) : std::nullopt;
   }
@@ -62,19 +65,20 @@ class Retrace {
   static GuideLaw law(double force_n, const Capabilities& device) noexcept;
 
  private:
-  // The path of the pen is divided into steps; directions are measured over kChordSteps of them.
+  // Directions are measured over kChordSteps steps.
   static constexpr double kStepMm = 0.5;
   static constexpr std::size_t kChordSteps = 4;
   static constexpr int kFollowedSteps = static_cast<int>(kFollowedMm / kStepMm);
   static constexpr int kAgainSteps = static_cast<int>(kAgainMm / kStepMm);
 
-  /// A place of the pen, or the place of a line that is nearest to it, at the end of a step.
-  using Places = std::array<Point, kChordSteps + 1>;
+  /// Positions of the pen, or the positions on a line nearest to them, after the last steps; [0] is
+  /// the newest.
+  using Positions = std::array<Point, kChordSteps + 1>;
   /// A line near the pen.
   struct Line {
     StrokeId id;
-    Places places{};
-    double u = 0.0;        ///< of places[0]
+    Positions positions{};
+    double u = 0.0;        ///< of positions[0]
     int steps = 0;         ///< for which the pen has followed it
     double away_mm = 0.0;  ///< sum of the distances over those steps
   };
@@ -86,21 +90,22 @@ class Retrace {
     double distance_mm = 0.0;
   };
 
-  static void add(Places& places, Point place) noexcept;
+  static void add(Positions& positions, Point position) noexcept;
   void begin(const PenSample& sample) noexcept;
   static bool is_onward(double from_u, const Near& to) noexcept;
   void step(Point pen, std::int64_t time_ns, const Scene& scene, double force_n);
   [[nodiscard]] std::vector<Near> lines_near(Point pen, const Scene& scene) const;
-  [[nodiscard]] bool goes_along(const Line& line, double most_deg) const noexcept;
+  [[nodiscard]] bool goes_along(const Line& line, double max_deg) const noexcept;
   void follow(const std::vector<Near>& near);
   [[nodiscard]] bool is_beside_ink(const Scene& scene) const;
   void hold(const Scene& scene, double force_n);
   void let_go() noexcept;
   [[nodiscard]] double chord_mm_per_s() const noexcept;
 
-  Places pen_{};                                       // [0] is the newest
+  Positions pen_{};
   std::array<std::int64_t, kChordSteps + 1> times_{};  // of pen_
   bool is_down_ = false;
+  bool is_stopped_ = true;        // until the next touch
   int free_steps_ = kAgainSteps;  // since the pen was let go
   std::vector<Line> lines_;
   std::optional<GuideTrack> track_;

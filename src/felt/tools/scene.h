@@ -19,8 +19,8 @@ class StrokeIndex;
 struct ActiveGuide {
   const Guide* force = nullptr;  ///< near the last sample; null: no guide
   std::uint32_t number = 0;      ///< changes when another guide acts
-  /// If true, the pencil's friction is softer, so that it and a guide of the drawing stay within
-  /// the stiffness budget.
+  /// If true, the pencil's friction is softer, so that it and the guide stay within the stiffness
+  /// budget: near a guide of the drawing, and on a retraced line.
   bool softens_friction = false;
 };
 

@@ -153,9 +153,7 @@ void StrokeGuide::hold_to_path(const Document& document) {
   }
   std::vector<Point> path = guide_path(*guide_, document);
   const StrokePtr traced = leads ? nullptr : document.find(guide_->stroke);
-  // The path of a very long stroke does not come back to its start.
-  const bool is_closed =
-      traced && traced->closed() && distance(path.front(), path.back()) < 0.5 * kMinExactMm;
+  const bool is_closed = traced && is_closed_path(*traced, path);
   start_track({.kind = leads ? GuideKind::kTeacher : GuideKind::kGroove,
                .points = std::move(path),
                .is_closed = is_closed,

@@ -40,7 +40,7 @@ class StrokeGuide {
   static constexpr double kChooseMm = 3.0;
   /// The wells of a grid end above the first speed, and are back below the second one.
   static constexpr double kGateMmPerS = 150.0, kOpenMmPerS = 100.0;
-  /// First value of GuidePiece::hold. Guides of studies have smaller ones.
+  /// First value of GuidePiece::hold. Guides of studies and Retrace have smaller ones.
   static constexpr std::uint32_t kFirstHold = 1U << 31;
 
   /// Handles a sample. `is_down` is true from the touch until the lift, also in a bounce. `guides`
