@@ -33,7 +33,8 @@ struct AutosaveInfo {
   bool modified = false;  ///< true if the drawing has unsaved changes
   /// Page, colour, palette, view, materials and active layer. The document of `head` is ignored.
   Drawing head;
-  /// Stamp of the user's file when it was last read or saved; nullopt if there is no file.
+  /// The state of the file at `path` after it was read or saved; nullopt if the drawing has no
+  /// file.
   std::optional<FileStamp> stamp{};
   /// True if the drawing has extras, which only the user's file contains; nullopt if the autosave
   /// is of a version that did not note it.

@@ -10,6 +10,7 @@
 #include "felt/base/constants.h"
 #include "felt/document/edit_builder.h"
 #include "felt/replay/testing/guided_drawing.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::retraced_drawing_test {
 namespace {
@@ -40,15 +41,10 @@ Document page_with(const std::vector<GuideLine>& paths, double down_mm = 0.0) {
   Document document;
   EditBuilder edit(document);
   for (const GuideLine& path : paths) {
-    StrokeData data;
-    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-      Cubic part = straight(path.points[i], path.points[i + 1]);
-      for (Point& p : part.p) p.y += down_mm;
-      data.points.insert(data.points.end(), part.p.begin() + (i == 0 ? 0 : 1), part.p.end());
-      if (i > 0) data.joints.push_back(JointKind::kCorner);
-    }
-    data.widths = {{0.0, 1.0}, {static_cast<double>(path.points.size() - 1), 1.0}};
-    edit.add(document.layers().front().id, std::make_shared<const Stroke>(*Stroke::create(data)));
+    std::vector<Point> points = path.points;
+    for (Point& p : points) p.y += down_mm;
+    edit.add(document.layers().front().id,
+             std::make_shared<const Stroke>(testing::polyline_stroke(points)));
   }
   EXPECT_TRUE(document.apply(std::move(edit).build("Draw")));
   return document;

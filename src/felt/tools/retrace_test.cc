@@ -17,17 +17,6 @@ namespace {
 
 constexpr double kForceN = 0.1;
 
-Stroke line_along(const std::vector<Point>& points) {
-  StrokeData data;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Cubic part = straight(points[i], points[i + 1]);
-    data.points.insert(data.points.end(), part.p.begin() + (i == 0 ? 0 : 1), part.p.end());
-    if (i > 0) data.joints.push_back(JointKind::kCorner);
-  }
-  data.widths = {{0.0, 1.0}, {static_cast<double>(points.size() - 1), 1.0}};
-  return *Stroke::create(std::move(data));
-}
-
 /// A page on which a pen draws, with the haptic loop's force at each sample.
 class Page {
  public:
@@ -87,7 +76,7 @@ class Page {
 
 TEST(Retrace, R71_APenThatFollowsALineIsHeldAfterFiveMillimetres) {
   Page page;
-  const StrokeId line = page.fixture.add(line_along({{0.0, 0.0}, {80.0, 0.0}}));
+  const StrokeId line = page.fixture.add(testing::polyline_stroke({{0.0, 0.0}, {80.0, 0.0}}));
   page.touch({10.0, 0.2});
   page.move({14.0, 0.2}, 40.0);
   EXPECT_FALSE(page.retrace.line());
@@ -106,12 +95,12 @@ TEST(Retrace, R71_LetsGoOfAPenThatLeavesTurnsOrIsFast) {
   const std::vector<Point> turns = {{10, 0}, {20, 0}, {21.2, 0.95}};
   for (const auto& path : {leaves, turns}) {
     Page page;
-    page.fixture.add(line_along({{0.0, 0.0}, {80.0, 0.0}}));
+    page.fixture.add(testing::polyline_stroke({{0.0, 0.0}, {80.0, 0.0}}));
     EXPECT_EQ(page.draw(path), 1);
     EXPECT_FALSE(page.retrace.line());
   }
   Page page;
-  page.fixture.add(line_along({{0.0, 0.0}, {80.0, 0.0}}));
+  page.fixture.add(testing::polyline_stroke({{0.0, 0.0}, {80.0, 0.0}}));
   EXPECT_EQ(page.draw({{10, 0}, {20, 0}}), 1);
   page.move({40, 0}, 130.0);
   EXPECT_FALSE(page.retrace.line());
@@ -121,7 +110,7 @@ TEST(Retrace, R71_LetsGoOfAPenThatLeavesTurnsOrIsFast) {
 
 TEST(Retrace, R71_DoesNotHoldAPenAgainAtOnce) {
   Page page;
-  page.fixture.add(line_along({{0.0, 0.0}, {200.0, 0.0}}));
+  page.fixture.add(testing::polyline_stroke({{0.0, 0.0}, {200.0, 0.0}}));
   EXPECT_EQ(page.draw({{10, 0}, {20, 0}}), 1);
   page.move({24, 0}, 130.0);
   EXPECT_FALSE(page.retrace.line());
@@ -134,7 +123,7 @@ TEST(Retrace, R71_DoesNotHoldAPenAgainAtOnce) {
 TEST(Retrace, R71_HatchingsAndZigzagsDoNotHold) {
   Page page;
   for (int i = 0; i < 4; ++i) {
-    page.fixture.add(line_along({{0.0, 1.2 * i}, {40.0, 1.2 * i}}));
+    page.fixture.add(testing::polyline_stroke({{0.0, 1.2 * i}, {40.0, 1.2 * i}}));
   }
   EXPECT_EQ(page.draw({{2.0, 0.1}, {38.0, 0.1}}), 0) << "beside its neighbour";
   EXPECT_EQ(page.draw({{2.0, 1.3}, {38.0, 1.3}}), 0) << "between two";
@@ -142,7 +131,7 @@ TEST(Retrace, R71_HatchingsAndZigzagsDoNotHold) {
   Page zigzag;
   std::vector<Point> path;
   for (int i = 0; i < 60; ++i) path.push_back({i % 2 == 0 ? 0.0 : 12.0, 0.5 * i});
-  zigzag.fixture.add(line_along(path));
+  zigzag.fixture.add(testing::polyline_stroke(path));
   EXPECT_EQ(zigzag.draw({{6.0, 1.0}, {6.0, 29.0}}), 0) << "across its legs";
 }
 
@@ -150,7 +139,7 @@ TEST(Retrace, R71_APenThatLeapsToAnotherPartOfTheLineIsLetGo) {
   Page page;
   std::vector<Point> path = {{0.0, 0.0}, {15.0, 0.0}};
   for (int i = 1; i < 30; ++i) path.push_back({15.0 + i, i % 2 == 0 ? 0.0 : 12.0});
-  page.fixture.add(line_along(path));
+  page.fixture.add(testing::polyline_stroke(path));
   EXPECT_EQ(page.draw({{1.0, 0.1}, {14.0, 0.1}, {17.0, 3.0}, {42.0, 3.0}}), 1);
   EXPECT_FALSE(page.retrace.line());
 }
@@ -163,7 +152,7 @@ TEST(Retrace, R71_HoldsAlongAClosedLinePastItsSeam) {
     circle.push_back({15.0 * std::cos(a), 15.0 * std::sin(a)});
   }
   circle.back() = circle.front();
-  StrokeData data = line_along(circle).data();
+  StrokeData data = testing::polyline_stroke(circle).data();
   data.closed = true;
   data.joints.push_back(JointKind::kCorner);
   page.fixture.add(*Stroke::create(std::move(data)));
@@ -175,14 +164,14 @@ TEST(Retrace, R71_HoldsAlongAClosedLinePastItsSeam) {
 
 TEST(Retrace, WithoutTimeNothingHolds) {
   Page page;
-  page.fixture.add(line_along({{0.0, 0.0}, {80.0, 0.0}}));
+  page.fixture.add(testing::polyline_stroke({{0.0, 0.0}, {80.0, 0.0}}));
   page.step_ns = 0;
   EXPECT_EQ(page.draw({{10.0, 0.1}, {40.0, 0.1}}), 0);
 }
 
 TEST(Retrace, LinesThatCannotBeSeenDoNotHold) {
   Page page;
-  page.fixture.add(line_along({{0.0, 0.0}, {80.0, 0.0}}));
+  page.fixture.add(testing::polyline_stroke({{0.0, 0.0}, {80.0, 0.0}}));
   LayerState state = page.fixture.document.layers().front().state();
   for (const bool is_locked : {true, false}) {
     const LayerState before = state, after{state.name, is_locked, is_locked};
@@ -204,7 +193,7 @@ RC_GTEST_PROP(Retrace, HoldsAreBoundedAndGiveAtMostAFifthOfAMillijoule, ()) {
     line.push_back({x, y});
     path.push_back({x, y + off + sway * std::sin(waves * 0.1 * x)});
   }
-  page.fixture.add(line_along(line));
+  page.fixture.add(testing::polyline_stroke(line));
   const double speed = *rc::gen::inRange(5, 80);
   int holds = page.draw(path, speed);
   std::reverse(path.begin(), path.end());

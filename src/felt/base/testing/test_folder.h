@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,10 @@ namespace felt::testing {
 struct TestFolder {
   TestFolder() {
     const bool has_memory = ::access("/dev/shm", W_OK) == 0;
+    // mkdtemp() replaces the six letters at the end by others that make the name unique.
     std::string name = (has_memory ? "/dev/shm/" : ::testing::TempDir()) + "felt-test-XXXXXX";
-    path = ::mkdtemp(name.data());
+    if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a folder for a test");
+    path = name;
   }
   ~TestFolder() { std::filesystem::remove_all(path); }
   TestFolder(const TestFolder&) = delete;
