@@ -17,6 +17,8 @@
 // with a tablet (baselines.h). Without --device, with all simulated devices that have forces.
 //   bench_feel --retracing [--people N] [--device NAME]
 // Simulated people draw over lines (retracing.h). Without --device, with all of them.
+//   bench_feel --erasing [--people N] [--device NAME]
+// Simulated people erase a part of a line (erasing.h). Without --device, with all of them.
 //   bench_feel --pull [--people N] [--device NAME]
 // Simulated people pull a line to given points (pull_people.h).
 #include <fmt/core.h>
@@ -34,6 +36,7 @@
 #include "apps/cli/text_table.h"
 #include "baselines.h"
 #include "bench/hand/statistics.h"
+#include "erasing.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
 #include "pull_people.h"
@@ -53,7 +56,7 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> set;
   std::size_t people = 20;
   PersonModel model = PersonModel::kProportional;
-  bool snapping = false, pull = false, baselines = false, retracing = false;
+  bool snapping = false, pull = false, baselines = false, retracing = false, erasing = false;
 };
 
 [[noreturn]] void fail_usage() {
@@ -64,6 +67,7 @@ struct Options {
              "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n"
              "       bench_feel --baselines [--people N] [--device NAME]\n"
              "       bench_feel --retracing [--people N] [--device NAME]\n"
+             "       bench_feel --erasing [--people N] [--device NAME]\n"
              "       bench_feel --pull [--people N] [--device NAME]\n");
   std::exit(2);
 }
@@ -76,8 +80,9 @@ Options options_of(int argc, char** argv) {
     options.pull = options.pull || name == "--pull";
     options.baselines = options.baselines || name == "--baselines";
     options.retracing = options.retracing || name == "--retracing";
+    options.erasing = options.erasing || name == "--erasing";
     if (name == "--snapping" || name == "--pull" || name == "--baselines" ||
-        name == "--retracing") {
+        name == "--retracing" || name == "--erasing") {
       --i;
       continue;
     }
@@ -113,7 +118,9 @@ Options options_of(int argc, char** argv) {
       options.files.push_back(std::string("share/samples/") + name + ".ndjson");
     }
   }
-  if (options.device.empty() && !options.baselines && !options.retracing) options.device = "touch";
+  if (options.device.empty() && !options.baselines && !options.retracing && !options.erasing) {
+    options.device = "touch";
+  }
   const bool known = options.device.empty() || (find_stylus_preset(options.device) &&
                                                 (options.hand.empty() || find_hand(options.hand)));
   if (!known || !(options.mm_per_unit > 0.0)) fail_usage();
@@ -285,8 +292,10 @@ std::vector<std::string> devices_of(const Options& options) {
 Result<void> compare(const Options& options) {
   if (options.baselines) return compare_baselines(devices_of(options), options.people);
   if (options.pull) return compare_pulls(options.device, options.people);
-  if (!options.retracing) return compare_people(options);
-  const Result<bool> is_met = compare_retracing(devices_of(options), options.people);
+  if (!options.retracing && !options.erasing) return compare_people(options);
+  const Result<bool> is_met = options.erasing
+                                  ? compare_erasing(devices_of(options), options.people)
+                                  : compare_retracing(devices_of(options), options.people);
   if (!is_met) return tl::unexpected(is_met.error());
   return *is_met ? Result<void>() : fail(ErrorCode::kInvalidData, "a bar is missed");
 }

@@ -233,7 +233,7 @@ run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
 lines recorded.out.ndjson 4
 # Like recordings of Feltline 0.1.0, this one does not name the version of the default options.
 has err "recorded.ndjson: recorded by an earlier version"
-sed -i 's/"senses_pressure":true/&,"defaults":8/' recorded.ndjson
+sed -i 's/"senses_pressure":true/&,"defaults":9/' recorded.ndjson
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
 is_empty err
 mkdir -p elsewhere

@@ -8223,6 +8223,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Festes Drücken löscht die ganze Linie unter dem Ring. Ein Stift mit Kraftrückmeldung klickt bei diesem Druck.</translation>
     </message>
     <message>
+        <source>Guard of other lines</source>
+        <translation>Andere Linien schützen</translation>
+    </message>
+    <message>
+        <source>Largest force with which lines that the eraser has not touched yet push a force-feedback pen away. Push on to erase them, too.</source>
+        <translation>Größte Kraft, mit der Linien, die der Radierer noch nicht berührt hat, einen Stift mit Kraftrückmeldung wegdrücken. Wer weiterdrückt, radiert auch sie.</translation>
+    </message>
+    <message>
         <source>Widths in steps</source>
         <translation>Breiten in Stufen</translation>
     </message>

@@ -8223,6 +8223,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Hard drukken wist de hele lijn onder de ring. Een pen met krachtterugkoppeling klikt bij deze druk.</translation>
     </message>
     <message>
+        <source>Guard of other lines</source>
+        <translation>Andere lijnen beschermen</translation>
+    </message>
+    <message>
+        <source>Largest force with which lines that the eraser has not touched yet push a force-feedback pen away. Push on to erase them, too.</source>
+        <translation>Grootste kracht waarmee lijnen die de gum nog niet heeft geraakt, een pen met krachtterugkoppeling wegduwen. Wie verder duwt, gumt ook die uit.</translation>
+    </message>
+    <message>
         <source>Widths in steps</source>
         <translation>Breedtes in stappen</translation>
     </message>

@@ -30,6 +30,12 @@ concept ForceFunctor = std::is_trivially_copyable_v<F> && sizeof(F) <= kForceFun
   noexcept->std::same_as<Slopes>;
 };
 
+/// A force that uses ForceMemory::guide. Only one such force can act at a time.
+template <class F>
+concept GuideForce = requires {
+  requires F::kIsGuide;
+};
+
 /// Holds any force functor in one trivially copyable type. A tool publishes a ForceModel and the
 /// haptic loop evaluates it at each tick. A default ForceModel has no force.
 ///
@@ -44,18 +50,19 @@ class ForceModel {
 
   template <ForceFunctor F>
   requires(!std::same_as<F, ForceModel>) explicit ForceModel(const F& functor) noexcept
-      : call_(call_of<F>()), slopes_(functor.slopes()), size_(sizeof(F)) {
+      : call_(call_of<F>()), slopes_(functor.slopes()), size_(sizeof(F)), is_guide_(GuideForce<F>) {
     ::new (static_cast<void*>(storage_.data())) F(functor);
   }
 
   /// Adds a force, which is evaluated after the others, for code that does not know the type of the
-  /// functor. Returns false and changes nothing if there is not enough space, or if a force was
-  /// added before.
+  /// functor. Returns false and changes nothing if there is not enough space, if a force was added
+  /// before, or if both this model and the force are guides.
   template <ForceFunctor F>
   [[nodiscard]] bool add(const F& functor) noexcept {
     constexpr std::size_t kAlign = alignof(std::max_align_t);
     const std::size_t at = (size_ + kAlign - 1) / kAlign * kAlign;
     if (added_call_ || at + sizeof(F) > kForceFunctorBytes) return false;
+    if (is_guide_ && GuideForce<F>) return false;
     ::new (static_cast<void*>(storage_.data() + at)) F(functor);
     added_call_ = call_of<F>();
     added_at_ = at;
@@ -97,6 +104,7 @@ class ForceModel {
   std::size_t size_ = 0;      // of the functor, bytes
   std::size_t added_at_ = 0;  // position of the added functor
   std::uint32_t fade_id_ = 0;
+  bool is_guide_ = false;  // GuideForce
 };
 
 static_assert(std::is_trivially_copyable_v<ForceModel>);
@@ -113,6 +121,8 @@ class Compose;
 template <>
 class Compose<> {
  public:
+  static constexpr bool kIsGuide = false;
+
   Force operator()(const PenSample&, ForceMemory&) const noexcept { return {}; }
   [[nodiscard]] Slopes slopes() const noexcept { return {}; }
 };
@@ -120,6 +130,8 @@ class Compose<> {
 template <ForceFunctor First, ForceFunctor... Rest>
 class Compose<First, Rest...> {
  public:
+  static constexpr bool kIsGuide = GuideForce<First> || Compose<Rest...>::kIsGuide;
+
   explicit Compose(const First& first, const Rest&... rest) noexcept
       : first_(first), rest_(rest...) {}
 

@@ -143,7 +143,7 @@ struct RestyleEvent {
 /// The version of the tools' default options. A recording contains this version, because a
 /// recording leaves out options that have their default. old_defaults.h lists those of
 /// earlier versions.
-inline constexpr int kOptionDefaults = 8;
+inline constexpr int kOptionDefaults = 9;
 /// Since this version, a pen that bounces while it lands draws one line (Contact::set_landing).
 inline constexpr int kLandingDefaults = 4;
 /// Before this version, a layer event that left no open layer added one. Since then, the first ink

@@ -28,10 +28,7 @@ ForceModel Session::force() const {
   // A guide of the drawing that is far away does not hold the pen.
   if (edge && !guide() && !now.guide.softens_friction) now.guide = {};
   ForceModel model = tool().force(now);
-  const ToolKind kind = tool().info().kind;
-  // Only one Guide can act at a time, because all of them use the same memory (ForceMemory::guide).
-  const bool has_guide = now.guide.force || kind == ToolKind::kFills || kind == ToolKind::kReads;
-  if (!edge || has_guide || !model.add(*edge)) return model;
+  if (!edge || !model.add(*edge)) return model;
   model.set_fade_id(FeelId("edge")
                         .with(std::uint64_t{model.fade_id()})
                         .with(std::uint64_t{edge_ridges_->number()})

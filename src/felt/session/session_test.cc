@@ -305,6 +305,7 @@ TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
                                                                            : 0.6));
     EXPECT_EQ(session.option("pencil.attraction_n"), OptionValue(version == 1 ? 0.6 : 0.2));
     EXPECT_EQ(session.option("pencil.retrace_n"), OptionValue(version < 8 ? 0.0 : 0.1));
+    EXPECT_EQ(session.option("eraser.guard_n"), OptionValue(version < 9 ? 0.0 : 0.25));
     const std::string take = version == 1 ? "points" : (version < 4 ? "strokes" : "parts");
     EXPECT_EQ(session.option("lasso.take"), OptionValue(take));
   }

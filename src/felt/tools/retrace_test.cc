@@ -152,10 +152,7 @@ TEST(Retrace, R71_HoldsAlongAClosedLinePastItsSeam) {
     circle.push_back({15.0 * std::cos(a), 15.0 * std::sin(a)});
   }
   circle.back() = circle.front();
-  StrokeData data = testing::polyline_stroke(circle).data();
-  data.closed = true;
-  data.joints.push_back(JointKind::kCorner);
-  page.fixture.add(*Stroke::create(std::move(data)));
+  page.fixture.add(testing::polyline_stroke(circle, true));
   std::vector<Point> path(circle.begin() + 60, circle.end());
   path.insert(path.end(), circle.begin() + 1, circle.begin() + 40);
   EXPECT_EQ(page.draw(path), 1);

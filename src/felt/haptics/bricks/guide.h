@@ -102,6 +102,7 @@ struct GuidePiece {
 /// pen that is faster than the teacher is not braked.
 class Guide {
  public:
+  static constexpr bool kIsGuide = true;  // GuideForce
   static constexpr double kFallS = 0.03;  ///< time in which it ends after the pen is lifted
 
   Guide(const GuideLaw& law, const GuidePiece& piece) noexcept : law_(law), piece_(piece) {}

@@ -93,13 +93,14 @@ inline Stroke straight_stroke(Point a, Point b, double w0, double w1) {
       .value();
 }
 
-/// Returns a stroke of straight segments through points, 1 mm wide, with corners.
-inline Stroke polyline_stroke(const std::vector<Point>& points) {
-  StrokeData data{.points = {points.front()}, .joints = {}, .widths = {}};
+/// Returns a stroke of straight segments through points, 1 mm wide, with corners. A closed one must
+/// end at its first point.
+inline Stroke polyline_stroke(const std::vector<Point>& points, bool closed = false) {
+  StrokeData data{.points = {points.front()}, .joints = {}, .closed = closed, .widths = {}};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Cubic c = straight(points[i - 1], points[i]);
     data.points.insert(data.points.end(), c.p.begin() + 1, c.p.end());
-    if (i > 1) data.joints.push_back(JointKind::kCorner);
+    if (i > 1 || closed) data.joints.push_back(JointKind::kCorner);
   }
   data.widths = {{0.0, 1.0}, {static_cast<double>(points.size() - 1), 1.0}};
   return Stroke::create(std::move(data)).value();

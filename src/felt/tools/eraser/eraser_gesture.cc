@@ -133,6 +133,7 @@ const StrokePtr& EraserGesture::looked_at(StrokeId id, const Scene& scene) {
 }
 
 void EraserGesture::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
+  if (guard_ && guard_->is_guarded(id)) return;
   const auto known = lines_.find(id);
   const double u = segment;
   if (known != lines_.end() && known->second.erased.contains({u, u + 1.0})) return;

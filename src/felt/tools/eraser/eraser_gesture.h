@@ -11,6 +11,7 @@
 #include "felt/document/stroke_index.h"
 #include "felt/tools/eraser/crossing_span.h"
 #include "felt/tools/eraser/eraser_options.h"
+#include "felt/tools/eraser/guard_ridge.h"
 #include "felt/tools/eraser/ink_narrowing.h"
 #include "felt/tools/eraser/remaining_pieces.h"
 #include "felt/tools/eraser/swept.h"
@@ -54,8 +55,10 @@ class EraserGesture {
   static constexpr std::int64_t kShowNsPerStroke = 10'000;
   static constexpr std::int64_t kMaxShowNs = 40'000'000;
 
-  EraserGesture(const EraserSettings& settings, EraserMode mode) noexcept
-      : settings_(settings), mode_(mode) {}
+  /// Erases no line while `guard` guards it; `guard` may be null, and must outlive this.
+  EraserGesture(const EraserSettings& settings, EraserMode mode,
+                const GuardRidge* guard = nullptr) noexcept
+      : settings_(settings), mode_(mode), guard_(guard) {}
 
   /// Begins the gesture. Returns true if a new preview is due.
   bool begin(Point pen, std::int64_t time_ns, const Scene& scene);
@@ -118,6 +121,7 @@ class EraserGesture {
 
   EraserSettings settings_;
   EraserMode mode_;
+  const GuardRidge* guard_;
   Point pen_;
   std::map<StrokeId, Line> lines_;
   std::deque<Pending> pending_;

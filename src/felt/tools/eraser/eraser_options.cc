@@ -7,7 +7,8 @@ EraserSettings eraser_settings(const OptionValues& values) {
           .radius_mm = values.number(EraserOption::kRadius),
           .include_width = values.is_on(EraserOption::kIncludeWidth),
           .press_through = values.is_on(EraserOption::kPressThrough),
-          .strength = values.number(EraserOption::kStrength)};
+          .strength = values.number(EraserOption::kStrength),
+          .guard_n = values.number(EraserOption::kGuard)};
 }
 
 }  // namespace felt

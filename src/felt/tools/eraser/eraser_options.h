@@ -19,7 +19,15 @@ inline constexpr std::array<std::string_view, 3> kEraserModes = {"touched", "cro
 
 /// Rows of kEraserOptions.
 struct EraserOption {
-  enum Row : std::size_t { kMode, kRadius, kIncludeWidth, kPressThrough, kStrength, kCount };
+  enum Row : std::size_t {
+    kMode,
+    kRadius,
+    kIncludeWidth,
+    kPressThrough,
+    kStrength,
+    kGuard,
+    kCount
+  };
 };
 
 inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {{
@@ -53,6 +61,14 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
              "this pressure."},
     strength_option(
         "Force level of friction and grain. Does not affect the hardness of the surface."),
+    {.id = "guard_n",
+     .label = "Guard of other lines",
+     .unit = "N",
+     .min = 0.0,
+     .max = 0.4,
+     .fallback = 0.25,
+     .help = "Largest force with which lines that the eraser has not touched yet push a "
+             "force-feedback pen away. Push on to erase them, too."},
 }};
 
 /// The options in the form that the tool uses.
@@ -62,6 +78,7 @@ struct EraserSettings {
   bool include_width = true;
   bool press_through = false;
   double strength = 1.0;
+  double guard_n = 0.0;  ///< largest force of lines that were not meant
 };
 
 /// Reads the options. Requires values of kEraserOptions.

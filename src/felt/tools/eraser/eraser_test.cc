@@ -85,6 +85,7 @@ TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     testing::RandomStroke make(1000 + seed);
     Eraser e;
+    e.set("guard_n", 0.0);  // a guarded line keeps its ink
     for (std::uint64_t k = 0; k < 4; ++k) e.fixture.add(random_stroke(10 * seed + k));
     const auto before = e.fixture.strokes();
     const Document original = e.fixture.document;
@@ -207,6 +208,7 @@ TEST(Eraser, R39_OneStepIsAHundredSubsteps) {
       Eraser one, many;
       for (Eraser* e : {&one, &many}) {
         e->choose_mode(mode);
+        e->set("guard_n", 0.0);  // samples decide which lines are passed
         for (std::uint64_t k = 0; k < 3; ++k) e->fixture.add(random_stroke(10 * seed + k));
       }
       testing::RandomStroke make(seed);
@@ -526,6 +528,27 @@ Vec3 hand(int scenario, double time, double aim) {
   if (scenario == 0) return {0, 0, z};
   if (scenario == 1) return {20 * t, 5 * t, z};
   return {20 * std::sin(kTau * t), 8 * std::sin(1.5 * kTau * t), z};
+}
+
+TEST(Eraser, R72_AGuardedLineKeepsItsInkUntilThePenPushesOn) {
+  for (const bool has_force : {true, false}) {
+    Eraser e;
+    if (!has_force) e.fixture.device.max_force_n = 0.0;
+    e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+    const StrokeId other = e.fixture.add(straight_stroke({30, -20}, {30, 20}, 1, 1));
+    e.pen.line(way({10, 0}, {28, 0}));  // 0.5 mm over its ink
+    EXPECT_EQ(e.fixture.document.find(other) != nullptr, has_force);
+    e.pen.line(way({10, 0}, {29.5, 0}));
+    EXPECT_FALSE(e.fixture.document.find(other)) << "2 mm over its ink";
+  }
+}
+
+TEST(Eraser, R72_AFastPenErasesTheLinesThatItPassesBetweenSamples) {
+  Eraser e;
+  e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  const StrokeId other = e.fixture.add(straight_stroke({30, -20}, {30, 20}, 1, 1));
+  e.pen.line({{10, 0}, {40, 0}});
+  EXPECT_FALSE(e.fixture.document.find(other));
 }
 
 TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {

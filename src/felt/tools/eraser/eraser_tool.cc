@@ -70,14 +70,16 @@ ToolResult EraserTool::hover(const PenSample& sample, const Scene& scene) {
 ToolResult EraserTool::begin(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
   aim_.clear();
-  erasing_.emplace(settings_, mode_of(sample));
+  erasing_.emplace(settings_, mode_of(sample), &guard_);
   erases_whole_ = false;
   touch_ns_ = sample.time_ns;
+  update_guard(sample, scene);
   return preview(erasing_->begin(*pen_, sample.time_ns, scene), scene);
 }
 
 ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
+  update_guard(sample, scene);
   bool changed = erasing_->move(*pen_, sample.time_ns, scene);
   if (!erases_whole_ && presses_through(sample, scene)) {
     erases_whole_ = true;
@@ -86,16 +88,23 @@ ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
   return preview(changed, scene);
 }
 
+void EraserTool::update_guard(const PenSample& sample, const Scene& scene) {
+  const EraserMode mode = erases_whole_ ? EraserMode::kStroke : mode_of(sample);
+  guard_.update(on_page(sample.position), mode, settings_, scene);
+}
+
 ToolResult EraserTool::end(const Scene& scene) {
   erasing_->finish(scene);
   ToolResult result;
   if (!erasing_->empty()) result.commit = erasing_->edit(scene);
   erasing_.reset();
+  guard_.end();
   return result;
 }
 
 void EraserTool::drop() {
   erasing_.reset();
+  guard_.end();
 }
 
 void EraserTool::take_options(const OptionValues& options) {
@@ -104,13 +113,14 @@ void EraserTool::take_options(const OptionValues& options) {
 }
 
 ForceModel EraserTool::force(const Scene& scene) const {
-  return make_eraser_force(settings_, scene);
+  return make_eraser_force(settings_, scene, guard_);
 }
 
 void EraserTool::draw(Overlay& overlay) const {
   if (!pen_) return;
   overlay.rings.push_back({*pen_, settings_.radius_mm, Overlay::Role::kReach});
   if (!in_gesture()) aim_.draw(overlay);
+  guard_.draw(overlay);
 }
 
 }  // namespace felt

@@ -6,6 +6,7 @@
 #include "felt/tools/eraser/eraser_aim.h"
 #include "felt/tools/eraser/eraser_gesture.h"
 #include "felt/tools/eraser/eraser_options.h"
+#include "felt/tools/eraser/guard_ridge.h"
 #include "felt/tools/gesture_tool.h"
 
 namespace felt {
@@ -33,6 +34,7 @@ class EraserTool final : public GestureTool {
   [[nodiscard]] EraserMode mode_of(const PenSample& sample) const noexcept;
   /// Returns true if the pen is pressed so hard that whole lines are erased.
   [[nodiscard]] bool presses_through(const PenSample& sample, const Scene& scene) const noexcept;
+  void update_guard(const PenSample& sample, const Scene& scene);
   [[nodiscard]] ToolResult preview(bool changed, const Scene& scene) const;
 
   EraserSettings settings_;
@@ -40,6 +42,7 @@ class EraserTool final : public GestureTool {
   bool erases_whole_ = false;  // the pen was pressed through in this gesture
   std::int64_t touch_ns_ = 0;
   EraserAim aim_;
+  GuardRidge guard_;
   std::optional<Point> pen_;  // for the ring
 };
 
