@@ -108,13 +108,15 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
-  const WellShape shape = attraction_of(settings, scene.device, pace);
+  WellShape shape = attraction_of(settings, scene.device, pace);
+  if (scene.law == LawForm::kPaper) shape = shape.printed(weak_share(settings.strength));
   const PushClicks clicks = width_clicks(settings, scene);
   SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
   if (held_at) well = SnapWells(*held_at, hold_shape(settings.strength));
 
   FeelId id("pencil");
   id.with_surface(scene.surface, medium_of(scene, settings.medium)).with(settings.strength);
+  id.with_law(scene.law);
   if (held_at) {
     id.with("hold").with(held_at->x).with(held_at->y);
   } else if (target) {
