@@ -268,7 +268,7 @@ Result<void> add_turned_head(LawForm law, PaperFigures& figures) {
     const std::size_t k = figures.figures.size() - 2;
     figure.caption = fmt::format(
         "Rotating a cat's head, {}. The head is turned by {:.1f} degrees, the first control points "
-        "that are not selected ({} of them, the orange dots) hold it, and the pen feels {:.3f} N, "
+        "that are not selected ({} of them, the red dots) hold it, and the pen feels {:.3f} N, "
         "the arrow.",
         k == 0 ? std::string("first moment")
                : fmt::format("{:.1f} s later", moments_s[1] - moments_s[0]),
