@@ -25,6 +25,7 @@ void add_recover_command(CLI::App& app, Console& console);
 void add_replay_command(CLI::App& app, Console& console);
 void add_timelapse_command(CLI::App& app, Console& console);
 void add_demo_command(CLI::App& app, Console& console);
+void add_paper_command(CLI::App& app, Console& console);
 void add_materials_command(CLI::App& app, Console& console);
 void add_tools_command(CLI::App& app, Console& console);
 void add_devices_command(CLI::App& app, Console& console);

@@ -50,6 +50,8 @@ class DemoAct {
   void gesture(const std::vector<Point>& via, double mm_per_s = 30.0, double depth_mm = kLightMm);
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  /// Returns the time of the last event.
+  [[nodiscard]] double seconds() const noexcept { return now_s_; }
 
  private:
   void say(const decltype(Event::what)& what);

@@ -18,4 +18,7 @@ std::span<const DemoScript> demo_scripts() noexcept;
 /// The two key drawings of a fish, as SVG, that swims at the end of the demonstration.
 std::span<const std::string_view, 2> demo_fish() noexcept;
 
+/// The pen strokes of share/samples/cat.ndjson.
+std::string_view sample_cat() noexcept;
+
 }  // namespace felt::cli

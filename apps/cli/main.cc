@@ -53,6 +53,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_replay_command(app, console);
   add_timelapse_command(app, console);
   add_demo_command(app, console);
+  add_paper_command(app, console);
   add_tools_command(app, console);
   add_materials_command(app, console);
   add_devices_command(app, console);

@@ -1,19 +1,24 @@
 #include "overlay_picture.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "felt/document/visible_strokes.h"
+#include "felt/io/svg/svg_compact.h"
 #include "felt/render/page_painter.h"
 #include "felt/render/plot.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/render/raster.h"
 #include "felt/tools/guide_picture.h"
 #include "felt/tools/overlay_look.h"
+#include "svg_canvas.h"
 
 namespace felt::cli {
 namespace {
@@ -58,16 +63,19 @@ std::string ascii(const std::string& text) {
   return plain;
 }
 
-/// Draws the overlay. Positions are in mm, widths in units of the picture.
+/// Draws the overlay on a PlotCanvas or an SvgCanvas. Positions are in mm, widths in units of the
+/// picture.
+template <class Canvas>
 class OverlayPen {
  public:
-  OverlayPen(Pixels target, const View& view, double px_per_unit)
-      : canvas_(target, px_per_unit),
+  /// `size_px` is that of the picture. Requires that `canvas` outlives this.
+  OverlayPen(Canvas& canvas, const View& view, double px_per_unit, Vec size_px)
+      : canvas_(canvas),
         view_(view),
         px_per_unit_(px_per_unit),
-        width_units_(target.width / px_per_unit),
-        height_units_(target.height / px_per_unit),
-        far_units_(20.0 * (target.width + target.height) / px_per_unit) {}
+        width_units_(size_px.x / px_per_unit),
+        height_units_(size_px.y / px_per_unit),
+        far_units_(20.0 * (width_units_ + height_units_)) {}
 
   void bands(const Overlay& overlay) {
     for (const auto& span : overlay.spans) {
@@ -166,27 +174,47 @@ class OverlayPen {
     canvas_.text(at, text, {kTextSize, kTextColor, PlotAlign::kLeft, 1.1});
   }
 
-  PlotCanvas canvas_;
+  Canvas& canvas_;
   View view_;
   double px_per_unit_;
   double width_units_, height_units_;
   double far_units_;
 };
 
-/// Draws each segment of wet ink as a stroke of its own, which is good enough for a picture.
-void draw_wet_ink(const Overlay& overlay, const Affine& image, const View& view, Pixels pixels,
-                  Rasterizer& rasterizer) {
-  for (const Overlay::InkSegment& original : overlay.ink) {
-    const Overlay::InkSegment wet = mapped(original, image);
-    StrokeData data;
-    data.points.assign(wet.curve.p.begin(), wet.curve.p.end());
-    data.widths = {{0.0, std::max(wet.start_width_mm, kMinWidthMm), wet.start_tone},
-                   {1.0, std::max(wet.end_width_mm, kMinWidthMm), wet.end_tone}};
-    data.color = overlay.ink_color;
-    if (const Result<Stroke> ink = Stroke::create(std::move(data))) {
-      rasterizer.draw(*ink, view, pixels.rect(), pixels);
+/// Returns each segment of wet ink as a stroke of its own, which is good enough for a picture.
+std::vector<StrokePtr> wet_ink(const Overlay& overlay) {
+  std::vector<Affine> images{Affine{}};
+  images.insert(images.end(), overlay.ink_images.begin(), overlay.ink_images.end());
+  std::vector<StrokePtr> strokes;
+  for (const Affine& image : images) {
+    for (const Overlay::InkSegment& original : overlay.ink) {
+      const Overlay::InkSegment wet = mapped(original, image);
+      StrokeData data;
+      data.points.assign(wet.curve.p.begin(), wet.curve.p.end());
+      data.widths = {{0.0, std::max(wet.start_width_mm, kMinWidthMm), wet.start_tone},
+                     {1.0, std::max(wet.end_width_mm, kMinWidthMm), wet.end_tone}};
+      data.color = overlay.ink_color;
+      Result<Stroke> ink = Stroke::create(std::move(data));
+      if (ink) strokes.push_back(std::make_shared<const Stroke>(*std::move(ink)));
     }
   }
+  return strokes;
+}
+
+/// Returns the area of the page that a picture shows.
+Rect shown_area(const SessionView& view, const PictureOptions& options) {
+  const Rect area = options.area.value_or(bounds_of(view).inflated(kOverlayMarginMm));
+  return area.empty() ? page_area(ink_bounds(view.document), {}) : area;
+}
+
+/// Draws what is above the ink.
+template <class Canvas>
+void draw_marks(OverlayPen<Canvas>& pen, const SessionView& view, const Rect& area) {
+  Overlay guides;
+  add_guide_pictures(guides, view.document, nullptr, area);
+  pen.marks(guides);
+  pen.marks(view.overlay);
+  if (view.pen) pen.pen(*view.pen);
 }
 
 }  // namespace
@@ -230,28 +258,48 @@ Rgba role_color(Overlay::Role role) noexcept {
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale) {
   PageOptions page;
   page.dpi = options.dpi;
-  page.area = options.area.value_or(bounds_of(view).inflated(kOverlayMarginMm));
-  if (page.area->empty()) page.area = page_area(ink_bounds(view.document), {});
+  page.area = shown_area(view, options);
   page.paper = options.paper.value_or(page.paper);
   Result<PagePainter> painter = PagePainter::create({}, page);
   if (!painter) return tl::unexpected(painter.error());
   const Pixels pixels = painter->image().pixels();
-  OverlayPen pen(pixels, painter->view(), scale * page.dpi / kUnitsPerInch);
+  const double px_per_unit = scale * page.dpi / kUnitsPerInch;
+  PlotCanvas canvas(pixels, px_per_unit);
+  OverlayPen pen(canvas, painter->view(), px_per_unit,
+                 {static_cast<double>(pixels.width), static_cast<double>(pixels.height)});
   pen.bands(view.overlay);
   if (Result<void> drawn = painter->draw(view.document, PictureChoice::kMarked); !drawn) {
     return tl::unexpected(drawn.error());
   }
   Rasterizer rasterizer;
-  draw_wet_ink(view.overlay, {}, painter->view(), pixels, rasterizer);
-  for (const Affine& image : view.overlay.ink_images) {
-    draw_wet_ink(view.overlay, image, painter->view(), pixels, rasterizer);
+  for (const StrokePtr& wet : wet_ink(view.overlay)) {
+    rasterizer.draw(*wet, painter->view(), pixels.rect(), pixels);
   }
-  Overlay guides;
-  add_guide_pictures(guides, view.document, nullptr, *page.area);
-  pen.marks(guides);
-  pen.marks(view.overlay);
-  if (view.pen) pen.pen(*view.pen);
+  draw_marks(pen, view, *page.area);
   return std::move(painter->image());
+}
+
+Result<std::string> view_svg(const SessionView& view, const PictureOptions& options, double scale) {
+  const Rect area = shown_area(view, options);
+  const double units_per_mm = kUnitsPerInch / kMmPerInch / scale;
+  const std::string group =
+      fmt::format("<g transform=\"translate({:.3f} {:.3f}) scale({:.5f})\">\n", area.x0, area.y0,
+                  1.0 / units_per_mm);
+  std::string text;
+  append_compact_head(text, area, options.paper.value_or(Rgba{255, 255, 255, 255}));
+  SvgCanvas canvas(text);
+  OverlayPen pen(canvas, View{{area.x0, area.y0}, units_per_mm}, 1.0,
+                 units_per_mm * Vec{area.width(), area.height()});
+  text += group;
+  pen.bands(view.overlay);
+  text += "</g>\n";
+  for (const Document& ink : {view.document, document_of(wet_ink(view.overlay))}) {
+    if (Result<void> done = append_compact_ink(text, {.document = ink}); !done)
+      return tl::unexpected(done.error());
+  }
+  text += group;
+  draw_marks(pen, view, area);
+  return text + "</g>\n</svg>\n";
 }
 
 }  // namespace felt::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "felt/base/result.h"
 #include "felt/render/image.h"
@@ -34,5 +35,10 @@ Rgba role_color(Overlay::Role role) noexcept;
 /// multiple of `scale` / 150 inch and does not depend on how much of the page is shown. Labels are
 /// ASCII; a degree sign becomes "deg". Fails like render_page().
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale = 1.0);
+
+/// Returns the same picture as an SVG for web pages (svg_compact.h), with the labels as text. The
+/// grain and the pictures of layers are not shown. Fails like svg_compact_text().
+Result<std::string> view_svg(const SessionView& view, const PictureOptions& options,
+                             double scale = 1.0);
 
 }  // namespace felt::cli

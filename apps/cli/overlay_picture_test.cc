@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -60,6 +61,26 @@ TEST(OverlayPicture, ARingIsWhereItIsInItsColour) {
   }
   EXPECT_EQ(at(image, 50.0, 40.0), (Rgba{255, 255, 255, 255}));
   EXPECT_EQ(at(image, 50.0, 90.0), (Rgba{255, 255, 255, 255}));
+}
+
+TEST(OverlayPicture, TheSvgShowsTheSame) {
+  SessionView view;
+  const Stroke line = testing::straight_stroke({10.0, 50.0}, {90.0, 50.0}, 2.0, 2.0);
+  view.document = document_of(std::array{std::make_shared<const Stroke>(line)});
+  add_span(view.overlay, line, 0.0, 0.5, Role::kSpan);
+  view.overlay.rings.push_back({{50.0, 40.0}, 20.0, Role::kReach});
+  view.overlay.labels.push_back({{20.0, 20.0}, "7 < 8 & 30\u00b0"});
+  view.overlay.labels.push_back({{20.0, 120.0}, "outside"});
+  const Result<std::string> svg = view_svg(view, small_area(), 3.0);
+  ASSERT_TRUE(svg) << svg.error().message;
+  const auto at = [&svg](const char* part) { return svg->find(part); };
+  EXPECT_NE(at("viewBox=\"0 0 100 100\""), std::string::npos);
+  const std::size_t band = at("<polyline"), ink = at("<path d="), ring = at("stroke-dasharray");
+  EXPECT_TRUE(band < ink && ink < ring && ring != std::string::npos) << *svg;
+  EXPECT_NE(at(">7 &lt; 8 &amp; 30 deg</text>"), std::string::npos);
+  EXPECT_EQ(at("outside"), std::string::npos);
+  // 150 / 25.4 / 3 units are one mm, so the ring begins 70 mm to the right.
+  EXPECT_NE(at("137.80,78.74 "), std::string::npos);
 }
 
 TEST(OverlayPicture, MarkedSpansLieBelowTheInk) {

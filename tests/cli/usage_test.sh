@@ -7,7 +7,7 @@ has out "feltline fit strokes.ndjson -o sketch.svg"
 is_empty err
 run 0 "$feltline" --version
 has out "feltline 0."
-for command in fit render convert info replay timelapse demo tools devices doctor device-test trial bench; do
+for command in fit render convert info replay timelapse demo paper tools devices doctor device-test trial bench; do
   run 0 "$feltline" "$command" --help
   has out "Examples:"
   is_empty err
@@ -68,7 +68,7 @@ is_empty out
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"
 
 # The completions of all shells have every option of every command.
-for command in fit render convert gather check info formats replay recover demo tools materials devices \
+for command in fit render convert gather check info formats replay recover demo paper tools materials devices \
   doctor device-test record trial bench; do
   run 0 "$feltline" "$command" --help
   while read -r option; do

@@ -114,7 +114,7 @@ double rests_at_mm(const StylusPreset& device, const Scene& scene, double short_
 TEST(FeltAtTheDefaults, R70_AttractionMovesAHandThatStopsShort) {
   for_each_device([](const StylusPreset& device, const testing::Fixture& fixture) {
     const Scene scene = fixture.scene();
-    const WellShape well = attraction_of(pencil_as_shipped(), scene.device, PenPace::kRests);
+    const WellShape well = attraction_of(pencil_as_shipped(), scene, PenPace::kRests);
     double most_n = 0.0;
     for (double mm = 0.0; mm <= well.radius_mm; mm += 0.01) {
       most_n = std::max(most_n, well.force_at_n(mm));

@@ -7251,6 +7251,14 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Das Material des Untergrunds: seine Härte und seine Reibung.</translation>
     </message>
     <message>
+        <source>How pull, transform and the attraction of ends resist: without jumps (felt), or by equations 8 to 11 of the paper as printed, which vibrate. For study.</source>
+        <translation>Wie Ziehen, Transformieren und die Anziehung von Linienenden widerstehen: ohne Sprünge (felt) oder nach den Gleichungen 8 bis 11 der Veröffentlichung wie gedruckt (paper); diese vibrieren. Zum Studium.</translation>
+    </message>
+    <message>
+        <source>Law of the forces</source>
+        <translation>Gesetz der Kräfte</translation>
+    </message>
+    <message>
         <source>Only the plane</source>
         <translation>Nur die Fläche</translation>
     </message>

@@ -7251,6 +7251,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Het materiaal van de ondergrond: de hardheid en de wrijving.</translation>
     </message>
     <message>
+        <source>How pull, transform and the attraction of ends resist: without jumps (felt), or by equations 8 to 11 of the paper as printed, which vibrate. For study.</source>
+        <translation>Hoe trekken, transformeren en de aantrekking van lijneinden weerstand geven: zonder sprongen (felt) of volgens vergelijkingen 8 tot 11 van het artikel zoals gedrukt (paper); die trillen. Voor studie.</translation>
+    </message>
+    <message>
+        <source>Law of the forces</source>
+        <translation>Wet van de krachten</translation>
+    </message>
+    <message>
         <source>Only the plane</source>
         <translation>Alleen het vlak</translation>
     </message>

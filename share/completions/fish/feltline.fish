@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit steady render convert gather inbetween inflate check info formats replay timelapse recover demo tools materials devices doctor device-test record trial bench
+set -l commands fit steady render convert gather inbetween inflate check info formats replay timelapse recover demo paper tools materials devices doctor device-test record trial bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'Show errors only'
 complete -c feltline -l strict -d 'Treat unsupported content as an error'
@@ -17,6 +17,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a format
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay -d 'Play events or pen strokes through a simulated pen'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a timelapse -d 'Make a film of how a drawing was made'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a demo -d 'Let the simulated hand draw a picture'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a paper -d 'Make the figures and the equations of the paper'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a tools -d 'List the tools and their options'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a materials -d 'List surfaces and media; show, check and create custom ones'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a devices -d 'List the devices that are connected'
@@ -99,6 +100,8 @@ complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l device -x -
 complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l hand -x -a 'light soft typical firm' -d 'Simulated hand that holds the pen'
 complete -c feltline -n '__fish_seen_subcommand_from demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the pictures'
 complete -c feltline -n '__fish_seen_subcommand_from demo' -l size -x -d 'Width of the pictures in pixels'
+complete -c feltline -n '__fish_seen_subcommand_from paper' -s o -l output -x -a '(__fish_complete_directories)' -d 'New folder for the figures and the table'
+complete -c feltline -n '__fish_seen_subcommand_from paper' -l law -x -a 'felt paper' -d 'Forces in the figures'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l as-recorded -d 'Draw the samples of a recording unchanged'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l recording -d 'Save in the .felt how it was drawn'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l on -r -d 'Drawing to start from'

@@ -11,11 +11,16 @@ double ForceLaw::level_n(double distance_mm) const noexcept {
 
 double ForceLaw::force_n(double distance_mm) const noexcept {
   if (!(distance_mm > 0.0)) return 0.0;
+  if (form == LawForm::kPaper) return gain * level_n(distance_mm);
   return gain * std::min(level_n(distance_mm), 1e-3 * cap_n_per_m * distance_mm);
 }
 
 double ForceLaw::potential_mj(double distance_mm) const noexcept {
   if (!(distance_mm > 0.0)) return 0.0;
+  if (form == LawForm::kPaper) {
+    return gain * (max_n * distance_mm -
+                   (max_n - min_n) * spread_mm * std::log1p(distance_mm / spread_mm));
+  }
   // The spring and the level l(d) meet at the distance d with c d = a + b d/(d + D), a quadratic
   // equation in d.
   const double c = 1e-3 * cap_n_per_m;

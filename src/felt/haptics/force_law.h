@@ -1,6 +1,14 @@
 #pragma once
 
+#include <cstdint>
+
 namespace felt {
+
+/// The form of the forces of equations 8 to 11.
+enum class LawForm : std::uint8_t {
+  kFelt,   ///< as read: without jumps, and no steeper than a device can render
+  kPaper,  ///< as printed, without ramps and damping; for study, because it vibrates near a jump
+};
 
 /// The force with which an edit resists, as a function of distance (paper, eq. 8 and 9;
 /// docs/design/forces.md#edit-law).
@@ -13,12 +21,15 @@ namespace felt {
 /// 0.9 mm the force is that of a spring of stiffness Kcap (docs/design/forces.md#edit-law). The
 /// rational function l also grows strictly when computed in double precision, whereas 1 - exp(-d/D)
 /// would become constant near 37 D.
+///
+/// The form kPaper is l itself: phi(d) = gain l(d) for d > 0, with the jump at 0.
 struct ForceLaw {
   double spread_mm = 10.0;     ///< D: 10 for edits, 40 for transforms
   double cap_n_per_m = 300.0;  ///< Kcap, which is also the largest slope
   double min_n = 0.2;
   double max_n = 1.0;  ///< l approaches this force and never reaches it
   double gain = 1.0;   ///< 0..1: the strength that the user set for a tool
+  LawForm form = LawForm::kFelt;
 
   /// Returns phi(d) in N; 0 if d <= 0.
   [[nodiscard]] double force_n(double distance_mm) const noexcept;
@@ -29,7 +40,7 @@ struct ForceLaw {
   /// Returns this force law with Kcap multiplied by `share` (0..1): the spring near 0 is softer,
   /// and l does not change.
   [[nodiscard]] ForceLaw softened(double share) const noexcept;
-  /// Returns an upper bound of d phi/dd, N/m.
+  /// Returns an upper bound of d phi/dd, N/m, without the jump of the form kPaper.
   [[nodiscard]] double max_slope_n_per_m() const noexcept;
 };
 

@@ -59,6 +59,23 @@ TEST(ForceLaw, ThePotentialIsTheIntegral) {
   }
 }
 
+TEST(ForceLaw, TheFormOfThePaperIsEquation9WithoutARamp) {
+  for (ForceLaw law : {kEditLaw, kTransformLaw}) {
+    law.form = LawForm::kPaper;
+    EXPECT_EQ(law.force_n(0.0), 0.0) << "without a direction";
+    double last = 0.2;
+    for (double d = 1e-6; d < 1e5; d *= 1.3) {
+      const double force = law.force_n(d);
+      EXPECT_DOUBLE_EQ(force, 0.2 + 0.8 * d / (d + law.spread_mm));
+      EXPECT_GT(force, last);
+      EXPECT_LT(force, 1.0);
+      EXPECT_EQ(law.softened(0.3).force_n(d), force);
+      last = force;
+    }
+    EXPECT_NEAR(law.potential_mj(7.0) - law.potential_mj(6.99), 0.01 * law.force_n(6.995), 1e-9);
+  }
+}
+
 TEST(ForceLaw, AWeakerDeviceGetsTheSameShape) {
   ForceLaw law = kEditLaw;
   law.gain = 0.5;

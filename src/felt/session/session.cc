@@ -478,7 +478,8 @@ Scene Session::scene() const {
           parts_->visible_guides,
           option_defaults_ < kFirmPushDefaults ? kOldFeltWidthToleranceMm
                                                : Scene::kFeltWidthToleranceMm,
-          option_defaults_ >= kFirmPushDefaults};
+          option_defaults_ >= kFirmPushDefaults,
+          parts_->surface.law()};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

@@ -105,6 +105,44 @@ TEST(SessionPlaneOnly, APencilWithoutStrengthIsThePlane) {
   }
 }
 
+/// Returns the term of the force that resists or attracts, of a pen at rest.
+double term_n(const Session& session, Point p, const char* name) {
+  ForceMemory memory;
+  memory.begin_tick(0.001);
+  PenSample sample;
+  sample.position = {p.x, p.y, -0.3};
+  (void)session.force()(sample, memory);
+  for (const auto& term : memory.terms) {
+    if (std::string_view(term.name) == name) return std::hypot(term.force.x, term.force.y);
+  }
+  return 0.0;
+}
+
+TEST(SessionLaw, OfThePaperChangesTheForcesOfTheTools) {
+  EdgeFixture felt, paper;
+  ASSERT_TRUE(paper.session->apply({0, SetOption{"surface.law", std::string("paper")}}));
+  const auto touch = [](EdgeFixture& f, const char* tool, Point p) {
+    f.must(SelectTool{tool});
+    PenSample sample;
+    sample.position = {p.x, p.y, 5.0};
+    sample.time_ns = f.now_ns += 1'000'000;
+    ASSERT_TRUE(f.session->sample(sample));
+    sample.position.z = -0.3;
+    sample.time_ns = f.now_ns += 1'000'000;
+    ASSERT_TRUE(f.session->sample(sample));
+  };
+  const Point on_line{120.0, 115.0};
+  for (EdgeFixture* f : {&felt, &paper}) {
+    f->must(SetOption{"pull.mode", std::string("grab")});
+    touch(*f, "pull", on_line);
+  }
+  const Point near = on_line + Vec{0.1, 0.0}, far = on_line + Vec{0.0, 8.0};
+  EXPECT_NEAR(term_n(*felt.session, near, "edit"), 0.03, 1e-9);
+  EXPECT_NEAR(term_n(*paper.session, near, "edit"), 0.2 + 0.8 * 0.1 / 10.1, 1e-9);
+  EXPECT_NEAR(term_n(*paper.session, far, "edit"), term_n(*felt.session, far, "edit"), 1e-9);
+  EXPECT_NE(felt.session->force().fade_id(), paper.session->force().fade_id());
+}
+
 TEST(SessionEdges, AreFeltOnlyIfTheyAreOn) {
   EdgeFixture f;
   f.must(SelectStrokes{SelectStrokes::What::kAll});  // before the pen draws other lines

@@ -6,6 +6,9 @@
 namespace felt {
 namespace {
 
+/// In the order of LawForm.
+constexpr std::array<std::string_view, 2> kLaws = {"felt", "paper"};
+
 std::vector<std::string_view> material_ids() {
   std::vector<std::string_view> ids;
   for (const SurfaceMaterial& material : surface_materials()) ids.push_back(material.id);
@@ -16,7 +19,7 @@ std::vector<std::string_view> material_ids() {
 
 std::span<const OptionSpec> SurfaceOptions::table() {
   static const std::vector<std::string_view> materials = material_ids();
-  static const std::array<OptionSpec, 2> rows = {{
+  static const std::array<OptionSpec, 3> rows = {{
       {
           .id = "material",
           .label = "Surface",
@@ -33,6 +36,15 @@ std::span<const OptionSpec> SurfaceOptions::table() {
           .kind = OptionKind::kSwitch,
           .help = "On the page, the plane of the surface is the only force: no friction, grain, "
                   "attraction or guide. To compare other forces with.",
+      },
+      {
+          .id = "law",
+          .label = "Law of the forces",
+          .unit = "",
+          .kind = OptionKind::kChoice,
+          .choices = kLaws,
+          .help = "How pull, transform and the attraction of ends resist: without jumps (felt), or "
+                  "by equations 8 to 11 of the paper as printed, which vibrate. For study.",
       },
   }};
   return rows;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "felt/base/hash.h"
+#include "felt/haptics/force_law.h"
 #include "felt/material/materials.h"
 
 namespace felt {
@@ -43,6 +44,9 @@ class FeelId {
     with(medium.id).with(friction_of(medium, surface)).with(medium.bristle_n_per_m);
     return with(medium.bristle_n_s_per_m).with(medium.grain).with(medium.wear);
   }
+
+  /// Adds the form of the forces, if it is not the usual one.
+  FeelId& with_law(LawForm law) noexcept { return law == LawForm::kPaper ? with("paper") : *this; }
 
   [[nodiscard]] std::uint32_t value() const noexcept {
     return static_cast<std::uint32_t>(hash_.value() ^ (hash_.value() >> 32));

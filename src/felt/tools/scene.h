@@ -8,6 +8,7 @@
 #include "felt/document/drawing_guide.h"
 #include "felt/document/selection.h"
 #include "felt/haptics/capabilities.h"
+#include "felt/haptics/force_law.h"
 #include "felt/material/materials.h"
 
 namespace felt {
@@ -52,6 +53,8 @@ struct Scene {
   /// If true, lines that were pasted in place can be moved without their originals
   /// (MovedStrokes). False in recordings of older versions.
   bool copies_leave_originals = true;
+  /// The form of the forces of edits, of transforms and of the attraction of ends.
+  LawForm law = LawForm::kFelt;
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

@@ -25,6 +25,7 @@ Lengths lengths(const WellShape& shape) noexcept {
 double WellShape::force_at_n(double distance_mm) const noexcept {
   const auto [core, rim_start, radius] = lengths(*this);
   if (!(distance_mm > 0.0) || distance_mm >= radius) return 0.0;
+  if (form == LawForm::kPaper) return force_n * kEditLaw.level_n(distance_mm);
   if (distance_mm < core) return force_n * (distance_mm / core);
   return force_n * damped_share(distance_mm);
 }
@@ -40,6 +41,9 @@ double WellShape::damped_share(double distance_mm) const noexcept {
 double WellShape::potential_mj(double distance_mm) const noexcept {
   const auto [core, rim_start, radius] = lengths(*this);
   const double d = std::clamp(distance_mm, 0.0, radius);
+  if (form == LawForm::kPaper) {
+    return ForceLaw{.gain = force_n, .form = LawForm::kPaper}.potential_mj(d);
+  }
   if (d < core) return 0.5 * force_n * d * d / core;
   double energy = force_n * (0.5 * core + (std::min(d, rim_start) - core));
   if (d > rim_start) {
@@ -52,12 +56,13 @@ double WellShape::potential_mj(double distance_mm) const noexcept {
 
 double WellShape::core_slope_n_per_m() const noexcept {
   const double core = lengths(*this).core;
-  return core > 0.0 ? 1e3 * force_n / core : 0.0;
+  return core > 0.0 && form == LawForm::kFelt ? 1e3 * force_n / core : 0.0;
 }
 
 WellShape WellShape::softened(double share) const noexcept {
   const auto [core, rim_start, radius] = lengths(*this);
   WellShape soft = *this;
+  if (form == LawForm::kPaper) return soft;
   if (!(core > 0.0)) {
     soft.force_n *= share;
     return soft;
@@ -65,6 +70,14 @@ WellShape WellShape::softened(double share) const noexcept {
   soft.core_mm = share * rim_start > core ? core / share : rim_start;
   soft.force_n *= share * soft.core_mm / core;
   return soft;
+}
+
+WellShape WellShape::printed(double gain) const noexcept {
+  WellShape shape = *this;
+  shape.form = LawForm::kPaper;
+  shape.force_n = force_n > 0.0 ? gain : 0.0;
+  shape.damping_n_s_per_m = 0.0;
+  return shape;
 }
 
 SnapWells::SnapWells(std::span<const Point> targets, const WellShape& shape) noexcept

@@ -6,6 +6,7 @@
 
 #include "felt/geometry/point.h"
 #include "felt/haptics/force.h"
+#include "felt/haptics/force_law.h"
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/pen_sample.h"
 
@@ -22,6 +23,9 @@ namespace felt {
 /// The force points towards the target, is continuous, and is zero at d = 0 and from d = M on. The
 /// paper's force law l (ForceLaw) would jump by 0.2 N at d = 0. If the lengths do not fit (d0 + w >
 /// M), d0 has priority and w = M - d0.
+///
+/// The form kPaper is equation 11 as printed, F(d) = Fp l(d) for 0 < d < M, with l of kEditLaw,
+/// which approaches 1. It jumps at both ends (docs/design/errata.md#e17).
 struct WellShape {
   double radius_mm = 8.0;  ///< M
   double core_mm = 2.0;    ///< d0
@@ -30,22 +34,27 @@ struct WellShape {
   /// Damping. It keeps the core calm at a delay of 3 ms even when a friction bristle adds
   /// stiffness. It acts on known_velocity() and decreases to 0 along the rim.
   double damping_n_s_per_m = 1.0;
+  LawForm form = LawForm::kFelt;
 
   /// Returns F without the damping, in N; 0 if d <= 0 or d >= M.
   [[nodiscard]] double force_at_n(double distance_mm) const noexcept;
   /// Returns the energy needed to pull the pen from the target to a distance, mJ. With the default
   /// values, 3.6 mJ are needed to leave the well.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
-  /// Returns the stiffness at the target, N/m, which is the largest stiffness of the well. In the
+  /// Returns the stiffness at the target, N/m, which is the largest stiffness of the well; 0 in the
+  /// form kPaper, whose jumps do not count. In the
   /// rim, the force falls with distance by up to 1.5 Fp/w; such a negative stiffness causes no
   /// oscillation at any delay.
   [[nodiscard]] double core_slope_n_per_m() const noexcept;
   /// Returns this well with its stiffness at the target multiplied by `share` (0..1). The core
   /// becomes wider, and Fp does not change. If the core would then overlap the rim, it ends at the
-  /// rim, and Fp is reduced instead. The damping does not change.
+  /// rim, and Fp is reduced instead. The damping does not change, nor does the form kPaper.
   [[nodiscard]] WellShape softened(double share) const noexcept;
   /// Returns the share of the damping at a distance: 1 up to the rim, 0 from M on.
   [[nodiscard]] double damped_share(double distance_mm) const noexcept;
+  /// Returns equation 11 as printed within the radius of this well, times `gain`, without damping.
+  /// A well without force stays without force.
+  [[nodiscard]] WellShape printed(double gain) const noexcept;
 };
 
 /// Up to four snap targets. Their forces add, so the sum is continuous and has a potential wherever

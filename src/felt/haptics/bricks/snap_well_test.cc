@@ -38,6 +38,21 @@ TEST(Well, R43_IsZeroAtBothEndsAndContinuous) {
   }
 }
 
+TEST(Well, PrintedIsEquation11) {
+  const WellShape shape = WellShape{}.printed(0.5);
+  double energy = 0.0;
+  for (double d = 5e-4; d < 9.0; d += 1e-3) {
+    const double force = shape.force_at_n(d);
+    EXPECT_DOUBLE_EQ(force, d < 8.0 ? 0.5 * (0.2 + 0.8 * d / (d + 10.0)) : 0.0) << d;
+    energy += 1e-3 * force;
+    EXPECT_NEAR(shape.potential_mj(d + 5e-4), energy, 1e-6);
+  }
+  EXPECT_EQ(shape.softened(0.3).force_at_n(1.0), shape.force_at_n(1.0));
+  EXPECT_NEAR(pull(SnapWells({1, 2}, shape), {1, 5}).y, -shape.force_at_n(3.0), 1e-12);
+  EXPECT_EQ(SnapWells({1, 2}, shape).slopes(), Slopes{});
+  EXPECT_EQ(WellShape{.force_n = 0.0}.printed(1.0).force_at_n(3.0), 0.0) << "stays switched off";
+}
+
 TEST(Well, R43_PullsTowardsTheTarget) {
   const Point target{10, 20};
   const SnapWells wells(target);

@@ -82,6 +82,13 @@ Tether Tether::with_law(const ForceLaw& law) const noexcept {
   return tether;
 }
 
+Tether Tether::printed(Point middle) const noexcept {
+  Tether tether = *this;
+  tether.law_.form = LawForm::kPaper;
+  tether.middle_ = middle;
+  return tether;
+}
+
 double Tether::size_n(double sum_mm, double way_mm) const noexcept {
   return law_.gain * std::min(law_.level_n(sum_mm), 1e-3 * law_.cap_n_per_m * way_mm);
 }
@@ -122,19 +129,25 @@ double Tether::stepped_size_n(double turn_rad, double radius_mm) const noexcept 
   return std::min(here, last + slope * since_mm);
 }
 
-Vec Tether::rotation_pull(Point pen, ForceMemory& memory) const noexcept {
+/// Updates the angle of the gesture, which counts full turns.
+double Tether::follow_turn(Vec arm, ForceMemory& memory) const noexcept {
   if (!memory.turn_is_set || memory.turn_gesture != gesture_) {
     memory.turn_rad = 0.0;
     memory.turn_gesture = gesture_;
     memory.turn_is_set = true;
   }
+  memory.turn_rad = unwrapped_turn_rad(grab_ - centre_, arm, memory.turn_rad);
+  return memory.turn_rad;
+}
+
+Vec Tether::rotation_pull(Point pen, ForceMemory& memory) const noexcept {
   const Vec arm = pen - centre_;
   const double radius = norm(arm);
-  memory.turn_rad = unwrapped_turn_rad(grab_ - centre_, arm, memory.turn_rad);
+  const double turned = follow_turn(arm, memory);
   if (radius < kNoArmMm) return {};
-  const double turn = std::abs(memory.turn_rad);
+  const double turn = std::abs(turned);
   const double size = constrained_ ? stepped_size_n(turn, radius) : turn_size_n(turn, radius);
-  return (memory.turn_rad > 0.0 ? -size : size) / radius * perp(arm);
+  return (turned > 0.0 ? -size : size) / radius * perp(arm);
 }
 
 Vec Tether::scale_pull(Point pen) const noexcept {
@@ -147,7 +160,41 @@ Vec Tether::scale_pull(Point pen) const noexcept {
   return (s > 1.0 ? -size : size) / radius * arm;
 }
 
+Vec Tether::printed_pull(Point pen, ForceMemory& memory) const noexcept {
+  Vec along{};
+  double sum_mm = 0.0;
+  switch (kind_) {
+    case Kind::kNone:
+      return {};
+    case Kind::kTranslation:
+      along = pen - middle_;
+      sum_mm = sum_ * norm(along);
+      break;
+    case Kind::kRotation: {
+      const double turned = follow_turn(pen - centre_, memory);
+      along = std::copysign(1.0, turned) * perp(pen - centre_);
+      sum_mm = sum_ * 2.0 * std::abs(std::sin(0.5 * turned));
+      break;
+    }
+    case Kind::kScale: {
+      const double s = std::max(min_scale_, scale_factor(grab_ - centre_, pen - centre_));
+      along = std::copysign(1.0, s - 1.0) * (pen - centre_);
+      sum_mm = sum_ * std::abs(s - 1.0);
+      break;
+    }
+  }
+  const double length = norm(along);
+  if (length < kNoArmMm) return {};
+  return -law_.force_n(sum_mm) / length * along;
+}
+
 Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+  if (law_.form == LawForm::kPaper && kind_ != Kind::kNone) {
+    const Vec pull = printed_pull(on_page(sample.position), memory);
+    const Force force{pull.x, pull.y, 0.0};
+    memory.terms.add("tether", force);
+    return force;
+  }
   // The share of the stiffness budget softens the spring but keeps the force level of the force
   // law. The share is squared because the spring of many lines has a long range, and a slow loop
   // can render such a spring only if it is softer than its share.

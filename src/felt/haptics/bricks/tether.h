@@ -43,6 +43,11 @@ namespace felt {
 /// is at most Kcap times the distance from the diagonal. When the step changes, the force starts
 /// from its value for the previous step and grows by at most Kcap times the distance from there. So
 /// the force never jumps, and it is zero before anything has moved.
+///
+/// A printed tether (printed()) is the paper's text literally, F = l(|V|) against V, without Kcap,
+/// fading and damping (docs/design/errata.md#e14 to #e16). For a translation V is equation 10: the
+/// sum over the anchors of the vectors from the anchor to the pen. For a rotation, |V| is the sum
+/// of the chords 2 r_i |sin(th/2)|, and for a scaling the sum of r_i |s - 1|.
 class Tether {
  public:
   /// Makes a tether without anchors, which has no force.
@@ -63,6 +68,8 @@ class Tether {
   /// Returns this tether with this force law instead of kTransformLaw, for example with a lower
   /// ForceLaw::gain for devices that cannot hold 1 N for long.
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;
+  /// Returns this tether in the form kPaper. `middle` is the mean of the anchors.
+  [[nodiscard]] Tether printed(Point middle) const noexcept;
 
  private:
   enum class Kind : std::uint8_t { kNone, kTranslation, kRotation, kScale };
@@ -70,6 +77,8 @@ class Tether {
   [[nodiscard]] Vec translation_pull(Point pen) const noexcept;
   [[nodiscard]] Vec rotation_pull(Point pen, ForceMemory& memory) const noexcept;
   [[nodiscard]] Vec scale_pull(Point pen) const noexcept;
+  [[nodiscard]] Vec printed_pull(Point pen, ForceMemory& memory) const noexcept;
+  double follow_turn(Vec arm, ForceMemory& memory) const noexcept;
   [[nodiscard]] double size_n(double sum_mm, double way_mm) const noexcept;
   [[nodiscard]] double turn_size_n(double turn_rad, double radius_mm) const noexcept;
   [[nodiscard]] double stepped_size_n(double turn_rad, double radius_mm) const noexcept;
@@ -78,6 +87,7 @@ class Tether {
   Kind kind_ = Kind::kNone;
   Point centre_{};
   Point grab_{};
+  Point middle_{};  // of the anchors; used in the form kPaper only
   double sum_ = 0.0;
   double min_scale_ = 0.0;
   std::uint32_t gesture_ = 0;

@@ -50,6 +50,33 @@ TEST(Tether, R35_AreTheFiguresOfTheSpecification) {
   }
 }
 
+TEST(Tether, PrintedIsThePaperLiterally) {
+  ForceLaw law = kTransformLaw;
+  law.form = LawForm::kPaper;
+  const Point anchors[] = {{3, 4}, {9, 1}, {-2, 7}};
+  const Point middle{10.0 / 3.0, 4.0}, pen{12, -5};
+  Vec sum{};
+  for (const Point p : anchors) sum += pen - p;  // equation 10
+  for (const Point grab : {pen, Point{50, 60}}) {
+    const Force force = pull(Tether::translation(grab, 3).printed(middle), pen, 0.5);
+    EXPECT_NEAR(force.x, -law.force_n(norm(sum)) * sum.x / norm(sum), 1e-12);
+    EXPECT_NEAR(force.y, -law.force_n(norm(sum)) * sum.y / norm(sum), 1e-12);
+  }
+  EXPECT_EQ(norm(pull(Tether::translation(pen, 2).printed(pen), pen)), 0.0) << "they cancel";
+  for (const double th : {0.01, 1.0, 3.0, -2.0}) {
+    const Tether turn = Tether::rotation({0, 0}, {1, 0}, 30.0, 1).printed(middle);
+    const Force force = pull(turn, {std::cos(th), std::sin(th)});
+    const double size = law.force_n(30.0 * 2.0 * std::abs(std::sin(0.5 * th)));
+    EXPECT_NEAR(force.x, (th > 0.0 ? size : -size) * std::sin(th), 1e-12);
+    EXPECT_NEAR(force.y, (th > 0.0 ? -size : size) * std::cos(th), 1e-12);
+  }
+  for (const double s : {0.5, 0.999, 1.5}) {
+    const Force force = pull(Tether::scale({0, 0}, {10, 0}, 30.0).printed(middle), {10 * s, 0});
+    EXPECT_NEAR(force.x, (s > 1.0 ? -1.0 : 1.0) * law.force_n(30.0 * std::abs(s - 1.0)), 1e-12);
+  }
+  EXPECT_EQ(pull(Tether::translation({0, 0}, 0).printed({0, 0}), {50, 50}), Force{});
+}
+
 TEST(Tether, R35_NothingBeforeAnyMotion) {
   for (int anchors = 1; anchors <= 64; anchors *= 2) {
     EXPECT_EQ(norm(pull(Tether::translation({7, 8}, anchors), {7, 8})), 0.0);

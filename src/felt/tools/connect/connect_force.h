@@ -31,11 +31,13 @@ inline ForceModel make_connect_force(const ConnectSettings& settings, const Scen
       scaled_medium(medium_of(scene, "pencil"), settings.strength, settings.strength);
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
-  const WellShape shape = well_of(settings.snap, settings.strength);
+  WellShape shape = well_of(settings.snap, settings.strength);
+  if (scene.law == LawForm::kPaper) shape = shape.printed(settings.strength);
   const SnapWells well = feel.well ? SnapWells(*feel.well, shape) : SnapWells();
 
   FeelId id("connect");
   id.with_surface(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
+  id.with_law(scene.law);
   if (feel.well) {
     id.with("well").with(feel.well->x).with(feel.well->y).with(shape.radius_mm).with(shape.force_n);
   }

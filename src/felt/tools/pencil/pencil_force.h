@@ -68,16 +68,18 @@ enum class PenPace : std::uint8_t { kPasses, kRests };
 /// `attraction_n` beyond what the device rubs, so that it moves the hand, and a pen that may only
 /// pass with half of the option: with all of it, a soft hand that writes was drawn to the ends of
 /// other letters (`./dev bench feel --snapping`).
-inline WellShape attraction_of(const PencilSettings& settings, const Capabilities& device,
+inline WellShape attraction_of(const PencilSettings& settings, const Scene& scene,
                                PenPace pace) noexcept {
   constexpr double kSlopeNPerMm = 0.3, kPassingShare = 0.5;
   SnapOptions snap = settings.snap;
   if (pace == PenPace::kPasses) {
     snap.force_n *= kPassingShare;
   } else if (snap.force_n > 0.0) {
-    snap.force_n += finite_positive(device.friction_n);
+    snap.force_n += finite_positive(scene.device.friction_n);
   }
-  return well_of(snap, weak_share(settings.strength), kSlopeNPerMm);
+  const double strength = weak_share(settings.strength);
+  const WellShape shape = well_of(snap, strength, kSlopeNPerMm);
+  return scene.law == LawForm::kPaper ? shape.printed(strength) : shape;
 }
 
 /// Returns the clicks between the steps of the width, or none if the option is off or the device
@@ -108,13 +110,14 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   const SurfaceForce surface =
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
-  const WellShape shape = attraction_of(settings, scene.device, pace);
+  const WellShape shape = attraction_of(settings, scene, pace);
   const PushClicks clicks = width_clicks(settings, scene);
   SnapWells well = target ? SnapWells(target->point, shape) : SnapWells();
   if (held_at) well = SnapWells(*held_at, hold_shape(settings.strength));
 
   FeelId id("pencil");
   id.with_surface(scene.surface, medium_of(scene, settings.medium)).with(settings.strength);
+  id.with_law(scene.law);
   if (held_at) {
     id.with("hold").with(held_at->x).with(held_at->y);
   } else if (target) {

@@ -24,9 +24,12 @@ inline ForceModel make_pull_force(const PullSettings& settings, const Scene& sce
       make_surface_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   EditOptions edit;
   edit.law.gain = settings.strength;
+  edit.law.form = scene.law;
+  if (scene.law == LawForm::kPaper) edit.damping_n_s_per_m = 0.0;
 
   FeelId id("pull");
   id.with_surface(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
+  id.with_law(scene.law);
   ForceModel model;
   switch (feel.kind) {
     case PullFeel::Kind::kNone:

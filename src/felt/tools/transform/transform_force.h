@@ -83,7 +83,8 @@ struct TransformHold {
 };
 
 /// Returns the force model of the transform tool: the surface with little friction and, while the
-/// pen holds a selection (`hold` is not null), the tethers of the selection.
+/// pen holds a selection (`hold` is not null), the tethers of the selection. The form kPaper of the
+/// law does not constrain, and the paper does not stretch.
 inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
   const Medium material = scaled_medium(medium_of(scene, "pencil"), kTransformGlide * strength,
@@ -100,12 +101,20 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   ForceLaw law = kTransformLaw;
   law.gain *= strength;
   double radii = 0.0;
-  for (const Point p : hold->anchors) radii += distance(p, hold->centre);
+  Vec anchors_from_grab{};
+  for (const Point p : hold->anchors) {
+    radii += distance(p, hold->centre);
+    anchors_from_grab += p - hold->grab;
+  }
   id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
   id.with(std::uint64_t{hold->constrained ? 1U : 0U});
   id.with(hold->centre.x).with(hold->centre.y);
+  id.with_law(scene.law);
+  const Point middle =
+      hold->grab + (1.0 / static_cast<double>(hold->anchors.size())) * anchors_from_grab;
   const auto with_tether = [&](const Tether& tether) {
     const Tether held = tether.with_law(law).with_min_scale(hold->min_scale);
+    if (scene.law == LawForm::kPaper) return ForceModel(Compose(surface, held.printed(middle)));
     return ForceModel(Compose(surface, hold->constrained ? held.constrained() : held));
   };
   ForceModel model;
