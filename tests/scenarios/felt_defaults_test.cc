@@ -27,7 +27,7 @@ template <class Use>
 void for_each_device(Use use) {
   int tried = 0;
   for (StylusPreset device : stylus_presets()) {
-    if (!device.capabilities.has_force()) continue;
+    if (!device.renders_surface()) continue;
     ++tried;
     SCOPED_TRACE(std::string(device.name));
     center_workspace(device.capabilities, kMiddle);

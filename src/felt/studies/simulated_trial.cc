@@ -112,9 +112,10 @@ class TrialRun {
   }
 
   /// Returns the settings of a condition. With motors that are off, the person draws in the air,
-  /// and the depth of the pen decides whether it draws, as with a real device.
+  /// and the depth of the pen decides whether it draws, as with a real device. A joystick
+  /// has no depth.
   [[nodiscard]] ReplaySettings settings_of(const StudyCondition& condition) const {
-    const bool in_air = condition.forces == StudyForces::kAir && device_.capabilities.has_force();
+    const bool in_air = condition.forces == StudyForces::kAir && device_.renders_surface();
     ReplaySettings settings = replay_settings(device_, person_.grip(), true, {}, {});
     settings.force = !in_air;
     if (in_air) settings.script.contact = ContactBy::kDepthInAir;

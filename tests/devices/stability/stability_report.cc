@@ -72,8 +72,7 @@ class Table {
 };
 
 std::string loop_of(const StabilityCell& cell) {
-  return std::to_string(1'000'000 / cell.period_ns) + " kHz, delay " +
-         std::to_string(cell.delay_ticks);
+  return rate_name(cell.period_ns) + ", delay " + std::to_string(cell.delay_ticks);
 }
 
 constexpr const char* kIntroduction = R"(# Stability
@@ -107,7 +106,7 @@ that fail.
 
 constexpr const char* kGuides = R"(## Guides of a drawing
 The trial *guide* with each kind of [guide of a drawing](design/forces.md#guides-of-a-drawing), on
-all nine simulated devices (a mouse and a tablet have no force), with the friction that a pencil has
+all simulated devices (mice and a tablet have no force), with the friction that a pencil has
 while such a guide acts. *ruler*: the pen comes from the free side and is pushed beyond the edge.
 *line*: also one of parallels or a leg of a set square. *ellipse*: its narrow end, with a radius of
 5 mm. *perspective*: begins with a click. *ray* and *node*: the pen crosses the well of 0.3 N.

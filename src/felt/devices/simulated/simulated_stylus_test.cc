@@ -420,7 +420,8 @@ TEST(SimulatedStylus, HandsDoNotLeap) {
 
 TEST(StylusPresets, AreComplete) {
   for (const char* name :
-       {"worst", "touch", "touch-x", "premium", "falcon", "omega", "inverse3", "mouse", "tablet"}) {
+       {"worst", "touch", "touch-x", "premium", "falcon", "omega", "inverse3", "delta",
+        "hapticmaster", "joystick", "mouse", "vibrating-mouse", "tablet"}) {
     const StylusPreset* device = find_stylus_preset(name);
     ASSERT_NE(device, nullptr) << name;
     const Capabilities& can = device->capabilities;
