@@ -77,9 +77,10 @@ run 2 "$feltline" replay in.ndjson --limit 3.1
 run 2 "$feltline" replay in.ndjson --limit 0
 has err "'0' is not a number in 0.1..3"
 # A push of the pencil of more than 0.9 N is cut to the limit on each device.
-for device in premium delta hapticmaster; do
-  run 0 "$feltline" replay in.ndjson -o free.ndjson --device $device --forces free.csv
-  run 0 "$feltline" replay in.ndjson -o half.ndjson --device $device --limit 0.5 --forces half.csv
+echo '{"points":[[40,40,1,0],[60,45,1,500],[80,40,1,1000]]}' >firm.ndjson
+for device in omega delta hapticmaster; do
+  run 0 "$feltline" replay firm.ndjson -o free.ndjson --device $device --forces free.csv
+  run 0 "$feltline" replay firm.ndjson -o half.ndjson --device $device --limit 0.5 --forces half.csv
   awk -F, 'NR > 1 && $12 * $12 + $13 * $13 + $14 * $14 > 0.9 * 0.9 { n++ } END { exit n == 0 }' free.csv || fail "$device: no force of 0.9 N"
   awk -F, 'NR > 1 && $12 * $12 + $13 * $13 + $14 * $14 > 0.5 * 0.5 + 1e-6 { exit 1 }' half.csv || fail "$device: a force exceeded --limit"
 done

@@ -135,10 +135,9 @@ Why, by kind:
   does not damp it either. It does not grow.
 
 * **hapticmaster; well, guide, ridge, hold, read and guides of a drawing; a light or soft hand or none: 1 to
-  4.05 mJ.** Nothing hums (at most 0.012 N) and no fault occurs, but a virtual mass of 3 kg keeps
-  swinging for seconds in a hand of 30 or 100 N/m, and a force that is held for 4 ms acts too late to
-  brake it: it returns more energy than it took. The largest energy is that of 3 kg at 52 mm/s. In a
-  typical or firm hand, every trial passes. On the machine, hold the handle firmly.
+  4.05 mJ.** Nothing hums (at most 0.012 N) and no fault occurs. A virtual mass of 3 kg swings for
+  seconds in a hand of 30 or 100 N/m, and forces that are held for 4 ms act late; 4.05 mJ is the energy
+  of 3 kg at 52 mm/s. In a typical or firm hand, every trial passes: hold the handle firmly.
 
 No other device fails. Earlier versions failed on others: planes and bristles hummed at 0.03 to 0.06
 N between two steps of coarse sensors (touch, falcon), until both were made softer there

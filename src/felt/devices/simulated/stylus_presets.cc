@@ -74,6 +74,44 @@ Capabilities of_joystick() noexcept {
 constexpr Vec3 kBigPageMm{2000.0, 2000.0, 200.0};
 constexpr Capabilities kMouse = with_workspace(kBigPageMm, {.sensed_axes = 2, .actuated_axes = 0});
 
+// The devices of the paper beside the PHANToM.
+StylusPreset delta() noexcept {
+  return {.name = "delta",
+          .label = "Force Dimension delta.3",
+          .source = "forces, workspace: CHAI3D's table; steps, mass, friction: estimate",
+          .mechanics = mechanics_of("delta.3"),
+          .capabilities = of_model("delta.3", depth_first)};
+}
+
+StylusPreset hapticmaster() noexcept {
+  return {.name = "hapticmaster",
+          .label = "Moog HapticMASTER",
+          .source =
+              "virtual mass, its friction, 4 ms: docs/devices/hapticmaster.md; force, stiffness: "
+              "public programs; steps, workspace: estimate",
+          .mechanics = mechanics_of("hapticmaster"),
+          .capabilities = of_model("hapticmaster"),
+          .force_hold_ns = find_device_model("hapticmaster")->capabilities.period_ns};
+}
+
+StylusPreset joystick() noexcept {
+  return {
+      .name = "joystick",
+      .label = "Joystick with force feedback",
+      .source = "axes, delay: docs/devices/joysticks.md; forces, steps, mass, friction: estimate",
+      .mechanics = {.mass_kg = 0.15, .friction_n = 0.2, .viscous_n_s_per_m = 0.5},
+      .capabilities = of_joystick()};
+}
+
+StylusPreset vibrating_mouse() noexcept {
+  return {.name = "vibrating-mouse",
+          .label = "Mouse that vibrates (Logitech iFeel MouseMan)",
+          .source = "docs/devices/haptic-pens.md; no figures needed",
+          .mechanics = {},
+          .capabilities = kMouse,
+          .plays_cues = true};
+}
+
 const std::array<StylusPreset, 13>& presets() noexcept {
   static const std::array<StylusPreset, 13> kPresets{{
       {.name = "worst",
@@ -112,35 +150,15 @@ const std::array<StylusPreset, 13>& presets() noexcept {
        .source = "stiffness: the maker's tutorials; the rest: estimate",
        .mechanics = mechanics_of("inverse3", {.weight_n = 0.1}),
        .capabilities = of_model("inverse3")},
-      {.name = "delta",
-       .label = "Force Dimension delta.3",
-       .source = "forces, workspace: CHAI3D's table; steps, mass, friction: estimate",
-       .mechanics = mechanics_of("delta.3"),
-       .capabilities = of_model("delta.3", depth_first)},
-      {.name = "hapticmaster",
-       .label = "Moog HapticMASTER",
-       .source =
-           "virtual mass, its friction, 4 ms: docs/devices/hapticmaster.md; force, stiffness: "
-           "public programs; steps, workspace: estimate",
-       .mechanics = mechanics_of("hapticmaster"),
-       .capabilities = of_model("hapticmaster"),
-       .force_hold_ns = find_device_model("hapticmaster")->capabilities.period_ns},
-      {.name = "joystick",
-       .label = "Joystick with force feedback",
-       .source = "axes, delay: docs/devices/joysticks.md; forces, steps, mass, friction: estimate",
-       .mechanics = {.mass_kg = 0.15, .friction_n = 0.2, .viscous_n_s_per_m = 0.5},
-       .capabilities = of_joystick()},
+      delta(),
+      hapticmaster(),
+      joystick(),
       {.name = "mouse",
        .label = "Mouse: no force, no pressure",
        .source = "no figures needed",
        .mechanics = {},
        .capabilities = kMouse},
-      {.name = "vibrating-mouse",
-       .label = "Mouse that vibrates (Logitech iFeel MouseMan)",
-       .source = "docs/devices/haptic-pens.md; no figures needed",
-       .mechanics = {},
-       .capabilities = kMouse,
-       .plays_cues = true},
+      vibrating_mouse(),
       {.name = "tablet",
        .label = "Tablet: pressure, no force",
        .source = "no figures needed",
