@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cstdint>
 
+#include "felt/driver/device_profile.h"
+#include "felt/haptics/safety/safety_limits.h"
+
 namespace felt::cli {
 
 CLI::Validator number_between(double low, double high) {
@@ -17,6 +20,12 @@ CLI::Validator number_between(double low, double high) {
     return fine ? "" : "'" + text + "' is not a number in " + range;
   };
   return CLI::Validator(check, range);
+}
+
+void add_force_limit(CLI::App& command, double& limit_n) {
+  command.add_option("--limit", limit_n, "Largest force, N; never more than the device's")
+      ->check(number_between(kMinForceLimitN, SafetyLimits{}.peak_force_n))
+      ->capture_default_str();
 }
 
 CLI::Validator not_empty() {

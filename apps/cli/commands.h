@@ -49,6 +49,9 @@ class UsageError : public CLI::Error {
 /// Accepts a number from `low` to `high`. Unlike CLI::Range it rejects NaN.
 CLI::Validator number_between(double low, double high);
 
+/// Adds --limit, the largest force of the pen, with the bounds that it has in the window.
+void add_force_limit(CLI::App& command, double& limit_n);
+
 /// Accepts any text that is not empty.
 CLI::Validator not_empty();
 

@@ -261,9 +261,7 @@ void add_options(CLI::App& command, RecordArguments& args) {
       ->capture_default_str();
   command.add_flag("--forces-on", args.forces_on,
                    "Forces from the start, after you agreed; without it the pen is free");
-  command.add_option("--limit", args.limit_n, "Largest force, N; never more than the device's")
-      ->check(number_between(0.1, 3.0))
-      ->capture_default_str();
+  add_force_limit(command, args.limit_n);
   command.add_flag("--yes", args.yes, "Do not ask: you agree to forces, and that the arm may move");
 }
 

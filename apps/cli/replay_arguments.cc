@@ -1,5 +1,7 @@
 #include "replay_arguments.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <vector>
 
@@ -40,14 +42,17 @@ void ReplayArguments::add_loop_to(CLI::App& command) {
       .add_option("--delay", delay_ticks,
                   "Delay from a position to its force, in ticks (default: the device's)")
       ->check(CLI::Range(0, 7));
-  command.add_option("--limit", limit_n, "Largest force, N; never more than the device's")
-      ->check(number_between(0.1, 3.0))
-      ->capture_default_str();
+  add_force_limit(command, limit_n);
   command.add_flag("--no-force", no_force, "Send no force to the pen");
 }
 
 ReplaySettings ReplayArguments::settings() const {
   StylusPreset preset = *find_stylus_preset(device);
+  const double hold_s = 1e-9 * static_cast<double>(preset.force_hold_ns);
+  if (rate_hz && *rate_hz * hold_s > 1.0) {
+    throw UsageError(
+        fmt::format("--rate: {} accepts at most {:g} forces a second", device, 1.0 / hold_s));
+  }
   preset.capabilities = with_force_limit(preset.capabilities, limit_n);
   ReplaySettings settings =
       replay_settings(preset, *find_hand(hand), !no_force, rate_hz, delay_ticks);

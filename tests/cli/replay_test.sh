@@ -75,6 +75,25 @@ run 0 "$feltline" replay in.ndjson -o whole.ndjson --device premium --limit 3 --
 cmp -s whole.csv free.csv || fail "--limit 3 is not the default"
 run 2 "$feltline" replay in.ndjson --limit 3.1
 run 2 "$feltline" replay in.ndjson --limit 0
+has err "'0' is not a number in 0.1..3"
+# A push of the pencil of more than 0.9 N is cut to the limit on each device.
+echo '{"points":[[40,40,1,0],[60,45,1,500],[80,40,1,1000]]}' >firm.ndjson
+for device in omega delta hapticmaster; do
+  run 0 "$feltline" replay firm.ndjson -o free.ndjson --device $device --forces free.csv
+  run 0 "$feltline" replay firm.ndjson -o half.ndjson --device $device --limit 0.5 --forces half.csv
+  awk -F, 'NR > 1 && $12 * $12 + $13 * $13 + $14 * $14 > 0.9 * 0.9 { n++ } END { exit n == 0 }' free.csv || fail "$device: no force of 0.9 N"
+  awk -F, 'NR > 1 && $12 * $12 + $13 * $13 + $14 * $14 > 0.5 * 0.5 + 1e-6 { exit 1 }' half.csv || fail "$device: a force exceeded --limit"
+done
+# The other devices of the paper: no force out of the page, a force every 4 ms, cues instead of forces.
+run 0 "$feltline" replay in.ndjson -o stick.ndjson --device joystick --forces stick.csv --set pencil.snap=off
+lines stick.ndjson 3
+run 2 "$feltline" replay in.ndjson -o fast.ndjson --device hapticmaster --rate 1000
+has err "hapticmaster accepts at most 250 forces a second"
+run 0 "$feltline" replay in.ndjson --device vibrating-mouse --stats json
+has out '"max_force_n":0'
+has out '"cues":'
+run 0 "$feltline" replay in.ndjson --device mouse --stats json
+grep -q '"cues"' out && fail "a mouse plays no cues"
 run 0 "$feltline" replay in.ndjson --no-force --forces none.csv -o none.ndjson --set pencil.snap=off
 lines none.ndjson 3
 awk -F, 'NR > 1 && ($12 != 0 || $13 != 0 || $14 != 0) { exit 1 }' none.csv || fail "a force was sent despite --no-force"

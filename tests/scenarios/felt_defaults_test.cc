@@ -27,7 +27,7 @@ template <class Use>
 void for_each_device(Use use) {
   int tried = 0;
   for (StylusPreset device : stylus_presets()) {
-    if (!device.capabilities.has_force()) continue;
+    if (!device.renders_surface()) continue;
     ++tried;
     SCOPED_TRACE(std::string(device.name));
     center_workspace(device.capabilities, kMiddle);
@@ -119,7 +119,9 @@ TEST(FeltAtTheDefaults, R70_AttractionMovesAHandThatStopsShort) {
     for (double mm = 0.0; mm <= well.radius_mm; mm += 0.01) {
       most_n = std::max(most_n, well.force_at_n(mm));
     }
-    EXPECT_GE(most_n, 0.2 + device.mechanics.friction_n - 1e-9);
+    // At 250 Hz, the budget of stiffness (R56) allows 225 N/m within the radius of the well.
+    const double beyond_n = device.force_hold_ns > 0 ? 0.17 : 0.2;
+    EXPECT_GE(most_n, beyond_n + device.mechanics.friction_n - 1e-9);
     const double alone_mm = rests_at_mm(device, scene, 1.5, false);
     const double attracted_mm = rests_at_mm(device, scene, 1.5, true);
     EXPECT_GE(alone_mm - attracted_mm, 0.2) << "from " << alone_mm << " mm";

@@ -73,7 +73,7 @@ Widths widths_of(const StylusPreset& preset, double push_n, double circle_mm) {
 
 TEST(SteadyPush, R14_DrawsTheSameWidthHoweverWarmTheMotorsAre) {
   for (const StylusPreset& preset : stylus_presets()) {
-    if (!preset.capabilities.has_force()) continue;
+    if (!preset.renders_surface()) continue;
     for (const double push_n : {0.3, 0.65, 0.98}) {
       const Widths widths = widths_of(preset, push_n, 0.0);
       EXPECT_LE(widths.max_mm - widths.min_mm, 0.05)

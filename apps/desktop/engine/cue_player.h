@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "desktop/engine/cue_thread.h"
-#include "desktop/engine/cue_watch.h"
 #include "desktop/engine/studio.h"
 #include "felt/driver/cue_device.h"
 #include "felt/driver/driver.h"
+#include "felt/session/cue_watch.h"
 
 namespace felt::desktop {
 

@@ -169,9 +169,11 @@ constexpr std::array<DeviceModel, 23> kModels{{
                                        .max_stiffness_n_per_m = 5000.0,
                                        .max_damping_n_s_per_m = 30.0,
                                        .position_step_mm = 0.02,
+                                       .friction_n = 0.1,
+                                       .mass_kg = 0.4,
                                        .period_ns = 250'000}),
      .source = "peak, stiffness, damping, workspace: CHAI3D's table; continuous: hapticore's "
-               "limit; step: estimate"},
+               "limit; step, friction, mass: estimate"},
     {.id = "sigma.3",
      .label = "Force Dimension sigma.3",
      .maker = kForceDimension,
@@ -282,8 +284,11 @@ constexpr std::array<DeviceModel, 23> kModels{{
                                               .max_stiffness_n_per_m = 4000.0,
                                               .max_damping_n_s_per_m = 20.0,
                                               .position_step_mm = 0.012,
+                                              .friction_n = 0.5,
+                                              .mass_kg = 3.0,
                                               .period_ns = 4'000'000}),
-     .source = "force, stiffness: as public programs use it; the rest: estimate"},
+     .source = "force, stiffness: as public programs use it; virtual mass and its friction: as the "
+               "driver sets them; the rest: estimate"},
 }};
 
 constexpr std::size_t kGeneric = kModels.size() - 2;

@@ -75,7 +75,7 @@ ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& 
   if (delay_ticks) can.delay_ticks = *delay_ticks;
   settings.script = script_options_for(settings.device, hand);
   if (!force) {
-    settings.script.contact = ContactBy::kPressure;
+    if (device.renders_surface()) settings.script.contact = ContactBy::kPressure;
     can.senses_pressure = true;
   }
   return settings;
@@ -113,6 +113,7 @@ PlayerOptions ReplayMachine::player_options() {
 }
 
 bool ReplayMachine::handle_turn() {
+  if (settings_.device.plays_cues && settings_.force) count_cues();
   if (observer_.turn && !events_.empty()) {
     const std::int64_t start_ns = events_.front().time_ns;
     const auto all = static_cast<double>(events_.back().time_ns - start_ns);
@@ -124,6 +125,15 @@ bool ReplayMachine::handle_turn() {
     if (observer_.stopped) observer_.stopped(session_, pen_);
   }
   return is_stopped_ || !observed_;
+}
+
+/// Counts the cues that the device would play, as the window plays them (CuePlayer).
+void ReplayMachine::count_cues() {
+  const Medium* medium = session_.materials().find_medium(drawing_medium(session_));
+  if (medium) cue_law_.set_feel(cue_feel_of(*medium, session_.surface()));
+  if (const auto event = cue_watch_.look(session_, pen_)) cue_law_.report(*event);
+  const std::optional<Cue> cue = cue_law_.step(cue_input_of(pen_, session_.surface()));
+  stats_.cues = stats_.cues.value_or(0) + (cue && cue->waveform != CueWaveform::kNone);
 }
 
 HandScriptOptions ReplayMachine::hand_options() const {
@@ -275,6 +285,7 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
 }
 
 void ReplayMachine::handle_edit(const Edit& edit) {
+  cue_watch_.edited();
   for (const StrokeChange& change : edit.changes) {
     changed_.insert(change.id);
     if (change.after && draws(session_)) ink_.push_back({pen_.time_ns, *change.after});

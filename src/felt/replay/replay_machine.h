@@ -12,9 +12,11 @@
 #include "felt/devices/simulated/person.h"
 #include "felt/devices/simulated/scripted_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
+#include "felt/haptics/cue_law.h"
 #include "felt/material/materials.h"
 #include "felt/replay/replay_stats.h"
 #include "felt/rt/device.h"
+#include "felt/session/cue_watch.h"
 #include "felt/session/player.h"
 #include "felt/session/session.h"
 #include "felt/stroke/fit/width_map.h"
@@ -122,6 +124,7 @@ class ReplayMachine {
   /// Returns true when the play is over.
   bool handle_turn();
   void handle_tick(const TickReport& report);
+  void count_cues();
   void handle_edit(const Edit& edit);
   void add_aim(std::int64_t time_ns, const HandEvent& aim);
   void await_preview();
@@ -143,6 +146,8 @@ class ReplayMachine {
   std::vector<Ink> ink_;        // the ink of this play
   std::set<StrokeId> changed_;  // since take_stats
   PenSample pen_;               // the pen at the last tick
+  CueLaw cue_law_;              // of a device that plays cues
+  CueWatch cue_watch_;
   bool is_stopped_ = false;
   std::int64_t next_ns_ = 0;
   bool pen_is_down_ = false;

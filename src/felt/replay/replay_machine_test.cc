@@ -24,9 +24,9 @@ std::string two_lines() {
   return text;
 }
 
-ReplayStats draw(std::optional<Person> person, bool force) {
+ReplayStats draw(std::optional<Person> person, bool force, std::string_view device = "premium") {
   ReplaySettings settings =
-      replay_settings(*find_stylus_preset("premium"), typical_hand(), force, {}, {});
+      replay_settings(*find_stylus_preset(device), typical_hand(), force, {}, {});
   settings.person = person;
   ReplayMachine machine(settings, Document(), {});
   ScriptRun run(machine, 1.0, 0);
@@ -51,6 +51,25 @@ TEST(ReplayMachine, PeopleDifferAndTheSamePersonDoesNot) {
   EXPECT_EQ(draw(person_of(1), true).distance.mean_mm(), first);
   EXPECT_NE(draw(person_of(2), true).distance.mean_mm(), first);
   EXPECT_LT(draw(std::nullopt, true).distance.mean_mm(), first) << "the hand without noise";
+}
+
+TEST(ReplayMachine, R55_AMouseThatVibratesPlaysCuesAndHasNoForce) {
+  const ReplayStats stats = draw(std::nullopt, true, "vibrating-mouse");
+  EXPECT_EQ(stats.strokes, 2);
+  EXPECT_EQ(stats.max_sent_n, 0.0);
+  ASSERT_TRUE(stats.cues);
+  EXPECT_GE(*stats.cues, 4) << "two touches, and humming";
+  EXPECT_LE(*stats.cues, 50.0 * stats.simulated_s);
+  EXPECT_NE(stats_json(stats).find("\"cues\":"), std::string::npos);
+  EXPECT_FALSE(draw(std::nullopt, true, "mouse").cues);
+  EXPECT_FALSE(draw(std::nullopt, false, "vibrating-mouse").cues) << "forces are off";
+}
+
+TEST(ReplayMachine, R55_AJoystickDrawsWithForcesAlongThePageOnly) {
+  const ReplayStats stats = draw(std::nullopt, true, "joystick");
+  EXPECT_EQ(stats.strokes, 2);
+  EXPECT_GT(stats.max_sent_n, 0.0);
+  EXPECT_LT(stats.distance.max_mm(), 2.0);
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ std::string stats_json(const ReplayStats& stats) {
   object.add_number("max_asked_n", stats.max_asked_n);
   object.add_number("max_force_n", stats.max_sent_n);
   object.add_number("mean_contact_force_n", stats.mean_sent_n());
+  if (stats.cues) object.add_raw("cues", count(*stats.cues));
   if (stats.distance.count() == 0) {
     object.add_raw("intended_to_ink_mm", "null");
   } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -48,7 +49,8 @@ struct ReplayStats {
   double max_asked_n = 0.0, max_sent_n = 0.0;
   double sent_sum_n = 0.0;  ///< sum over the ticks in contact
   std::int64_t ticks_in_contact = 0;
-  InkDistance distance;  ///< from the intended path to the ink
+  std::optional<std::int64_t> cues{};  ///< ticks and vibrations, if the device plays cues
+  InkDistance distance;                ///< from the intended path to the ink
 
   [[nodiscard]] double times_real_time() const noexcept {
     return wall_s > 0.0 ? simulated_s / wall_s : 0.0;

@@ -112,12 +112,13 @@ class TrialRun {
   }
 
   /// Returns the settings of a condition. With motors that are off, the person draws in the air,
-  /// and the depth of the pen decides whether it draws, as with a real device.
+  /// and the depth of the pen decides whether it draws, as with a real device. A device without a
+  /// surface has no depth.
   [[nodiscard]] ReplaySettings settings_of(const StudyCondition& condition) const {
-    const bool in_air = condition.forces == StudyForces::kAir && device_.capabilities.has_force();
+    const bool is_off = condition.forces == StudyForces::kAir && device_.capabilities.has_force();
     ReplaySettings settings = replay_settings(device_, person_.grip(), true, {}, {});
-    settings.force = !in_air;
-    if (in_air) settings.script.contact = ContactBy::kDepthInAir;
+    settings.force = !is_off;
+    if (is_off && device_.renders_surface()) settings.script.contact = ContactBy::kDepthInAir;
     return settings;
   }
 

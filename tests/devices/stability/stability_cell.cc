@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/high_pass.h"
@@ -35,6 +36,7 @@ constexpr double kBundleMm = 1.0;  // spread at which the resistance of a bundle
 constexpr double kPressN = 0.8;
 constexpr double kPressBesidesN = 0.4;
 constexpr double kPressBeforeLettingGoN = 0.15;
+constexpr double kTriggerPressure = 0.5;
 
 double press_of(const StabilityCell& cell) {
   if (cell.hand == nullptr) return kPressBeforeLettingGoN;
@@ -335,6 +337,11 @@ std::string_view name_of(Trial trial) noexcept {
   return "";
 }
 
+std::string rate_name(std::int64_t period_ns) {
+  return period_ns > 1'000'000 ? std::to_string(1'000'000'000 / period_ns) + " Hz"
+                               : std::to_string(1'000'000 / period_ns) + " kHz";
+}
+
 std::string name_of(const StabilityCell& cell) {
   std::string name(name_of(cell.trial));
   name += ' ';
@@ -342,7 +349,7 @@ std::string name_of(const StabilityCell& cell) {
   name += '/';
   name += cell.hand != nullptr ? cell.hand->name : "let go";
   name += ' ';
-  name += std::to_string(1'000'000 / cell.period_ns) + " kHz delay ";
+  name += rate_name(cell.period_ns) + " delay ";
   name += std::to_string(cell.delay_ticks) + ' ';
   name += cell.surface->id;
   name += ' ';
@@ -357,27 +364,26 @@ bool passes(const StabilityResult& result) noexcept {
 
 StabilityResult run_trial(const StabilityCell& cell) {
   const StylusPreset device = device_of(cell);
+  const Capabilities& can = device.capabilities;
   const bool lets_go = cell.hand == nullptr;
   const SimulatedHand hand = lets_go ? typical_hand() : *cell.hand;
   SimulatedStylus stylus(device, hand);
   stylus.place(planned_pen(cell.trial, {}, 0.0).pen);
-  ServoOptions options{.period_ns = cell.period_ns, .limits = limits_for(device.capabilities)};
+  ServoOptions options{.period_ns = cell.period_ns, .limits = limits_for(can)};
   const auto servo = std::make_unique<Servo>(stylus, options);
-  servo->publish(model_of(cell, device.capabilities));
+  servo->publish(model_of(cell, can));
   servo->arm();
 
-  PlanGround ground{
-      .plane_n_per_m = plane_for(*cell.surface, device.capabilities).stiffness_n_per_m,
-      .press_n = press_of(cell)};
-  const FrictionOptions friction =
-      friction_for(scaled_tool(cell), *cell.surface, device.capabilities);
+  PlanGround ground{.plane_n_per_m = plane_for(*cell.surface, can).stiffness_n_per_m,
+                    .press_n = press_of(cell)};
+  const FrictionOptions friction = friction_for(scaled_tool(cell), *cell.surface, can);
   const double own = std::min(friction.own_friction_n / ground.press_n, friction.own_coefficient);
   ground.friction = std::max(0.0, friction.coefficient - own);
   if (cell.trial == Trial::kBundle) {
     ground.friction += std::min(BundleFeel::kMaxN / ground.press_n, BundleFeel::kMaxFactor);
   }
   if (cell.trial == Trial::kRing) ground.friction = 0.0;
-  if (is_guide_of_drawing(cell.trial)) ground.guide = law_of(cell.trial, device.capabilities);
+  if (is_guide_of_drawing(cell.trial)) ground.guide = law_of(cell.trial, can);
   const TrialTimes times = times_of(cell.trial, lets_go);
   Meter meter(times, cell.trial == Trial::kTap, 1e-9 * static_cast<double>(cell.period_ns));
   KnowingHand knowing(cell, hand, ground);
@@ -385,7 +391,11 @@ StabilityResult run_trial(const StabilityCell& cell) {
   bool holds = true;
   while (1e-9 * static_cast<double>(clock.next_ns()) < times.end_s) {
     const double t_s = 1e-9 * static_cast<double>(clock.next_ns());
-    stylus.aim(knowing.aim_at(t_s), {}, 0);
+    const Vec3 aim_mm = knowing.aim_at(t_s);
+    std::optional<double> pressure;  // of a pen without height
+    if (can.has_force() && !device.renders_surface())
+      pressure = aim_mm.z < 0.0 ? kTriggerPressure : 0.0;
+    stylus.aim(aim_mm, pressure, 0);
     if (lets_go && holds && t_s >= times.release_s) {
       stylus.hold(std::nullopt);
       holds = false;

@@ -65,6 +65,8 @@ struct StabilityCell {
   const SurfaceMaterial* surface = nullptr;
   const Medium* tool = nullptr;
 };
+/// Returns the rate of a loop: "1 kHz", "250 Hz".
+std::string rate_name(std::int64_t period_ns);
 /// Returns the name of a cell, for example "slow worst/light 1 kHz delay 2 blackboard eraser".
 std::string name_of(const StabilityCell& cell);
 

@@ -10,9 +10,15 @@
 namespace felt {
 namespace {
 
-constexpr std::array kDevices{"worst",   "touch", "premium", "falcon",
-                              "touch-x", "omega", "inverse3"};
-constexpr std::array<std::int64_t, 3> kPeriodsNs{1'000'000, 250'000, 200'000};
+// All devices whose surface can be felt.
+constexpr std::array kDevices{"worst", "touch",    "premium", "falcon",      "touch-x",
+                              "omega", "inverse3", "delta",   "hapticmaster"};
+
+// Returns the periods of loops to try on a device. One that holds its forces has one period only.
+std::vector<std::int64_t> periods_of(const StylusPreset& device) {
+  if (device.force_hold_ns > 0) return {device.force_hold_ns};
+  return {1'000'000, 250'000, 200'000};
+}
 
 // Returns true for the pencil and for the eraser, which has the strongest friction. All other media
 // are softer or have less friction.
@@ -26,7 +32,7 @@ bool is_usual_loop(const StabilityCell& c) {
 
 // Adds the cells of one trial, hand and device with all loops, surfaces and media.
 void add_loops(StabilityCell cell, std::vector<StabilityCell>& cells) {
-  for (const std::int64_t period_ns : kPeriodsNs) {
+  for (const std::int64_t period_ns : periods_of(*cell.device)) {
     for (const int delay : {0, 1, 2}) {
       for (const SurfaceMaterial& surface : surface_materials()) {
         for (const Medium& tool : media()) {
@@ -51,7 +57,14 @@ void add_guides(const std::vector<const SimulatedHand*>& hands, std::vector<Stab
                            .hand = hand,
                            .surface = surface_materials().data(),
                            .tool = media().data()};
+        if (!device.renders_surface() && device.capabilities.has_force()) {
+          cell.delay_ticks = device.capabilities.delay_ticks;
+          cells.push_back(cell);
+          continue;
+        }
+        cell.period_ns = periods_of(device).front();
         for (cell.delay_ticks = 0; cell.delay_ticks <= 2; ++cell.delay_ticks) cells.push_back(cell);
+        if (device.force_hold_ns > 0) continue;
         cell.delay_ticks = 1;
         cell.period_ns = 200'000;
         cells.push_back(cell);

@@ -7,7 +7,7 @@
 
 namespace felt {
 
-/// Returns every trial of every hand (and of a hand that releases the pen) with seven devices,
+/// Returns every trial of every hand (and of a hand that releases the pen) with nine devices,
 /// delays of 0, 1 and 2 ticks, 1, 4 and 5 kHz, all surfaces, pencil and eraser. All other media are
 /// tried at 1 kHz with a delay of 1 tick. The trials of guides of a drawing use all nine devices,
 /// paper and a pencil, 1 kHz with 0, 1 and 2 ticks and 5 kHz with 1 tick.

@@ -47,6 +47,7 @@ Tones depth_tones(const Person& person) noexcept {
 
 FeedbackHand::FeedbackHand(const StylusPreset& preset, const Person& person)
     : person_(person),
+      renders_surface_(preset.renders_surface()),
       stylus_(preset, person.grip()),
       random_(person.seed),
       tremor_(random_, kTremorHz[0], kTremorHz[1], person.tremor_mm),
@@ -156,9 +157,9 @@ void FeedbackHand::step() noexcept {
   stylus_.aim({{arm_.x, arm_.y, z}, now.pressure, now.buttons, now.tilt_deg});
 }
 
-// On a device without forces, the surface under the pen holds it.
+// On a device without forces out of the page, the surface under the pen or its grip holds it.
 void FeedbackHand::feel_contact(bool presses) noexcept {
-  const bool is_held = capabilities().has_force() ? stylus_.acting_force().z > kContactN : presses;
+  const bool is_held = renders_surface_ ? stylus_.acting_force().z > kContactN : presses;
   const double feels = is_held ? 1.0 : 0.0;
   touch_ += tick_s_ / (kTouchS + tick_s_) * (feels - touch_);
 }

@@ -76,6 +76,7 @@ class FeedbackHand final : public Device, public HandInput {
   [[nodiscard]] Motion planned_motion() const noexcept;
 
   Person person_;
+  bool renders_surface_;  // StylusPreset
   SimulatedStylus stylus_;
   Random random_;
   Tones tremor_, wander_, depth_;

@@ -45,6 +45,12 @@ void HeldBody::place(const Vec3& position_mm) noexcept {
   stop_at_walls();
 }
 
+void HeldBody::set_height(double z_mm) noexcept {
+  position_.z = z_mm;
+  velocity_.z = 0.0;
+  stop_at_walls();
+}
+
 void HeldBody::prepare(double h_s) noexcept {
   prepared_for_s_ = h_s;
   const double resisting = 0.25 * h_s * h_s * spring_ + 0.5 * h_s * damping_;

@@ -34,6 +34,8 @@ class HeldBody {
   void hold(const std::optional<SimulatedHand>& hand) noexcept;
   /// Moves the stylus to a position, at rest.
   void place(const Vec3& position_mm) noexcept;
+  /// Sets the height, at rest in z. For a grip that does not move up and down.
+  void set_height(double z_mm) noexcept;
   /// Advances the time by h_s > 0. The force is constant during the step, and the hand's aim moves
   /// at constant speed from `aim_from_mm` to `aim_to_mm`.
   void step(double h_s, const Vec3& aim_from_mm, const Vec3& aim_to_mm,

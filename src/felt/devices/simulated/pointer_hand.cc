@@ -45,7 +45,7 @@ void PointerHand::point(const PointerEvent& event) noexcept {
   Aim aim{.target_mm = {event.position.x, event.position.y, height_mm},
           .buttons = event.buttons,
           .tilt_deg = event.tilt_deg};
-  if (options_.contact == ContactBy::kPressure) {
+  if (is_by_pressure(options_.contact)) {
     aim.pressure = pressure_;
   } else if (event.touching) {
     aim.target_mm.z = -aim_depth_mm(options_, pressure_, speed_mm_per_s_);

@@ -61,7 +61,7 @@ class PenPlanner {
   }
 
   [[nodiscard]] Vec3 pressed(const ScriptKnot& knot) const {
-    const double depth_mm = options_.contact == ContactBy::kPressure
+    const double depth_mm = is_by_pressure(options_.contact)
                                 ? 0.0
                                 : 1e3 * press_n(options_, knot.pressure) / options_.plane_n_per_m;
     return {knot.position.x, knot.position.y, -depth_mm};
@@ -115,9 +115,8 @@ class AimMaker {
       TimedAim aim{.time_ns = options_.interval_ns * static_cast<std::int64_t>(i),
                    .target_mm = plan_[i].pen,
                    .tilt_deg = plan_[i].tilt_deg};
-      if (options_.contact == ContactBy::kPressure) {
-        aim.pressure = plan_[i].pressure;
-      } else {
+      if (is_by_pressure(options_.contact)) aim.pressure = plan_[i].pressure;
+      if (options_.contact != ContactBy::kPressure) {
         const Vec3 wanted = (1e3 / options_.hand.stiffness_n_per_m) * push_needed(i);
         ahead += (interval_s_ / (delay_s + interval_s_)) * (wanted - ahead);
         aim.target_mm += ahead;
@@ -180,6 +179,7 @@ HandScriptOptions script_options_for(const StylusPreset& device,
     options.contact = ContactBy::kPressure;
     return options;
   }
+  if (!device.renders_surface()) options.contact = ContactBy::kTrigger;
   set_surface(options, SurfaceMaterial(), can);
   options.device_mass_kg = device.mechanics.mass_kg;
   options.device_friction_n = device.mechanics.friction_n;

@@ -36,8 +36,14 @@ struct TimedAim {
 enum class ContactBy : std::uint8_t {
   kDepth,       ///< by depth, on a device with forces: the hand presses the pen into the surface
   kPressure,    ///< by its pressure sensor: the pen stays on the surface, z = 0
+  kTrigger,     ///< as kPressure, with a button on the grip of a joystick, which the hand leads
   kDepthInAir,  ///< by depth, without a surface: the hand goes as deep as a surface would yield
 };
+
+/// Returns true if the aims carry the pressure of the pen.
+constexpr bool is_by_pressure(ContactBy contact) noexcept {
+  return contact == ContactBy::kPressure || contact == ContactBy::kTrigger;
+}
 
 struct HandScriptOptions {
   SimulatedHand hand = typical_hand();

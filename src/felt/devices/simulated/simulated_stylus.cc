@@ -33,6 +33,12 @@ double rounded(double value, double step) noexcept {
   return step > 0.0 ? step * std::floor(value / step + 0.5) : value;
 }
 
+// Returns the height of the pen of a grip that does not move up and down.
+double height_of(const Aim& aim, const Capabilities& device) noexcept {
+  const double pressure = aim.pressure.value_or(0.0);
+  return pressure > 0.0 ? pressure * device.workspace_min.z : device.workspace_max.z;
+}
+
 Vec3 start_of(const Capabilities& device) noexcept {
   const Vec3 middle = 0.5 * (device.workspace_min + device.workspace_max);
   return clamped({middle.x, middle.y, kStartHeightMm}, device.workspace_min, device.workspace_max);
@@ -59,6 +65,7 @@ SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
                                  const std::optional<SimulatedHand>& hand)
     : preset_(preset),
       has_body_(preset.capabilities.has_force()),
+      is_flat_(has_body_ && !preset.renders_surface()),
       parts_(std::make_unique<Parts>(preset)),
       delay_ticks_(static_cast<std::size_t>(
           std::clamp(preset.capabilities.delay_ticks, 0, kMaxDelayTicks))) {
@@ -156,8 +163,14 @@ void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexc
   parts_->aim.set(*taken, now_ns_, tick_ns);
 }
 
-Force SimulatedStylus::next_force() noexcept {
-  delayed_[tick_ % delayed_.size()] = asked_;
+Force SimulatedStylus::next_force(std::int64_t now_ns) noexcept {
+  // A loop whose ticks come a little early is not slower for that.
+  const std::int64_t least_ns = preset_.force_hold_ns - preset_.force_hold_ns / 8;
+  if (now_ns - accepted_ns_ >= least_ns || now_ns < accepted_ns_) {
+    accepted_ = asked_;
+    accepted_ns_ = now_ns;
+  }
+  delayed_[tick_ % delayed_.size()] = accepted_;
   const Force& then = delayed_[(tick_ + delayed_.size() - delay_ticks_) % delayed_.size()];
   ++tick_;
   return then;
@@ -169,9 +182,14 @@ void SimulatedStylus::move_to(std::int64_t now_ns) noexcept {
   if (has_body_) {
     const std::int64_t steps = (end_ns - now_ns_ + kStepNs - 1) / kStepNs;
     const double h_s = 1e-9 * static_cast<double>(end_ns - now_ns_) / static_cast<double>(steps);
-    Vec3 from = parts_->aim.at(now_ns_);
+    const auto aim_at = [&](std::int64_t step) {
+      Vec3 aim_mm = parts_->aim.at(now_ns_ + (end_ns - now_ns_) * step / steps);
+      if (is_flat_) aim_mm.z = parts_->body.position().z;
+      return aim_mm;
+    };
+    Vec3 from = aim_at(0);
     for (std::int64_t i = 1; i <= steps; ++i) {
-      const Vec3 to = parts_->aim.at(now_ns_ + (end_ns - now_ns_) * i / steps);
+      const Vec3 to = aim_at(i);
       parts_->body.step(h_s, from, to, acting_);
       from = to;
     }
@@ -183,12 +201,15 @@ void SimulatedStylus::move_to(std::int64_t now_ns) noexcept {
 
 PenSample SimulatedStylus::sense(double dt_s) noexcept {
   const double step = preset_.capabilities.position_step_mm;
+  const Aim& shown = parts_->aim.shown(now_ns_);
+  if (is_flat_) parts_->body.set_height(height_of(shown, preset_.capabilities));
   const Vec3& p = parts_->body.position();
   PenSample sample;
   sample.time_ns = sampled_ns_ = now_ns_;
-  sample.position = {rounded(p.x, step), rounded(p.y, step), rounded(p.z, step)};
-  sample.velocity = velocity_.update(sample.position, dt_s);
-  const Aim& shown = parts_->aim.shown(now_ns_);
+  sample.position = {rounded(p.x, step), rounded(p.y, step), is_flat_ ? p.z : rounded(p.z, step)};
+  Vec3 moved = sample.position;
+  if (is_flat_) moved.z = 0.0;  // a pen that goes down does not fall
+  sample.velocity = velocity_.update(moved, dt_s);
   sample.pressure = shown.pressure;
   sample.buttons = shown.buttons;
   sample.tilt_deg = shown.tilt_deg;
@@ -249,7 +270,7 @@ tl::expected<PenSample, DeviceFault> SimulatedStylus::read(std::int64_t now_ns) 
   between_next_ = between_end_ = 0;
   const std::int64_t elapsed_ns = std::max<std::int64_t>(now_ns - now_ns_, 0);
   take_aims(now_ns, elapsed_ns);
-  acting_ = next_force();
+  acting_ = next_force(now_ns);
   if (is_timed_ && !has_body_ && now_ns >= now_ns_) {
     now_ns_ = now_ns;
     return read_track(now_ns);
@@ -272,13 +293,15 @@ tl::expected<void, DeviceFault> SimulatedStylus::write(const Force& force) noexc
     return tl::unexpected(DeviceFault::kBadData);
   }
   const double largest = preset_.capabilities.max_force_n;
-  const double size = norm(force);
-  asked_ = size > largest ? (largest / size) * force : force;
+  asked_ = force;
+  if (is_flat_) asked_.z = 0.0;
+  const double size = norm(asked_);
+  if (size > largest) asked_ = (largest / size) * asked_;
   return {};
 }
 
 void SimulatedStylus::stop() noexcept {
-  asked_ = {};
+  asked_ = accepted_ = {};
   delayed_.fill({});
 }
 

@@ -27,6 +27,11 @@ struct StampedAim;
 /// maximum. The returned sample is like that of a real sensor: the position is rounded to the
 /// device's steps, and the velocity is low-pass filtered.
 ///
+/// A device without force out of the page (joystick) has no height: as with the driver of joysticks
+/// (StickAxes), the pen is at the bottom of the workspace with full pressure, and at the top while
+/// it is up. A preset with `force_hold_ns` accepts a new force only so
+/// often, however fast the loop runs.
+///
 /// A device without force (mouse, tablet) has no body: the pen is exactly at the aim, and write()
 /// has no effect. Aims with times are played with their original spacing (AimTrack). On a device
 /// without a body, each aim gives one sample. The sample has the aim's position, and its time is
@@ -99,11 +104,12 @@ class SimulatedStylus final : public Device, public HandInput {
   [[nodiscard]] PenSample read_track(std::int64_t now_ns) noexcept;
   [[nodiscard]] PenSample sample_of(const Aim& aim, std::int64_t time_ns) noexcept;
   void move_to(std::int64_t now_ns) noexcept;
-  [[nodiscard]] Force next_force() noexcept;
+  [[nodiscard]] Force next_force(std::int64_t now_ns) noexcept;
   [[nodiscard]] PenSample sense(double dt_s) noexcept;
 
   StylusPreset preset_;
   bool has_body_;
+  bool is_flat_;  // it has a body that does not move up and down
   std::unique_ptr<Parts> parts_;
   std::optional<Aim> waiting_;  // the oldest waiting aim, already removed from the queue
   bool is_timed_ = false;       // the newest aim had a time
@@ -111,7 +117,8 @@ class SimulatedStylus final : public Device, public HandInput {
   std::size_t between_next_ = 0, between_end_ = 0;
   std::int64_t sampled_ns_ = 0;  // time of the last sample
   VelocityFilter velocity_;
-  Force asked_, acting_;
+  Force asked_, accepted_, acting_;
+  std::int64_t accepted_ns_ = 0;
   std::array<Force, kMaxDelayTicks + 1>
       delayed_{};  // ring buffer: forces requested at the last reads
   std::size_t tick_ = 0;

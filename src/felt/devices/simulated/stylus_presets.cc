@@ -59,10 +59,61 @@ Capabilities of_worst() noexcept {
   return device;
 }
 
-constexpr Vec3 kBigPageMm{2000.0, 2000.0, 200.0};
+// Returns the capabilities of a joystick as its driver reports them (evdev): the lever or the
+// button on its grip is its pressure, and the height of its pen follows from the pressure.
+Capabilities of_joystick() noexcept {
+  Capabilities device = find_device_model("ff-stick")->capabilities;
+  const Vec3 shift{-kOverlapMm - device.workspace_min.x, -kOverlapMm - device.workspace_min.y, 0.0};
+  device.workspace_min += shift;
+  device.workspace_max += shift;
+  device.position_step_mm = 0.09;  // 10 bits over 90 mm
+  device.senses_pressure = true;
+  return device;
+}
 
-const std::array<StylusPreset, 9>& presets() noexcept {
-  static const std::array<StylusPreset, 9> kPresets{{
+constexpr Vec3 kBigPageMm{2000.0, 2000.0, 200.0};
+constexpr Capabilities kMouse = with_workspace(kBigPageMm, {.sensed_axes = 2, .actuated_axes = 0});
+
+// The devices of the paper beside the PHANToM.
+StylusPreset delta() noexcept {
+  return {.name = "delta",
+          .label = "Force Dimension delta.3",
+          .source = "forces, workspace: CHAI3D's table; steps, mass, friction: estimate",
+          .mechanics = mechanics_of("delta.3"),
+          .capabilities = of_model("delta.3", depth_first)};
+}
+
+StylusPreset hapticmaster() noexcept {
+  return {.name = "hapticmaster",
+          .label = "Moog HapticMASTER",
+          .source =
+              "virtual mass, its friction, 4 ms: docs/devices/hapticmaster.md; force, stiffness: "
+              "public programs; steps, workspace: estimate",
+          .mechanics = mechanics_of("hapticmaster"),
+          .capabilities = of_model("hapticmaster"),
+          .force_hold_ns = find_device_model("hapticmaster")->capabilities.period_ns};
+}
+
+StylusPreset joystick() noexcept {
+  return {
+      .name = "joystick",
+      .label = "Joystick with force feedback",
+      .source = "axes, delay: docs/devices/joysticks.md; forces, steps, mass, friction: estimate",
+      .mechanics = {.mass_kg = 0.15, .friction_n = 0.2, .viscous_n_s_per_m = 0.5},
+      .capabilities = of_joystick()};
+}
+
+StylusPreset vibrating_mouse() noexcept {
+  return {.name = "vibrating-mouse",
+          .label = "Mouse that vibrates (Logitech iFeel MouseMan)",
+          .source = "docs/devices/haptic-pens.md; no figures needed",
+          .mechanics = {},
+          .capabilities = kMouse,
+          .plays_cues = true};
+}
+
+const std::array<StylusPreset, 13>& presets() noexcept {
+  static const std::array<StylusPreset, 13> kPresets{{
       {.name = "worst",
        .label = "Worst case: light, frictionless, coarse",
        .source = "docs/design/simulation.md#devices; forces as the touch",
@@ -99,11 +150,15 @@ const std::array<StylusPreset, 9>& presets() noexcept {
        .source = "stiffness: the maker's tutorials; the rest: estimate",
        .mechanics = mechanics_of("inverse3", {.weight_n = 0.1}),
        .capabilities = of_model("inverse3")},
+      delta(),
+      hapticmaster(),
+      joystick(),
       {.name = "mouse",
        .label = "Mouse: no force, no pressure",
        .source = "no figures needed",
        .mechanics = {},
-       .capabilities = with_workspace(kBigPageMm, {.sensed_axes = 2, .actuated_axes = 0})},
+       .capabilities = kMouse},
+      vibrating_mouse(),
       {.name = "tablet",
        .label = "Tablet: pressure, no force",
        .source = "no figures needed",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -26,6 +27,10 @@ const SimulatedHand& typical_hand() noexcept;
 
 /// The mechanical properties of a stylus that the hand has to overcome. They are measured at the
 /// tip and are the same in every direction.
+///
+/// An admittance device (HapticMASTER) measures the force of the hand and moves as a virtual mass
+/// would move under this force and the bias force that the program sets. So its mass and friction
+/// are the virtual ones (docs/design/simulation.md#devices).
 struct StylusMechanics {
   double mass_kg = 0.0;
   double friction_n = 0.0;         ///< Coulomb friction: the stylus sticks up to this force
@@ -41,12 +46,23 @@ struct StylusPreset {
   std::string_view source;
   StylusMechanics mechanics;
   Capabilities capabilities;
+  /// The device accepts a force at most once in this time, and holds it; 0 means at each tick. A
+  /// loop must not have a shorter period, because its limits would be too high (R56).
+  std::int64_t force_hold_ns = 0;
+  bool plays_cues = false;  ///< a CueLaw decides how it vibrates
+
+  /// Returns true if the device can push the pen out of the page, so that a surface can be felt.
+  /// The forces of a joystick act along the page only, and a button says whether its pen is down.
+  [[nodiscard]] constexpr bool renders_surface() const noexcept {
+    return capabilities.has_force() && capabilities.actuated_axes > 2;
+  }
 };
 
-/// Returns all presets: worst, touch, touch-x, premium, falcon, omega, inverse3, mouse and tablet.
-/// The last two have no force; their pen is exactly at the aim. The workspaces extend 10 mm beyond
-/// the left and upper edge of the page; half of each workspace is above the drawing plane, half
-/// below.
+/// Returns all presets: worst, touch, touch-x, premium, falcon, omega, inverse3, delta,
+/// hapticmaster, joystick, mouse, vibrating-mouse and tablet. The last three have no force; their
+/// pen is exactly at the aim. The workspaces extend 10 mm beyond the left and upper edge of the
+/// page; half of each workspace is above the drawing plane, half below. Only the pen of the
+/// joystick does not move up and down (SimulatedStylus).
 std::span<const StylusPreset> stylus_presets() noexcept;
 /// Returns the preset with this name, or null.
 const StylusPreset* find_stylus_preset(std::string_view name) noexcept;

@@ -118,7 +118,6 @@ StylusPreset FakeStick::preset() {
   preset.source = "estimate";
   preset.mechanics = {.mass_kg = 0.15, .friction_n = 0.2, .viscous_n_s_per_m = 0.5};
   Capabilities& can = preset.capabilities;
-  can.sensed_axes = can.actuated_axes = 2;
   can.max_force_n = kFullN;
   can.continuous_force_n = kFullN;
   can.workspace_min = {kMiddle.x - kHalfWayMm, kMiddle.y - kHalfWayMm, -20.0};

@@ -1,10 +1,10 @@
-#include "desktop/engine/cue_watch.h"
+#include "felt/session/cue_watch.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-namespace felt::desktop {
+namespace felt {
 namespace {
 
 double nearest_handle(const Overlay& overlay, Point pen) {
@@ -54,4 +54,4 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   return std::nullopt;
 }
 
-}  // namespace felt::desktop
+}  // namespace felt

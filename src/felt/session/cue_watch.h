@@ -6,7 +6,7 @@
 #include "felt/haptics/cue_law.h"
 #include "felt/session/session.h"
 
-namespace felt::desktop {
+namespace felt {
 
 /// Detects the events of a session that the hand should feel. The events are: a tool grabbed
 /// something; a guide of the drawing ticked; a gesture ended without grabbing anything; the end of
@@ -33,4 +33,4 @@ class CueWatch {
   std::uint64_t guide_ticks_ = 0;  // Session::guide_ticks()
 };
 
-}  // namespace felt::desktop
+}  // namespace felt
