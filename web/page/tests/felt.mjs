@@ -74,7 +74,7 @@ const tests = {
       const { strokes, layers } = core.state();
       const { ok, notices = [] } = other.add(bytes, 'a.felt');
       assert.ok(ok);
-      assert.equal(notices.some((text) => text.includes('layers became one list')), layers.length > 1);
+      assert.equal(notices.some((text) => text.includes('Layers whose lines were added')), layers.length > 1);
       assert.equal(other.state().strokes, 2 * strokes);
     }
   },
