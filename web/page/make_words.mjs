@@ -10,7 +10,7 @@ const wanted = contexts_wanted.length > 0 ? contexts_wanted : ['tools', 'edits',
   'felt::desktop::TopBar', 'felt::desktop::FileActions', 'felt::desktop::ClipboardActions', 'felt::desktop::ForcePanel', 'felt::desktop::OptionsPanel',
   'ViewActions', 'ToolActions', 'felt::desktop::ToolKeys', 'felt::desktop::FeelPanel',
   'SafetyWords', 'ErrorWords'];
-const whole = ['edits', 'Material', 'OfferPopup', 'SafetyWords', ...contexts_wanted];  // used by texts of the core
+const whole = ['edits', 'Material', 'OfferPopup', 'SafetyWords', ...contexts_wanted.map((name) => name.split('::').pop())];  // used by texts of the core
 const kShort = 16;
 const here = dirname(fileURLToPath(import.meta.url));
 
