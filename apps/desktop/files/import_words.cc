@@ -1,6 +1,6 @@
 #include "desktop/files/import_words.h"
 
-#include <QtTranslation>
+#include <QCoreApplication>
 
 #include "desktop/engine/sentences.h"
 #include "desktop/engine/text_of.h"
