@@ -1344,6 +1344,29 @@ const topics = {
     });
   },
 
+  /** No bar lies over another one, in each language, also while the turn of the sheet is shown. */
+  async bars() {
+    await with_tab({}, async (tab) => {
+      for (const width of [1920, 1445, 1400, 1300, 1280, 1245, 1200, 1100, 1005, 900, 700, 390]) {
+        await tab.send('Emulation.setDeviceMetricsOverride', { width, height: 800, deviceScaleFactor: 1, mobile: false });
+        for (const language of ['en', 'de', 'nl']) {
+          for (const degrees of [0, -105]) {
+            const over = await tab.run((language, degrees) => {
+              feltlinePage.set_language(language);
+              feltlinePage.turn(null);
+              if (degrees !== 0) feltlinePage.turn(degrees);
+              feltlinePage.bars.show_view(feltlinePage.core.view());
+              const boxes = [...document.querySelectorAll('.bar:not([hidden])')].map((bar) => [bar.id, bar.getBoundingClientRect()]);
+              return boxes.flatMap(([a, one], i) => boxes.slice(i + 1).filter(([, other]) => one.left < other.right && other.left < one.right &&
+                one.top < other.bottom && other.top < one.bottom).map(([b]) => `${a} and ${b}`));
+            }, language, degrees);
+            assert.deepEqual(over, [], `${width} px, ${language}, turned by ${degrees} degrees`);
+          }
+        }
+      }
+    });
+  },
+
   /** Pictures: dropped, painted below the ink, kept by the autosave and in files, and read from SVG and .felt files. */
   async pictures() {
     await with_tab({}, async (tab) => {
