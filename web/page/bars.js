@@ -111,9 +111,9 @@ export class Bars {
     const { page } = this;
     this.undo.disabled = state.undo === null;
     this.redo.disabled = state.redo === null;
-    const name = (what, step) => step ? d('EditActions', `${what} %1`, d('edits', step)) : d('EditActions', what);
-    set_label(this.undo, name('Undo', state.undo), page.key_name('Ctrl+Z'));
-    set_label(this.redo, name('Redo', state.redo), page.key_name('Ctrl+Shift+Z'));
+    const name = (what, of_step, step) => step ? d('EditActions', of_step, d('edits', step)) : d('EditActions', what);
+    set_label(this.undo, name('Undo', 'Undo %1', state.undo), page.key_name('Ctrl+Z'));
+    set_label(this.redo, name('Redo', 'Redo %1', state.redo), page.key_name('Ctrl+Shift+Z'));
     for (const [id, button] of this.buttons) press(button, id === state.tool);
     if (document.activeElement !== this.color) this.color.value = state.ink.slice(0, 7);
     this.medium.value = state.medium;

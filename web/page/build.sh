@@ -149,6 +149,8 @@ echo "export const text = '$(base64 -w0 "$objects/unpack.wasm")';" >"$objects/ge
 node core/pack.mjs "$objects/first.wasm" "$objects/generated/module_text.js"
 node core/pack.mjs "$objects/full.wasm" "$objects/generated/full_text.js"
 node core/pack.mjs "$objects/felt.wasm" "$objects/generated/felt_text.js"
+node make_words.mjs "$root/apps/desktop/translations" "$objects/generated/sentences.js" \
+  ImportWords AddedStrokes felt::desktop::NoticeBar felt::desktop::Studio
 node core/make_extras.mjs "$root" "$objects/full.wasm" "$objects/generated"
 options=(--bundle --minify "--target=es2022,safari16.4" --log-level=warning --format=iife)
 NODE_PATH=$objects esbuild core/core.js "${options[@]}" --global-name=feltlineCore --outfile="$dist/core.js"

@@ -1,6 +1,6 @@
 // Cut, copy and paste, within the page and with other programs: a copy is an SVG file and a picture.
 import { make } from './dom.js';
-import { t, d } from './words.js';
+import { t, d, loss } from './words.js';
 import { kMaxBytes } from './files.js';
 
 const kBesideMm = 5;  // each paste of the same lines is moved by this from the former one
@@ -49,12 +49,9 @@ export class Clipboard {
     if (!page.core?.isComplete || page.is_waiting) return page.when_complete(() => this.copy(cuts));
     page.settle();
     page.guard((core) => core.finish());
-    if (cuts && page.core?.state().selected === 0) return undefined;
+    if (cuts && page.core?.state().selected === 0) return page.say(t('Nothing is selected. Draw around lines with the lasso first.'));
     const made = page.guard((core) => core.copied({ whole: cuts }));
-    if (!made) {
-      if (cuts) page.say(words('Only whole strokes can be cut. Select a whole stroke first.'));
-      return undefined;
-    }
+    if (!made) return page.say(cuts ? words('Only whole strokes can be cut. Select a whole stroke first.') : t('There is nothing to copy.'));
     this.copied = made.svg;
     this.pastes = cuts ? -1 : 0;  // after a cut, the first paste is in the old place
     if (event) {
@@ -137,7 +134,7 @@ export class Clipboard {
     page.guard((core) => core.finish());
     const done = page.guard((core) => core.add(text, name, is_own ? { by: [beside, beside] } : { middle: core.toPage(...page.middle()) }));
     if (done && !done.ok) return refuse(done.error.replace(`${name}: `, ''));
-    if (done?.notices) page.files.say_all(done.notices);
+    if (done?.notices) page.files.say_all(done.notices.map(loss));
     return page.wake();
   }
 }

@@ -40,10 +40,12 @@ export interface CoreOptions {
 
 export class CoreError extends Error {}
 
-/** What a call returns that can be refused. `error` is a sentence for the user, in English. */
+/** What a call returns that can be refused. `error` is a sentence for the user, in English; `code` is its ErrorCode
+ * (src/felt/base/result.h), if the library refused. */
 export interface Done {
   ok: boolean;
   error?: string;
+  code?: number;
   /** The script that could not be loaded. */
   missing?: string;
   /** Content of a file that was left out or changed, one sentence each. */
@@ -52,9 +54,9 @@ export interface Done {
 
 /**
  * `ink`: pixels differ, `paint()` has work. `marks`: what `marks()` or `pen()` return. `state`: what `state()`
- * returns. `edits`: the document differs (for the autosave and "unsaved changes").
+ * returns. `edits`: the document differs (for the autosave and "unsaved changes"). `refusal`: samples had no effect.
  */
-export type Change = 'ink' | 'marks' | 'state' | 'edits';
+export type Change = 'ink' | 'marks' | 'state' | 'edits' | 'refusal';
 
 export interface Core {
   // --- Input
@@ -86,8 +88,11 @@ export interface Core {
 
   // --- What changed
 
-  /** Returns true if this changed since the last call with the same word. The first call returns true. */
+  /** Returns true if this changed since the last call with the same word. The first call returns true,
+   * except for a refusal. */
   changed(what: Change): boolean;
+  /** Returns why samples, or the end of a gesture, had no effect, once. */
+  refusal(): Done;
   /** Returns how many events since the last call should be felt as a tick, for playHaptics and gamepads. */
   ticks(): number;
 

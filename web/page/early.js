@@ -2,7 +2,8 @@
 // them itself, and shows a plain line for them, so that the first touch draws even if the program is still loading.
 (() => {
   const sheet = document.getElementById('sheet');
-  const choice = (() => { try { return localStorage.getItem('feltline.theme'); } catch { return null; } })();
+  const chosen = (name) => { try { return localStorage.getItem(`feltline.${name}`); } catch { return null; } };
+  const choice = chosen('theme');
   const dark = choice ? choice === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
   document.documentElement.dataset.theme = dark ? 'dark' : 'light';
 
@@ -51,7 +52,10 @@
     if (!name) return void (early.failed ??= event.message);
     early.missing.push(name);
     // The program itself cannot tell that.
-    if (name === 'page.js') document.getElementById('notice').innerHTML = '<p>page.js could not be loaded. Reload the page.</p>';
+    if (name !== 'page.js') return;
+    const words = { de: 'konnte nicht geladen werden. Laden Sie die Seite neu.', nl: 'kon niet worden geladen. Laad de pagina opnieuw.' };
+    const language = (chosen('language') || navigator.language).slice(0, 2);
+    document.getElementById('notice').innerHTML = `<p>page.js ${words[language] ?? 'could not be loaded. Reload the page.'}</p>`;
   }, true);
   globalThis.feltlineEarly = early;
 })();

@@ -1,6 +1,6 @@
 // Opening, saving and exporting the drawing.
 import { make } from './dom.js';
-import { t } from './words.js';
+import { t, loss } from './words.js';
 
 const kExportDpi = 192, kMaxPixels = 40e6;
 export const kMaxBytes = 1 << 28;  // of a file, also when it is unpacked
@@ -105,7 +105,9 @@ export class Files {
     addEventListener('drop', (event) => {
       event.preventDefault();
       mark(false);
-      this.load_all([...event.dataTransfer?.files ?? []], event.shiftKey);
+      const files = [...event.dataTransfer?.files ?? []];
+      if (files.length > 0) this.load_all(files, event.shiftKey);
+      else this.page.say(t('This is not a file, so it was not added. Save it as a file first, or copy and paste it.'));
     });
   }
 
@@ -165,7 +167,10 @@ export class Files {
   /** Opens a file, or adds it. Pictures are always added. Returns the sentences that it shows; null if the user keeps the
    * drawing. */
   async load(file, adds) {
-    const refuse = (error) => this.say_all([t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, ''))]);
+    const refuse = (error) => {
+      const why = t('“%1” could not be opened: %2', file.name, error.replace(`${file.name}: `, ''));
+      return this.say_all([`${why}${why.endsWith('.') ? '' : '.'} ${t('Your drawing is unchanged.')}`]);
+    };
     let said = [];
     try {
       if (file.size > kMaxBytes) return refuse(t('it is too large'));
@@ -174,7 +179,9 @@ export class Files {
         this.page.wake();
         return done.ok ? [] : refuse(this.page.reason(done));
       }
-      const bytes = await unpacked(new Uint8Array(await file.arrayBuffer()));
+      const bytes = await unpacked(new Uint8Array(await file.arrayBuffer().catch(() => {
+        throw new Error(t('the browser cannot read it; a folder cannot be opened'));
+      })));
       await this.page.complete();  // with which the drawing of the last visit is there
       if (!adds && this.page.unsaved() && !(await this.page.ask(t('Replace the drawing? It is not in a file yet.'), t('Replace')))) return null;
       const done = await this.read(bytes, file.name, adds);
@@ -183,7 +190,7 @@ export class Files {
         this.name = file.name.replace(/\.[^.]*$/, '');
         this.page.begun();
       }
-      if (done.notices) said = this.say_all(done.notices);
+      if (done.notices) said = this.say_all(done.notices.map(loss));
     } catch (error) {
       said = refuse(error.message);
     }
@@ -231,7 +238,7 @@ export class Files {
       if (!data) return { ok: false, error: core.saveError };
       download(data.slice(), this.file_name(format), kTypes[format]);
       this.page.saved();
-      this.say_all([t('Saved as %1', this.file_name(format)), ...core.saveNotices]);
+      this.say_all([t('Saved as %1', this.file_name(format)), ...core.saveNotices.map(loss)]);
       return loaded;
     });
   }

@@ -26,6 +26,8 @@ const kMaxAgain = 20_000;         // calls of samples(), some minutes of drawing
 const kMarginPx = 16;             // around a sheet that is fitted into the window
 const kWarmUpMs = 100;
 const kFirstEvents = ['undo', 'redo', 'cancel'];  // the first module handles them
+const kOfSelection = ['delete', 'duplicate', 'order', 'move', 'exact', 'as-drawn'];  // events that do nothing without one
+const kTooLarge = 2, kNotSupported = 5;  // ErrorCode of the library
 const kCatSpeed = 3, kCatShare = 0.7;  // of the page
 const by_id = (id) => document.getElementById(id);
 
@@ -275,7 +277,7 @@ class Page {
     if (done.ok) this.again = null;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
-    if (!done.ok && this.waiting.length > 0) this.say(this.reason(done));
+    if (!done.ok && this.waiting.length > 0) this.say(`${this.reason(done)}. ${t('Until you reload the page, only the pencil works.')}`);
     this.do_waiting(core);
     if (done.ok) setTimeout(() => this.warm_up(), kWarmUpMs);
     // What .felt files need is loaded now as well, but used only when one is opened or saved.
@@ -486,6 +488,7 @@ class Page {
     if (this.shown.forces) this.forces.draw(core.forceTerms(), now);
     this.sound.feed();
     if (this.plays && !core.playing()) this.end_play(core.playError());
+    if (core.changed('refusal')) this.say_refused(core.refusal());
     if (core.changed('state')) this.show_state();
     this.bars.show_view(core.view());
   }
@@ -680,9 +683,31 @@ class Page {
 
   apply_now(event) {
     this.settle();
-    const done = this.guard((core) => core.event(event));
-    if (done && !done.ok) this.say(done.error);
+    const before = this.guard((core) => core.state()), done = this.guard((core) => core.event(event));
+    if (done && before) this.say_without_effect(event.event, before, done);
     this.wake();
+  }
+
+  /** Says why an event changed nothing. `before`: the state of the core before it. */
+  say_without_effect(name, before, done) {
+    const is_step = name === 'undo' || name === 'redo';
+    if (is_step && before[name] === null && !before.gesture) this.say(t(`There is nothing to ${name}.`));
+    else if (!done.ok) this.say_refused(done);
+    else if (kOfSelection.includes(name)) this.say_unchanged(name, before);
+  }
+
+  say_unchanged(name, before) {
+    const { position, selected } = this.guard((core) => core.state()) ?? before;
+    if (position !== before.position || selected !== before.selected) return;
+    if (before.gesture) this.say(t('Lift the pen first.'));
+    else if (name === 'exact' || name === 'as-drawn') this.say(t('The last line has no other form.'));
+    else if (selected === 0) this.say(t('Nothing is selected. Draw around lines with the lasso first.'));
+    else if (name === 'delete' || name === 'duplicate') this.say(t('Only a part of the line is selected. Select whole lines first.'));
+  }
+
+  say_refused(done) {
+    console.info('Feltline: refused:', done.error);
+    this.say(t('This changed nothing: %1', this.reason(done)));
   }
 
   samples(samples) {
@@ -806,7 +831,7 @@ class Page {
   set_medium(medium) {
     if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.set_medium(medium));
     const done = this.core.setMedium(medium);
-    if (!done.ok) this.say(done.error);
+    if (!done.ok) this.say_refused(done);
     if (this.core.state().selected > 0) this.apply({ event: 'restyle', medium });
     this.wake();
   }
@@ -819,7 +844,7 @@ class Page {
   set_size(mm) {
     if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.set_size(mm));
     const done = this.core.setSize(mm);
-    if (!done.ok) this.say(done.error);
+    if (!done.ok) this.say_refused(done);
     this.wake();
   }
 
@@ -927,7 +952,7 @@ class Page {
     if (!this.core?.isComplete || this.is_waiting) return this.when_complete(() => this.toggle_hand());
     const { text, mmPerUnit } = in_the_middle(this.core.scripts().find(({ id }) => id === 'cat').text, this.core.state().page);
     const done = this.core.play(text, { speed: kCatSpeed, mmPerUnit });
-    if (!done.ok) return this.say(done.error);
+    if (!done.ok) return this.say_refused(done);
     this.plays = true;
     this.touched_once = true;
     this.bars.show_switches();
@@ -942,7 +967,7 @@ class Page {
 
   end_play(error) {
     this.plays = false;
-    if (error) this.say(error);
+    if (error) this.say_refused({ error });
     this.bars.show_switches();
   }
 
@@ -953,7 +978,8 @@ class Page {
     await this.sound.set(on).catch((error) => {
       this.wants_sound = false;
       choices.set('sound', '');
-      this.say(error.message);
+      console.info('Feltline: no sound:', error);
+      this.say(t('The browser does not let the page play sound. You can draw without it.'));
     });
     this.bars.show_switches();
     this.wake();
@@ -964,7 +990,7 @@ class Page {
     const device = this.core.devices().find(({ hasForce }) => hasForce === on);
     const done = this.core.setDevice(device.id);
     if (done.ok) this.device = device.id;
-    else this.say(done.error);
+    else this.say_refused(done);
     this.wake();
   }
 
@@ -1061,9 +1087,13 @@ class Page {
     if (had_focus) this.sheet.focus({ preventScroll: true });
   }
 
-  /** Returns why something was not done. */
-  reason({ error, missing }) {
-    return missing ? t('%1 could not be loaded', missing) : error;
+  /** Returns why something was not done. In other languages than English, the sentences of the library are those for its codes. */
+  reason({ error, missing, code }) {
+    if (missing) return t('%1 could not be loaded', missing);
+    if (code === undefined || current_language() === 'en') return error;
+    return d('ErrorWords', code === kTooLarge ? 'The drawing is too large for Feltline.'
+      : code === kNotSupported ? 'Feltline cannot read this kind of file.'
+        : 'The file is damaged, or is not a drawing that Feltline can read.');
   }
 
   /** Tells a screen reader. */
@@ -1099,7 +1129,8 @@ class Page {
 
   /** Lists the other drawings of this browser. The present one is stored, so that another one can be opened. */
   async show_others() {
-    const others = await this.storage.others().catch(() => []);
+    const others = await this.storage.others().catch((error) => console.info('Feltline: no list of drawings:', error));
+    if (!others) return this.say(t('The browser does not show the other drawings now. Reload the page to try again.'));
     if (others.length === 0) return this.say(t('There are no other drawings in this browser.'));
     const text = ({ time, strokes }) => [time ? new Date(time).toLocaleString(current_language()) : t('Drawing'),
       strokes ? t('Lines: %1', strokes) : ''].join(' ');

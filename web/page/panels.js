@@ -125,11 +125,11 @@ export class LayersPanel {
     this.current = current;
     this.layers = layers;
     this.groups = groups ?? [];
+    if (!this.row_of(this.chosen ?? {})) this.chosen = null;  // it is no longer there
     const key = JSON.stringify([layers, groups, this.chosen]);
     if (this.element.hidden || key === this.shown) return;
     if (this.edited && this.list.querySelector('input') && this.row_of(this.edited)) return;
     this.shown = key;
-    if (!this.row_of(this.chosen ?? {})) this.chosen = null;
     const chosen = this.target();
     const [first, last] = this.range(chosen), at_end = (edge, next) => !next || (!chosen.group && edge.group > 0 && edge.group !== next.group);
     this.raise.disabled = at_end(layers[first], layers[first - 1]);
@@ -211,6 +211,7 @@ export class LayersPanel {
   /** Chooses a row. Its layer becomes the current one, unless it is hidden or locked. */
   choose(target) {
     const { page } = this, row = this.row_of(target);
+    if (!row) return;  // the list is older than the drawing while a name is edited
     this.chosen = target;
     if (!target.group) {
       const group = this.groups.find(({ id }) => id === row.group), name = word('“%1”', row.name);
@@ -225,7 +226,7 @@ export class LayersPanel {
   edit(target = this.target()) {
     const row = this.row_of(target);
     const name = this.list.querySelector(`[data-row="${target.group ? `group-${target.group}` : target.id}"] .name`);
-    if (!name) return;
+    if (!name || !row) return;
     this.edited = target;
     const field = make('input', { value: row.name, maxLength: 100, 'aria-label': t('Name of the layer') });
     const end = (keeps) => {

@@ -70,6 +70,41 @@ const own = {
   'Show all': ['Alle zeigen', 'Alle tonen'],
   'Left out or changed': ['Weggelassen oder geändert', 'Weggelaten of gewijzigd'],
   'it is damaged': ['Sie ist beschädigt', 'het is beschadigd'],
+  'There is nothing to undo.': ['Es gibt nichts rückgängig zu machen.', 'Er is niets om ongedaan te maken.'],
+  'There is nothing to redo.': ['Es gibt nichts zu wiederholen.', 'Er is niets om opnieuw te doen.'],
+  'There is nothing to copy.': ['Es gibt nichts zu kopieren.', 'Er is niets om te kopiëren.'],
+  'Lift the pen first.': ['Heben Sie zuerst den Stift ab.', 'Til eerst de pen op.'],
+  'The last line has no other form.': ['Die letzte Linie hat keine andere Form.', 'De laatste lijn heeft geen andere vorm.'],
+  'Nothing is selected. Draw around lines with the lasso first.': [
+    'Nichts ist ausgewählt. Ziehen Sie zuerst mit dem Lasso um Linien.',
+    'Er is niets geselecteerd. Teken eerst met de lasso om lijnen heen.',
+  ],
+  'Only a part of the line is selected. Select whole lines first.': [
+    'Nur ein Teil der Linie ist ausgewählt. Wählen Sie zuerst ganze Linien aus.',
+    'Alleen een deel van de lijn is geselecteerd. Selecteer eerst hele lijnen.',
+  ],
+  'This changed nothing: %1': ['Das hat nichts geändert: %1', 'Dit heeft niets gewijzigd: %1'],
+  'Your drawing is unchanged.': ['Ihre Zeichnung ist unverändert.', 'Uw tekening is ongewijzigd.'],
+  'the browser cannot read it; a folder cannot be opened': [
+    'Der Browser kann sie nicht lesen; ein Ordner lässt sich nicht öffnen',
+    'de browser kan het niet lezen; een map kan niet worden geopend',
+  ],
+  'Until you reload the page, only the pencil works.': [
+    'Bis Sie die Seite neu laden, arbeitet nur der Bleistift.',
+    'Totdat u de pagina opnieuw laadt, werkt alleen het potlood.',
+  ],
+  'This is not a file, so it was not added. Save it as a file first, or copy and paste it.': [
+    'Das ist keine Datei und wurde darum nicht hinzugefügt. Speichern Sie es zuerst als Datei, oder kopieren Sie es und fügen Sie es ein.',
+    'Dit is geen bestand en is daarom niet toegevoegd. Sla het eerst als bestand op, of kopieer en plak het.',
+  ],
+  'The browser does not let the page play sound. You can draw without it.': [
+    'Der Browser lässt die Seite keinen Ton abspielen. Zeichnen können Sie auch ohne.',
+    'De browser laat de pagina geen geluid afspelen. U kunt zonder geluid tekenen.',
+  ],
+  'The browser does not show the other drawings now. Reload the page to try again.': [
+    'Der Browser zeigt die anderen Zeichnungen gerade nicht. Laden Sie die Seite neu, um es noch einmal zu versuchen.',
+    'De browser toont de andere tekeningen nu niet. Laad de pagina opnieuw om het nog eens te proberen.',
+  ],
   'Selection': ['Auswahl', 'Selectie'],
   'Suggestions': ['Vorschläge', 'Suggesties'],
   'This browser cannot run the page: it needs WebAssembly and JavaScript of 2023 or later.': [
@@ -201,6 +236,33 @@ export function t(text, ...values) {
 export function d(context, text, ...values) {
   const both = language === 'en' ? null : desktop[context]?.[text];
   return filled(both?.[language === 'de' ? 0 : 1] || text, values);
+}
+
+const kAround = ['line %1: %2', '%1 (and %2 more like it)'];  // another sentence
+let patterns = null;
+
+/** The sentences of core_full.js, [expression, [german, dutch]]: the longest first, so that none hides a more exact one. */
+function sentence_patterns() {
+  const rows = Object.assign({}, ...Object.values(globalThis.feltlineFull?.sentences ?? {}));
+  const rank = (text) => (kAround.includes(text) ? Infinity : text.replace(/%\d/g, '').length);
+  return Object.keys(rows).sort((a, b) => rank(b) - rank(a)).map((text) => {
+    const source = text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace(/%\d/g, '(.+?)');
+    // Most of them are about an element, which stands before them.
+    return [new RegExp(`^${kAround.includes(text) ? '()' : '(.+? )?'}${source}$`, 's'), rows[text]];
+  });
+}
+
+/** Returns a sentence of the library about unsupported content in the language of the page. */
+export function loss(text) {
+  if (language === 'en') return text;
+  patterns ??= sentence_patterns();
+  for (const [expression, both] of patterns) {
+    const found = expression.exec(text);
+    if (!found) continue;
+    const [, element, ...values] = found;
+    return (element ? `${loss(element.trim())} ` : '') + filled(both[language === 'de' ? 0 : 1], values.map(loss));
+  }
+  return text;
 }
 
 /** In one pass, because a value may contain %2 or $&. */

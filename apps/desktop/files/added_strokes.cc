@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "desktop/files/lost_words.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/copied_ink.h"
 #include "felt/formats/lost_objects.h"
@@ -53,35 +54,13 @@ std::size_t add_names(const Session& session, const std::vector<std::string>& ad
 /// Reports what of a drawing add_drawing() does not add.
 void note_left_out(const Drawing& drawing, std::size_t names, ImportReport& report) {
   // What lines without layers cannot hold, apart from what is added.
-  const LostObjects lost = lost_objects(drawing, FileFormat::kNdjson);
-  std::size_t pictures = 0;
-  for (const Layer& layer : drawing.document.layers()) pictures += layer.picture ? 1 : 0;
-  const std::pair<std::size_t, QString> kinds[] = {
-      {pictures,
-       QCoreApplication::translate(
-           "AddedStrokes", "Pictures of this file were not added: %1. Open the file to see them.")},
-      {lost.hidden_strokes,
-       QCoreApplication::translate("AddedStrokes",
-                                   "Lines of hidden layers that were not added: "
-                                   "%1. Open the file to see them.")},
-      {lost.layers, QCoreApplication::translate(
-                        "AddedStrokes",
-                        "Layers whose lines were added to the current layer, without the name of "
-                        "their own: %1")},
-      {lost.opacities + lost.blends,
-       QCoreApplication::translate("AddedStrokes",
-                                   "Opacities and blend modes of layers that were left out: %1")},
-      {lost.guides + lost.symmetries + lost.timings + lost.body_edits,
-       QCoreApplication::translate(
-           "AddedStrokes",
-           "Guides, symmetry groups, timings and edits of the body that were not added: %1. Open "
-           "the file to see them.")},
-      {names,
-       QCoreApplication::translate(
-           "AddedStrokes",
-           "Names of lines that were left out, because lines of this drawing have them: %1")},
-  };
-  for (const auto& [count, what] : kinds) {
+  LostObjects lost = lost_objects(drawing, FileFormat::kNdjson);
+  lost.names = names;
+  lost.pictures = 0;
+  for (const Layer& layer : drawing.document.layers()) lost.pictures += layer.picture ? 1 : 0;
+  for (const AddedWords& row : kAddedWords) {
+    const QString what = QCoreApplication::translate("AddedStrokes", row.text);
+    const std::size_t count = count_of(row, lost);
     if (count > 0) report.add(0, {}, what.arg(count).toStdString());
   }
 }

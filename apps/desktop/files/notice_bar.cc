@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "desktop/engine/text_of.h"
+#include "desktop/files/import_words.h"
+#include "desktop/files/lost_words.h"
 
 namespace felt::desktop {
 namespace {
@@ -23,52 +25,10 @@ constexpr int kIconPx = 16;
 
 /// Returns sentences about the objects that are not in a file. Requires that there are any.
 QString lost_text(const LostObjects& lost) {
-  const QLocale locale;
-  const auto number = [&locale](std::size_t n) { return locale.toString(qulonglong(n)); };
   QStringList texts;
-  if (lost.fills > 0 && lost.pictures > 0) {
-    texts += NoticeBar::tr(
-                 "Left out, because the format has only lines: fills (%1) and pictures to draw "
-                 "over (%2).")
-                 .arg(number(lost.fills), number(lost.pictures));
-  } else if (lost.fills > 0) {
-    texts +=
-        NoticeBar::tr("Left out, because the format has no fills: %1.").arg(number(lost.fills));
-  } else if (lost.pictures > 0) {
-    texts += NoticeBar::tr("Left out, because the format has no pictures to draw over: %1.")
-                 .arg(number(lost.pictures));
-  }
-  if (lost.blends > 0) {
-    texts += NoticeBar::tr("Blend modes that became normal: %1.").arg(number(lost.blends));
-  }
-  if (lost.groups > 0) {
-    texts += NoticeBar::tr("Groups of layers that were dissolved: %1.").arg(number(lost.groups));
-  }
-  if (lost.timings > 0) {
-    texts += NoticeBar::tr("Left out, because the format has no timings of key drawings: %1.")
-                 .arg(number(lost.timings));
-  }
-  if (lost.body_edits > 0) {
-    texts += NoticeBar::tr("Left out, because the format has no edits of the body: %1.")
-                 .arg(number(lost.body_edits));
-  }
-  const std::pair<std::size_t, QString> others[] = {
-      {lost.guides, NoticeBar::tr("Left out, because the format has no guides: %1.")},
-      {lost.symmetries, NoticeBar::tr("Left out, because the format has no symmetry groups: %1.")},
-      {lost.opacities,
-       NoticeBar::tr("Layers or groups whose opacity became that of each line: %1.")},
-      {lost.layers, NoticeBar::tr("Left out, because the format has no layers: %1.")},
-      {lost.locks, NoticeBar::tr("Locked layers that became unlocked: %1.")},
-      {lost.hidden_strokes, NoticeBar::tr("Lines of hidden layers that were left out: %1.")},
-      {lost.shown_strokes, NoticeBar::tr("Lines of hidden layers that became visible: %1.")},
-      {lost.sharp_ends,
-       NoticeBar::tr("Lines whose flat ends and pointed corners became round: %1.")},
-      {lost.names, NoticeBar::tr("Names of lines that became numbers: %1.")},
-      {lost.media, NoticeBar::tr("Lines whose medium became a plain pen: %1.")},
-      {lost.materials, NoticeBar::tr("Left out, because the format has no custom materials: %1.")},
-  };
-  for (const auto& [count, words] : others) {
-    if (count > 0) texts += words.arg(number(count));
+  for (const LostWords& row : kLostWords) {
+    const std::size_t count = lost.*row.count;
+    if (count > 0) texts += NoticeBar::tr(row.text).arg(QLocale().toString(qulonglong(count)));
   }
   return texts.join(QLatin1Char(' '));
 }
@@ -109,7 +69,7 @@ void NoticeBar::show_report(const QString& name, const ImportReport& report) {
     auto* item = new QTreeWidgetItem(list_);
     if (notice.line > 0) item->setText(0, locale.toString(qlonglong(notice.line)));
     item->setText(1, text_of(notice.element));
-    item->setText(2, text_of(notice.what));
+    item->setText(2, import_words(notice.what));
     item->setToolTip(2, text_of(notice_text(notice)));
     item->setText(3, locale.toString(qlonglong(notice.count)));
   }

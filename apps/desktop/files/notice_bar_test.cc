@@ -77,7 +77,8 @@ TEST(NoticeBar, AnExportSaysWhatItLeftOut) {
   bar.show_written(QStringLiteral("a.pdf"), {.pictures = 2});
   EXPECT_TRUE(text().contains(QStringLiteral("no pictures to draw over: 2.")));
   bar.show_written(QStringLiteral("a.xopp"), {.fills = 3, .pictures = 2});
-  EXPECT_TRUE(text().contains(QStringLiteral("fills (3) and pictures to draw over (2).")));
+  EXPECT_TRUE(text().contains(QStringLiteral("no fills: 3.")));
+  EXPECT_TRUE(text().contains(QStringLiteral("no pictures to draw over: 2.")));
   bar.show_written(QStringLiteral("a.svg"), {.timings = 4, .body_edits = 5});
   EXPECT_TRUE(text().contains(QStringLiteral("no timings of key drawings: 4.")));
   EXPECT_TRUE(text().contains(QStringLiteral("no edits of the body: 5.")));

@@ -1,15 +1,12 @@
 #include "desktop/solid/solid_words.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
-#include <vector>
 
+#include "desktop/engine/sentences.h"
 #include "desktop/engine/text_of.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr const char* kContext = "SolidWords";
 
 // A sentence that begins like another one comes before it if it is longer.
 constexpr const char* kSentences[] = {
@@ -109,58 +106,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("SolidWords", "the surfaces cannot be joined"),
 };
 
-struct Pattern {
-  const char* sentence;
-  QRegularExpression expression;
-};
-
-std::vector<Pattern> make_patterns() {
-  static const QRegularExpression kVaries(QStringLiteral("%\\d"));
-  std::vector<Pattern> patterns;
-  for (const char* const sentence : kSentences) {
-    QString text = QRegularExpression::escape(QLatin1String(sentence));
-    text.replace(QStringLiteral("\\%"), QStringLiteral("%"));  // as escape() wrote it
-    text.replace(kVaries, QStringLiteral("(.+?)"));
-    patterns.push_back(
-        {sentence, QRegularExpression(QRegularExpression::anchoredPattern(text),
-                                      QRegularExpression::DotMatchesEverythingOption)});
-  }
-  return patterns;
-}
-
-QString translated(const QString& sentence);
-
-/// Replaces %1, %2 ... in `text` by what the match captured, translated. What is inserted stays as
-/// it is, even if it contains a %1.
-QString filled_in(const QString& text, const QRegularExpressionMatch& match) {
-  QString filled;
-  for (qsizetype i = 0; i < text.size(); ++i) {
-    const int number = text[i] == QLatin1Char('%') ? text.mid(i + 1, 1).toInt() : 0;
-    if (number < 1 || number > match.lastCapturedIndex()) {
-      filled += text[i];
-    } else {
-      filled += translated(match.captured(number));
-      ++i;
-    }
-  }
-  return filled;
-}
-
-/// Translates a sentence, and those that it contains.
-QString translated(const QString& sentence) {
-  static const std::vector<Pattern> kPatterns = make_patterns();
-  for (const Pattern& pattern : kPatterns) {
-    const QRegularExpressionMatch match = pattern.expression.match(sentence);
-    if (!match.hasMatch()) continue;
-    return filled_in(QCoreApplication::translate(kContext, pattern.sentence), match);
-  }
-  return sentence;
-}
-
 }  // namespace
 
 QString solid_words(std::string_view sentence) {
-  QString text = translated(text_of(sentence));
+  static const Sentences kTable("SolidWords", kSentences);
+  QString text = kTable.translated(text_of(sentence));
   if (text.isEmpty()) return text;
   // The library says these of a file, whose name stands before them; so do the English texts.
   if (text.startsWith(QLatin1String("contains ")) || text.startsWith(QLatin1String("has "))) {

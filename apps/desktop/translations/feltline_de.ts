@@ -668,6 +668,561 @@
     </message>
 </context>
 <context>
+    <name>ImportWords</name>
+    <message>
+        <source>has times that are not milliseconds: they stand still, run backwards or hardly advance; they were ignored</source>
+        <translation>hat Zeiten, die keine Millisekunden sind, und wurde ohne Zeiten gelesen</translation>
+    </message>
+    <message>
+        <source>has pressures outside 0 to 1, which count as 0 or 1; divide them by the largest pressure of the pen</source>
+        <translation>hat Druckwerte außerhalb von 0 bis 1, die als 0 oder 1 zählen; teilen Sie sie durch den größten Druck des Stifts</translation>
+    </message>
+    <message>
+        <source>has invalid tones (one number from 0 to 1 per width is needed); the tones of its widths were used</source>
+        <translation>hat ungültige Tonwerte; die seiner Breiten wurden verwendet</translation>
+    </message>
+    <message>
+        <source>has rounded coordinates; smooth joints were moved by less than 0.001 mm or became corners</source>
+        <translation>hat gerundete Koordinaten; glatte Stellen wurden um weniger als 0,001 mm verschoben oder zu Ecken</translation>
+    </message>
+    <message>
+        <source>is transparent inside a transparent group; the transparency was applied to each stroke</source>
+        <translation>ist durchscheinend in einer durchscheinenden Gruppe; jede Linie wurde durchscheinend</translation>
+    </message>
+    <message>
+        <source>has widths that are not positive numbers (%1); those of the pieces beside them were used</source>
+        <translation>hat Breiten, die keine positiven Zahlen sind (%1); die der Stücke daneben wurden verwendet</translation>
+    </message>
+    <message>
+        <source>has invalid tones (one number from 0 to 1 per width is needed); its points were read</source>
+        <translation>hat ungültige Tonwerte; seine Punkte wurden gelesen</translation>
+    </message>
+    <message>
+        <source>has a line that another program changed; its widths were stretched over the line</source>
+        <translation>hat eine Linie, die ein anderes Programm geändert hat; ihre Breiten wurden über sie verteilt</translation>
+    </message>
+    <message>
+        <source>has more points than a stroke can have (%1); it was split into several strokes</source>
+        <translation>hat mehr Punkte, als eine Linie haben kann (%1), und wurde in mehrere Linien geteilt</translation>
+    </message>
+    <message>
+        <source>has a different colour from the first page; the first page&apos;s colour was used</source>
+        <translation>hat eine andere Farbe als die erste Seite; die der ersten Seite wurde verwendet</translation>
+    </message>
+    <message>
+        <source>contains something that is not a number; only the points before it were read</source>
+        <translation>enthält etwas, das keine Zahl ist; nur die Punkte davor wurden gelesen</translation>
+    </message>
+    <message>
+        <source>has a blend mode, which was ignored: the file has more than 200 such groups</source>
+        <translation>hat einen Mischmodus, der nicht beachtet wurde: die Datei hat mehr als 200 solche Gruppen</translation>
+    </message>
+    <message>
+        <source>was read without some of its styles, because the style sheet is too complex</source>
+        <translation>wurde ohne einige seiner Stile gelesen, weil das Stylesheet zu umfangreich ist</translation>
+    </message>
+    <message>
+        <source>was changed by another program: its points were read, not the stored curve</source>
+        <translation>wurde von einem anderen Programm geändert: seine Punkte wurden gelesen, nicht die gespeicherte Kurve</translation>
+    </message>
+    <message>
+        <source>is transparent and has several parts; it became darker at their crossings</source>
+        <translation>ist durchscheinend und hat mehrere Teile; wo sie sich kreuzen, wurde es dunkler</translation>
+    </message>
+    <message>
+        <source>is in a transparent group; the transparency was applied to each stroke</source>
+        <translation>ist in einer durchscheinenden Gruppe; jede Linie wurde durchscheinend</translation>
+    </message>
+    <message>
+        <source>is larger than a page can be (5000 mm); the rest lies outside the page</source>
+        <translation>ist größer, als eine Seite sein kann (5000 mm); der Rest liegt außerhalb der Seite</translation>
+    </message>
+    <message>
+        <source>has parts shorter than 0.05 mm, which were joined to their neighbours</source>
+        <translation>hat Teile, die kürzer als 0,05 mm sind; sie wurden mit ihren Nachbarn verbunden</translation>
+    </message>
+    <message>
+        <source>has a newer version than Feltline supports; the known parts were read</source>
+        <translation>hat eine neuere Version, als Feltline kennt; die bekannten Teile wurden gelesen</translation>
+    </message>
+    <message>
+        <source>has a line that is stretched in one direction; its width was sampled</source>
+        <translation>hat eine Linie, die in einer Richtung gestreckt ist; ihre Breite wurde angenähert</translation>
+    </message>
+    <message>
+        <source>was stretched in one direction; its widths were scaled by the mean</source>
+        <translation>wurde in einer Richtung gestreckt; die Breiten wurden im Mittel vergrößert</translation>
+    </message>
+    <message>
+        <source>ends before the file does; the documents after it (%1) were skipped</source>
+        <translation>endet vor der Datei; was danach kommt (Dokumente: %1), wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>is painted with a gradient; the mean colour of its stops was used</source>
+        <translation>hat einen Farbverlauf; dessen mittlere Farbe wurde verwendet</translation>
+    </message>
+    <message>
+        <source>extends beyond the frame that shows it; its lines end about there</source>
+        <translation>reicht über den Rahmen hinaus, der es zeigt; seine Linien enden ungefähr dort</translation>
+    </message>
+    <message>
+        <source>has more than 250000 segments and was split into several strokes</source>
+        <translation>hat mehr als 250000 Abschnitte und wurde in mehrere Linien geteilt</translation>
+    </message>
+    <message>
+        <source>has more than 10000 layers; the others were merged into the last</source>
+        <translation>hat mehr als 10000 Ebenen; die übrigen wurden mit der letzten vereint</translation>
+    </message>
+    <message>
+        <source>has a smooth joint that another program bent; it became a corner</source>
+        <translation>hat eine glatte Stelle, die ein anderes Programm geknickt hat; sie wurde zur Ecke</translation>
+    </message>
+    <message>
+        <source>was skipped: a drawing has at most 200 pictures and 10000 layers</source>
+        <translation>wurde übersprungen: eine Zeichnung hat höchstens 200 Bilder und 10000 Ebenen</translation>
+    </message>
+    <message>
+        <source>extends beyond the frame that shows it, and is shown as a whole</source>
+        <translation>reicht über den Rahmen hinaus, der es zeigt, und wird ganz gezeigt</translation>
+    </message>
+    <message>
+        <source>crosses itself; parts that it covers twice may lack their fill</source>
+        <translation>kreuzt sich selbst; doppelt bedeckten Teilen kann die Füllung fehlen</translation>
+    </message>
+    <message>
+        <source>was skipped: it is in another file, &apos;%1&apos;, which is not opened</source>
+        <translation>wurde übersprungen: es ist in einer anderen Datei, „%1“, die nicht geöffnet wird</translation>
+    </message>
+    <message>
+        <source>refers to a style sheet in another file, which was not read</source>
+        <translation>verweist auf ein Stylesheet in einer anderen Datei, das nicht gelesen wurde</translation>
+    </message>
+    <message>
+        <source>is clipped to too many rotated frames; this one was ignored</source>
+        <translation>ist von zu vielen gedrehten Rahmen beschnitten; dieser wurde nicht beachtet</translation>
+    </message>
+    <message>
+        <source>has a centre line of several parts; only the first was read</source>
+        <translation>hat eine Mittellinie aus mehreren Teilen; nur der erste wurde gelesen</translation>
+    </message>
+    <message>
+        <source>has ends or corners too close together, which became round</source>
+        <translation>hat Enden oder Ecken, die zu nahe beieinander liegen und rund wurden</translation>
+    </message>
+    <message>
+        <source>has no known widths of its pieces; a single width was used</source>
+        <translation>hat keine bekannten Breiten seiner Stücke; eine einzige wurde verwendet</translation>
+    </message>
+    <message>
+        <source>has no supported mapping; its coordinates were not changed</source>
+        <translation>hat keine Abbildung, die Feltline kennt; seine Koordinaten blieben unverändert</translation>
+    </message>
+    <message>
+        <source>has a blend mode that is not supported, which was ignored</source>
+        <translation>hat einen Mischmodus, den es hier nicht gibt und der nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>%1 rules of style sheets are not supported and were ignored</source>
+        <translation>%1 Regeln von Stylesheets gibt es hier nicht; sie wurden nicht beachtet</translation>
+    </message>
+    <message>
+        <source>covers lines of its transparent group, which show through</source>
+        <translation>bedeckt Linien seiner durchscheinenden Gruppe, die nun durchscheinen</translation>
+    </message>
+    <message>
+        <source>has flat dashes shorter than its width, which became dots</source>
+        <translation>hat gerade Striche, die kürzer als breit sind und zu Punkten wurden</translation>
+    </message>
+    <message>
+        <source>was skipped: the element it refers to is not in the file</source>
+        <translation>wurde übersprungen: worauf es verweist, ist nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>has neither a line nor a fill that shows and was skipped</source>
+        <translation>hat weder eine sichtbare Linie noch eine sichtbare Füllung und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>lost its variable width (%1); its outline was used instead</source>
+        <translation>verlor seine wechselnde Breite; stattdessen wurde sein Umriss verwendet</translation>
+    </message>
+    <message>
+        <source>has widths interpolated by the rule %1, which were sampled</source>
+        <translation>hat Breiten nach der Regel %1, die angenähert wurden</translation>
+    </message>
+    <message>
+        <source>has a name of more than 4096 bytes; its points were read</source>
+        <translation>hat einen zu langen Namen; seine Punkte wurden gelesen</translation>
+    </message>
+    <message>
+        <source>has a width or height of 0, so nothing of it is visible</source>
+        <translation>hat die Breite oder Höhe 0, darum ist nichts davon sichtbar</translation>
+    </message>
+    <message>
+        <source>does not define its largest pressure; 32767 was assumed</source>
+        <translation>nennt seinen größten Druck nicht; 32767 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>has an invalid or too long material, which was skipped</source>
+        <translation>hat ein ungültiges oder zu langes Material, das übersprungen wurde</translation>
+    </message>
+    <message>
+        <source>has a fill that was put below the lines that it covers</source>
+        <translation>hat eine Füllung, die unter die Linien gelegt wurde, die sie bedeckt</translation>
+    </message>
+    <message>
+        <source>has dashes that merge, because their ends became round</source>
+        <translation>hat Striche, die zusammenlaufen, weil ihre Enden rund wurden</translation>
+    </message>
+    <message>
+        <source>was skipped: it is in another file, which is not read</source>
+        <translation>wurde übersprungen: es ist in einer anderen Datei, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>has a name of more than 4096 bytes, which was skipped</source>
+        <translation>hat einen zu langen Namen, der übersprungen wurde</translation>
+    </message>
+    <message>
+        <source>of the white-out eraser was read as ink of its colour</source>
+        <translation>des Korrekturstifts wurde als Linie in dessen Farbe gelesen</translation>
+    </message>
+    <message>
+        <source>is a broad nib; its longer side was used as the width</source>
+        <translation>ist eine breite Feder; ihre längere Seite wurde zur Breite</translation>
+    </message>
+    <message>
+        <source>was skipped: too many elements are repeated by &apos;use&apos;</source>
+        <translation>wurde übersprungen: „use“ wiederholt zu viele Elemente</translation>
+    </message>
+    <message>
+        <source>was made with the pen off the paper and was skipped</source>
+        <translation>entstand mit abgehobenem Stift und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>is painted with a pattern; a single colour was used</source>
+        <translation>hat ein Muster; eine einzige Farbe wurde verwendet</translation>
+    </message>
+    <message>
+        <source>refers to &apos;%1&apos; in another document, which is not read</source>
+        <translation>verweist auf „%1“ in einem anderen Dokument, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>does not have a matrix of two rows of three numbers</source>
+        <translation>hat keine Matrix aus zwei Zeilen mit je drei Zahlen</translation>
+    </message>
+    <message>
+        <source>lost the references to the strokes around its fill</source>
+        <translation>verlor die Verbindung zu den Linien um seine Füllung</translation>
+    </message>
+    <message>
+        <source>is outside the frame that shows it and was skipped</source>
+        <translation>liegt außerhalb des Rahmens, der es zeigt, und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has a width or height of 0 or less and was skipped</source>
+        <translation>hat keine Breite oder Höhe und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has no extent after its transform and was skipped</source>
+        <translation>hat nach seiner Transformation keine Ausdehnung und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>paints its line below its fill, which was ignored</source>
+        <translation>malt seine Linie unter seine Füllung, was nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>says %1, but the content is a %2 and was read as such</source>
+        <translation>sagt %1, aber der Inhalt ist %2 und wurde so gelesen</translation>
+    </message>
+    <message>
+        <source>has a %1 that could not be read, which was ignored</source>
+        <translation>hat einen unlesbaren Wert (%1), der nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>%1; it was skipped, and its ink looks like pencil</source>
+        <translation>Ein Material ist ungültig und wurde übersprungen; seine Linien sehen wie Bleistift aus</translation>
+    </message>
+    <message>
+        <source>has a %1 that could not be read, and became black</source>
+        <translation>hat einen unlesbaren Wert (%1) und wurde schwarz</translation>
+    </message>
+    <message>
+        <source>fills the page and was used as the paper colour</source>
+        <translation>füllt die Seite und wurde zur Farbe des Papiers</translation>
+    </message>
+    <message>
+        <source>does not define its unit; 1/96 inch was assumed</source>
+        <translation>nennt seine Einheit nicht; 1/96 Zoll wurde angenommen</translation>
+    </message>
+    <message>
+        <source>shows part of a trace; the whole trace was read</source>
+        <translation>zeigt einen Teil einer Linie; die ganze Linie wurde gelesen</translation>
+    </message>
+    <message>
+        <source>was skipped: it follows the end of the drawing</source>
+        <translation>wurde übersprungen: es steht hinter dem Ende der Zeichnung</translation>
+    </message>
+    <message>
+        <source>has pointed or cut corners, which became round</source>
+        <translation>hat spitze oder geschnittene Ecken, die rund wurden</translation>
+    </message>
+    <message>
+        <source>has a last point without y, which was skipped</source>
+        <translation>hat einen letzten Punkt ohne y, der übersprungen wurde</translation>
+    </message>
+    <message>
+        <source>was skipped: it is nested more than 256 deep</source>
+        <translation>wurde übersprungen: es ist mehr als 256-fach verschachtelt</translation>
+    </message>
+    <message>
+        <source>was made with the eraser end and was skipped</source>
+        <translation>entstand mit dem Radierer-Ende und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has times beyond 9e12 ms, which were ignored</source>
+        <translation>hat unmögliche Zeiten, die nicht beachtet wurden</translation>
+    </message>
+    <message>
+        <source>is thinner than 0.05 mm and became that wide</source>
+        <translation>ist dünner als 0,05 mm und wurde so breit</translation>
+    </message>
+    <message>
+        <source>has an invalid page size, which was ignored</source>
+        <translation>hat eine ungültige Seitengröße, die nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>has an invalid transform, which was ignored</source>
+        <translation>hat eine ungültige Transformation, die nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>has flat or square ends, which became round</source>
+        <translation>hat gerade Enden, die rund wurden</translation>
+    </message>
+    <message>
+        <source>has too many dashes and became a solid line</source>
+        <translation>hat zu viele Striche und wurde zur durchgezogenen Linie</translation>
+    </message>
+    <message>
+        <source>is not a known colour; it was read as black</source>
+        <translation>ist keine bekannte Farbe und wurde schwarz</translation>
+    </message>
+    <message>
+        <source>has too few widths; a single width was used</source>
+        <translation>hat zu wenige Breiten; eine einzige wurde verwendet</translation>
+    </message>
+    <message>
+        <source>is not two-dimensional and is not supported</source>
+        <translation>ist nicht zweidimensional und wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>has a damaged curve; its points were read: %1</source>
+        <translation>hat eine beschädigte Kurve; seine Punkte wurden gelesen</translation>
+    </message>
+    <message>
+        <source>belongs to another program and was skipped</source>
+        <translation>gehört zu einem anderen Programm und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has an impossible width, which was skipped</source>
+        <translation>hat eine unmögliche Breite, die übersprungen wurde</translation>
+    </message>
+    <message>
+        <source>has widths without a unit; mm was assumed</source>
+        <translation>hat Breiten ohne Einheit; mm wurde angenommen</translation>
+    </message>
+    <message>
+        <source>has a damaged curve; its points were read</source>
+        <translation>hat eine beschädigte Kurve; seine Punkte wurden gelesen</translation>
+    </message>
+    <message>
+        <source>does not form a stroke and was skipped: %1</source>
+        <translation>ergibt keine Linie und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has no width; the default width was used</source>
+        <translation>hat keine Breite; die übliche wurde verwendet</translation>
+    </message>
+    <message>
+        <source>of type &apos;%1&apos; is a picture and was skipped</source>
+        <translation>vom Typ „%1“ ist ein Bild und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>is unknown in a context and was skipped</source>
+        <translation>ist in einem Kontext unbekannt und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>was skipped: animation is not supported</source>
+        <translation>wurde übersprungen: Animationen gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>has a %1 to something that does not exist</source>
+        <translation>verweist mit %1 auf etwas, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is text, not a stroke, and was skipped</source>
+        <translation>ist Text, keine Linie, und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>does not form a fill and was skipped: %1</source>
+        <translation>ergibt keine Füllung und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has times that run backwards in places</source>
+        <translation>hat Zeiten, die stellenweise rückwärts laufen</translation>
+    </message>
+    <message>
+        <source>of an unknown tool was read as a pen&apos;s</source>
+        <translation>eines unbekannten Werkzeugs wurde als Linie eines Stifts gelesen</translation>
+    </message>
+    <message>
+        <source>of form &apos;%1&apos; was replaced by a round one</source>
+        <translation>der Form „%1“ wurde durch eine runde ersetzt</translation>
+    </message>
+    <message>
+        <source>is hidden in the file and was skipped</source>
+        <translation>ist in der Datei verborgen und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has an unknown colour; white was used</source>
+        <translation>hat eine unbekannte Farbe; Weiß wurde verwendet</translation>
+    </message>
+    <message>
+        <source>has an unknown colour; black was used</source>
+        <translation>hat eine unbekannte Farbe; Schwarz wurde verwendet</translation>
+    </message>
+    <message>
+        <source>%1; only the points before it were read</source>
+        <translation>ist fehlerhaft; nur die Punkte davor wurden gelesen</translation>
+    </message>
+    <message>
+        <source>has no unit of length; mm was assumed</source>
+        <translation>hat keine Längeneinheit; mm wurde angenommen</translation>
+    </message>
+    <message>
+        <source>extends beyond 1e9 mm and was skipped</source>
+        <translation>ist unermesslich groß und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has too many choices and was skipped</source>
+        <translation>hat zu viele Alternativen und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>is not a valid width and was skipped</source>
+        <translation>ist keine gültige Breite und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>The picture of the layer &apos;%1&apos; is lost.</source>
+        <translation>Das Bild der Ebene „%1“ ist verloren.</translation>
+    </message>
+    <message>
+        <source>of style &apos;%1&apos;: its lines were skipped</source>
+        <translation>der Art „%1“: die Linien darauf wurden übersprungen</translation>
+    </message>
+    <message>
+        <source>has a blend mode, which was ignored</source>
+        <translation>hat einen Mischmodus, der nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>and others were changed or skipped</source>
+        <translation>und weiteres wurde geändert oder übersprungen</translation>
+    </message>
+    <message>
+        <source>has a clip path, which was ignored</source>
+        <translation>hat einen Beschneidungspfad, der nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>was skipped: scripts are not run</source>
+        <translation>wurde übersprungen: Skripte werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>was skipped: it refers to itself</source>
+        <translation>wurde übersprungen: es verweist auf sich selbst</translation>
+    </message>
+    <message>
+        <source>has no X or no Y and was skipped</source>
+        <translation>hat kein X oder kein Y und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>is not a stroke and was skipped</source>
+        <translation>ist keine Linie und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has markers, which were skipped</source>
+        <translation>hat Markierungen, die übersprungen wurden</translation>
+    </message>
+    <message>
+        <source>has a filter, which was ignored</source>
+        <translation>hat einen Filter, der nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is unknown and was skipped</source>
+        <translation>„%1“ ist unbekannt und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has no points and was skipped</source>
+        <translation>hat keine Punkte und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has a mask, which was ignored</source>
+        <translation>hat eine Maske, die nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>has a zoom, which was ignored</source>
+        <translation>hat einen Zoom, der nicht beachtet wurde</translation>
+    </message>
+    <message>
+        <source>is a picture and was skipped</source>
+        <translation>ist ein Bild und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has no size; A4 was assumed</source>
+        <translation>hat keine Größe; A4 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>of type &apos;%1&apos; is not supported</source>
+        <translation>vom Typ „%1“ kennt Feltline nicht</translation>
+    </message>
+    <message>
+        <source>is unknown and was skipped</source>
+        <translation>ist unbekannt und wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>was read up to an error: %1</source>
+        <translation>wurde bis zu einem Fehler gelesen</translation>
+    </message>
+    <message>
+        <source>lost the fill of its area</source>
+        <translation>verlor die Füllung seiner Fläche</translation>
+    </message>
+    <message>
+        <source>%1; the rest was skipped</source>
+        <translation>ist fehlerhaft; der Rest wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>is no longer dashed</source>
+        <translation>ist nicht mehr gestrichelt</translation>
+    </message>
+    <message>
+        <source>got round ends</source>
+        <translation>bekam runde Enden</translation>
+    </message>
+    <message>
+        <source>was skipped: %1</source>
+        <translation>wurde übersprungen</translation>
+    </message>
+    <message>
+        <source>has no page</source>
+        <translation>hat keine Seite</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more like it)</source>
+        <translation>%1 (und %2 weitere dieser Art)</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source>Tools</source>
@@ -4982,10 +5537,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
     <message>
         <source>Left out, because the format has no pictures to draw over: %1.</source>
         <translation>Weggelassen, weil das Format keine Bilder zum Nachzeichnen hat: %1.</translation>
-    </message>
-    <message>
-        <source>Left out, because the format has only lines: fills (%1) and pictures to draw over (%2).</source>
-        <translation>Weggelassen, weil das Format nur Linien hat: Füllungen (%1) und Bilder zum Nachzeichnen (%2).</translation>
     </message>
     <message>
         <source>Blend modes that became normal: %1.</source>

@@ -668,6 +668,561 @@
     </message>
 </context>
 <context>
+    <name>ImportWords</name>
+    <message>
+        <source>has times that are not milliseconds: they stand still, run backwards or hardly advance; they were ignored</source>
+        <translation>heeft tijden die geen milliseconden zijn en is zonder tijden gelezen</translation>
+    </message>
+    <message>
+        <source>has pressures outside 0 to 1, which count as 0 or 1; divide them by the largest pressure of the pen</source>
+        <translation>heeft drukwaarden buiten 0 tot 1, die als 0 of 1 tellen; deel ze door de grootste druk van de pen</translation>
+    </message>
+    <message>
+        <source>has invalid tones (one number from 0 to 1 per width is needed); the tones of its widths were used</source>
+        <translation>heeft ongeldige tonen; die van de breedtes zijn gebruikt</translation>
+    </message>
+    <message>
+        <source>has rounded coordinates; smooth joints were moved by less than 0.001 mm or became corners</source>
+        <translation>heeft afgeronde coördinaten; vloeiende plekken zijn minder dan 0,001 mm verschoven of hoeken geworden</translation>
+    </message>
+    <message>
+        <source>is transparent inside a transparent group; the transparency was applied to each stroke</source>
+        <translation>is doorschijnend in een doorschijnende groep; elke lijn is doorschijnend geworden</translation>
+    </message>
+    <message>
+        <source>has widths that are not positive numbers (%1); those of the pieces beside them were used</source>
+        <translation>heeft breedtes die geen positieve getallen zijn (%1); die van de stukken ernaast zijn gebruikt</translation>
+    </message>
+    <message>
+        <source>has invalid tones (one number from 0 to 1 per width is needed); its points were read</source>
+        <translation>heeft ongeldige tonen; de punten zijn gelezen</translation>
+    </message>
+    <message>
+        <source>has a line that another program changed; its widths were stretched over the line</source>
+        <translation>heeft een lijn die een ander programma heeft gewijzigd; de breedtes zijn erover verdeeld</translation>
+    </message>
+    <message>
+        <source>has more points than a stroke can have (%1); it was split into several strokes</source>
+        <translation>heeft meer punten dan een lijn kan hebben (%1) en is in meerdere lijnen gesplitst</translation>
+    </message>
+    <message>
+        <source>has a different colour from the first page; the first page&apos;s colour was used</source>
+        <translation>heeft een andere kleur dan de eerste pagina; die van de eerste pagina is gebruikt</translation>
+    </message>
+    <message>
+        <source>contains something that is not a number; only the points before it were read</source>
+        <translation>bevat iets dat geen getal is; alleen de punten ervoor zijn gelezen</translation>
+    </message>
+    <message>
+        <source>has a blend mode, which was ignored: the file has more than 200 such groups</source>
+        <translation>heeft een mengmodus, die is genegeerd: het bestand heeft meer dan 200 zulke groepen</translation>
+    </message>
+    <message>
+        <source>was read without some of its styles, because the style sheet is too complex</source>
+        <translation>is zonder een deel van de stijlen gelezen, omdat het stylesheet te ingewikkeld is</translation>
+    </message>
+    <message>
+        <source>was changed by another program: its points were read, not the stored curve</source>
+        <translation>is door een ander programma gewijzigd: de punten zijn gelezen, niet de opgeslagen kromme</translation>
+    </message>
+    <message>
+        <source>is transparent and has several parts; it became darker at their crossings</source>
+        <translation>is doorschijnend en heeft meerdere delen; waar ze kruisen is het donkerder geworden</translation>
+    </message>
+    <message>
+        <source>is in a transparent group; the transparency was applied to each stroke</source>
+        <translation>zit in een doorschijnende groep; elke lijn is doorschijnend geworden</translation>
+    </message>
+    <message>
+        <source>is larger than a page can be (5000 mm); the rest lies outside the page</source>
+        <translation>is groter dan een pagina kan zijn (5000 mm); de rest ligt buiten de pagina</translation>
+    </message>
+    <message>
+        <source>has parts shorter than 0.05 mm, which were joined to their neighbours</source>
+        <translation>heeft delen korter dan 0,05 mm, die met hun buren zijn verbonden</translation>
+    </message>
+    <message>
+        <source>has a newer version than Feltline supports; the known parts were read</source>
+        <translation>heeft een nieuwere versie dan Feltline kent; de bekende delen zijn gelezen</translation>
+    </message>
+    <message>
+        <source>has a line that is stretched in one direction; its width was sampled</source>
+        <translation>heeft een lijn die in één richting is uitgerekt; de breedte is benaderd</translation>
+    </message>
+    <message>
+        <source>was stretched in one direction; its widths were scaled by the mean</source>
+        <translation>is in één richting uitgerekt; de breedtes zijn gemiddeld geschaald</translation>
+    </message>
+    <message>
+        <source>ends before the file does; the documents after it (%1) were skipped</source>
+        <translation>eindigt eerder dan het bestand; wat erna komt (documenten: %1) is overgeslagen</translation>
+    </message>
+    <message>
+        <source>is painted with a gradient; the mean colour of its stops was used</source>
+        <translation>heeft een kleurverloop; de gemiddelde kleur ervan is gebruikt</translation>
+    </message>
+    <message>
+        <source>extends beyond the frame that shows it; its lines end about there</source>
+        <translation>steekt buiten het kader dat het toont; de lijnen eindigen daar ongeveer</translation>
+    </message>
+    <message>
+        <source>has more than 250000 segments and was split into several strokes</source>
+        <translation>heeft meer dan 250000 segmenten en is in meerdere lijnen gesplitst</translation>
+    </message>
+    <message>
+        <source>has more than 10000 layers; the others were merged into the last</source>
+        <translation>heeft meer dan 10000 lagen; de overige zijn met de laatste samengevoegd</translation>
+    </message>
+    <message>
+        <source>has a smooth joint that another program bent; it became a corner</source>
+        <translation>heeft een vloeiende plek die een ander programma heeft geknikt; het is een hoek geworden</translation>
+    </message>
+    <message>
+        <source>was skipped: a drawing has at most 200 pictures and 10000 layers</source>
+        <translation>is overgeslagen: een tekening heeft hoogstens 200 afbeeldingen en 10000 lagen</translation>
+    </message>
+    <message>
+        <source>extends beyond the frame that shows it, and is shown as a whole</source>
+        <translation>steekt buiten het kader dat het toont en wordt helemaal getoond</translation>
+    </message>
+    <message>
+        <source>crosses itself; parts that it covers twice may lack their fill</source>
+        <translation>kruist zichzelf; delen die dubbel bedekt zijn, kunnen hun vulling missen</translation>
+    </message>
+    <message>
+        <source>was skipped: it is in another file, &apos;%1&apos;, which is not opened</source>
+        <translation>is overgeslagen: het staat in een ander bestand, ‘%1’, dat niet wordt geopend</translation>
+    </message>
+    <message>
+        <source>refers to a style sheet in another file, which was not read</source>
+        <translation>verwijst naar een stylesheet in een ander bestand, dat niet is gelezen</translation>
+    </message>
+    <message>
+        <source>is clipped to too many rotated frames; this one was ignored</source>
+        <translation>is door te veel gedraaide kaders bijgesneden; dit is genegeerd</translation>
+    </message>
+    <message>
+        <source>has a centre line of several parts; only the first was read</source>
+        <translation>heeft een middenlijn van meerdere delen; alleen het eerste is gelezen</translation>
+    </message>
+    <message>
+        <source>has ends or corners too close together, which became round</source>
+        <translation>heeft uiteinden of hoeken die te dicht bij elkaar liggen en rond zijn geworden</translation>
+    </message>
+    <message>
+        <source>has no known widths of its pieces; a single width was used</source>
+        <translation>heeft geen bekende breedtes van zijn stukken; één breedte is gebruikt</translation>
+    </message>
+    <message>
+        <source>has no supported mapping; its coordinates were not changed</source>
+        <translation>heeft geen afbeelding die Feltline kent; de coördinaten zijn niet gewijzigd</translation>
+    </message>
+    <message>
+        <source>has a blend mode that is not supported, which was ignored</source>
+        <translation>heeft een mengmodus die niet wordt ondersteund en is genegeerd</translation>
+    </message>
+    <message>
+        <source>%1 rules of style sheets are not supported and were ignored</source>
+        <translation>%1 regels van stylesheets worden niet ondersteund en zijn genegeerd</translation>
+    </message>
+    <message>
+        <source>covers lines of its transparent group, which show through</source>
+        <translation>bedekt lijnen van de doorschijnende groep, die nu doorschijnen</translation>
+    </message>
+    <message>
+        <source>has flat dashes shorter than its width, which became dots</source>
+        <translation>heeft rechte streepjes die korter zijn dan breed en punten zijn geworden</translation>
+    </message>
+    <message>
+        <source>was skipped: the element it refers to is not in the file</source>
+        <translation>is overgeslagen: waar het naar verwijst, staat niet in het bestand</translation>
+    </message>
+    <message>
+        <source>has neither a line nor a fill that shows and was skipped</source>
+        <translation>heeft geen zichtbare lijn en geen zichtbare vulling en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>lost its variable width (%1); its outline was used instead</source>
+        <translation>heeft zijn wisselende breedte verloren; in plaats daarvan is de omtrek gebruikt</translation>
+    </message>
+    <message>
+        <source>has widths interpolated by the rule %1, which were sampled</source>
+        <translation>heeft breedtes volgens de regel %1, die zijn benaderd</translation>
+    </message>
+    <message>
+        <source>has a name of more than 4096 bytes; its points were read</source>
+        <translation>heeft een te lange naam; de punten zijn gelezen</translation>
+    </message>
+    <message>
+        <source>has a width or height of 0, so nothing of it is visible</source>
+        <translation>heeft breedte of hoogte 0, dus er is niets van te zien</translation>
+    </message>
+    <message>
+        <source>does not define its largest pressure; 32767 was assumed</source>
+        <translation>noemt zijn grootste druk niet; 32767 is aangenomen</translation>
+    </message>
+    <message>
+        <source>has an invalid or too long material, which was skipped</source>
+        <translation>heeft een ongeldig of te lang materiaal, dat is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has a fill that was put below the lines that it covers</source>
+        <translation>heeft een vulling die onder de lijnen is gelegd die ze bedekt</translation>
+    </message>
+    <message>
+        <source>has dashes that merge, because their ends became round</source>
+        <translation>heeft streepjes die samenlopen, omdat de uiteinden rond zijn geworden</translation>
+    </message>
+    <message>
+        <source>was skipped: it is in another file, which is not read</source>
+        <translation>is overgeslagen: het staat in een ander bestand, dat niet wordt gelezen</translation>
+    </message>
+    <message>
+        <source>has a name of more than 4096 bytes, which was skipped</source>
+        <translation>heeft een te lange naam, die is overgeslagen</translation>
+    </message>
+    <message>
+        <source>of the white-out eraser was read as ink of its colour</source>
+        <translation>van de correctiepen is als lijn in die kleur gelezen</translation>
+    </message>
+    <message>
+        <source>is a broad nib; its longer side was used as the width</source>
+        <translation>is een brede pen; de langste zijde is de breedte geworden</translation>
+    </message>
+    <message>
+        <source>was skipped: too many elements are repeated by &apos;use&apos;</source>
+        <translation>is overgeslagen: ‘use’ herhaalt te veel elementen</translation>
+    </message>
+    <message>
+        <source>was made with the pen off the paper and was skipped</source>
+        <translation>is gemaakt met de pen los van het papier en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>is painted with a pattern; a single colour was used</source>
+        <translation>heeft een patroon; één kleur is gebruikt</translation>
+    </message>
+    <message>
+        <source>refers to &apos;%1&apos; in another document, which is not read</source>
+        <translation>verwijst naar ‘%1’ in een ander document, dat niet wordt gelezen</translation>
+    </message>
+    <message>
+        <source>does not have a matrix of two rows of three numbers</source>
+        <translation>heeft geen matrix van twee rijen met drie getallen</translation>
+    </message>
+    <message>
+        <source>lost the references to the strokes around its fill</source>
+        <translation>heeft de verbinding met de lijnen rond de vulling verloren</translation>
+    </message>
+    <message>
+        <source>is outside the frame that shows it and was skipped</source>
+        <translation>ligt buiten het kader dat het toont en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has a width or height of 0 or less and was skipped</source>
+        <translation>heeft geen breedte of hoogte en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has no extent after its transform and was skipped</source>
+        <translation>heeft na zijn transformatie geen omvang en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>paints its line below its fill, which was ignored</source>
+        <translation>schildert de lijn onder de vulling, wat is genegeerd</translation>
+    </message>
+    <message>
+        <source>says %1, but the content is a %2 and was read as such</source>
+        <translation>zegt %1, maar de inhoud is %2 en is zo gelezen</translation>
+    </message>
+    <message>
+        <source>has a %1 that could not be read, which was ignored</source>
+        <translation>heeft een onleesbare waarde (%1), die is genegeerd</translation>
+    </message>
+    <message>
+        <source>%1; it was skipped, and its ink looks like pencil</source>
+        <translation>Een materiaal is ongeldig en is overgeslagen; de lijnen ervan zien eruit als potlood</translation>
+    </message>
+    <message>
+        <source>has a %1 that could not be read, and became black</source>
+        <translation>heeft een onleesbare waarde (%1) en is zwart geworden</translation>
+    </message>
+    <message>
+        <source>fills the page and was used as the paper colour</source>
+        <translation>vult de pagina en is de kleur van het papier geworden</translation>
+    </message>
+    <message>
+        <source>does not define its unit; 1/96 inch was assumed</source>
+        <translation>noemt zijn eenheid niet; 1/96 inch is aangenomen</translation>
+    </message>
+    <message>
+        <source>shows part of a trace; the whole trace was read</source>
+        <translation>toont een deel van een lijn; de hele lijn is gelezen</translation>
+    </message>
+    <message>
+        <source>was skipped: it follows the end of the drawing</source>
+        <translation>is overgeslagen: het staat na het einde van de tekening</translation>
+    </message>
+    <message>
+        <source>has pointed or cut corners, which became round</source>
+        <translation>heeft spitse of afgesneden hoeken, die rond zijn geworden</translation>
+    </message>
+    <message>
+        <source>has a last point without y, which was skipped</source>
+        <translation>heeft een laatste punt zonder y, dat is overgeslagen</translation>
+    </message>
+    <message>
+        <source>was skipped: it is nested more than 256 deep</source>
+        <translation>is overgeslagen: het is meer dan 256 keer genest</translation>
+    </message>
+    <message>
+        <source>was made with the eraser end and was skipped</source>
+        <translation>is gemaakt met het gumuiteinde en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has times beyond 9e12 ms, which were ignored</source>
+        <translation>heeft onmogelijke tijden, die zijn genegeerd</translation>
+    </message>
+    <message>
+        <source>is thinner than 0.05 mm and became that wide</source>
+        <translation>is dunner dan 0,05 mm en is zo breed geworden</translation>
+    </message>
+    <message>
+        <source>has an invalid page size, which was ignored</source>
+        <translation>heeft een ongeldig paginaformaat, dat is genegeerd</translation>
+    </message>
+    <message>
+        <source>has an invalid transform, which was ignored</source>
+        <translation>heeft een ongeldige transformatie, die is genegeerd</translation>
+    </message>
+    <message>
+        <source>has flat or square ends, which became round</source>
+        <translation>heeft rechte uiteinden, die rond zijn geworden</translation>
+    </message>
+    <message>
+        <source>has too many dashes and became a solid line</source>
+        <translation>heeft te veel streepjes en is een doorgetrokken lijn geworden</translation>
+    </message>
+    <message>
+        <source>is not a known colour; it was read as black</source>
+        <translation>is geen bekende kleur en is zwart geworden</translation>
+    </message>
+    <message>
+        <source>has too few widths; a single width was used</source>
+        <translation>heeft te weinig breedtes; één breedte is gebruikt</translation>
+    </message>
+    <message>
+        <source>is not two-dimensional and is not supported</source>
+        <translation>is niet tweedimensionaal en wordt niet ondersteund</translation>
+    </message>
+    <message>
+        <source>has a damaged curve; its points were read: %1</source>
+        <translation>heeft een beschadigde kromme; de punten zijn gelezen</translation>
+    </message>
+    <message>
+        <source>belongs to another program and was skipped</source>
+        <translation>hoort bij een ander programma en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has an impossible width, which was skipped</source>
+        <translation>heeft een onmogelijke breedte, die is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has widths without a unit; mm was assumed</source>
+        <translation>heeft breedtes zonder eenheid; mm is aangenomen</translation>
+    </message>
+    <message>
+        <source>has a damaged curve; its points were read</source>
+        <translation>heeft een beschadigde kromme; de punten zijn gelezen</translation>
+    </message>
+    <message>
+        <source>does not form a stroke and was skipped: %1</source>
+        <translation>vormt geen lijn en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has no width; the default width was used</source>
+        <translation>heeft geen breedte; de gebruikelijke is gebruikt</translation>
+    </message>
+    <message>
+        <source>of type &apos;%1&apos; is a picture and was skipped</source>
+        <translation>van type ‘%1’ is een afbeelding en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>is unknown in a context and was skipped</source>
+        <translation>is onbekend in een context en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>was skipped: animation is not supported</source>
+        <translation>is overgeslagen: animatie wordt niet ondersteund</translation>
+    </message>
+    <message>
+        <source>has a %1 to something that does not exist</source>
+        <translation>verwijst met %1 naar iets dat niet bestaat</translation>
+    </message>
+    <message>
+        <source>is text, not a stroke, and was skipped</source>
+        <translation>is tekst, geen lijn, en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>does not form a fill and was skipped: %1</source>
+        <translation>vormt geen vulling en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has times that run backwards in places</source>
+        <translation>heeft tijden die op sommige plaatsen teruglopen</translation>
+    </message>
+    <message>
+        <source>of an unknown tool was read as a pen&apos;s</source>
+        <translation>van een onbekend gereedschap is als lijn van een pen gelezen</translation>
+    </message>
+    <message>
+        <source>of form &apos;%1&apos; was replaced by a round one</source>
+        <translation>van vorm ‘%1’ is door een ronde vervangen</translation>
+    </message>
+    <message>
+        <source>is hidden in the file and was skipped</source>
+        <translation>is in het bestand verborgen en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has an unknown colour; white was used</source>
+        <translation>heeft een onbekende kleur; wit is gebruikt</translation>
+    </message>
+    <message>
+        <source>has an unknown colour; black was used</source>
+        <translation>heeft een onbekende kleur; zwart is gebruikt</translation>
+    </message>
+    <message>
+        <source>%1; only the points before it were read</source>
+        <translation>bevat een fout; alleen de punten ervoor zijn gelezen</translation>
+    </message>
+    <message>
+        <source>has no unit of length; mm was assumed</source>
+        <translation>heeft geen lengte-eenheid; mm is aangenomen</translation>
+    </message>
+    <message>
+        <source>extends beyond 1e9 mm and was skipped</source>
+        <translation>is onmetelijk groot en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has too many choices and was skipped</source>
+        <translation>heeft te veel alternatieven en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>is not a valid width and was skipped</source>
+        <translation>is geen geldige breedte en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>The picture of the layer &apos;%1&apos; is lost.</source>
+        <translation>De afbeelding van de laag ‘%1’ is verloren.</translation>
+    </message>
+    <message>
+        <source>of style &apos;%1&apos;: its lines were skipped</source>
+        <translation>van stijl ‘%1’: de lijnen ervan zijn overgeslagen</translation>
+    </message>
+    <message>
+        <source>has a blend mode, which was ignored</source>
+        <translation>heeft een mengmodus, die is genegeerd</translation>
+    </message>
+    <message>
+        <source>and others were changed or skipped</source>
+        <translation>en andere zijn gewijzigd of overgeslagen</translation>
+    </message>
+    <message>
+        <source>has a clip path, which was ignored</source>
+        <translation>heeft een afsnijpad, dat is genegeerd</translation>
+    </message>
+    <message>
+        <source>was skipped: scripts are not run</source>
+        <translation>is overgeslagen: scripts worden niet uitgevoerd</translation>
+    </message>
+    <message>
+        <source>was skipped: it refers to itself</source>
+        <translation>is overgeslagen: het verwijst naar zichzelf</translation>
+    </message>
+    <message>
+        <source>has no X or no Y and was skipped</source>
+        <translation>heeft geen X of geen Y en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>is not a stroke and was skipped</source>
+        <translation>is geen lijn en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has markers, which were skipped</source>
+        <translation>heeft markeringen, die zijn overgeslagen</translation>
+    </message>
+    <message>
+        <source>has a filter, which was ignored</source>
+        <translation>heeft een filter, dat is genegeerd</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is unknown and was skipped</source>
+        <translation>‘%1’ is onbekend en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has no points and was skipped</source>
+        <translation>heeft geen punten en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has a mask, which was ignored</source>
+        <translation>heeft een masker, dat is genegeerd</translation>
+    </message>
+    <message>
+        <source>has a zoom, which was ignored</source>
+        <translation>heeft een zoom, die is genegeerd</translation>
+    </message>
+    <message>
+        <source>is a picture and was skipped</source>
+        <translation>is een afbeelding en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has no size; A4 was assumed</source>
+        <translation>heeft geen formaat; A4 is aangenomen</translation>
+    </message>
+    <message>
+        <source>of type &apos;%1&apos; is not supported</source>
+        <translation>van type ‘%1’ wordt niet ondersteund</translation>
+    </message>
+    <message>
+        <source>is unknown and was skipped</source>
+        <translation>is onbekend en is overgeslagen</translation>
+    </message>
+    <message>
+        <source>was read up to an error: %1</source>
+        <translation>is tot een fout gelezen</translation>
+    </message>
+    <message>
+        <source>lost the fill of its area</source>
+        <translation>heeft de vulling van het vlak verloren</translation>
+    </message>
+    <message>
+        <source>%1; the rest was skipped</source>
+        <translation>bevat een fout; de rest is overgeslagen</translation>
+    </message>
+    <message>
+        <source>is no longer dashed</source>
+        <translation>is niet meer gestreept</translation>
+    </message>
+    <message>
+        <source>got round ends</source>
+        <translation>heeft ronde uiteinden gekregen</translation>
+    </message>
+    <message>
+        <source>was skipped: %1</source>
+        <translation>is overgeslagen</translation>
+    </message>
+    <message>
+        <source>has no page</source>
+        <translation>heeft geen pagina</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>regel %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more like it)</source>
+        <translation>%1 (en nog %2 zoals deze)</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source>Tools</source>
@@ -4982,10 +5537,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
     <message>
         <source>Left out, because the format has no pictures to draw over: %1.</source>
         <translation>Weggelaten, omdat het formaat geen afbeeldingen om over te trekken heeft: %1.</translation>
-    </message>
-    <message>
-        <source>Left out, because the format has only lines: fills (%1) and pictures to draw over (%2).</source>
-        <translation>Weggelaten, omdat het formaat alleen lijnen heeft: vullingen (%1) en afbeeldingen om over te trekken (%2).</translation>
     </message>
     <message>
         <source>Blend modes that became normal: %1.</source>

@@ -124,6 +124,26 @@ for (const strokes of [Array.from({ length: 10 }, () => scribble(300)),
   for (const points of strokes) assert.deepEqual(getStroke(points, options), await fresh(points, options));
 }
 
+// A trail that fades, such as that of a laser pointer: its first points go at each call. A call costs what the trail has,
+// however far it has come, and a stroke that is drawn beside it costs no more than alone.
+{
+  const trail = [], line = scribble(600), kMost = 40;
+  let of_line = 0, of_trail = 0;
+  for (let n = 1; n <= line.length; ++n) {
+    let before = pushed;
+    getStroke(line.slice(0, n), options);
+    of_line += pushed - before;
+    trail.push(long[n]);
+    if (trail.length > kMost) trail.shift();
+    before = pushed;
+    const polygon = getStroke(trail, { ...options, size: 6 });
+    of_trail += pushed - before;
+    if (n % 200 === 0) assert.deepEqual(polygon, await fresh(trail, { ...options, size: 6 }), `trail ${n}`);
+  }
+  assert.ok(of_trail <= kMost * line.length, `${of_trail}`);
+  assert.ok(of_line <= 2 * line.length + 200, `${of_line}`);
+}
+
 // Options change between the calls, each alone. Those of the look alone need no new fit.
 for (const [change, refits] of [[{ smoothing: 0.9 }, false], [{ start: { taper: 40 }, end: { cap: false } }, false],
   [{ last: true }, false], [{ size: 9 }, true], [{ thinning: 0.2 }, true], [{ streamline: 0.1 }, true],

@@ -81,6 +81,10 @@ FELT_EXPORT(felt_finish) void felt_finish() {
 FELT_EXPORT(felt_changes) unsigned felt_changes() {
   return core().changes();
 }
+/// Returns why a sample was refused, as for the functions that can fail.
+FELT_EXPORT(felt_refusal) std::size_t felt_refusal() {
+  return reply(core().studio.take_refusal());
+}
 FELT_EXPORT(felt_ticks) double felt_ticks() {
   return static_cast<double>(core().studio.session().guide_ticks());
 }

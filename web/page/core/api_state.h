@@ -21,7 +21,7 @@ namespace felt::page {
 /// Everything that a module of the page holds. core.d.ts describes what the functions do.
 struct Core {
   /// What changed, as bits: ink, marks, state, edits.
-  enum Changes : unsigned { kInk = 1, kMarks = 2, kState = 4, kEdits = 8 };
+  enum Changes : unsigned { kInk = 1, kMarks = 2, kState = 4, kEdits = 8, kRefusal = 16 };
 
   Core();
 

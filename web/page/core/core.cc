@@ -216,6 +216,7 @@ unsigned Core::changes() {
   if (picture.is_stale()) bits |= kInk;
   if (std::exchange(marks_changed_, false)) bits |= kMarks;
   if (std::exchange(has_edits_, false)) bits |= kEdits;
+  if (studio.has_refusal()) bits |= kRefusal;
   std::string state = state_text(studio);
   if (state != last_state_) {
     bits |= kState;

@@ -6,7 +6,7 @@ import { first_module, full_module, load_felt } from './module.js';
 import { catalog } from 'generated/extras_text.js';
 
 const kSampleNumbers = 8;
-const kChanges = { ink: 1, marks: 2, state: 4, edits: 8 };
+const kChanges = { ink: 1, marks: 2, state: 4, edits: 8, refusal: 16 };
 const kMinDpi = 10, kMaxDpi = 1200;
 
 export class CoreError extends Error {
@@ -145,6 +145,10 @@ class Core {
     const is_changed = (this.bits & bit) !== 0;
     this.bits &= ~bit;
     return is_changed;
+  }
+
+  refusal() {
+    return this.json('felt_refusal');
   }
 
   /** The ticks since the last call. */

@@ -131,7 +131,10 @@ Result<void> Core::open(std::string_view bytes, const std::string& name,
     drawing->page.width_mm = page.width_mm;
     drawing->page.height_mm = page.height_mm;
   }
-  studio.open(*drawing);
+  if (!studio.open(*drawing)) {
+    notices.push_back("The surface “" + drawing->page.surface +
+                      "” is not installed, so the previous surface is used.");
+  }
   begin_session(*drawing);
   needs_rebase_ = true;
   return {};
@@ -142,7 +145,10 @@ Result<void> Core::add(std::string_view bytes, const std::string& name, Vec by_m
   const Result<Drawing> drawing = named_drawing(bytes, name, notices);
   if (!drawing) return tl::unexpected(drawing.error());
   shows = true;
-  studio.add_materials(drawing->materials);
+  for (const std::string& label : studio.add_materials(drawing->materials)) {
+    notices.push_back("“" + label +
+                      "” differs here: the added strokes look as it does in this drawing");
+  }
   for (std::string& text : losses_of_adding(*drawing)) notices.push_back(std::move(text));
   const Rect box = ink_bounds(drawing->document);
   if (is_middle && !box.empty()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "desktop/files/lost_words.h"
 #include "felt/base/check.h"
 #include "felt/formats/format_traits.h"
 #include "felt/formats/line_drawing.h"
@@ -54,6 +55,12 @@ Result<Imported> import_felt(std::string_view bytes) {
   return result;
 }
 
+/// Adds a sentence with the number in place of %1, if there is any.
+void add_text(std::string text, std::size_t count, std::vector<std::string>& texts) {
+  if (count == 0) return;
+  texts.push_back(text.replace(text.find("%1"), 2, std::to_string(count)));
+}
+
 }  // namespace
 
 bool is_full_module() noexcept {
@@ -90,22 +97,20 @@ Result<std::string> lines_of(const Drawing& drawing) {
 }
 
 std::vector<std::string> losses_of_writing(const Drawing& drawing, std::string_view format) {
+  std::vector<std::string> texts;
   const Result<FileFormat> written = format_of_path("drawing." + std::string(format));
-  return written ? loss_texts(lost_objects(drawing, *written)) : std::vector<std::string>();
+  if (!written) return texts;
+  const LostObjects lost = lost_objects(drawing, *written);
+  for (const desktop::LostWords& row : desktop::kLostWords)
+    add_text(row.text, lost.*row.count, texts);
+  return texts;
 }
 
 std::vector<std::string> losses_of_adding(const Drawing& drawing) {
-  LostObjects lost = lost_objects(drawing, FileFormat::kNdjson);
-  lost.fills = lost.media = lost.materials = 0;  // these are added
-  const std::size_t opacities = std::exchange(lost.opacities, 0);
-  std::vector<std::string> texts = loss_texts(lost);
-  if (opacities > 0) {
-    texts.push_back("the opacity of " + std::to_string(opacities) +
-                    (opacities == 1 ? " layer or group" : " layers or groups") + " was left out");
-  }
-  for (std::string& text : texts) {
-    text.erase(std::min(text.find(", because"), text.size()));  // that is about formats
-    text += ", because only visible strokes and fills are added";
+  std::vector<std::string> texts;
+  const LostObjects lost = lost_objects(drawing, FileFormat::kNdjson);
+  for (const desktop::AddedWords& row : desktop::kAddedWords) {
+    add_text(row.text, desktop::count_of(row, lost), texts);
   }
   return texts;
 }

@@ -1,6 +1,7 @@
 // node make_extras.mjs ROOT FULL_MODULE OUT: writes two modules into the folder OUT: extras_text.js with what the page needs
 // before the full module is loaded, the catalog of the full module and the version of the repository; and full_and_cat.js,
-// the text of the full module with the cat, which only that module can draw.
+// the text of the full module with the cat, which only that module can draw, and the translations of sentences about
+// unsupported content, which only that module says.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { instantiate } from './instantiate.mjs';
@@ -17,4 +18,6 @@ const version = /^project\(.* VERSION ([0-9.]+)/m.exec(read('CMakeLists.txt'))[1
 const catalog = { version, ...JSON.parse(text) };
 const line = (name, value) => `export const ${name} = ${JSON.stringify(value)};\n`;
 writeFileSync(join(out, 'extras_text.js'), line('catalog', catalog));
-writeFileSync(join(out, 'full_and_cat.js'), `export * from './full_text.js';\n${line('cat', read('share/samples/cat.ndjson'))}`);
+writeFileSync(join(out, 'full_and_cat.js'), `export * from './full_text.js';
+export { default as sentences } from './sentences.js';
+${line('cat', read('share/samples/cat.ndjson'))}`);

@@ -28,10 +28,15 @@ double absent_pressure(const Session& session) {
   return number ? *number : HandScriptOptions{}.absent_pressure;
 }
 
-bool is_known(const Materials& materials, const AnyMaterial& material) {
+/// Returns the material of the same kind and id.
+std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial& material) {
   const std::string_view id = id_of(material);
-  return std::holds_alternative<Medium>(material) ? materials.find_medium(id) != nullptr
-                                                  : materials.find_surface(id) != nullptr;
+  if (std::holds_alternative<Medium>(material)) {
+    const Medium* medium = materials.find_medium(id);
+    return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
+  }
+  const SurfaceMaterial* surface = materials.find_surface(id);
+  return surface ? std::optional<AnyMaterial>(*surface) : std::nullopt;
 }
 
 void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
@@ -121,29 +126,36 @@ void Studio::apply_first_options() {
   }
 }
 
-void Studio::add_materials(std::span<const std::string> texts) {
+std::vector<std::string> Studio::add_materials(std::span<const std::string> texts) {
+  std::vector<std::string> others;
   for (const std::string& text : texts) {
     const Result<AnyMaterial> material = read_material(text);
-    if (!material || is_known(session_->materials(), *material)) continue;
-    static_cast<void>(session_->apply({event_time_ns(), UseMaterial{text}}));
+    if (!material) continue;
+    const std::optional<AnyMaterial> known = find_in(session_->materials(), *material);
+    if (!known) {
+      static_cast<void>(session_->apply({event_time_ns(), UseMaterial{text}}));
+    } else if (known != *material) {
+      others.push_back(label_of(*material));
+    }
   }
+  return others;
 }
 
-void Studio::open(const Drawing& drawing) {
+bool Studio::open(const Drawing& drawing) {
   finish();
   stop_play();
   make_session(drawing.document, drawing.materials, Options::kOfLastSession);
   set_page(drawing.page);
   carried_ = {drawing.palette, drawing.view, drawing.extras, drawing.names};
-  if (!drawing.page.surface.empty()) {
-    static_cast<void>(apply(SetOption{kSurfaceOption, drawing.page.surface}));
-  }
+  const std::string& surface = drawing.page.surface;
+  const bool has_surface = surface.empty() || apply(SetOption{kSurfaceOption, surface}).has_value();
   if (drawing.color != Rgba{}) {
     static_cast<void>(apply(SetOption{"ink.color", color_to_text(drawing.color)}));
   }
   if (drawing.layer) {
     static_cast<void>(apply(LayerEvent{.what = LayerEvent::Do::kUse, .layer = drawing.layer}));
   }
+  return has_surface;
 }
 
 void Studio::set_page(const Page& page) {
@@ -243,7 +255,7 @@ Result<void> Studio::import(const std::string& path, std::span<const StrokePtr> 
 
 void Studio::finish() {
   process();
-  if (session_->gesture_in_progress()) static_cast<void>(session_->finish());
+  if (session_->gesture_in_progress()) note(session_->finish());
 }
 
 // --- The loop
@@ -316,15 +328,20 @@ void Studio::handle(PenSample sample) {
   const ToolKind kind = session_->tool().info().kind;
   if (begins && !session_->selection().empty() &&
       (kind == ToolKind::kDraws || kind == ToolKind::kShapes)) {
-    static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
+    note(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
   }
-  static_cast<void>(session_->sample(sample));
+  note(session_->sample(sample));
   pen_.is_known = true;
   pen_.sample = sample;
   const TickReport& tick = servo_->latest();
   pen_.asked = tick.asked;
   pen_.sent = tick.sent;
   if (on_sample) on_sample(sample);
+}
+
+/// Keeps a refusal of the session for take_refusal().
+void Studio::note(Result<void> done) {
+  if (!done) refusal_ = std::move(done);
 }
 
 void Studio::publish() {

@@ -59,8 +59,9 @@ class Studio {
   };
   [[nodiscard]] const Carried& carried() const noexcept { return carried_; }
   /// Begins a session with this drawing. Options and tool stay, except that of the drawing's
-  /// surface and colour.
-  void open(const Drawing& drawing);
+  /// surface and colour. Returns false if the drawing's surface is not known here; then the present
+  /// one stays.
+  bool open(const Drawing& drawing);
   /// Begins a session with this document and the defaults of the library, applies the recorded
   /// events unchanged, and continues after the last of them. Stops at the first event that does not
   /// fit.
@@ -83,8 +84,8 @@ class Studio {
   Result<void> import(const std::string& path, std::span<const StrokePtr> strokes,
                       std::span<const FillPtr> fills);
   /// Adds materials that come with a file, unless the session has one with this id: the present
-  /// drawing keeps its look.
-  void add_materials(std::span<const std::string> texts);
+  /// drawing keeps its look. Returns the labels of those that the session has with other values.
+  std::vector<std::string> add_materials(std::span<const std::string> texts);
   /// Lets the time pass until this time of the caller's clock, at most kLongestNs of it; the rest
   /// is skipped.
   void advance_to(std::int64_t time_ns);
@@ -95,6 +96,10 @@ class Studio {
   static constexpr std::int64_t kLongestNs = 100'000'000;
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   void finish();
+  /// True if the session refused a sample, or the end of a gesture.
+  [[nodiscard]] bool has_refusal() const noexcept { return !refusal_; }
+  /// Returns why the session refused the last of them, once.
+  Result<void> take_refusal() { return std::exchange(refusal_, {}); }
 
   /// Chooses a device of devices(). Fails if there is none with this id.
   Result<void> use_device(std::string_view id);
@@ -134,6 +139,7 @@ class Studio {
   void step_play();
   void process();
   void handle(PenSample sample);
+  void note(Result<void> done);
   void publish();
   [[nodiscard]] bool may_rest() const noexcept;
   [[nodiscard]] double play_speed() const noexcept;
@@ -162,6 +168,7 @@ class Studio {
   double strength_ = 1.0;
   std::unique_ptr<Play> play_;
   std::string play_error_;
+  Result<void> refusal_;
 };
 
 }  // namespace felt::page

@@ -262,7 +262,10 @@ std::string state_text(const Studio& studio) {
 std::string done_text(const Result<void>& done, const std::vector<std::string>& notices) {
   JsonObject out;
   out.add_bool("ok", done.has_value());
-  if (!done) out.add_text("error", done.error().message);
+  if (!done) {
+    out.add_text("error", done.error().message);
+    out.add_number("code", static_cast<double>(done.error().code));
+  }
   std::vector<std::string> quoted;
   for (const std::string& notice : notices) quoted.push_back(json_string(notice));
   if (!quoted.empty()) out.add_raw("notices", json_array(quoted));

@@ -133,6 +133,33 @@ async function press_at(tab, selector, by_touch = false) {
 const touches = (tab, type, ...points) => tab.send('Input.dispatchTouchEvent',
   { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
 const notice_of = (tab) => tab.run(() => document.getElementById('notice').textContent);
+/** Chooses a file as a user does: by this entry of the menu and the dialog of the browser. */
+async function choose_file(tab, entry, name, content) {
+  const folder = mkdtempSync(join(tmpdir(), 'feltline-file-'));
+  try {
+    writeFileSync(join(folder, name), content);
+    await tab.send('Page.setInterceptFileChooserDialog', { enabled: true });
+    const asked = new Promise((done) => tab.browser.listeners.push(({ method, params }) => {
+      if (method === 'Page.fileChooserOpened') done(params.backendNodeId);
+    }));
+    await press_menu(tab, entry);
+    await tab.send('DOM.setFileInputFiles', { files: [join(folder, name)], backendNodeId: await asked });
+    await tab.until(() => document.getElementById('notice').textContent !== '');
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+/** Presses an entry of the menu, which begins with these words. */
+async function press_menu(tab, entry) {
+  await press_at(tab, '#top button');
+  const known = await tab.run((entry) => {
+    const one = [...document.querySelectorAll('.menu button')].find((button) => button.textContent.startsWith(entry));
+    one?.setAttribute('data-wanted', '');
+    return Boolean(one);
+  }, entry);
+  assert.ok(known, `the menu has no ${entry}`);
+  await press_at(tab, '[data-wanted]');
+}
 /** Returns the ends of the segments of each stroke, in mm. */
 const points_of = async (tab) => text_of(await saved(tab)).trim().split('\n').map((line) => JSON.parse(line).segments ?? [])
   .filter((all) => all.length > 0).map((all) => [...all.map(([x, y]) => [x, y]), all.at(-1).slice(6)]);
@@ -1089,7 +1116,7 @@ const topics = {
         assert.equal(await strokes(tab), 3, 'a compressed file was refused');
       }
       for (const bytes of [damaged, packed.subarray(0, packed.length / 2)]) {
-        assert.match(await load('$& %2.svgz', bytes.toString('base64')), /^“\$& %2\.svgz” could not be opened: it is damaged$/);
+        assert.match(await load('$& %2.svgz', bytes.toString('base64')), /^“\$& %2\.svgz” could not be opened: it is damaged\. Your drawing is unchanged\.$/);
         assert.equal(await strokes(tab), 3);
       }
       // Journals of Xournal++: plain, with gzip, and as archives of its newer versions.
@@ -1104,7 +1131,7 @@ const topics = {
       const archive = zipped(journal), cut = archive.subarray(0, archive.length - 30), broken = Buffer.from(archive);
       broken.fill(255, archive.indexOf('content.xml') + 20, archive.indexOf('content.xml') + 60);
       for (const bytes of [cut, broken]) {
-        assert.match(await load('notes.xopp', bytes.toString('base64')), /^“notes\.xopp” could not be opened: it is damaged$/);
+        assert.match(await load('notes.xopp', bytes.toString('base64')), /^“notes\.xopp” could not be opened: it is damaged\. Your drawing is unchanged\.$/);
       }
       assert.match(await load('other.zip', zipped({ 'a.txt': 'a' }).toString('base64')), /could not be opened: is a zip archive, which the page cannot/);
       await load('drawing.svg', svg.toString('base64'));
@@ -1204,18 +1231,139 @@ const topics = {
         return notice();
       };
       for (const format of ['svg', 'ndjson']) {
-        assert.deepEqual(await save(format), [`Saved as Drawing.${format}`, '1 guide was left out, because the format has none']);
+        assert.deepEqual(await save(format), [`Saved as Drawing.${format}`, 'Left out, because the format has no guides: 1.']);
       }
       assert.deepEqual(await save('felt'), ['Saved as Drawing.felt']);
       await tab.run(() => feltlinePage.apply({ event: 'layer', do: 'add', name: 'Second' }));
       await tab.run(() => feltlinePage.apply({ event: 'layer', do: 'opacity', id: feltlinePage.core.state().layers[0].id, opacity: 0.5 }));
-      assert.ok((await save('ndjson')).some((one) => one.startsWith('2 layers became one list of strokes')), (await notice()).join(' | '));
+      await save('ndjson');
+      await press_at(tab, '#notice button');
+      const lost = await tab.run(() => Array.from(document.querySelectorAll('dialog li'), (one) => one.textContent));
+      assert.ok(lost.includes('Left out, because the format has no layers: 2.'), lost.join(' | '));
+      await press_at(tab, 'dialog button');
       // A drawing that is added brings its visible lines; the rest is named.
       const file = await saved(tab, 'felt');
       await tab.run(async (base64) => {
         await feltlinePage.files.load(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], 'mine.felt'), true);
       }, file);
-      assert.ok((await notice()).some((one) => /^1 guide was left out, because only visible/.test(one)), (await notice()).join(' | '));
+      assert.ok((await notice()).some((one) => /^Guides, symmetry groups, .* not added: 1\. Open the file/.test(one)), (await notice()).join(' | '));
+    });
+  },
+
+  /** What cannot be done says so, in the language of the page, by keys, touch, menu, drop and drawing. */
+  async refusals() {
+    const all = {
+      en: { open: 'Open…', undo: 'nothing to undo', redo: 'nothing to redo', none: 'Nothing is selected', copy: 'nothing to copy', form: 'no other form',
+        file: ['could not be opened', 'Your drawing is unchanged.'], drop: 'This is not a file', layers: /^This changed nothing: .*hidden or locked.*10000 layers/ },
+      de: { open: 'Öffnen', undo: 'nichts rückgängig', redo: 'nichts zu wiederholen', none: 'Nichts ist ausgewählt', copy: 'nichts zu kopieren',
+        form: 'keine andere Form', file: ['lässt sich nicht öffnen', 'Ihre Zeichnung ist unverändert.'], drop: 'keine Datei', layers: /^Das hat nichts geändert: Die Zeichnung ist zu groß/ },
+      nl: { open: 'Openen', undo: 'niets om ongedaan', redo: 'niets om opnieuw', none: 'niets geselecteerd', copy: 'niets om te kopiëren',
+        form: 'geen andere vorm', file: ['kan niet worden geopend', 'Uw tekening is ongewijzigd.'], drop: 'geen bestand', layers: /^Dit heeft niets gewijzigd: De tekening is te groot/ },
+    };
+    const locked = Array.from({ length: 10_000 }, () => '<g inkscape:groupmode="layer" sodipodi:insensitive="true"/>').join('');
+    const full = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" ' +
+      `xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" width="200mm" height="150mm" viewBox="0 0 200 150">${locked}</svg>`;
+    await with_tab({ mobile: true, width: 1280 }, async (tab) => {
+      const says = async (act, what, ...texts) => {
+        await tab.run(() => feltlinePage.say(''));
+        await act();
+        await tab.until(() => document.getElementById('notice').textContent !== '').catch(() => {});
+        const text = await notice_of(tab);
+        for (const one of texts) assert.ok(text.includes(one), `${what}: ${text}`);
+        if (document_language !== 'en') assert.doesNotMatch(text, /\b(the|not|which|cannot|could)\b/, `${what}: ${text}`);
+      };
+      let document_language = 'en';
+      for (const [language, words] of Object.entries(all)) {
+        document_language = language;
+        await tab.run((language) => {
+          feltlinePage.set_language(language);
+          document.getElementById('sheet').focus();
+        }, language);
+        const key = (name, modifiers = 0) => () => tab.key(name, { modifiers });
+        await says(key('z', 2), 'Ctrl+Z', words.undo);
+        await says(key('Z', 2 | 8), 'Ctrl+Shift+Z', words.redo);
+        await says(async () => {
+          await touches(tab, 'touchStart', [300, 300], [400, 300]);
+          await touches(tab, 'touchEnd');
+        }, 'two fingers', words.undo);
+        for (const name of ['Delete', 'Home']) await says(key(name), name, words.none);
+        for (const name of ['d', 'x']) await says(key(name, 2), `Ctrl+${name}`, words.none);
+        await says(key('c', 2), 'Ctrl+C', words.copy);
+        for (const name of ['e', 'r']) await says(key(name, 2), `Ctrl+${name}`, words.form);
+        for (const [name, content] of [['notes.pdf', '%PDF-1.4'], ['cut.svg', '<svg><path d='], ['words.svg', 'only words']]) {
+          await says(() => choose_file(tab, words.open, name, content), name, `${name}`, ...words.file);
+        }
+        await says(() => tab.run(() => {
+          const data = new DataTransfer();
+          data.setData('text/plain', 'words');
+          dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+        }), 'a dropped text', words.drop);
+      }
+      // A stroke that is refused: all layers are locked, and no more can be added.
+      await tab.run(() => feltlinePage.set_language('en'));
+      await tab.run(async (full) => { await feltlinePage.files.load(new File([full], 'full.svg'), false); }, full);
+      for (const [language, words] of Object.entries(all)) {
+        await tab.run((language) => { feltlinePage.set_language(language); feltlinePage.say(''); }, language);
+        await tab.stroke(wave(300, 300, 10));
+        await tab.until(() => document.getElementById('notice').textContent !== '').catch(() => {});
+        assert.match(await notice_of(tab), words.layers);
+        assert.equal(await strokes(tab), 0);
+        await tab.run(() => feltlinePage.core.clear());
+        await tab.run(async (full) => { await feltlinePage.files.load(new File([full], 'full.svg'), false); }, full);
+      }
+    });
+  },
+
+  /** What a file brings that is left out, and what a saved file lacks, is said in the language of the page. */
+  async language_of_losses() {
+    const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="90mm" viewBox="0 0 90 90">\n<text id="title" x="5" y="5">a</text>\n' +
+      '<script>1</script><path d="M10 10L50 50" stroke="#000" filter="url(#f)"/><path d="M1 1L2 2" stroke="#000"/><use href="#no"/></svg>';
+    const words = {
+      de: { add: 'Datei zur Zeichnung', save: 'Als SVG', opened: /^Zeile 2: text 'title' ist keine Linie und wurde übersprungen/, lost: /^Weggelassen, weil .*: 1\.$/ },
+      nl: { add: 'Bestand aan', save: 'Opslaan als SVG', opened: /^regel 2: text 'title' is geen lijn en is overgeslagen/, lost: /^Weggelaten, omdat .*: 1\.$/ },
+    };
+    await with_tab({}, async (tab) => {
+      await tab.run(() => { HTMLAnchorElement.prototype.click = () => {}; });
+      await tab.run(() => feltlinePage.apply({ event: 'guides', do: 'add', kind: 'symmetry', x: 100, y: 80, axes: 2 }));
+      for (const [language, { add, save, opened, lost }] of Object.entries(words)) {
+        await tab.run((language) => feltlinePage.set_language(language), language);
+        await tab.run(() => feltlinePage.say(''));
+        await choose_file(tab, add, 'a.svg', svg);
+        const lines = (await tab.run(() => document.getElementById('notice').innerText)).split('\n');
+        assert.match(lines[0], opened);
+        await press_at(tab, '#notice button');
+        const said = await tab.run(() => Array.from(document.querySelectorAll('dialog li'), (one) => one.textContent));
+        assert.ok(said.length >= 4, said.join(' | '));
+        for (const one of said) assert.doesNotMatch(one, /\b(skipped|ignored|the|which|not)\b/, said.join(' | '));
+        await press_at(tab, 'dialog button');
+        await tab.run(() => feltlinePage.say(''));
+        await press_menu(tab, save);
+        await tab.until(() => document.getElementById('notice').innerText.includes('\n'));
+        assert.match((await tab.run(() => document.getElementById('notice').innerText)).split('\n')[1], lost);
+      }
+    });
+  },
+
+  /** No bar lies over another one, in each language, also while the turn of the sheet is shown. */
+  async bars() {
+    await with_tab({}, async (tab) => {
+      for (const width of [1920, 1445, 1400, 1300, 1280, 1245, 1200, 1100, 1005, 900, 700, 390]) {
+        await tab.send('Emulation.setDeviceMetricsOverride', { width, height: 800, deviceScaleFactor: 1, mobile: false });
+        for (const language of ['en', 'de', 'nl']) {
+          for (const degrees of [0, -105]) {
+            const over = await tab.run((language, degrees) => {
+              feltlinePage.set_language(language);
+              feltlinePage.turn(null);
+              if (degrees !== 0) feltlinePage.turn(degrees);
+              feltlinePage.bars.show_view(feltlinePage.core.view());
+              const boxes = [...document.querySelectorAll('.bar:not([hidden])')].map((bar) => [bar.id, bar.getBoundingClientRect()]);
+              return boxes.flatMap(([a, one], i) => boxes.slice(i + 1).filter(([, other]) => one.left < other.right && other.left < one.right &&
+                one.top < other.bottom && other.top < one.bottom).map(([b]) => `${a} and ${b}`));
+            }, language, degrees);
+            assert.deepEqual(over, [], `${width} px, ${language}, turned by ${degrees} degrees`);
+          }
+        }
+      }
     });
   },
 
@@ -1318,7 +1466,9 @@ const topics = {
     const refused = async (tab, name, bytes, words) => {
       await drop(tab, name, bytes.toString('base64'));
       await tab.until((name) => document.getElementById('notice').textContent.startsWith(`“${name}” could not be opened: `), name);
-      assert.match(await tab.run(() => document.getElementById('notice').textContent), words);
+      const [text, ...rest] = (await notice_of(tab)).split(/\.? (Your drawing is unchanged\.)$/);
+      assert.match(text, words);
+      assert.equal(rest[0], 'Your drawing is unchanged.');
     };
     const use = async (tab) => {
       await downloads(tab);
