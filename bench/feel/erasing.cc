@@ -66,15 +66,6 @@ Page page_of(int trial) {
   return page;
 }
 
-/// What one person erased, per trial.
-struct Erased {
-  double extra_mm = 0.0;  // of ink that was not meant
-  double wrong = 0.0;     // lines that were not meant and have lost ink
-  double left_mm = 0.0;   // of ink that was meant
-  double seconds = 0.0;   // from the touch to the lift
-  double mean_n = 0.0, max_n = 0.0;
-};
-
 double length_mm(const Stroke& stroke) {
   double sum = 0.0;
   for (int i = 0; i < stroke.segment_count(); ++i) sum += arc_length(stroke.segment(i));
@@ -156,22 +147,6 @@ Result<Erased> erase(const Person& person, const StylusPreset& device, bool is_o
   return erased;
 }
 
-Result<Erased> erase_all(const Person& person, const StylusPreset& device, bool is_on) {
-  Erased sum;
-  constexpr double kShare = 1.0 / kTrials;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Result<Erased> one = erase(person, device, is_on, trial);
-    if (!one) return one;
-    sum.extra_mm += kShare * one->extra_mm;
-    sum.wrong += kShare * one->wrong;
-    sum.left_mm += kShare * one->left_mm;
-    sum.seconds += kShare * one->seconds;
-    sum.mean_n += kShare * one->mean_n;
-    sum.max_n = std::max(sum.max_n, one->max_n);
-  }
-  return sum;
-}
-
 /// The means over people, without and with the force.
 struct Totals {
   std::array<Erased, 2> mean{};
@@ -212,6 +187,22 @@ std::string pair_text(double off, double on) {
 }
 
 }  // namespace
+
+Result<Erased> erase_all(const Person& person, const StylusPreset& device, bool is_on) {
+  Erased sum;
+  constexpr double kShare = 1.0 / kTrials;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Result<Erased> one = erase(person, device, is_on, trial);
+    if (!one) return one;
+    sum.extra_mm += kShare * one->extra_mm;
+    sum.wrong += kShare * one->wrong;
+    sum.left_mm += kShare * one->left_mm;
+    sum.seconds += kShare * one->seconds;
+    sum.mean_n += kShare * one->mean_n;
+    sum.max_n = std::max(sum.max_n, one->max_n);
+  }
+  return sum;
+}
 
 Result<bool> compare_erasing(const std::vector<std::string>& devices, std::size_t people) {
   using Align = cli::TextTable::Align;

@@ -1,11 +1,19 @@
 #include "hand_task.h"
 
-#include <optional>
+#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "felt/document/edit_builder.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::bench {
+
+StrokePtr ink_along(std::vector<Point> path) {
+  const auto is_near = [](Point a, Point b) { return distance(a, b) < 2.0 * kMinSegmentMm; };
+  path.erase(std::unique(path.begin(), path.end(), is_near), path.end());
+  return std::make_shared<const Stroke>(testing::polyline_stroke(path));
+}
 
 Result<Document> page_with(const std::vector<StrokePtr>& ink) {
   Document document;

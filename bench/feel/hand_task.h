@@ -37,6 +37,9 @@ Result<HandTaskResult> run_task(const HandTask& task, const Person& person,
                                 const StylusPreset& device,
                                 const std::function<void(const TickReport&)>& tick);
 
+/// Returns a line of ink along a path, 1 mm wide.
+StrokePtr ink_along(std::vector<Point> path);
+
 /// Returns a page with one layer that holds these strokes.
 Result<Document> page_with(const std::vector<StrokePtr>& ink);
 

@@ -19,8 +19,10 @@
 // Simulated people draw over lines (retracing.h). Without --device, with all of them.
 //   bench_feel --erasing [--people N] [--device NAME]
 // Simulated people erase a part of a line (erasing.h). Without --device, with all of them.
+//   bench_feel --table [--people N] [--device NAME]
+// Prints a row for each force (force_table.h).
 //   bench_feel --pull [--people N] [--device NAME]
-// Simulated people pull a line to given points (pull_people.h).
+// Simulated people pull a line to given points (pull_people.h). Without --device, with all of them.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -31,6 +33,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/cli/text_table.h"
@@ -39,6 +42,7 @@
 #include "erasing.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
+#include "force_table.h"
 #include "pull_people.h"
 #include "retracing.h"
 #include "snap_bars.h"
@@ -46,6 +50,8 @@
 namespace felt::bench {
 namespace {
 
+constexpr std::array<std::string_view, 6> kComparisons = {"--snapping",  "--pull",    "--baselines",
+                                                          "--retracing", "--erasing", "--table"};
 constexpr std::array kMaterials = {"pencil", "chalk", "crayon", "felt-tip"};
 
 struct Options {
@@ -56,7 +62,9 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> set;
   std::size_t people = 20;
   PersonModel model = PersonModel::kProportional;
-  bool snapping = false, pull = false, baselines = false, retracing = false, erasing = false;
+  std::string_view comparison;  // one of kComparisons; empty compares the materials
+
+  [[nodiscard]] bool is(std::string_view name) const noexcept { return comparison == name; }
 };
 
 [[noreturn]] void fail_usage() {
@@ -68,6 +76,7 @@ struct Options {
              "       bench_feel --baselines [--people N] [--device NAME]\n"
              "       bench_feel --retracing [--people N] [--device NAME]\n"
              "       bench_feel --erasing [--people N] [--device NAME]\n"
+             "       bench_feel --table [--people N] [--device NAME]\n"
              "       bench_feel --pull [--people N] [--device NAME]\n");
   std::exit(2);
 }
@@ -76,13 +85,9 @@ Options options_of(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
-    options.snapping = options.snapping || name == "--snapping";
-    options.pull = options.pull || name == "--pull";
-    options.baselines = options.baselines || name == "--baselines";
-    options.retracing = options.retracing || name == "--retracing";
-    options.erasing = options.erasing || name == "--erasing";
-    if (name == "--snapping" || name == "--pull" || name == "--baselines" ||
-        name == "--retracing" || name == "--erasing") {
+    const auto comparison = std::find(kComparisons.begin(), kComparisons.end(), name);
+    if (comparison != kComparisons.end()) {
+      options.comparison = *comparison;
       --i;
       continue;
     }
@@ -118,9 +123,9 @@ Options options_of(int argc, char** argv) {
       options.files.push_back(std::string("share/samples/") + name + ".ndjson");
     }
   }
-  if (options.device.empty() && !options.baselines && !options.retracing && !options.erasing) {
-    options.device = "touch";
-  }
+  const bool takes_one =
+      options.comparison.empty() || options.is("--snapping") || options.is("--table");
+  if (options.device.empty() && takes_one) options.device = "touch";
   const bool known = options.device.empty() || (find_stylus_preset(options.device) &&
                                                 (options.hand.empty() || find_hand(options.hand)));
   if (!known || !(options.mm_per_unit > 0.0)) fail_usage();
@@ -290,19 +295,25 @@ std::vector<std::string> devices_of(const Options& options) {
 }
 
 Result<void> compare(const Options& options) {
-  if (options.baselines) return compare_baselines(devices_of(options), options.people);
-  if (options.pull) return compare_pulls(options.device, options.people);
-  if (!options.retracing && !options.erasing) return compare_people(options);
-  const Result<bool> is_met = options.erasing
-                                  ? compare_erasing(devices_of(options), options.people)
-                                  : compare_retracing(devices_of(options), options.people);
+  if (options.is("--table")) return print_force_table(options.device, options.people);
+  if (options.is("--baselines")) return compare_baselines(devices_of(options), options.people);
+  Result<bool> is_met = true;
+  if (options.is("--pull")) {
+    is_met = compare_pulls(devices_of(options), options.people);
+  } else if (options.is("--erasing")) {
+    is_met = compare_erasing(devices_of(options), options.people);
+  } else if (options.is("--retracing")) {
+    is_met = compare_retracing(devices_of(options), options.people);
+  } else {
+    return compare_people(options);
+  }
   if (!is_met) return tl::unexpected(is_met.error());
   return *is_met ? Result<void>() : fail(ErrorCode::kInvalidData, "a bar is missed");
 }
 
 int run(int argc, char** argv) {
   const Options options = options_of(argc, argv);
-  if (options.snapping) {
+  if (options.is("--snapping")) {
     return check_snap_bars(options.files, options.hand, options.people) ? 0 : 1;
   }
   if (options.hand.empty()) {

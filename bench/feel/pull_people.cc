@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/cli/text_table.h"
@@ -13,13 +14,16 @@
 #include "felt/base/random.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/geometry/nearest.h"
-#include "felt/replay/replay_machine.h"
+#include "felt/stroke/testing/random_stroke.h"
+#include "hand_task.h"
 
 namespace felt::bench {
 namespace {
 
-constexpr int kPulls = 12;              // of each person
-constexpr std::int64_t kHoldMs = 1000;  // the pen rests before it is lifted
+constexpr int kPulls = 12;  // of each person
+constexpr double kMaxFinalRatio = 1.5, kMaxOvershootRatio = 0.5;
+constexpr std::array kRestS = {0.5, 1.0};  // before the pen is lifted
+constexpr std::array<std::string_view, 4> kStrengths = {kPlaneOnlyPull, "0.5", "0.7", "1"};
 
 /// A pull from a point of the line to another point, 5 to 20 mm away.
 struct Pull {
@@ -34,16 +38,6 @@ Pull pull_of(int trial) {
   return {from, {from.x + length * std::cos(angle), from.y + length * std::sin(angle)}};
 }
 
-Result<VisibleInk> line_to_pull() {
-  const Cubic line = straight({60.0, 100.0}, {180.0, 100.0});
-  StrokeData data;
-  data.points.assign(line.p.begin(), line.p.end());
-  data.widths = {{0.0, 0.5}, {1.0, 0.5}};
-  Result<Stroke> stroke = Stroke::create(std::move(data));
-  if (!stroke) return tl::unexpected(stroke.error());
-  return VisibleInk{{std::make_shared<const Stroke>(*std::move(stroke))}, {}};
-}
-
 double distance_from(const Document& document, Point p) {
   double least = 1e9;
   for (const StrokePtr& stroke : visible_strokes(document)) {
@@ -54,79 +48,89 @@ double distance_from(const Document& document, Point p) {
   return least;
 }
 
-/// Lets a person pull the line. Without a strength, forces are off.
-Result<double> pull_error(const StylusPreset& device, const Person& person,
-                          std::optional<double> strength, int trial) {
+Result<Pulled> pull_line(const StylusPreset& device, const Person& person,
+                         std::string_view strength, double rest_s, int trial) {
   const Pull pull = pull_of(trial);
-  ReplaySettings settings =
-      replay_settings(device, *find_hand("typical"), strength.has_value(), {}, {});
-  settings.person = person;
-  settings.read_import = [](const std::string&) { return line_to_pull(); };
-  ReplayMachine machine(settings, Document(), {});
-  if (strength) {
-    const Result<void> set = machine.set_option("pull.strength", fmt::format("{}", *strength));
-    if (!set) return tl::unexpected(set.error());
-  }
-  for (const Event& event : {Event{0, ImportEvent{"line"}}, Event{0, SelectTool{"pull"}}}) {
-    if (Result<void> added = machine.add(event); !added) return tl::unexpected(added.error());
-  }
-  RecordedPath plan =
-      plan_movement(person, std::vector{pull.from, pull.to}, static_cast<std::uint64_t>(trial));
-  const RecordedPoint last = plan.back();
-  for (std::int64_t ms = 1; ms <= kHoldMs; ++ms) {
-    plan.push_back(last);
-    plan.back().time_ns = *last.time_ns + ms * kMs;
-  }
-  for (const TimedAim& aim : script_hand(std::span(&plan, 1), machine.hand_options())) {
-    const Event event{aim.time_ns, HandEvent{aim.target_mm, aim.pressure}};
-    if (Result<void> added = machine.add(event); !added) return tl::unexpected(added.error());
-  }
-  if (Result<void> played = machine.play(); !played) return tl::unexpected(played.error());
-  return distance_from(machine.session().document(), pull.to);
-}
-
-Result<double> mean_error(const StylusPreset& device, const Person& person,
-                          std::optional<double> strength) {
-  double sum = 0.0;
-  for (int trial = 0; trial < kPulls; ++trial) {
-    const Result<double> error = pull_error(device, person, strength, trial);
-    if (!error) return error;
-    sum += *error;
-  }
-  return sum / kPulls;
+  const Stroke line = testing::straight_stroke({60.0, 100.0}, {180.0, 100.0}, 0.5, 0.5);
+  HandTask task{.tool = "pull",
+                .ink = {std::make_shared<const Stroke>(line)},
+                .path = {pull.from, pull.to},
+                .trial = static_cast<std::uint64_t>(trial),
+                .hold_s = rest_s};
+  task.options = strength == kPlaneOnlyPull
+                     ? decltype(task.options){{"surface.plane_only", "true"}}
+                     : decltype(task.options){{"pull.strength", std::string(strength)}};
+  const Vec along = normalized(pull.to - pull.from);
+  Pulled pulled;
+  const auto watch = [&](const TickReport& report) {
+    if (!in_contact(report.sample)) return;
+    const double beyond = dot(on_page(report.sample.position) - pull.to, along);
+    pulled.overshoot_mm = std::max(pulled.overshoot_mm, beyond);
+  };
+  const Result<HandTaskResult> done = run_task(task, person, device, watch);
+  if (!done) return tl::unexpected(done.error());
+  pulled.final_mm = distance_from(done->page, pull.to);
+  return pulled;
 }
 
 }  // namespace
 
-Result<void> compare_pulls(const std::string& device, std::size_t people) {
-  using Align = cli::TextTable::Align;
-  cli::TextTable table({{"pull.strength", Align::kLeft},
-                        {"forces off mm", Align::kRight},
-                        {"on mm", Align::kRight},
-                        {"change (95 %)", Align::kRight}});
-  const StylusPreset& preset = *find_stylus_preset(device);
-  for (const double strength : {1.0, 0.7, 0.5, 0.25, 0.0}) {
-    std::vector<double> off, on, change;
-    for (const Person& person : population(people)) {
-      const Result<double> without = mean_error(preset, person, std::nullopt);
-      const Result<double> with = mean_error(preset, person, strength);
-      if (!without) return tl::unexpected(without.error());
-      if (!with) return tl::unexpected(with.error());
-      off.push_back(*without);
-      on.push_back(*with);
-      change.push_back(*with - *without);
+Result<Pulled> pull_lines(const StylusPreset& device, const std::vector<Person>& people,
+                          std::string_view strength, double rest_s) {
+  Pulled mean;
+  for (const Person& person : people) {
+    for (int trial = 0; trial < kPulls; ++trial) {
+      const Result<Pulled> one = pull_line(device, person, strength, rest_s, trial);
+      if (!one) return one;
+      const double share = 1.0 / (kPulls * static_cast<double>(people.size()));
+      mean.final_mm += share * one->final_mm;
+      mean.overshoot_mm += share * one->overshoot_mm;
     }
-    const MeanOverPeople mean = mean_over_people(change);
-    table.add_row({fmt::format("{}", strength), fmt::format("{:.3f}", mean_over_people(off).mean),
-                   fmt::format("{:.3f}", mean_over_people(on).mean),
-                   fmt::format("{:+.3f} ({:+.3f} to {:+.3f})", mean.mean, mean.low, mean.high)});
+  }
+  return mean;
+}
+
+Result<bool> compare_pulls(const std::vector<std::string>& devices, std::size_t people) {
+  using Align = cli::TextTable::Align;
+  std::vector<cli::TextTable::Column> columns = {{"device", Align::kLeft},
+                                                 {"model", Align::kLeft},
+                                                 {"rest s", Align::kRight},
+                                                 {"plane only mm", Align::kRight}};
+  for (const std::string_view strength : kStrengths) {
+    if (!strength.empty()) columns.push_back({std::string(strength), Align::kRight});
+  }
+  columns.push_back({"", Align::kRight});
+  cli::TextTable table(columns);
+  bool is_met = true;
+  for (const std::string& name : devices) {
+    for (const PersonModel model : kPersonModels) {
+      const std::vector<Person> pullers = population(people, 1, model);
+      for (const double rest_s : kRestS) {
+        std::vector<std::string> cells = {name, std::string(person_model_name(model)),
+                                          fmt::format("{}", rest_s)};
+        Pulled off, on;
+        for (const std::string_view strength : kStrengths) {
+          const auto mean = pull_lines(*find_stylus_preset(name), pullers, strength, rest_s);
+          if (!mean) return tl::unexpected(mean.error());
+          (strength.empty() ? off : on) = *mean;
+          cells.push_back(fmt::format("{:.2f}, {:.2f}", mean->final_mm, mean->overshoot_mm));
+        }
+        const bool meets = on.final_mm <= kMaxFinalRatio * off.final_mm &&
+                           on.overshoot_mm <= kMaxOvershootRatio * off.overshoot_mm;
+        is_met = is_met && meets;
+        cells.emplace_back(meets ? "met" : "missed");
+        table.add_row(cells);
+      }
+    }
   }
   fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
   fmt::print(
-      "\n{} simulated people with a simulated {}. mm: distance of the line from the point to which "
-      "it\nshould be pulled, after the pen was lifted; mean of {} pulls of 5 to 20 mm.\n",
-      people, device, kPulls);
-  return {};
+      "\n{} simulated people, {} pulls of 5 to 20 mm each, with the plane only and at levels of "
+      "pull.strength (default 1).\nmm: distance of the line from its goal after the lift, and how "
+      "far the pen went beyond the goal.\nBars, at the default: {} times the distance and {} times "
+      "the overshoot: {}\n",
+      people, kPulls, kMaxFinalRatio, kMaxOvershootRatio, is_met ? "met" : "MISSED");
+  return is_met;
 }
 
 }  // namespace felt::bench

@@ -11,9 +11,9 @@
 
 #include "apps/cli/text_table.h"
 #include "bench/hand/statistics.h"
-#include "felt/document/edit_builder.h"
 #include "felt/replay/script_run.h"
 #include "felt/studies/study_files.h"
+#include "hand_task.h"
 #include "tests/drawing/snapping/snap_count.h"
 #include "tests/drawing/snapping/snap_scenes.h"
 
@@ -77,38 +77,28 @@ struct Setup {
   bool is_on = true;
 };
 
-/// Returns a line of ink along a path.
-Result<StrokePtr> ink_along(std::vector<Point> points) {
-  const auto is_near = [](Point a, Point b) { return distance(a, b) < 2.0 * kMinSegmentMm; };
-  points.erase(std::unique(points.begin(), points.end(), is_near), points.end());
-  StrokeData data;
-  data.points.push_back(points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Cubic line = straight(points[i - 1], points[i]);
-    data.points.insert(data.points.end(), line.p.begin() + 1, line.p.end());
-    if (i > 1) data.joints.push_back(JointKind::kCorner);
-  }
-  data.widths = {{0.0, 1.0}, {static_cast<double>(points.size() - 1), 1.0}};
-  Result<Stroke> stroke = Stroke::create(std::move(data));
-  if (!stroke) return tl::unexpected(stroke.error());
-  return std::make_shared<const Stroke>(*std::move(stroke));
+Drawn drawn_of(const ReplayStats& stats, const Holds& holds) {
+  return {stats.distance.mean_mm(),
+          static_cast<int>(stats.strokes_meant),
+          holds.count(),
+          holds.mean_n(),
+          holds.max_n(),
+          holds.most_mj()};
 }
 
-Result<Document> page_with(const std::vector<Point>& path) {
-  Document document;
-  const Result<StrokePtr> ink = ink_along(path);
-  if (!ink) return tl::unexpected(ink.error());
-  EditBuilder edit(document);
-  edit.add(document.layers().front().id, *ink);
-  if (Result<void> done = document.apply(std::move(edit).build("Draw")); !done) {
-    return tl::unexpected(done.error());
-  }
-  return document;
+/// Lets the person draw once over the ink of a path.
+Result<Drawn> retrace(const Setup& setup, const std::vector<Point>& path, std::uint64_t trial) {
+  HandTask task{.ink = {ink_along(path)}, .path = path, .trial = trial};
+  if (!setup.is_on) task.options = {{"pencil.retrace_n", "0"}};
+  Holds holds;
+  const Result<HandTaskResult> done = run_task(
+      task, setup.person, setup.device, [&holds](const TickReport& tick) { holds.add(tick); });
+  if (!done) return tl::unexpected(done.error());
+  return drawn_of(done->stats, holds);
 }
 
-/// Lets the person draw on a page what `feed` adds to the machine.
-template <class Feed>
-Result<Drawn> draw(const Setup& setup, Document page, const Feed& feed) {
+/// Lets the person draw the lines of a text on an empty page.
+Result<Drawn> first_lines(const Setup& setup, const std::string& text) {
   ReplaySettings settings = replay_settings(setup.device, setup.person.grip(), true, {}, {});
   settings.person = setup.person;
   Holds holds;
@@ -117,46 +107,18 @@ Result<Drawn> draw(const Setup& setup, Document page, const Feed& feed) {
     holds.add(tick.report);
     return {};
   };
-  ReplayMachine machine(settings, std::move(page), observer);
+  ReplayMachine machine(settings, Document(), observer);
   if (!setup.is_on) {
     if (Result<void> set = machine.set_option("pencil.retrace_n", "0"); !set) {
       return tl::unexpected(set.error());
     }
   }
-  if (Result<void> fed = feed(machine); !fed) return tl::unexpected(fed.error());
-  const ReplayStats stats = machine.take_stats();
-  return Drawn{stats.distance.mean_mm(),
-               static_cast<int>(stats.strokes_meant),
-               holds.count(),
-               holds.mean_n(),
-               holds.max_n(),
-               holds.most_mj()};
-}
-
-/// Lets the person draw once over the ink of a path.
-Result<Drawn> retrace(const Setup& setup, const std::vector<Point>& path, std::uint64_t trial) {
-  Result<Document> page = page_with(path);
-  if (!page) return tl::unexpected(page.error());
-  return draw(setup, *std::move(page), [&](ReplayMachine& machine) -> Result<void> {
-    const Person drawer = on_a_plane(setup.person, machine.expected_friction_n());
-    const RecordedPath plan = plan_movement(drawer, path, trial);
-    machine.begin_stroke();
-    for (const TimedAim& aim : script_hand(std::span(&plan, 1), machine.hand_options())) {
-      const Event event{aim.time_ns, HandEvent{aim.target_mm, aim.pressure}};
-      if (Result<void> added = machine.add(event); !added) return added;
-    }
-    machine.stroke_drawn(path);
-    return machine.play();
-  });
-}
-
-/// Lets the person draw the lines of a text on an empty page.
-Result<Drawn> first_lines(const Setup& setup, const std::string& text) {
-  return draw(setup, Document(), [&](ReplayMachine& machine) -> Result<void> {
-    ScriptRun run(machine, 1.0, 0);
-    if (Result<void> read = run.script("page", "", read_text(text)); !read) return read;
-    return run.play();
-  });
+  ScriptRun run(machine, 1.0, 0);
+  if (Result<void> read = run.script("page", "", read_text(text)); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (Result<void> played = run.play(); !played) return tl::unexpected(played.error());
+  return drawn_of(machine.take_stats(), holds);
 }
 
 /// Adds up what people did: their errors without and with the force, and the largest forces.
