@@ -56,8 +56,8 @@ Page page_of(int trial) {
   };
   page.ink.push_back(line(at(-45.0, 0.0), at(45.0, 0.0), kTarget));
   for (const double mark : {page.from_mm, page.to_mm}) {
-    const double lean = random.between(-4.0, 4.0);
-    page.ink.push_back(line(at(mark - lean, -12.0), at(mark + lean, 12.0), kMark));
+    const double slant = random.between(-4.0, 4.0);
+    page.ink.push_back(line(at(mark - slant, -12.0), at(mark + slant, 12.0), kMark));
   }
   for (const double side : {-1.0, 1.0}) {
     const double away = side * (kRadiusMm + kHalfInkMm + random.between(0.3, 1.2));

@@ -277,7 +277,7 @@ class Page {
     if (done.ok) this.again = null;
     if (done.ok) performance.mark('complete');
     if (done.ok && this.device) core.setDevice(this.device);
-    if (!done.ok && this.waiting.length > 0) this.say(`${this.reason(done)}. ${t('Until you reload the page, only the pencil works.')}`);
+    if (!done.ok && this.waiting.length > 0) this.say(`${this.reason(done).replace(/\.?$/, '.')} ${t('Until you reload the page, only the pencil works.')}`);
     this.do_waiting(core);
     if (done.ok) setTimeout(() => this.warm_up(), kWarmUpMs);
     // What .felt files need is loaded now as well, but used only when one is opened or saved.
@@ -707,7 +707,9 @@ class Page {
 
   say_refused(done) {
     console.info('Feltline: refused:', done.error);
-    this.say(t('This changed nothing: %1', this.reason(done)));
+    // The sentences for codes in other languages are about files, but for that of a limit.
+    const is_about_a_file = current_language() !== 'en' && done.code !== undefined && done.code !== kTooLarge;
+    this.say(t('This changed nothing: %1', is_about_a_file ? t('It is not possible with this drawing.') : this.reason(done)));
   }
 
   samples(samples) {

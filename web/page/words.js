@@ -83,6 +83,7 @@ const own = {
     'Nur ein Teil der Linie ist ausgewählt. Wählen Sie zuerst ganze Linien aus.',
     'Alleen een deel van de lijn is geselecteerd. Selecteer eerst hele lijnen.',
   ],
+  'It is not possible with this drawing.': ['Das geht mit dieser Zeichnung nicht.', 'Dat kan niet met deze tekening.'],
   'This changed nothing: %1': ['Das hat nichts geändert: %1', 'Dit heeft niets gewijzigd: %1'],
   'Your drawing is unchanged.': ['Ihre Zeichnung ist unverändert.', 'Uw tekening is ongewijzigd.'],
   'the browser cannot read it; a folder cannot be opened': [

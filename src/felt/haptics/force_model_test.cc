@@ -7,6 +7,7 @@
 
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/bricks/snap_well.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
@@ -92,6 +93,16 @@ TEST(ForceModel, AnAddedForceIsEvaluatedAfterTheOthers) {
   ForceModel empty;
   EXPECT_TRUE(empty.add(well));
   EXPECT_EQ(empty.slopes(), well.slopes());
+}
+
+TEST(ForceModel, HoldsOneGuideBecauseGuidesShareTheirMemory) {
+  const Guide guide(GuideLaw::groove(1.0), {});
+  ForceModel alone(guide), none{Damping()};
+  ForceModel among{Compose(Damping{}, Compose(guide))};
+  EXPECT_FALSE(alone.add(guide));
+  EXPECT_FALSE(among.add(guide));
+  EXPECT_TRUE(among.add(Damping{})) << "another force";
+  EXPECT_TRUE(none.add(guide));
 }
 
 TEST(ForceModel, TheTermsSumToTheForce) {

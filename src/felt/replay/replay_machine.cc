@@ -75,7 +75,7 @@ ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& 
   if (delay_ticks) can.delay_ticks = *delay_ticks;
   settings.script = script_options_for(settings.device, hand);
   if (!force) {
-    if (device.renders_surface()) settings.script.contact = ContactBy::kPressure;
+    if (!device.has_trigger) settings.script.contact = ContactBy::kPressure;
     can.senses_pressure = true;
   }
   return settings;

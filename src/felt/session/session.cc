@@ -479,7 +479,8 @@ Scene Session::scene() const {
           option_defaults_ < kFirmPushDefaults ? kOldFeltWidthToleranceMm
                                                : Scene::kFeltWidthToleranceMm,
           option_defaults_ >= kFirmPushDefaults,
-          parts_->surface.law()};
+          parts_->surface.law(),
+          !parts_->surface.plane_only()};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {

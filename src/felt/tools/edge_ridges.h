@@ -49,8 +49,7 @@ class EdgeRidges {
   std::optional<std::size_t> active_;  // of edges_
   std::uint32_t active_hold_ = 0;      // GuideTrack::hold() of the active edge
   Guide guide_;
-  // The last value of GuidePiece::hold. Guides of studies and drawings, and Retrace, have smaller
-  // ones.
+  // The last value of GuidePiece::hold (GuideTrack).
   std::uint32_t hold_ = 3U << 30;
 };
 

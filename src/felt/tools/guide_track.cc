@@ -38,12 +38,12 @@ GuideLaw law_of(const GuideLine& line) {
 GuideTrack::GuideTrack(GuideLine line, std::uint32_t number)
     : GuideTrack(line, number, law_of(line)) {}
 
-GuideTrack::GuideTrack(GuideLine line, std::uint32_t number, const GuideLaw& law)
-    : line_(std::move(line)), number_(number), hold_(number), law_(law) {
+GuideTrack::GuideTrack(GuideLine line, std::uint32_t number, const GuideLaw& law, Ends ends)
+    : line_(std::move(line)), number_(number), hold_(number), law_(law), ends_(ends) {
   FELT_CHECK(line_.kind != GuideKind::kNone && check_guide(line_).has_value());
   resample();
   measure_teacher();
-  if (!line_.is_closed) add_ends();
+  if (!line_.is_closed && ends_ == Ends::kContinue) add_ends();
 }
 
 /// Divides the path into equal steps of about kSpacingMm.
@@ -134,7 +134,7 @@ GuideTrack::Place GuideTrack::place(Point pen) const {
 
 /// Returns the share of the force at a position from points_[0]: less than 1 beyond an open end.
 double GuideTrack::end_share(double place_mm) const noexcept {
-  if (line_.is_closed) return 1.0;
+  if (line_.is_closed || ends_ == Ends::kEnd) return 1.0;
   const double added = static_cast<double>(kHalf) * spacing_mm_;
   const double last = static_cast<double>(points_.size() - 1) * spacing_mm_;
   const double beyond = std::max(added - place_mm, place_mm - (last - added));

@@ -16,18 +16,26 @@ namespace felt {
 /// While the pen touches, the position along the path is searched only near the last one, so that a
 /// path that crosses itself does not mislead the pen to another branch. While the pen hovers, and
 /// after it has left the guide, the whole path is searched; that takes at most 40,000 points, about
-/// 40 us. At an open end, the path continues straight on for 10 mm, so that the guide does not hold
-/// the pen at the end; over the first 5 mm of that, its force falls to zero.
+/// 40 us. At an open end, the path continues straight on for 10 mm (Ends::kContinue), so that the
+/// guide does not hold the pen at the end; over the first 5 mm of that, its force falls to zero.
 ///
-/// A deterministic function of the samples. Use it on the edit thread.
+/// A deterministic function of the samples. Use it on the edit thread. The numbers of holds
+/// (GuidePiece::hold) of one session do not overlap: studies begin at 1, GuardRidge at 2^29,
+/// Retrace at 2^30, guides of a drawing at 2^31, EdgeRidges at 3 * 2^30.
 class GuideTrack {
  public:
+  /// Whether an open path continues straight on at its ends, or ends there.
+  enum class Ends { kContinue, kEnd };
+
   /// Requires check_guide(line). `number` is the first value of GuidePiece::hold; it must be
   /// greater than hold() of an earlier guide of the session.
   GuideTrack(GuideLine line, std::uint32_t number);
   /// Makes a track with a force law that does not follow from the kind of the line.
-  GuideTrack(GuideLine line, std::uint32_t number, const GuideLaw& law);
+  GuideTrack(GuideLine line, std::uint32_t number, const GuideLaw& law,
+             Ends ends = Ends::kContinue);
 
+  /// Sets the law, from the next sample on.
+  void set_law(const GuideLaw& law) noexcept { law_ = law; }
   /// For a law of an edge: sets GuidePiece::free_side, from the next sample on.
   void set_free_side(double side) noexcept { free_side_ = side; }
 
@@ -63,6 +71,7 @@ class GuideTrack {
   std::uint32_t number_;
   std::uint32_t hold_;
   GuideLaw law_;
+  Ends ends_;
   double free_side_ = 1.0;
   std::size_t at_ = 0;  // nearest point
   bool is_lost_ = true;

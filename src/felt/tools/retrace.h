@@ -42,8 +42,7 @@ class Retrace {
   /// No hold begins if another line runs beside the pen, between kNearMm and this distance, as in a
   /// hatching, or if the line comes back beside itself, further away than kApartMm, as in a zigzag.
   static constexpr double kBesideMm = 2.0, kApartMm = 0.3;
-  /// The first value of GuidePiece::hold. Guides of studies have smaller ones, those of a drawing
-  /// greater ones.
+  /// The first value of GuidePiece::hold (GuideTrack).
   static constexpr std::uint32_t kFirstHold = 1U << 30;
 
   /// Handles a sample. `is_down` is true from the touch until the lift, also in a bounce. `force_n`

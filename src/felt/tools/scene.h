@@ -55,6 +55,8 @@ struct Scene {
   bool copies_leave_originals = true;
   /// The form of the forces of edits, of transforms and of the attraction of ends.
   LawForm law = LawForm::kFelt;
+  /// False while only the plane of the surface is felt (surface.plane_only).
+  bool feels_tools = true;
 };
 
 /// Returns the medium with this id, or the pencil if no medium has it.

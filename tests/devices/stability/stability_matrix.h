@@ -7,9 +7,10 @@
 
 namespace felt {
 
-/// Returns every trial of every hand (and of a hand that releases the pen) with nine devices,
+/// Returns every trial of every hand (and of a hand that releases the pen) with every
+/// device,
 /// delays of 0, 1 and 2 ticks, 1, 4 and 5 kHz, all surfaces, pencil and eraser. All other media are
-/// tried at 1 kHz with a delay of 1 tick. The trials of guides of a drawing use all nine devices,
+/// tried at 1 kHz with a delay of 1 tick. The trials of guides of a drawing use every device,
 /// paper and a pencil, 1 kHz with 0, 1 and 2 ticks and 5 kHz with 1 tick.
 std::vector<StabilityCell> all_cells();
 

@@ -268,7 +268,10 @@ void Episode::choose_options() {
   if (dice_.chance(0.5) && !tool.options.empty()) {
     for (int k = dice_.pick(1, 4); k > 0; --k) choose_option(tool.id, dice_.any(tool.options));
   }
-  if (dice_.chance(0.05)) choose_option("surface", dice_.any(SurfaceOptions::table()));
+  if (!dice_.chance(0.05)) return;
+  // The literal forces of the paper jump, so they cannot claim their stiffness.
+  const OptionSpec& row = dice_.any(SurfaceOptions::table());
+  if (row.id != "law") choose_option("surface", row);
 }
 
 void Episode::choose_option(std::string_view owner, const OptionSpec& spec) {

@@ -179,7 +179,7 @@ HandScriptOptions script_options_for(const StylusPreset& device,
     options.contact = ContactBy::kPressure;
     return options;
   }
-  if (!device.renders_surface()) options.contact = ContactBy::kTrigger;
+  if (device.has_trigger) options.contact = ContactBy::kTrigger;
   set_surface(options, SurfaceMaterial(), can);
   options.device_mass_kg = device.mechanics.mass_kg;
   options.device_friction_n = device.mechanics.friction_n;

@@ -65,7 +65,7 @@ SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
                                  const std::optional<SimulatedHand>& hand)
     : preset_(preset),
       has_body_(preset.capabilities.has_force()),
-      is_flat_(has_body_ && !preset.renders_surface()),
+      is_flat_(has_body_ && preset.has_trigger),
       parts_(std::make_unique<Parts>(preset)),
       delay_ticks_(static_cast<std::size_t>(
           std::clamp(preset.capabilities.delay_ticks, 0, kMaxDelayTicks))) {

@@ -100,7 +100,8 @@ StylusPreset joystick() noexcept {
       .label = "Joystick with force feedback",
       .source = "axes, delay: docs/devices/joysticks.md; forces, steps, mass, friction: estimate",
       .mechanics = {.mass_kg = 0.15, .friction_n = 0.2, .viscous_n_s_per_m = 0.5},
-      .capabilities = of_joystick()};
+      .capabilities = of_joystick(),
+      .has_trigger = true};
 }
 
 StylusPreset vibrating_mouse() noexcept {

@@ -50,6 +50,8 @@ struct StylusPreset {
   /// loop must not have a shorter period, because its limits would be too high (R56).
   std::int64_t force_hold_ns = 0;
   bool plays_cues = false;  ///< a CueLaw decides how it vibrates
+  /// The grip moves along the page only, and the pressure of a trigger sets the height of the pen.
+  bool has_trigger = false;
 
   /// Returns true if the device can push the pen out of the page, so that a surface can be felt.
   /// The forces of a joystick act along the page only, and a button says whether its pen is down.

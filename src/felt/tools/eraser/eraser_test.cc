@@ -551,6 +551,20 @@ TEST(Eraser, R72_AFastPenErasesTheLinesThatItPassesBetweenSamples) {
   EXPECT_FALSE(e.fixture.document.find(other));
 }
 
+TEST(Eraser, R72_TheModeOfTheTouchGuardsUntilTheLift) {
+  for (const bool presses : {true, false}) {  // the first modifier, in the middle of the gesture
+    Eraser e;
+    e.fixture.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+    const StrokeId other = e.fixture.add(straight_stroke({30, -20}, {30, 20}, 1, 1));
+    e.at({10, 0}, -1.0, presses ? 0 : kFirstModifier);
+    for (double x = 10.0; x <= (presses ? 28.0 : 40.0); x += 0.2) {
+      e.at({x, 0}, -1.0, presses ? kFirstModifier : 0);
+    }
+    for (int i = 0; i < 100; ++i) e.at({presses ? 28.0 : 40.0, 0}, 5.0, 0);
+    EXPECT_EQ(e.fixture.document.find(other) != nullptr, presses);
+  }
+}
+
 TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
   Fixture fixture;
   double worst = 0.0;

@@ -70,27 +70,23 @@ ToolResult EraserTool::hover(const PenSample& sample, const Scene& scene) {
 ToolResult EraserTool::begin(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
   aim_.clear();
-  erasing_.emplace(settings_, mode_of(sample), &guard_);
+  mode_ = mode_of(sample);
+  erasing_.emplace(settings_, mode_, &guard_);
   erases_whole_ = false;
   touch_ns_ = sample.time_ns;
-  update_guard(sample, scene);
+  guard_.update(sample, mode_, settings_, scene);
   return preview(erasing_->begin(*pen_, sample.time_ns, scene), scene);
 }
 
 ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
   pen_ = on_page(sample.position);
-  update_guard(sample, scene);
+  const bool presses = !erases_whole_ && presses_through(sample, scene);
+  if (presses) mode_ = EraserMode::kStroke;
+  erases_whole_ = erases_whole_ || presses;
+  guard_.update(sample, mode_, settings_, scene);
   bool changed = erasing_->move(*pen_, sample.time_ns, scene);
-  if (!erases_whole_ && presses_through(sample, scene)) {
-    erases_whole_ = true;
-    changed |= erasing_->press_through(sample.time_ns, scene);
-  }
+  if (presses) changed |= erasing_->press_through(sample.time_ns, scene);
   return preview(changed, scene);
-}
-
-void EraserTool::update_guard(const PenSample& sample, const Scene& scene) {
-  const EraserMode mode = erases_whole_ ? EraserMode::kStroke : mode_of(sample);
-  guard_.update(on_page(sample.position), mode, settings_, scene);
 }
 
 ToolResult EraserTool::end(const Scene& scene) {

@@ -34,12 +34,12 @@ class EraserTool final : public GestureTool {
   [[nodiscard]] EraserMode mode_of(const PenSample& sample) const noexcept;
   /// Returns true if the pen is pressed so hard that whole lines are erased.
   [[nodiscard]] bool presses_through(const PenSample& sample, const Scene& scene) const noexcept;
-  void update_guard(const PenSample& sample, const Scene& scene);
   [[nodiscard]] ToolResult preview(bool changed, const Scene& scene) const;
 
   EraserSettings settings_;
   std::optional<EraserGesture> erasing_;
-  bool erases_whole_ = false;  // the pen was pressed through in this gesture
+  EraserMode mode_ = EraserMode::kTouched;  // of this gesture
+  bool erases_whole_ = false;               // the pen was pressed through in this gesture
   std::int64_t touch_ns_ = 0;
   EraserAim aim_;
   GuardRidge guard_;

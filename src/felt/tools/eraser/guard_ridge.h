@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "felt/haptics/bricks/guide.h"
 #include "felt/haptics/capabilities.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/tools/eraser/eraser_options.h"
+#include "felt/tools/guide_track.h"
 #include "felt/tools/overlay.h"
 #include "felt/tools/scene.h"
 
@@ -19,32 +22,35 @@ namespace felt {
 /// clearing an area, and nothing is guarded until the next gesture. Only a device with forces has
 /// guarded lines.
 ///
-///   guard.update(pen, mode, settings, scene);  // every sample of a gesture
-///   guard.is_guarded(id)                       // whether that line keeps its ink
-///   guard.force()                              // the force near the last sample, or null
-///   guard.end();                               // at the end of the gesture
+///   guard.update(sample, mode, settings, scene);  // every sample of a gesture
+///   guard.is_guarded(id)                          // whether that line keeps its ink
+///   guard.force()                                 // the force near the last sample, or null
+///   guard.end();                                  // at the end of the gesture
 ///
 /// A deterministic function of its calls. Use it on the edit thread. An update takes time in
-/// proportion to the segments near the eraser; another line near it takes time linear in its
-/// length, once.
+/// proportion to the segments near the eraser, of which there are at most kMaxSegments. When
+/// another line becomes the nearest one, it takes time linear in the length of that line. A very
+/// long line pushes only along the part that stroke_path() returns.
 class GuardRidge {
  public:
   /// The force begins at this distance between the eraser and a line, and is largest when they
   /// touch ...
   static constexpr double kBeforeMm = 1.2;
-  /// ... until the eraser covers this much of it; further on the line has been passed.
-  static constexpr double kPassedMm = 1.5;
+  /// ... until the eraser covers this much of it, or kPassedShare of the way to its centre line if
+  /// that is less; further on the line has been passed.
+  static constexpr double kPassedMm = 1.5, kPassedShare = 0.5;
   static constexpr int kMaxPassed = 2;
-  /// An eraser with a larger radius is for areas, so nothing pushes it.
+  /// An eraser with a larger radius, or in denser ink, is for areas, so nothing is guarded.
   static constexpr double kMaxRadiusMm = 10.0;
+  static constexpr std::size_t kMaxSegments = 1'000;
   /// Another line must be nearer by this much before it pushes instead.
   static constexpr double kSwitchMm = 0.3;
-  /// The first value of GuidePiece::hold. Guides of studies have smaller ones, Retrace greater
-  /// ones.
+  /// The first value of GuidePiece::hold (GuideTrack).
   static constexpr std::uint32_t kFirstHold = 1U << 29;
 
-  /// Handles a sample of a gesture.
-  void update(Point pen, EraserMode mode, const EraserSettings& settings, const Scene& scene);
+  /// Handles a sample of a gesture. `mode` is the mode in which the gesture erases now.
+  void update(const PenSample& sample, EraserMode mode, const EraserSettings& settings,
+              const Scene& scene);
   /// Ends the gesture.
   void end() noexcept;
 
@@ -54,14 +60,13 @@ class GuardRidge {
     return is_active_ && mode_ != EraserMode::kCrossing && !is_meant(id);
   }
   /// Returns the force near the last sample, or null if no line pushes the pen.
-  [[nodiscard]] const Guide* force() const noexcept { return line_ ? &guide_ : nullptr; }
+  [[nodiscard]] const Guide* force() const noexcept { return track_ ? &track_->guide() : nullptr; }
   /// Returns a number that is different each time that a line begins to push the pen.
-  [[nodiscard]] std::uint32_t number() const noexcept { return hold_; }
+  [[nodiscard]] std::uint32_t number() const noexcept { return track_ ? track_->number() : hold_; }
   /// Returns the line that pushes the pen, or nullopt.
   [[nodiscard]] std::optional<StrokeId> line() const noexcept {
-    return line_ ? std::optional(line_->id) : std::nullopt;
+    return track_ ? std::optional(id_) : std::nullopt;
   }
-
   /// Adds the line that pushes the pen.
   void draw(Overlay& overlay) const;
 
@@ -70,39 +75,43 @@ class GuardRidge {
   static GuideLaw law(double touch_mm, double force_n, const Capabilities& device) noexcept;
 
  private:
-  struct Near {
-    StrokeId id;
-    double gap_mm = 0.0;  ///< between the eraser and the line; negative if it covers a part
-    double touch_mm = 0.0;
-  };
-  /// The line that pushes the pen, as points at equal distances.
-  struct Line {
+  /// A part of a line near the path of the pen.
+  struct Part {
     StrokeId id;
     StrokePtr stroke;
-    std::vector<Point> points;
-    double spacing_mm = 0.0;
-    bool is_closed = false;
+    int segment = 0;
+  };
+  struct Near {
+    StrokeId id;
+    StrokePtr stroke;
+    double gap_mm = 0.0;    ///< between the eraser and the line; negative if it covers a part
+    double touch_mm = 0.0;  ///< distance from the centre line at which they touch
   };
 
-  [[nodiscard]] std::vector<Near> lines_near(Point pen, const EraserSettings& settings,
-                                             const Scene& scene) const;
-  void pass(const std::vector<Near>& near);
+  [[nodiscard]] bool collect(Point from, Point to, const EraserSettings& settings,
+                             const Scene& scene);
+  void look(Point pen, const EraserSettings& settings);
+  void pass();
   [[nodiscard]] bool is_meant(StrokeId id) const noexcept;
-  void follow(const std::vector<Near>& near, const Scene& scene);
-  [[nodiscard]] GuidePiece piece_at(Point pen) const noexcept;
-
-  // Longest distance between two positions of the pen at which lines may be passed.
-  static constexpr double kStepMm = 0.5;
-  static constexpr int kMaxSteps = 100;
+  [[nodiscard]] bool erases_by_path() const noexcept {
+    // After the touch, this mode acts on the lines that the path of the pen crosses.
+    return mode_ == EraserMode::kCrossing && !meant_.empty();
+  }
+  [[nodiscard]] const Near* choose() const noexcept;
+  void push(const Near& line, const PenSample& sample, double force_n, const Capabilities& device);
+  void let_go() noexcept;
 
   EraserMode mode_ = EraserMode::kTouched;
   std::vector<StrokeId> meant_;  // ascending
   int passed_ = 0;
   bool is_active_ = false;    // lines other than meant_ are guarded
   std::optional<Point> pen_;  // at the last sample of this gesture
-  std::optional<Line> line_;
-  Guide guide_;
-  std::uint32_t hold_ = kFirstHold;
+  std::vector<Part> parts_;   // near the path of the pen since the last sample
+  std::vector<Near> near_;    // lines near the pen, by ascending id
+  StrokeId id_;               // the line that pushes the pen,
+  StrokePtr stroke_;
+  std::optional<GuideTrack> track_;  // and its force
+  std::uint32_t hold_ = kFirstHold;  // last number
 };
 
 }  // namespace felt

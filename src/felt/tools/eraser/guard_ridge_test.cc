@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "felt/base/constants.h"
+#include "felt/geometry/polyline.h"
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/testing/feel_rig.h"
 #include "felt/tools/eraser/eraser_force.h"
@@ -38,6 +39,7 @@ class Page {
     max_n = work_mj = 0.0;
     sample(at);
   }
+  [[nodiscard]] Point at() const noexcept { return at_; }
   void rest(int ms) {
     for (int i = 0; i < ms; ++i) sample(at_);
   }
@@ -47,7 +49,8 @@ class Page {
   EraserMode mode = EraserMode::kTouched;
   GuardRidge guard;
   Force force;
-  double max_n = 0.0, work_mj = 0.0;  ///< of the force on the hand
+  double max_n = 0.0, max_step_n = 0.0;  ///< size of the force, and its change in a millisecond
+  double work_mj = 0.0, hold_mj = 0.0, max_hold_mj = 0.0;  ///< on the hand
 
  private:
   void sample(Point to) {
@@ -57,15 +60,22 @@ class Page {
     pen.time_ns = time_ns_ += kMs;
     pen.position = {to.x, to.y, -0.5};
     pen.velocity = {1000.0 * moved.x, 1000.0 * moved.y, 0.0};
-    guard.update(to, mode, settings, fixture.scene());
+    guard.update(pen, mode, settings, fixture.scene());
     memory_.begin_tick(0.001);
+    const Force before = force;
     force = guard.force() ? (*guard.force())(pen, memory_) : Force{};
+    max_step_n = std::max(max_step_n, norm(force - before));
     max_n = std::max(max_n, norm(force));
-    work_mj += force.x * moved.x + force.y * moved.y;
+    const double work = force.x * moved.x + force.y * moved.y;
+    work_mj += work;
+    hold_mj = guard.line() && guard.number() == hold_ ? hold_mj + work : work;
+    hold_ = guard.number();
+    max_hold_mj = std::max(max_hold_mj, hold_mj);
   }
 
   ForceMemory memory_;
   std::int64_t time_ns_ = 0;
+  std::uint32_t hold_ = 0;
   Point at_;
 };
 
@@ -144,7 +154,7 @@ TEST(GuardRidge, R72_ShortLinesDotsAndClosedLinesPushFromAllSides) {
     page.fixture.add(other);
     page.touch({10, 0});
     page.move({30, 0});
-    page.move({30, 1.4});
+    page.move({30, 1.6});
     page.rest(100);
     EXPECT_LT(page.force.y, -0.2);
     EXPECT_TRUE(std::isfinite(norm(page.force)));
@@ -181,22 +191,51 @@ TEST(GuardRidge, R72_NothingPushesWithoutTheOptionWithoutForcesOrWithALargeErase
   }
 }
 
-RC_GTEST_PROP(GuardRidge, R72_TheForceIsBoundedAndPointsAwayFromTheInk, ()) {
+TEST(GuardRidge, R72_TheForceDoesNotLeapBetweenTwoPartsOfALine) {
+  for (const double apart : {4.0, 6.0}) {
+    Page page;
+    page.fixture.add(straight_stroke({-20, 30}, {60, 30}, 1, 1));
+    page.fixture.add(polyline_stroke({{0, 0}, {0, -40}, {apart, -40}, {apart, 0}}));
+    page.touch({-10, 30});
+    page.move({0.5 * apart, 6});
+    page.max_step_n = 0.0;
+    page.move({0.5 * apart, 4});
+    for (int i = 0; i < 8; ++i) {
+      page.move({0.5 * apart + (i % 2 == 0 ? 0.4 : -0.4), 3.0 - 0.1 * i}, 10.0);
+    }
+    EXPECT_LT(page.max_step_n, 0.03) << apart;
+  }
+}
+
+RC_GTEST_PROP(GuardRidge, R72_TheForceIsBoundedAndPointsAwayFromTheLine, ()) {
   const auto mm = [](int low, int high) { return 0.1 * *rc::gen::inRange(10 * low, 10 * high); };
   Page page;
   page.settings.radius_mm = mm(1, 5);
   page.fixture.add(straight_stroke({-50, 0}, {50, 0}, 1, 1));
-  const int count = *rc::gen::inRange(1, 8);
-  for (int i = 0; i < count; ++i) {
-    const Point a{mm(-40, 40), mm(-10, 10)}, b{mm(-40, 40), mm(-10, 10)};
-    if (distance(a, b) > 0.5) page.fixture.add(straight_stroke(a, b, 1, 1));
-  }
+  const Point a{mm(-20, 20), -30}, b{mm(-20, 20), 30};
+  page.fixture.add(straight_stroke(a, b, 1, 1));
   page.touch({-50, 0});
   for (int i = 0; i < 6; ++i) {
-    page.move({mm(-50, 50), mm(-4, 4)}, mm(10, 200));
+    page.move({mm(-50, 50), mm(-2, 2)}, mm(10, 200));
     RC_ASSERT(page.max_n <= kForceN + 1e-9);
-    RC_ASSERT(std::isfinite(page.work_mj));
+    const Vec away = page.at() - nearest_on_line(a, b, page.at()).point;
+    page.rest(1);  // without damping
+    RC_ASSERT(dot(Vec{page.force.x, page.force.y}, away) >= -1e-9);
+    // The ridge is 0.25 N high, 1.5 mm long and has a rim of 1.2 mm; damping takes energy.
+    RC_ASSERT(page.max_hold_mj <= 0.55);
   }
+}
+
+RC_GTEST_PROP(GuardRidge, R72_ALineThatThePenCrossesIsPassedAtEverySpeedAndRadius, ()) {
+  const auto mm = [](int low, int high) { return 0.01 * *rc::gen::inRange(100 * low, 100 * high); };
+  Page page;
+  page.settings.radius_mm = *rc::gen::elementOf(std::vector<double>{0.2, 0.5, 1.0, 2.0, 5.0, 10.0});
+  page.fixture.add(straight_stroke({-60, 0}, {60, 0}, 0.1, 0.1));
+  const double x = mm(-10, 10);
+  const StrokeId other = page.fixture.add(straight_stroke({x, -30}, {x, 30}, 0.1, 0.1));
+  page.touch({-40, 0});
+  page.move({40, 0}, *rc::gen::elementOf(std::vector<double>{50.0, 400.0, 5'000.0, 80'000.0}));
+  RC_ASSERT(!page.guard.is_guarded(other));
 }
 
 TEST(GuardRidge, R72_IsCalmWithEveryGripAndDelay) {
@@ -213,13 +252,13 @@ TEST(GuardRidge, R72_IsCalmWithEveryGripAndDelay) {
       rig::Bench bench(setup, make_eraser_force(settings, page.fixture.scene(), page.guard),
                        {-4, 0, 1});
       const double aim_z = rig::aim_z_mm(setup.hand, 1.0, 500.0);
-      // The hand leans on the ridge with about half of its force.
-      const double lean_mm = 500.0 * kForceN / setup.hand.stiffness_n_per_m;
+      // The hand presses against the ridge with about half of its force.
+      const double press_mm = 500.0 * kForceN / setup.hand.stiffness_n_per_m;
       bench.run(1.0, [&](double t) -> Vec3 {
-        return {-4.0 + std::min(1.0, t / 0.8) * (1.0 + lean_mm), 0.0, aim_z};
+        return {-4.0 + std::min(1.0, t / 0.8) * (1.0 + press_mm), 0.0, aim_z};
       });
       bench.begin_measuring();
-      bench.run(1.0, [&](double) -> Vec3 { return {-3.0 + lean_mm, 0.0, aim_z}; });
+      bench.run(1.0, [&](double) -> Vec3 { return {-3.0 + press_mm, 0.0, aim_z}; });
       EXPECT_LT(bench.figures().hf_n, 0.03) << setup.name();
     });
   }
