@@ -38,7 +38,7 @@ class GuardRidge {
   static constexpr double kBeforeMm = 1.2;
   /// ... until the eraser covers this much of it, or kPassedShare of the way to its centre line if
   /// that is less; further on the line has been passed.
-  static constexpr double kPassedMm = 1.5, kPassedShare = 0.5;
+  static constexpr double kPassedMm = 1.5, kPassedShare = 0.6;
   static constexpr int kMaxPassed = 2;
   /// An eraser with a larger radius, or in denser ink, is for areas, so nothing is guarded.
   static constexpr double kMaxRadiusMm = 10.0;
