@@ -70,9 +70,12 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
 
 /// Returns whether the list of devices contains the preset. Of the presets without forces, only the
 /// tablet's is listed, because users who draw with mouse and tablet do not want to choose, and a
-/// pen without pressure draws the same with either preset.
+/// pen without pressure draws the same with either preset. A very heavy stylus is not listed,
+/// because a quick press of the mouse would end before its pen has come down, and leave no ink.
 bool is_offered(const StylusPreset& preset) {
-  return preset.capabilities.has_force() || preset.name == kTablet;
+  constexpr double kHeavyKg = 1.0;
+  const bool is_light = preset.mechanics.mass_kg < kHeavyKg;
+  return (preset.capabilities.has_force() && is_light) || preset.name == kTablet;
 }
 
 Result<std::unique_ptr<PenDevice>> open_simulated(const PenDeviceInfo& info, StylusPreset preset) {
@@ -153,7 +156,8 @@ std::vector<PenDeviceInfo> pen_devices() {
     for (PenDeviceInfo& info : added.driver.find()) devices.push_back(std::move(info));
   }
   for (const StylusPreset& preset : stylus_presets()) {
-    if (preset.capabilities.has_force()) devices.push_back(info_of(preset));
+    const bool is_listed = is_offered(preset) && preset.name != kTablet;  // the tablet is the first
+    if (is_listed) devices.push_back(info_of(preset));
   }
   // The device that is the worst case for forces is listed last, because nobody should choose it
   // first.
