@@ -192,7 +192,7 @@ Result<Erased> erase_all(const Person& person, const StylusPreset& device, bool 
   Erased sum;
   constexpr double kShare = 1.0 / kTrials;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const Result<Erased> one = erase(person, device, is_on, trial);
+    Result<Erased> one = erase(person, device, is_on, trial);
     if (!one) return one;
     sum.extra_mm += kShare * one->extra_mm;
     sum.wrong += kShare * one->wrong;

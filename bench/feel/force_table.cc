@@ -78,7 +78,7 @@ Result<double> study_error(const Fixture& fixture, const StudyFiles& files, std:
 Result<double> mean_of(const std::function<Result<double>(int trial)>& task) {
   double sum = 0.0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const Result<double> one = task(trial);
+    Result<double> one = task(trial);
     if (!one) return one;
     sum += *one;
   }

@@ -18,7 +18,7 @@ struct Pulled {
 };
 
 /// Levels of pull.strength: the plane of the surface alone, and the default.
-inline constexpr std::string_view kPlaneOnlyPull = "", kDefaultPull = "1";
+inline constexpr std::string_view kPlaneOnlyPull, kDefaultPull = "1";
 
 /// Lets people pull a line to 12 goals and rest there. Returns the means.
 Result<Pulled> pull_lines(const StylusPreset& device, const std::vector<Person>& people,
