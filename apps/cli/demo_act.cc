@@ -165,4 +165,9 @@ void DemoAct::gesture(const std::vector<Point>& via, double mm_per_s, double dep
   lift();
 }
 
+std::vector<Point> loop_around_cats_head() {
+  return {{30, 8},    {60, 4},  {92, 6},  {96, 40}, {92, 60}, {76, 64},
+          {59, 62.4}, {42, 64}, {24, 62}, {24, 40}, {29, 10}};
+}
+
 }  // namespace felt

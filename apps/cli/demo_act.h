@@ -67,4 +67,7 @@ class DemoAct {
   double shake_hz_ = 0.0;
 };
 
+/// Returns a loop around the head of the cat of share/samples.
+std::vector<Point> loop_around_cats_head();
+
 }  // namespace felt

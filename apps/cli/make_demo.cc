@@ -194,18 +194,7 @@ std::string transform_act() {
   DemoAct act;
   act.tool("lasso");
   act.set("lasso.take", std::string("parts"));
-  act.gesture({{30, 8},
-               {60, 4},
-               {92, 6},
-               {96, 40},
-               {92, 60},
-               {76, 64},
-               {59, 62.4},
-               {42, 64},
-               {24, 62},
-               {24, 40},
-               {29, 10}},
-              130.0);
+  act.gesture(loop_around_cats_head(), 130.0);
   act.tool("transform");
   act.set("transform.mode", std::string("rotate"));
   act.gesture({{80, 30}, {81.6, 33.5}, {82.4, 37.5}}, 18.0);
