@@ -144,8 +144,6 @@ struct RestyleEvent {
 /// recording leaves out options that have their default. old_defaults.h lists those of
 /// earlier versions.
 inline constexpr int kOptionDefaults = 9;
-/// Since this version, a pen that bounces while it lands draws one line (Contact::set_landing).
-inline constexpr int kLandingDefaults = 4;
 /// Before this version, a layer event that left no open layer added one. Since then, the first ink
 /// adds it.
 inline constexpr int kLateLayerDefaults = 5;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "felt/session/event.h"
+#include "felt/tools/contact.h"
 
 namespace felt {
 
@@ -29,6 +31,13 @@ inline std::vector<SetOption> old_defaults(int version) {
   if (version <= 7) old.push_back({"pencil.retrace_n", 0.0});
   if (version <= 8) old.push_back({"eraser.guard_n", 0.0});
   return old;
+}
+
+/// Returns the time on the surface after which a pen had landed (Contact::set_landed_ns) in this
+/// version of the defaults.
+inline std::int64_t landed_ns(int version) noexcept {
+  if (version < 4) return 0;
+  return version < 9 ? 120'000'000 : Contact::kLandedNs;
 }
 
 }  // namespace felt

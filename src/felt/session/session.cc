@@ -303,7 +303,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
 
 Result<void> Session::use_defaults(int version) {
   if (std::exchange(option_defaults_, version) == version) return {};
-  parts_->contact.set_landing(version >= kLandingDefaults);
+  parts_->contact.set_landed_ns(landed_ns(version));
   if (version < kLateLayerDefaults) add_first_open_layer();
   for (const SetOption& old : old_defaults(version)) {
     const auto [owner, name] = split_id(old.id);

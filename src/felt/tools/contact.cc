@@ -19,9 +19,9 @@ double ns_between(std::int64_t from_ns, std::int64_t to_ns) noexcept {
 }  // namespace
 
 void Contact::reset() noexcept {
-  const bool has_landing = has_landing_;
+  const std::int64_t landed_ns = landed_ns_;
   *this = {};
-  has_landing_ = has_landing;
+  landed_ns_ = landed_ns;
 }
 
 Contact::Change Contact::update(const PenSample& sample) noexcept {
@@ -47,11 +47,11 @@ Contact::Change Contact::update(const PenSample& sample) noexcept {
 Contact::Change Contact::touch(const PenSample& sample) noexcept {
   const Phase before = std::exchange(phase_, Phase::kDown);
   if (before == Phase::kAir) {
-    lands_ = has_landing_ && !sample.pressure && fall_mm_per_s_ >= kMinLandingMmPerS &&
+    lands_ = landed_ns_ > 0 && !sample.pressure && fall_mm_per_s_ >= kMinLandingMmPerS &&
              fall_mm_per_s_ <= kMaxLandingMmPerS;
   }
   if (before != Phase::kDown) down_since_ns_ = sample.time_ns;
-  if (ns_between(down_since_ns_, sample.time_ns) >= static_cast<double>(kLandedNs)) lands_ = false;
+  if (ns_between(down_since_ns_, sample.time_ns) >= static_cast<double>(landed_ns_)) lands_ = false;
   if (before == Phase::kAir) return Change::kTouched;
   return before == Phase::kGap ? Change::kBack : Change::kDown;
 }

@@ -41,7 +41,7 @@ class Contact {
   static constexpr double kLiftMm = 0.5;
   static constexpr std::int64_t kLiftNs = 25'000'000;
   static constexpr int kMaxGapSamples = 256;
-  static constexpr std::int64_t kLandedNs = 120'000'000;
+  static constexpr std::int64_t kLandedNs = 200'000'000;
   static constexpr double kBounceMm = 2.5;
   static constexpr std::int64_t kBounceNs = 350'000'000;
   static constexpr double kLowBounceMm = 0.7;
@@ -61,9 +61,9 @@ class Contact {
     kLifted,   ///< the contact ended at the first sample of the gap
   };
 
-  /// Switches the rule for landing pens off or on (default). Recordings of earlier versions need it
-  /// off to draw the same strokes.
-  void set_landing(bool on) noexcept { has_landing_ = on; }
+  /// Sets the time on the surface after which a pen has landed (kLandedNs); 0 switches the rule for
+  /// landing pens off. Recordings of earlier versions need their own time to draw the same strokes.
+  void set_landed_ns(std::int64_t landed_ns) noexcept { landed_ns_ = landed_ns; }
   /// Forgets all samples: the pen is above the surface.
   void reset() noexcept;
 
@@ -86,7 +86,7 @@ class Contact {
   Phase phase_ = Phase::kAir;
   VelocityFilter speed_{kSpeedHz};
   std::int64_t last_ns_ = 0;
-  bool has_landing_ = true;
+  std::int64_t landed_ns_ = kLandedNs;
   bool lands_ = false;             // the pen may still bounce
   double fall_mm_per_s_ = 0.0;     // downwards, at the last sample in the air
   double leaving_mm_per_s_ = 0.0;  // upwards, at the first sample of the gap
