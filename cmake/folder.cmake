@@ -11,7 +11,7 @@
 #   make_*.cc    separate programs, which the caller declares
 #
 #   FLAT               excludes the folders below PATH, which are declared separately
-#   APART              not part of the umbrella target feltline::feltline, because of its licence
+#   APART              not part of the umbrella target feltline::feltline, because of its licence or of what it needs
 #   QT                 a folder of the desktop program: not installed, linked with Qt
 #   SOURCES            generated sources
 #   DEPENDS            folders to link besides those of tests/checks/layers/rules.txt
@@ -72,8 +72,8 @@ function(felt_folder path)
     # packaging.cmake generates the package files from these lists.
     if(NOT ARG_APART)
       set_property(GLOBAL APPEND PROPERTY FELT_LAYERS ${name})
+      set_property(GLOBAL APPEND PROPERTY FELT_LIBRARIES ${ARG_LIBRARIES} ${ARG_PRIVATE_LIBRARIES})
     endif()
-    set_property(GLOBAL APPEND PROPERTY FELT_LIBRARIES ${ARG_LIBRARIES} ${ARG_PRIVATE_LIBRARIES})
     # With those of the folders that it links.
     set(libraries ${ARG_LIBRARIES} ${ARG_PRIVATE_LIBRARIES})
     foreach(folder IN LISTS ARG_DEPENDS)

@@ -22,6 +22,13 @@ set(FELT_FIND_PkgConfig::AGG
 set(FELT_FIND_PkgConfig::LIBZIP
     "find_dependency(PkgConfig)\npkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)")
 
+set(FELT_FIND_OpenCV::imgproc "find_library(FELT_OPENCV_IMGPROC opencv_imgproc REQUIRED)
+find_library(FELT_OPENCV_CORE opencv_core REQUIRED)
+if(NOT TARGET OpenCV::imgproc)
+  add_library(OpenCV::imgproc INTERFACE IMPORTED)
+  target_link_libraries(OpenCV::imgproc INTERFACE \${FELT_OPENCV_IMGPROC} \${FELT_OPENCV_CORE})
+endif()")
+
 # Maps the same target to its name in pkg-config. A name that starts with '-' is a linker flag. "" means
 # that nothing must be linked, because the library is header-only.
 set(FELT_PC_tl::expected "")
@@ -34,6 +41,7 @@ set(FELT_PC_nlohmann_json::nlohmann_json "")
 set(FELT_PC_SQLite::SQLite3 "sqlite3")
 set(FELT_PC_Threads::Threads "-pthread")
 set(FELT_PC_ZLIB::ZLIB "zlib")
+set(FELT_PC_OpenCV::imgproc "-lopencv_imgproc -lopencv_core")
 set(FELT_PC_PkgConfig::AGG "libagg")
 set(FELT_PC_PkgConfig::LIBZIP "libzip")
 

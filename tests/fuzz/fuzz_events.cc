@@ -105,6 +105,14 @@ struct CheckWhat {
   void operator()(const UseGuide& e) const { FELT_CHECK(check_guide(e.line).has_value()); }
   void operator()(const UseEdges& e) const {
     FELT_CHECK(e.page == Rect{} || !e.page.empty());
+    FELT_CHECK(e.contours.size() <= UseEdges::kMaxContours);
+    for (const auto& contour : e.contours) {
+      FELT_CHECK(contour.size() <= UseEdges::kMaxContourPoints);
+      for (const Point& p : contour) {
+        check_number(p.x);
+        check_number(p.y);
+      }
+    }
     if (e.page.empty()) return;
     for (const double mm : {e.page.x0, e.page.y0, e.page.x1, e.page.y1}) check_number(mm);
   }

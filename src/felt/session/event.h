@@ -189,12 +189,17 @@ struct ChooseOffer {
   friend bool operator==(const ChooseOffer&, const ChooseOffer&) = default;
 };
 
-/// Chooses the edges that are felt as soft ridges: those of the page, and those of the box around
-/// the selection. At first neither is. Forces change, but the ink depends only on the pen samples.
-/// {"event":"edges","page":[0,0,210,297],"selection":true}
+/// Chooses the edges that are felt: as soft ridges those of the page and of the box around the
+/// selection, and as soft grooves the contours of pictures (find_contours). At first none is.
+/// Forces change, but the ink depends only on the pen samples.
+/// {"event":"edges","page":[0,0,210,297],"selection":true,"contours":[[[10,20],[30,20]]]}
 struct UseEdges {
+  static constexpr std::size_t kMaxContours = 1'000, kMaxContourPoints = 20'000;
+
   Rect page = {};  ///< x0, y0, x1, y1 in mm; an empty one is not felt
   bool selection = false;
+  /// Polylines on the page, mm. The last point of a closed one is its first.
+  std::vector<std::vector<Point>> contours = {};
   friend bool operator==(const UseEdges&, const UseEdges&) = default;
 };
 

@@ -52,13 +52,14 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   return {id.substr(0, dot), id.substr(dot + 1)};
 }
 
-/// A guide of a study has priority over those of the drawing, and these over a line that is drawn
-/// over.
+/// A guide of a study has priority over those of the drawing, these over a line that is drawn over,
+/// and this over a contour of a picture.
 ActiveGuide active_guide(const GuideTrack* study, const StrokeGuide& drawing,
-                         const Retrace& retrace) noexcept {
+                         const Retrace& retrace, const Retrace& contours) noexcept {
   if (study) return {&study->guide(), study->number()};
   if (drawing.force()) return {drawing.force(), drawing.number(), drawing.is_near()};
   if (retrace.force()) return {retrace.force(), retrace.number(), true};
+  if (contours.force()) return {contours.force(), contours.number(), true};
   return {};
 }
 
@@ -247,6 +248,7 @@ Result<void> Session::finish() {
   ink_layer_step_.reset();
   stroke_guide_->stop();
   parts_->retrace.stop();
+  parts_->contour_hold.stop();
   // The next touch begins a new gesture. If the pen is down, or had to be lifted before, it must be
   // lifted first.
   const bool was_down = std::exchange(pen_is_down_, false);
@@ -413,18 +415,6 @@ void Session::draw(Overlay& overlay) const {
   draw_ring(overlay);
 }
 
-void Session::follow_guides(const PenSample& sample) {
-  const bool draws = tool().info().kind == ToolKind::kDraws && !parts_->guide;
-  if (!draws) stroke_guide_->stop();
-  stroke_guide_->update(sample, parts_->contact.is_down(),
-                        draws ? std::span<const DrawingGuidePtr>(parts_->visible_guides)
-                              : std::span<const DrawingGuidePtr>(),
-                        seen(), guide_spring_for(options_.device));
-  const bool is_guided = parts_->guide || stroke_guide_->force();
-  const double retrace_n = options_.device.has_force() && !is_guided ? tool().retrace_n() : 0.0;
-  parts_->retrace.update(sample, parts_->contact.is_down(), scene(), retrace_n);
-}
-
 std::vector<std::string> Session::option_ids() const {
   std::vector<std::string> ids;
   const auto add = [&ids](std::string_view owner, std::span<const OptionSpec> table) {
@@ -472,7 +462,8 @@ Scene Session::scene() const {
           options_.device,
           ink_color(),
           options_.materials,
-          active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_, parts_->retrace),
+          active_guide(parts_->guide ? &*parts_->guide : nullptr, *stroke_guide_, parts_->retrace,
+                       parts_->contour_hold),
           parts_->ink_medium,
           size ? size->mm : Scene::kUsualInkWidthMm,
           parts_->visible_guides,

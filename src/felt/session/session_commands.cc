@@ -55,6 +55,7 @@ void Session::cancel() {
   ink_layer_step_.reset();
   stroke_guide_->stop();
   parts_->retrace.stop();
+  parts_->contour_hold.stop();
   show({});
   gesture_is_open_ = false;
 }

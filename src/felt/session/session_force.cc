@@ -13,6 +13,20 @@
 #include "felt/tools/feel_id.h"
 
 namespace felt {
+namespace {
+
+// The force of a contour of a picture: 0.15 N at the default of pencil.retrace_n.
+constexpr double kContourShare = 1.5;
+
+Result<void> check_count(const std::vector<std::vector<Point>>& contours) {
+  std::size_t points = 0;
+  for (const auto& contour : contours) points += contour.size();
+  if (contours.size() <= UseEdges::kMaxContours && points <= UseEdges::kMaxContourPoints) return {};
+  return fail(ErrorCode::kLimitExceeded,
+              "contours: are more than 1000, or have more than 20000 points");
+}
+
+}  // namespace
 
 ForceModel Session::force() const {
   if (parts_->surface.plane_only()) {
@@ -36,12 +50,35 @@ ForceModel Session::force() const {
   return model;
 }
 
+void Session::follow_guides(const PenSample& sample) {
+  const bool draws = tool().info().kind == ToolKind::kDraws && !parts_->guide;
+  if (!draws) stroke_guide_->stop();
+  stroke_guide_->update(sample, parts_->contact.is_down(),
+                        draws ? std::span<const DrawingGuidePtr>(parts_->visible_guides)
+                              : std::span<const DrawingGuidePtr>(),
+                        seen(), guide_spring_for(options_.device));
+  const bool is_guided = parts_->guide || stroke_guide_->force();
+  const double retrace_n = options_.device.has_force() && !is_guided ? tool().retrace_n() : 0.0;
+  const bool is_down = parts_->contact.is_down();
+  parts_->retrace.update(sample, is_down, scene(), retrace_n);
+  if (!parts_->contours) return;
+  const double contour_n = parts_->retrace.force() ? 0.0 : kContourShare * retrace_n;
+  parts_->contour_hold.update(sample, is_down, parts_->contours->scene(scene()), contour_n);
+}
+
 Result<void> Session::use_edges(const UseEdges& event) {
   const Rect& page = event.page;
   const bool is_none = page == Rect{};
   for (const double mm : {page.x0, page.y0, page.x1, page.y1}) {
     if (is_none || (std::isfinite(mm) && !page.empty())) continue;
     return fail(ErrorCode::kInvalidArgument, "page: is not a rectangle");
+  }
+  if (event.contours != edges_.contours) {
+    if (Result<void> fine = check_count(event.contours); !fine) return fine;
+    Result<std::unique_ptr<PictureContours>> contours = PictureContours::create(event.contours);
+    if (!contours) return tl::unexpected(contours.error());
+    parts_->contour_hold.stop();
+    parts_->contours = *std::move(contours);
   }
   edges_ = event;
   const bool is_felt = !is_none || event.selection;

@@ -322,5 +322,84 @@ TEST(SessionForce, R71_OnlyAPencilOnADeviceWithForcesIsHeld) {
   EXPECT_FALSE(tablet.session->retraced());
 }
 
+/// Draws slowly along y = 60 from x = 20 to 40, 0.3 mm beside the line, and returns the force of a
+/// guide at the end.
+Force drawn_beside(EdgeFixture& f, double beside_mm = 0.3) {
+  ForceMemory memory;
+  Force guide;
+  for (int i = 0; i <= 400; ++i) {
+    PenSample sample;
+    sample.time_ns = f.now_ns += 1'000'000;
+    sample.position = {20.0 + 0.05 * i, 60.0 + beside_mm, -0.3};
+    EXPECT_TRUE(f.session->sample(sample));
+    memory.begin_tick(0.001);
+    static_cast<void>(f.session->force()(sample, memory));
+    guide = {};
+    for (const ForceTerms::Term& term : memory.terms) {
+      if (std::string_view(term.name) == "guide") guide = term.force;
+    }
+  }
+  for (int i = 0; i < 100; ++i) f.must(PenEvent{{40.0, 60.0, 5.0}, {}, 0});
+  return guide;
+}
+
+/// The same, without the ink afterwards.
+Force held_beside(EdgeFixture& f, double beside_mm = 0.3) {
+  const Force force = drawn_beside(f, beside_mm);
+  f.must(UndoEvent{});
+  return force;
+}
+
+UseEdges contour_at(double y) {
+  return {.contours = {{{10, y}, {50, y}}}};
+}
+
+TEST(SessionForce, R73_AContourOfAPictureHoldsThePenThatFollowsIt) {
+  EdgeFixture f;
+  f.must(SelectTool{"pencil"});
+  EXPECT_EQ(norm(held_beside(f)), 0.0) << "nothing is there";
+  f.must(contour_at(60.0));
+  const Force towards = held_beside(f);
+  EXPECT_LT(towards.y, -0.05) << "to the contour";
+  EXPECT_LE(norm(towards), 0.15 + 1e-9);
+  EXPECT_EQ(norm(held_beside(f, 1.5)), 0.0) << "too far away";
+  f.must(SetOption{"pencil.retrace_n", 0.0});
+  EXPECT_EQ(norm(held_beside(f)), 0.0);
+  f.must(SetOption{"pencil.retrace_n", 0.1});
+  f.must(contour_at(70.0));
+  EXPECT_EQ(norm(held_beside(f)), 0.0) << "it is elsewhere now";
+  f.must(contour_at(60.0));
+  f.must(SelectTool{"eraser"});
+  EXPECT_EQ(norm(held_beside(f)), 0.0) << "only a pencil";
+}
+
+TEST(SessionForce, R73_InkIsFeltBeforeTheContourBelowIt) {
+  EdgeFixture f;
+  f.must(contour_at(60.6));
+  f.must(SelectTool{"pencil"});
+  f.must(SetOption{"pencil.snap", std::string("off")});
+  EXPECT_GT(drawn_beside(f, 0.3).y, 0.05) << "to the contour below";
+  // The ink of that line is at 60.3, above the contour.
+  EXPECT_LT(drawn_beside(f, 0.45).y, 0.0) << "to the ink";
+}
+
+TEST(SessionForce, R73_ContoursThatCannotBeAreRefusedAndChangeNothing) {
+  EdgeFixture f;
+  f.must(contour_at(60.0));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point> many(UseEdges::kMaxContourPoints + 1);
+  for (const std::vector<std::vector<Point>>& bad :
+       {std::vector<std::vector<Point>>{{{nan, 0.0}, {1.0, 1.0}}},
+        std::vector<std::vector<Point>>{many},
+        std::vector<std::vector<Point>>(UseEdges::kMaxContours + 1)}) {
+    EXPECT_FALSE(f.session->apply({0, UseEdges{.contours = bad}}));
+    EXPECT_EQ(f.session->edges(), contour_at(60.0));
+  }
+  f.must(UseEdges{.contours = {{}, {{5, 5}}, {{5, 5}, {5, 5}, {5, 5}}, {{0, 0}, {0.5, 0}}}});
+  f.must(UseEdges{.contours = {{{5, 5}, {5.06, 5}, {5, 5.06}, {5, 5}}}});
+  f.must(SelectTool{"pencil"});
+  EXPECT_EQ(norm(drawn_beside(f)), 0.0);
+}
+
 }  // namespace
 }  // namespace felt::session_force_test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "felt/session/surface_options.h"
 #include "felt/tools/contact.h"
 #include "felt/tools/guide_track.h"
+#include "felt/tools/picture_contours.h"
 #include "felt/tools/retrace.h"
 #include "felt/tools/selection_view.h"
 
@@ -32,6 +34,8 @@ struct Session::Parts {
   std::optional<GuideTrack> guide;
   std::uint32_t guide_number = 0;  // the last number that a guide has used
   Retrace retrace;
+  std::unique_ptr<PictureContours> contours;  // null: none is felt
+  Retrace contour_hold{Retrace::kFirstContourHold};
 };
 
 }  // namespace felt

@@ -21,7 +21,8 @@ namespace felt {
 ///
 /// A deterministic function of the samples. Use it on the edit thread. The numbers of holds
 /// (GuidePiece::hold) of one session do not overlap: studies begin at 1, GuardRidge at 2^29,
-/// Retrace at 2^30, guides of a drawing at 2^31, EdgeRidges at 3 * 2^30.
+/// Retrace at 2^30 and, for contours, at 3 * 2^29, guides of a drawing at 2^31, EdgeRidges at 3 *
+/// 2^30.
 class GuideTrack {
  public:
   /// Whether an open path continues straight on at its ends, or ends there.

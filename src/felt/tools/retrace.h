@@ -42,8 +42,10 @@ class Retrace {
   /// No hold begins if another line runs beside the pen, between kNearMm and this distance, as in a
   /// hatching, or if the line comes back beside itself, further away than kApartMm, as in a zigzag.
   static constexpr double kBesideMm = 2.0, kApartMm = 0.3;
-  /// The first value of GuidePiece::hold (GuideTrack).
-  static constexpr std::uint32_t kFirstHold = 1U << 30;
+  /// The first value of GuidePiece::hold (GuideTrack): that of lines, and that of contours.
+  static constexpr std::uint32_t kFirstHold = 1U << 30, kFirstContourHold = 3U << 29;
+
+  explicit Retrace(std::uint32_t first_hold = kFirstHold) noexcept : hold_(first_hold) {}
 
   /// Handles a sample. `is_down` is true from the touch until the lift, also in a bounce. `force_n`
   /// is the largest force; 0 lets the pen go.
@@ -109,7 +111,7 @@ class Retrace {
   std::vector<Line> lines_;
   std::optional<GuideTrack> track_;
   StrokeId held_;
-  std::uint32_t hold_ = kFirstHold;
+  std::uint32_t hold_;
 };
 
 }  // namespace felt

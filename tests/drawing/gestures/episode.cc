@@ -436,6 +436,12 @@ void Episode::change_edges() {
     edges.page = {x, y, x + dice_.between(0.1, 150.0), y + dice_.between(0.1, 150.0)};
   }
   edges.selection = dice_.chance(0.5);
+  if (dice_.chance(0.3)) {
+    std::vector<Point>& contour = edges.contours.emplace_back();
+    for (int i = 0; i < 40; ++i) {
+      contour.push_back({dice_.between(0.0, 100.0), dice_.between(0.0, 100.0)});
+    }
+  }
   apply(edges);
 }
 

@@ -368,7 +368,8 @@ constexpr std::array kGuidesFields = {
 };
 
 constexpr std::array kEdgesFields = {kEvent, kTime, EventField{"page", false, parse_edges_page},
-                                     EventField{"selection", false, parse_edges_selection}};
+                                     EventField{"selection", false, parse_edges_selection},
+                                     EventField{"contours", false, parse_edges_contours}};
 
 constexpr std::array kRingFields = {kEvent, kTime, EventField{"points", false, parse_guide_points}};
 

@@ -178,6 +178,16 @@ TEST(EventReader, ReadsEdges) {
   EXPECT_EQ(error(R"("page":[0,0,-1,5])"), "page: is not a rectangle");
   EXPECT_NE(error(R"("page":[0,0,1,5,7])").find("only four numbers"), std::string::npos);
   EXPECT_EQ(error(R"("selection":1)"), "selection: 1 is not true or false");
+  const auto contours = [](std::vector<std::vector<Point>> lines) {
+    return Event{0, UseEdges{{}, false, std::move(lines)}};
+  };
+  EXPECT_EQ(event_of(R"({"event":"edges","contours":[[[1,2.5],[30,-4]],[]],"t_ms":0})"),
+            contours({{{1, 2.5}, {30, -4}}, {}}));
+  EXPECT_NE(error(R"("contours":[[1,2]])").find("contour"), std::string::npos);
+  EXPECT_NE(error(R"("contours":[[[1]]])").find("a point has two numbers"), std::string::npos);
+  std::string many = "[[0,0]";
+  for (std::size_t i = 0; i < UseEdges::kMaxContourPoints; ++i) many += ",[0,0]";
+  EXPECT_NE(error(R"("contours":[)" + many + "]]").find("at most 20000 points"), std::string::npos);
 }
 
 TEST(EventReader, ReadsRings) {

@@ -30,13 +30,16 @@ void add_matrix(JsonObject& out, const Affine& m) {
   out.add_raw("matrix", json_array(numbers));
 }
 
-void add_points(JsonObject& out, const std::vector<Point>& points) {
-  if (points.empty()) return;
+std::string points_text(const std::vector<Point>& points) {
   std::vector<std::string> texts;
   for (const Point p : points) {
     texts.push_back(json_array({json_number(p.x), json_number(p.y)}));
   }
-  out.add_raw("points", json_array(texts));
+  return json_array(texts);
+}
+
+void add_points(JsonObject& out, const std::vector<Point>& points) {
+  if (!points.empty()) out.add_raw("points", points_text(points));
 }
 
 void add_times(JsonObject& out, const std::vector<double>& times_ms) {
@@ -241,6 +244,10 @@ struct AddWhat {
       out.add_raw("page", json_array(numbers));
     }
     if (e.selection) out.add_bool("selection", true);
+    if (e.contours.empty()) return;
+    std::vector<std::string> contours;
+    for (const auto& contour : e.contours) contours.push_back(points_text(contour));
+    out.add_raw("contours", json_array(contours));
   }
   void operator()(const UseRing& e) const {
     kind("ring");

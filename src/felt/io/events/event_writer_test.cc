@@ -296,8 +296,9 @@ Event any_event(std::int64_t time_ns) {
       event.what = any_guides_event();
       break;
     case 18:
-      event.what =
-          UseEdges{{0.1, -7.0, *rc::gen::inRange(1, 900) * 0.7, 8.5}, *rc::gen::arbitrary<bool>()};
+      event.what = UseEdges{{0.1, -7.0, *rc::gen::inRange(1, 900) * 0.7, 8.5},
+                            *rc::gen::arbitrary<bool>(),
+                            {{{0.1, 2.0}, {30.0, *rc::gen::inRange(-9, 9) * 0.3}}, {}}};
       break;
     case 19:
       event.what = *rc::gen::arbitrary<bool>()

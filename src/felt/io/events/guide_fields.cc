@@ -6,9 +6,8 @@
 namespace felt::json {
 namespace {
 
-/// Adds a point [x,y] of a guide.
-Result<void> parse_guide_point(Value& value, std::vector<Point>& out) {
-  if (out.size() == kMaxGuidePoints) return bad("a guide has at most 20000 points");
+/// Adds a point [x,y].
+Result<void> parse_point(Value& value, std::vector<Point>& out) {
   std::array<double, 2> xy{};
   std::size_t count = 0;
   const auto add = [&](Value& item) -> Result<void> {
@@ -26,8 +25,12 @@ Result<void> parse_guide_point(Value& value, std::vector<Point>& out) {
 }  // namespace
 
 Result<void> parse_guide_points(Value& value, EventFields& out) {
-  return for_each_element(
-      value, "points", [&out](Value& item) { return parse_guide_point(item, out.guide.points); });
+  return for_each_element(value, "points", [&out](Value& item) -> Result<void> {
+    if (out.guide.points.size() == kMaxGuidePoints) {
+      return bad("a guide has at most 20000 points");
+    }
+    return parse_point(item, out.guide.points);
+  });
 }
 
 Result<void> parse_guide_times(Value& value, EventFields& out) {
@@ -127,6 +130,21 @@ Result<void> parse_edges_selection(Value& value, EventFields& out) {
   if (!is_felt) return tl::unexpected(with_context(is_felt.error(), "selection"));
   out.edges.selection = *is_felt;
   return {};
+}
+
+Result<void> parse_edges_contours(Value& value, EventFields& out) {
+  std::size_t points = 0;
+  const auto add = [&](Value& item) -> Result<void> {
+    if (out.edges.contours.size() == UseEdges::kMaxContours) {
+      return bad("there are at most 1000 contours");
+    }
+    std::vector<Point>& contour = out.edges.contours.emplace_back();
+    return for_each_element(item, "contour", [&](Value& point) -> Result<void> {
+      if (++points > UseEdges::kMaxContourPoints) return bad("contours have at most 20000 points");
+      return parse_point(point, contour);
+    });
+  };
+  return for_each_element(value, "contours", add);
 }
 
 }  // namespace felt::json

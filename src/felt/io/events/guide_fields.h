@@ -26,5 +26,6 @@ Result<void> parse_closed_guide(Value& value, EventFields& out);
 /// Of an edges event.
 Result<void> parse_edges_page(Value& value, EventFields& out);
 Result<void> parse_edges_selection(Value& value, EventFields& out);
+Result<void> parse_edges_contours(Value& value, EventFields& out);
 
 }  // namespace felt::json
