@@ -44,6 +44,7 @@ Result<HandTaskResult> run_task(const HandTask& task, const Person& person,
   if (Result<void> chosen = machine.add({0, SelectTool{std::string(task.tool)}}); !chosen) {
     return tl::unexpected(chosen.error());
   }
+  if (Result<void> felt = machine.add({0, task.edges}); !felt) return tl::unexpected(felt.error());
   const Person drawer = on_a_plane(person, machine.expected_friction_n());
   RecordedPath plan = plan_movement(drawer, task.path, task.trial);
   const RecordedPoint last = plan.back();

@@ -23,6 +23,7 @@ struct HandTask {
   std::vector<StrokePtr> ink{};                                ///< on the page at the start
   std::vector<Point> path{};                                   ///< of plan_movement()
   std::uint64_t trial = 0;                                     ///< chooses the noise of the plan
+  UseEdges edges{};                                            ///< what is felt at the start
   double hold_s = 0.0;                                         ///< rest at the end, before the lift
 };
 

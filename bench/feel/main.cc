@@ -17,6 +17,8 @@
 // with a tablet (baselines.h). Without --device, with all simulated devices that have forces.
 //   bench_feel --retracing [--people N] [--device NAME]
 // Simulated people draw over lines (retracing.h). Without --device, with all of them.
+//   bench_feel --contours [--people N] [--device NAME]
+// Simulated people draw over pictures (contours.h). Without --device, with all of them.
 //   bench_feel --erasing [--people N] [--device NAME]
 // Simulated people erase a part of a line (erasing.h). Without --device, with all of them.
 //   bench_feel --table [--people N] [--device NAME]
@@ -39,6 +41,7 @@
 #include "apps/cli/text_table.h"
 #include "baselines.h"
 #include "bench/hand/statistics.h"
+#include "contours.h"
 #include "erasing.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/script_run.h"
@@ -50,8 +53,8 @@
 namespace felt::bench {
 namespace {
 
-constexpr std::array<std::string_view, 6> kComparisons = {"--snapping",  "--pull",    "--baselines",
-                                                          "--retracing", "--erasing", "--table"};
+constexpr std::array<std::string_view, 7> kComparisons = {
+    "--snapping", "--pull", "--baselines", "--retracing", "--contours", "--erasing", "--table"};
 constexpr std::array kMaterials = {"pencil", "chalk", "crayon", "felt-tip"};
 
 struct Options {
@@ -75,6 +78,7 @@ struct Options {
              "       bench_feel --snapping [--file F]... [--hand NAME] [--people N]\n"
              "       bench_feel --baselines [--people N] [--device NAME]\n"
              "       bench_feel --retracing [--people N] [--device NAME]\n"
+             "       bench_feel --contours [--people N] [--device NAME]\n"
              "       bench_feel --erasing [--people N] [--device NAME]\n"
              "       bench_feel --table [--people N] [--device NAME]\n"
              "       bench_feel --pull [--people N] [--device NAME]\n");
@@ -302,6 +306,8 @@ Result<void> compare(const Options& options) {
     is_met = compare_pulls(devices_of(options), options.people);
   } else if (options.is("--erasing")) {
     is_met = compare_erasing(devices_of(options), options.people);
+  } else if (options.is("--contours")) {
+    is_met = compare_contours(devices_of(options), options.people);
   } else if (options.is("--retracing")) {
     is_met = compare_retracing(devices_of(options), options.people);
   } else {

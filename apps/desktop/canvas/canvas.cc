@@ -324,6 +324,17 @@ void Canvas::refresh() {
   if (!s.place.isActive()) s.place.start();
 }
 
+namespace {
+
+/// Adds the contours of pictures that are felt.
+void add_contours(Overlay& overlay, const UseEdges& edges) {
+  for (const std::vector<Point>& contour : edges.contours) {
+    overlay.outlines.push_back({.points = contour, .role = Overlay::Role::kTick});
+  }
+}
+
+}  // namespace
+
 void Canvas::list_marks() {
   Shown& s = *shown_;
   s.next.clear();
@@ -332,6 +343,7 @@ void Canvas::list_marks() {
   const std::optional<Edit>& preview = session.preview_with_fills();
   add_guide_pictures(s.guides, session.document(), preview ? &*preview : nullptr,
                      studio_.page().area());
+  add_contours(s.guides, session.edges());
   list_overlay(s.guides, view_, font(), s.next);
   list_overlay(s.notes, view_, font(), s.next);
   list_overlay(s.overlay, view_, font(), s.next);

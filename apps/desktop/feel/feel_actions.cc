@@ -10,6 +10,7 @@
 
 #include "desktop/engine/cue_player.h"
 #include "desktop/engine/settings.h"
+#include "desktop/feel/contour_finder.h"
 #include "desktop/feel/feel_setting_keys.h"
 #include "desktop/feel/friction_sound.h"
 #include "desktop/feel/material_words.h"
@@ -141,40 +142,56 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
                    });
 }
 
-/// Adds switches for the edges that are felt as soft ridges, and tells the session where the page
-/// ends.
+/// Tells the session which edges are felt: that of the page, that of the box around the selection,
+/// and the contours of pictures.
+void use_edges(Studio& studio, ContourFinder& finder) {
+  const Settings& settings = Settings::the();
+  finder.set_on(studio.session().device().has_force() &&
+                settings.flag(feel_keys::kContours, feel_keys::kContoursDefault));
+  UseEdges edges;
+  if (settings.flag(feel_keys::kPageEdge, false)) edges.page = studio.page().area();
+  edges.selection = settings.flag(feel_keys::kSelectionEdge, false);
+  edges.contours = finder.contours();
+  if (edges != studio.session().edges()) studio.apply(edges);
+}
+
+/// Adds switches for these edges.
 void add_edges(Actions& actions, Studio& studio) {
-  const auto follow = [&studio] {
-    const Settings& settings = Settings::the();
-    UseEdges edges;
-    if (settings.flag(feel_keys::kPageEdge, false)) edges.page = studio.page().area();
-    edges.selection = settings.flag(feel_keys::kSelectionEdge, false);
-    if (edges != studio.session().edges()) studio.apply(edges);
-  };
-  const auto add = [&](const char* name, const char* setting, const QString& text,
-                       const QString& tip) {
+  auto* finder = new ContourFinder(studio, &actions);
+  const auto follow = [&studio, finder] { use_edges(studio, *finder); };
+  const auto add = [&](const char* name, const char* setting, bool fallback, const QString& text,
+                       const QList<QKeySequence>& keys, const QString& tip) {
     const QString key = QString::fromLatin1(setting);
-    QAction* action = actions.add_switch(QString::fromLatin1(name), text, {}, tip,
-                                         Settings::the().flag(key, false),
+    QAction* action = actions.add_switch(QString::fromLatin1(name), text, keys, tip,
+                                         Settings::the().flag(key, fallback),
                                          [key](bool on) { Settings::the().set(key, on); });
     QObject::connect(&Settings::the(), &Settings::changed, action,
-                     [action, key, follow](const QString& which) {
+                     [action, key, fallback, follow](const QString& which) {
                        if (which != key) return;
-                       action->setChecked(Settings::the().flag(key, false));
+                       action->setChecked(Settings::the().flag(key, fallback));
                        follow();
                      });
-    return action;
   };
-  QAction* page = add("feel.page_edge", feel_keys::kPageEdge,
-                      QCoreApplication::translate("FeelActions", "&Edge of the page as a ridge"),
-                      QCoreApplication::translate(
-                          "FeelActions", "Feel where the page ends, while the pen touches"));
-  add("feel.selection_edge", feel_keys::kSelectionEdge,
-      QCoreApplication::translate("FeelActions", "Box of the se&lection as a ridge"),
+  add("feel.page_edge", feel_keys::kPageEdge, false,
+      QCoreApplication::translate("FeelActions", "&Edge of the page as a ridge"), {},
+      QCoreApplication::translate("FeelActions",
+                                  "Feel where the page ends, while the pen touches"));
+  add("feel.selection_edge", feel_keys::kSelectionEdge, false,
+      QCoreApplication::translate("FeelActions", "Box of the se&lection as a ridge"), {},
       QCoreApplication::translate("FeelActions",
                                   "Feel where the box around the selected lines ends"));
-  QObject::connect(&studio, &Studio::opened, page, follow);
-  QObject::connect(&studio, &Studio::page_changed, page, follow);
+  if (ContourFinder::is_built_in()) {
+    add("feel.contours", feel_keys::kContours, feel_keys::kContoursDefault,
+        QCoreApplication::translate("FeelActions", "Lines of locked &pictures as grooves"),
+        {QKeySequence(Qt::Key_J)},
+        QCoreApplication::translate("FeelActions",
+                                    "Feel the lines and edges of a picture in a locked layer, "
+                                    "while you draw slowly along them"));
+  }
+  QObject::connect(finder, &ContourFinder::changed, finder, follow);
+  QObject::connect(&studio, &Studio::opened, finder, follow);
+  QObject::connect(&studio, &Studio::page_changed, finder, follow);
+  QObject::connect(&studio.loop(), &HapticLoop::device_changed, finder, follow);
   follow();
 }
 

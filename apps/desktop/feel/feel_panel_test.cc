@@ -4,13 +4,17 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QBuffer>
+#include <QImage>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "desktop/engine/settings.h"
+#include "desktop/feel/contour_finder.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_setting_keys.h"
 
@@ -66,6 +70,52 @@ TEST(FeelActions, EdgesFollowTheSettingsAndThePage) {
   }
   EXPECT_EQ(window.studio.session().edges(), UseEdges{});
   EXPECT_FALSE(other.actions.find(QStringLiteral("feel.page_edge"))->isChecked());
+}
+
+/// Returns a layer with a picture of a disk of 20 mm, at 0.1 mm per pixel.
+AddPicture disk_picture() {
+  QImage image(400, 400, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::black);
+  painter.drawEllipse(QPointF(200.0, 200.0), 100.0, 100.0);
+  painter.end();
+  QByteArray png;
+  QBuffer buffer(&png);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  AddPicture event;
+  event.name = "Disk";
+  event.data = make_picture_data(png.toStdString()).value();
+  event.place = {0.1, 0.0, 0.0, 0.1, 30.0, 40.0};
+  return event;
+}
+
+TEST(FeelActions, R73_ThePictureOfALockedLayerIsFeltUntilTheKeyIsPressed) {
+  if (!ContourFinder::is_built_in()) GTEST_SKIP() << "built without OpenCV";
+  Window window;
+  const auto contours = [&]() -> const std::vector<std::vector<Point>>& {
+    return window.studio.session().edges().contours;
+  };
+  ASSERT_TRUE(window.studio.apply(disk_picture()));
+  const LayerId layer = window.studio.session().layer();
+  QTest::qWait(50);
+  EXPECT_TRUE(contours().empty()) << "not locked";
+  ASSERT_TRUE(window.studio.apply(LayerEvent{.what = LayerEvent::Do::kLock, .layer = layer}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !contours().empty(); }));
+  ASSERT_EQ(contours().size(), 1u);
+  for (const Point p : contours().front()) EXPECT_NEAR(distance(p, {50.0, 60.0}), 10.0, 0.15);
+  QTest::keyClick(&window, Qt::Key_J);
+  EXPECT_TRUE(contours().empty());
+  QTest::keyClick(&window, Qt::Key_J);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !contours().empty(); }));
+  ASSERT_TRUE(window.studio.apply(LayerEvent{.what = LayerEvent::Do::kHide, .layer = layer}));
+  EXPECT_TRUE(contours().empty()) << "not seen";
+  ASSERT_TRUE(window.studio.apply(UndoEvent{}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !contours().empty(); }));
+  window.studio.open(Document{}, Page{});
+  EXPECT_TRUE(contours().empty());
 }
 
 TEST(FeelPanel, EscapeTwiceSwitchesForcesOffAndOnlyThePanelSwitchesThemOn) {

@@ -19,5 +19,8 @@ inline constexpr double kSoundVolumeDefault = 0.7;
 /// True if the edge of the page, or of the box of the selection, is felt as a ridge. Off at first.
 inline constexpr auto kPageEdge = "feel/page_edge";
 inline constexpr auto kSelectionEdge = "feel/selection_edge";
+/// True if the contours of pictures in locked layers are felt as grooves.
+inline constexpr auto kContours = "feel/contours";
+inline constexpr bool kContoursDefault = true;
 
 }  // namespace felt::desktop::feel_keys

@@ -60,7 +60,7 @@ constexpr std::array kMenus{
     MenuRow{
         "feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
         "feel.forces feel.forces_off feel.stronger feel.weaker - feel.surface_* - feel.pressure "
-        "feel.sound - feel.page_edge feel.selection_edge - feel.*"},
+        "feel.sound - feel.page_edge feel.selection_edge feel.contours - feel.*"},
     MenuRow{"help", QT_TRANSLATE_NOOP("Menus", "&Help"),
             "help.guide help.tour help.shortcuts - help.example* - help.* - help.about"},
 };

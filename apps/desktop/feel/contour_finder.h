@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "desktop/engine/studio.h"
+
+namespace felt::desktop {
+
+/// Finds the contours of the pictures that one draws over: those of layers that are visible and
+/// locked. The search runs on a thread of its own, once for each picture and size.
+class ContourFinder : public QObject {
+  Q_OBJECT
+
+ public:
+  /// True if the program was built with the layer contour; otherwise nothing is ever found.
+  static bool is_built_in() noexcept;
+
+  ContourFinder(Studio& studio, QObject* parent);
+
+  /// Returns polylines on the page, mm, as many as UseEdges allows; none while it is off.
+  [[nodiscard]] std::vector<std::vector<Point>> contours() const;
+  /// Searches from now on, or no more.
+  void set_on(bool on);
+
+ Q_SIGNALS:
+  /// contours() are others.
+  void changed();
+
+ private:
+  using Contours = std::shared_ptr<const std::vector<std::vector<Point>>>;
+
+  /// A picture on the page.
+  struct Place {
+    std::shared_ptr<const PictureData> data;
+    Affine place;
+    Contours contours = {};  ///< in pixels; null until they are found
+
+    [[nodiscard]] double mm_per_px() const noexcept;
+  };
+
+  void take_layers();
+  void search(const Place& place);
+  void take(const std::shared_ptr<const PictureData>& data, double mm_per_px, Contours found);
+
+  Studio& studio_;
+  bool is_on_ = false;
+  std::vector<Place> places_;
+  QThreadPool pool_;  // destroyed first: waits for the search
+};
+
+}  // namespace felt::desktop
