@@ -92,7 +92,7 @@ AddPicture disk_picture() {
   return event;
 }
 
-TEST(FeelActions, R73_ThePictureOfALockedLayerIsFeltUntilTheKeyIsPressed) {
+TEST(FeelActions, R74_ThePictureOfALockedLayerIsFeltUntilTheKeyIsPressed) {
   if (!ContourFinder::is_built_in()) GTEST_SKIP() << "built without OpenCV";
   Window window;
   const auto contours = [&]() -> const std::vector<std::vector<Point>>& {

@@ -520,6 +520,14 @@
         <source>Feel where the box around the selected lines ends</source>
         <translation>Fühlen, wo der Rahmen um die ausgewählten Linien endet</translation>
     </message>
+    <message>
+        <source>Lines of locked &amp;pictures as grooves</source>
+        <translation>Linien gesperrter &amp;Bilder als Rillen</translation>
+    </message>
+    <message>
+        <source>Feel the lines and edges of a picture in a locked layer, while you draw slowly along them</source>
+        <translation>Die Linien und Kanten eines Bildes in einer gesperrten Ebene fühlen, während man langsam an ihnen entlang zeichnet</translation>
+    </message>
 </context>
 <context>
     <name>FirstMinute</name>

@@ -520,6 +520,14 @@
         <source>Feel where the box around the selected lines ends</source>
         <translation>Voelen waar het kader rond de geselecteerde lijnen eindigt</translation>
     </message>
+    <message>
+        <source>Lines of locked &amp;pictures as grooves</source>
+        <translation>Lijnen van vergrendelde af&amp;beeldingen als groeven</translation>
+    </message>
+    <message>
+        <source>Feel the lines and edges of a picture in a locked layer, while you draw slowly along them</source>
+        <translation>Voel de lijnen en randen van een afbeelding in een vergrendelde laag, terwijl u er langzaam langs tekent</translation>
+    </message>
 </context>
 <context>
     <name>FirstMinute</name>

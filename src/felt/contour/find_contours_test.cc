@@ -59,7 +59,7 @@ void expect_circle(const Contours& contours) {
   for (const Point& p : circle) EXPECT_NEAR(distance(p, kMiddle), kRadiusMm, 0.12);
 }
 
-TEST(FindContours, R73_TheEdgeOfADiskIsOneClosedLine) {
+TEST(FindContours, R74_TheEdgeOfADiskIsOneClosedLine) {
   for (const double inside : {60.0, 150.0, 255.0}) {
     SCOPED_TRACE(inside);
     expect_circle(found_in(
@@ -67,7 +67,7 @@ TEST(FindContours, R73_TheEdgeOfADiskIsOneClosedLine) {
   }
 }
 
-TEST(FindContours, R73_ALineIsOneContourInItsMiddleDarkOrLight) {
+TEST(FindContours, R74_ALineIsOneContourInItsMiddleDarkOrLight) {
   for (const double width_mm : {0.3, 0.6, 1.0, 1.4}) {
     for (const bool is_dark : {true, false}) {
       SCOPED_TRACE(width_mm);
@@ -79,7 +79,7 @@ TEST(FindContours, R73_ALineIsOneContourInItsMiddleDarkOrLight) {
   }
 }
 
-TEST(FindContours, R73_NoiseAndShadingHaveNone) {
+TEST(FindContours, R74_NoiseAndShadingHaveNone) {
   for (const double noise : {0.0, 5.0, 20.0}) {
     EXPECT_TRUE(found_in(picture_of([](Point) { return 128.0; }, noise)).empty()) << noise;
     EXPECT_TRUE(found_in(picture_of([](Point p) { return 2.0 * (p.x + p.y); }, noise)).empty());

@@ -354,7 +354,7 @@ UseEdges contour_at(double y) {
   return {.contours = {{{10, y}, {50, y}}}};
 }
 
-TEST(SessionForce, R73_AContourOfAPictureHoldsThePenThatFollowsIt) {
+TEST(SessionForce, R74_AContourOfAPictureHoldsThePenThatFollowsIt) {
   EdgeFixture f;
   f.must(SelectTool{"pencil"});
   EXPECT_EQ(norm(held_beside(f)), 0.0) << "nothing is there";
@@ -373,7 +373,7 @@ TEST(SessionForce, R73_AContourOfAPictureHoldsThePenThatFollowsIt) {
   EXPECT_EQ(norm(held_beside(f)), 0.0) << "only a pencil";
 }
 
-TEST(SessionForce, R73_InkIsFeltBeforeTheContourBelowIt) {
+TEST(SessionForce, R74_InkIsFeltBeforeTheContourBelowIt) {
   EdgeFixture f;
   f.must(contour_at(60.6));
   f.must(SelectTool{"pencil"});
@@ -383,7 +383,7 @@ TEST(SessionForce, R73_InkIsFeltBeforeTheContourBelowIt) {
   EXPECT_LT(drawn_beside(f, 0.45).y, 0.0) << "to the ink";
 }
 
-TEST(SessionForce, R73_ContoursThatCannotBeAreRefusedAndChangeNothing) {
+TEST(SessionForce, R74_ContoursThatCannotBeAreRefusedAndChangeNothing) {
   EdgeFixture f;
   f.must(contour_at(60.0));
   const double nan = std::numeric_limits<double>::quiet_NaN();
