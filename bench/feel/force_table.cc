@@ -137,7 +137,7 @@ Result<double> close_circle(const Fixture& fixture, const Options& options, int 
 
 Result<double> pulled(const Fixture& fixture, bool is_on, double Pulled::*measure) {
   const auto mean =
-      pull_lines(fixture.device, {fixture.person}, is_on ? kDefaultPull : kPlaneOnlyPull, 0.5);
+      pull_lines(fixture.device, {fixture.person}, is_on ? PullOptions{} : plane_only_pull(), 0.5);
   return mean ? Result<double>((*mean).*measure) : tl::unexpected(mean.error());
 }
 

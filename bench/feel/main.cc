@@ -23,7 +23,7 @@
 // Simulated people erase a part of a line (erasing.h). Without --device, with all of them.
 //   bench_feel --table [--people N] [--device NAME]
 // Prints a row for each force (force_table.h).
-//   bench_feel --pull [--people N] [--device NAME]
+//   bench_feel --pull [--people N] [--device NAME] [--set ID=VALUE]...
 // Simulated people pull a line to given points (pull_people.h). Without --device, with all of them.
 #include <fmt/core.h>
 
@@ -81,7 +81,7 @@ struct Options {
              "       bench_feel --contours [--people N] [--device NAME]\n"
              "       bench_feel --erasing [--people N] [--device NAME]\n"
              "       bench_feel --table [--people N] [--device NAME]\n"
-             "       bench_feel --pull [--people N] [--device NAME]\n");
+             "       bench_feel --pull [--people N] [--device NAME] [--set ID=VALUE]...\n");
   std::exit(2);
 }
 
@@ -303,7 +303,7 @@ Result<void> compare(const Options& options) {
   if (options.is("--baselines")) return compare_baselines(devices_of(options), options.people);
   Result<bool> is_met = true;
   if (options.is("--pull")) {
-    is_met = compare_pulls(devices_of(options), options.people);
+    is_met = compare_pulls(devices_of(options), options.people, options.set);
   } else if (options.is("--erasing")) {
     is_met = compare_erasing(devices_of(options), options.people);
   } else if (options.is("--contours")) {

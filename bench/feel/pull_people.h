@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "felt/base/result.h"
@@ -17,17 +17,21 @@ struct Pulled {
   double overshoot_mm = 0.0;  ///< how far the pen went beyond the goal
 };
 
-/// Levels of pull.strength: the plane of the surface alone, and the default.
-inline constexpr std::string_view kPlaneOnlyPull, kDefaultPull = "1";
+/// Options of a session: ids and values.
+using PullOptions = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns the options with which people feel the plane of the surface alone.
+PullOptions plane_only_pull();
 
 /// Lets people pull a line to 12 goals and rest there. Returns the means.
 Result<Pulled> pull_lines(const StylusPreset& device, const std::vector<Person>& people,
-                          std::string_view strength, double rest_s);
+                          const PullOptions& options, double rest_s);
 
 /// Simulated people of all models pull a line by its middle to a given point, rest there, and lift
-/// the pen, with the plane only and at several levels of the option pull.strength. Prints how far
-/// the line is from that point afterwards, and how far the pen went beyond it. Returns false if a
-/// bar is missed.
-Result<bool> compare_pulls(const std::vector<std::string>& devices, std::size_t people);
+/// the pen: with the plane only, with the counter-force of the paper, which does not yield, and
+/// with the default options and `options`. Prints how far the line is from that point afterwards,
+/// and how far the pen went beyond it. Returns false if a bar is missed with the last of these.
+Result<bool> compare_pulls(const std::vector<std::string>& devices, std::size_t people,
+                           const PullOptions& options);
 
 }  // namespace felt::bench

@@ -7766,6 +7766,18 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Zeit des Fegens</translation>
     </message>
     <message>
+        <source>Time to yield</source>
+        <translation>Nachgebezeit</translation>
+    </message>
+    <message>
+        <source>How long the counter-force lasts when the pen rests; 0: as long as the pen is down, as in the paper.</source>
+        <translation>Wie lange die Gegenkraft anhält, wenn der Stift ruht; 0: solange der Stift aufliegt, wie im Artikel.</translation>
+    </message>
+    <message>
+        <source>How long the tethers resist when the pen rests; 0: as long as the pen is down, as in the paper.</source>
+        <translation>Wie lange die Leinen ziehen, wenn der Stift ruht; 0: solange der Stift aufliegt, wie im Artikel.</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>

@@ -77,6 +77,15 @@ struct Follower {
   bool is_set = false;
 };
 
+/// How far a point that follows the pen is behind it (yielding_lag()).
+struct YieldState {
+  Point grab{};  ///< where the gesture began, mm
+  Point pen{};   ///< at the last sample, mm
+  Vec lag{};     ///< from that point to the pen, mm
+  std::int64_t time_ns = 0;
+  bool is_set = false;
+};
+
 /// The state of a band-pass filter of the pen's velocity, mm/s (BandDamping).
 struct ShakeBand {
   Vec band{};
@@ -136,6 +145,7 @@ struct ForceMemory {
   double turn_rad = 0.0;  ///< angle of a rotation about its centre, unwrapped (tether)
   std::uint32_t turn_gesture = 0;
   bool turn_is_set = false;
+  YieldState yield;
   Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
   GuideHold guide;
   ClickState click;

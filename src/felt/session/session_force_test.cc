@@ -121,6 +121,7 @@ double term_n(const Session& session, Point p, const char* name) {
 TEST(SessionLaw, OfThePaperChangesTheForcesOfTheTools) {
   EdgeFixture felt, paper;
   ASSERT_TRUE(paper.session->apply({0, SetOption{"surface.law", std::string("paper")}}));
+  ASSERT_TRUE(felt.session->apply({0, SetOption{"pull.yield_s", 0.0}}));
   const auto touch = [](EdgeFixture& f, const char* tool, Point p) {
     f.must(SelectTool{tool});
     PenSample sample;

@@ -20,6 +20,7 @@ PullSettings pull_settings(const OptionValues& values) {
              .tolerance_mm = s.brush.tolerance_mm};
   s.offset = values.is_on(Row::kKeepOffset) ? TouchOffset::kKept : TouchOffset::kBlendedOut;
   s.grab_radius_mm = values.number(Row::kGrabRadius);
+  s.yield_s = values.number(Row::kYield);
   s.strength = values.number(Row::kStrength);
   return s;
 }

@@ -35,6 +35,7 @@ struct PullOption {
     kAffected,
     kNibRadius,
     kSweepTime,
+    kYield,
     kStrength,
     kCount
   };
@@ -131,6 +132,16 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .help = "How slowly a line gives way to the pen that sweeps it.",
      .when = "mode=sweep",
      .is_seldom = true},
+    {.id = "yield_s",
+     .label = "Time to yield",
+     .unit = "s",
+     .min = 0.0,
+     .max = 0.05,
+     .fallback = 0.01,
+     .help = "How long the counter-force lasts when the pen rests; 0: as long as the pen is down, "
+             "as in the paper.",
+     .when = "mode=brush|grab|bulge|pinch",
+     .is_seldom = true},
     strength_option("Force level of the counter-force, friction and grain. Does not affect the "
                     "hardness of the surface."),
 }};
@@ -145,6 +156,7 @@ struct PullSettings {
   BulgeOptions bulge;
   TouchOffset offset = TouchOffset::kBlendedOut;
   double grab_radius_mm = 8.0;
+  double yield_s = 0.0;  ///< time constant of the origin of the counter-force; 0: it stays
   double strength = 1.0;
 };
 

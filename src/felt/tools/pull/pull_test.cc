@@ -252,6 +252,7 @@ TEST(Pull, EachModeMakesItsOwnGesture) {
 
 TEST(PullForce, R29_PointsBackAndGrowsFromAFifthToOneNewton) {
   Pull p;
+  p.set("yield_s", 0.0);
   p.pen.down({70, 50});
   double before = 0.0;
   for (int i = 0; i <= 10'000; ++i) {
@@ -279,6 +280,7 @@ TEST(PullForce, R29_PointsBackAndGrowsFromAFifthToOneNewton) {
 
 TEST(PullForce, R29_StrengthScalesItAndItsSlopeIsBounded) {
   Pull p;
+  p.set("yield_s", 0.0);
   p.pen.down({70, 50});
   const double whole = -p.force_at({80, 50}).x;
   for (double d = 0.0; d < 40.0; d += 0.01) {
@@ -296,17 +298,54 @@ TEST(PullForce, R29_StrengthScalesItAndItsSlopeIsBounded) {
 }
 
 /// The force model of a pull that grabbed at (0, 0), for a device.
-ForceModel held(const rig::Setup& setup) {
+ForceModel held(const rig::Setup& setup, double yield_s = 0.0) {
   Fixture fixture;
   fixture.device = setup.capabilities();
-  return make_pull_force(PullSettings{}, fixture.scene(), {.kind = PullFeel::Kind::kSpring});
+  PullSettings settings;
+  settings.yield_s = yield_s;
+  return make_pull_force(settings, fixture.scene(), {.kind = PullFeel::Kind::kSpring});
+}
+
+TEST(PullForce, R73_TheForceOfAPullEndsWhenThePenRests) {
+  for (const char* mode : {"brush", "grab", "bulge", "pinch"}) {
+    for (const bool is_paper : {false, true}) {
+      Pull p;
+      p.choose("mode", mode);
+      ForceMemory memory;
+      double time_s = 1.0, moving_n = 0.0;
+      const auto edit_n = [&](Point at) {
+        p.pen.down(at);
+        Scene scene = p.fixture.scene();
+        if (is_paper) scene.law = LawForm::kPaper;
+        const ForceModel model = p.tool.force(scene);
+        memory.begin_tick(0.001);
+        (void)model(rig::pen_at({at.x, at.y, -1}, {}, time_s += 0.001), memory);
+        double n = 0.0;
+        for (const auto& term : memory.terms) {
+          if (std::string_view(term.name) == "edit") n = norm(term.force);
+        }
+        return n;
+      };
+      for (int i = 0; i <= 200; ++i) moving_n = edit_n({70, 50 + 0.05 * i});
+      double resting_n = 0.0;
+      for (int i = 0; i <= 100; ++i) resting_n = edit_n({70, 60});
+      if (is_paper) {
+        EXPECT_DOUBLE_EQ(moving_n, kEditLaw.level_n(10.0)) << mode;
+        EXPECT_DOUBLE_EQ(resting_n, kEditLaw.level_n(10.0)) << mode;
+      } else {
+        EXPECT_GT(moving_n, 0.08) << mode;
+        EXPECT_LT(resting_n, 1e-4) << mode;
+      }
+    }
+  }
 }
 
 TEST(PullForce, R30_IsCalmAndGivesNoEnergy) {
   double worst = 0.0, max_energy = -1e9;
-  for (int delay = 0; delay <= 1; ++delay) {
-    rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
-      rig::Bench bench(setup, held(setup), {0, 0, 1});
+  for (int i = 0; i < 4; ++i) {
+    const double yield_s = i < 2 ? 0.0 : 0.01;
+    rig::for_each_grip(0.001, i % 2, [&](const rig::Setup& setup) {
+      rig::Bench bench(setup, held(setup, yield_s), {0, 0, 1});
       const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
       const auto target = [&](double t) -> Vec3 {
         const double x = std::min(t / 0.4, 1.0), s = std::max(0.0, t - 0.7);

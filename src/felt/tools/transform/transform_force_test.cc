@@ -200,5 +200,106 @@ TEST(TransformForce, R30_TheStretchIsCalmOnEveryGrip) {
   RecordProperty("worst_hf_n", std::to_string(worst));
 }
 
+/// A pen without hand and device that drags a selection with yielding tethers.
+struct YieldingDrag {
+  YieldingDrag(TransformKind kind, const std::vector<Point>& anchors, bool constrained) {
+    const TransformHold hold{.kind = kind,
+                             .centre = {0, 0},
+                             .grab = {20, 15},
+                             .anchors = anchors,
+                             .gesture = 1,
+                             .constrained = constrained,
+                             .yield_s = 0.01};
+    const Fixture fixture;
+    model = make_transform_force(fixture.scene(), 1.0, &hold);
+  }
+  /// Returns the tether term of the force.
+  Vec at(Point p, ForceMemory& state) const {
+    state.begin_tick(0.001);
+    (void)model(rig::pen_at({p.x, p.y, -1}, {}, time_s), state);
+    Vec sum{};
+    for (const auto& term : state.terms) {
+      if (std::string_view(term.name) == "tether") sum += Vec{term.force.x, term.force.y};
+    }
+    return sum;
+  }
+  Vec move(Point p) {
+    time_s += 0.001;
+    return at(p, memory);
+  }
+
+  ForceModel model;
+  ForceMemory memory;
+  double time_s = 1.0;
+};
+
+TEST(TransformForce, R73_TethersLetGoOfAPenThatRests) {
+  const std::vector<Point> anchors = points_around(3, 30);
+  for (const TransformKind kind : kKinds) {
+    for (const bool constrained : {false, true}) {
+      YieldingDrag drag(kind, anchors, constrained);
+      EXPECT_EQ(norm(drag.move({20, 15})), 0.0) << static_cast<int>(kind);
+      Vec force{};
+      for (int i = 1; i <= 100; ++i) {
+        force = drag.move({20 + 0.06 * i, 15 + 0.12 * i});
+        EXPECT_LE(force.x * 0.03 + force.y * 0.06, 1e-12) << static_cast<int>(kind);
+      }
+      EXPECT_GT(norm(force), 0.02) << static_cast<int>(kind);
+      for (int i = 1; i <= 100; ++i) force = drag.move({26, 27});
+      EXPECT_LT(norm(force), 1e-4) << static_cast<int>(kind);
+    }
+  }
+}
+
+TEST(TransformForce, R73_YieldingTethersAreNeverStifferThan300) {
+  for (const TransformKind kind : kKinds) {
+    for (const bool constrained : {false, true}) {
+      const std::vector<Point> anchors = points_around(3, 30);
+      YieldingDrag drag(kind, anchors, constrained);
+      double steepest = 0.0;
+      for (int i = 0; i < 8'000; ++i) {
+        const double t = 1e-3 * i, h = 1e-5;
+        const Point pen{20 + 30 * std::sin(3.1 * t), 15 + 24 * std::sin(5.3 * t)};
+        const Point beside{pen.x + h * std::cos(2.3 * i), pen.y + h * std::sin(2.3 * i)};
+        ForceMemory a = drag.memory, b = drag.memory;
+        drag.time_s += 0.001;
+        steepest = std::max(steepest, norm(drag.at(beside, a) - drag.at(pen, b)) / h);
+        drag.time_s -= 0.001;
+        (void)drag.move(pen);
+      }
+      EXPECT_LE(steepest, 0.3 * 1.001) << static_cast<int>(kind) << " " << constrained;
+    }
+  }
+}
+
+TEST(TransformForce, R73_YieldingTethersAreCalmOnEveryGripAndGiveNoEnergy) {
+  const std::vector<Point> anchors = points_around(8, 40);
+  for (const TransformKind kind :
+       {TransformKind::kMove, TransformKind::kRotate, TransformKind::kStretch}) {
+    for (int delay = 0; delay <= 2; ++delay) {
+      rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
+        Fixture fixture;
+        fixture.device = setup.capabilities();
+        const TransformHold hold{.kind = kind,
+                                 .centre = {0, 0},
+                                 .grab = {25, 20},
+                                 .anchors = anchors,
+                                 .gesture = 1,
+                                 .yield_s = 0.01};
+        rig::Bench bench(setup, make_transform_force(fixture.scene(), 1.0, &hold), {25, 20, 0});
+        const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
+        const auto target = [aim](double t) -> Vec3 {
+          return {25 + 10 * std::sin(6.2832 * t), 20 + 5 * std::sin(2 * 6.2832 * t), aim};
+        };
+        bench.run(1.0, target);
+        bench.begin_measuring();
+        bench.run(2.0, target);
+        EXPECT_LT(bench.figures().hf_n, 0.03) << setup.name() << " " << static_cast<int>(kind);
+        EXPECT_LE(bench.figures().energy_mj, 1.0) << setup.name() << " " << static_cast<int>(kind);
+      });
+    }
+  }
+}
+
 }  // namespace
 }  // namespace felt::transform_force_test
