@@ -35,6 +35,8 @@ void add_record_command(CLI::App& app, Console& console);
 void add_trial_command(CLI::App& app, Console& console);
 /// Adds `feltline trial export`.
 void add_trial_export_command(CLI::App& trial, Console& console);
+/// Adds `feltline trial preregister`.
+void add_trial_preregister_command(CLI::App& trial, Console& console);
 
 /// Thrown if the command line is invalid: the message is shown and the exit code is 2. A UsageError
 /// made from an Error with kInvalidData, for example because an option names a damaged picture, has

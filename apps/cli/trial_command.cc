@@ -188,6 +188,7 @@ void add_trial_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("trial", "Run a study and keep its results");
   command->require_subcommand(1);
   command->fallthrough();
+  add_trial_preregister_command(*command, console);
   add_run(*command, console);
   add_simulate(*command, console);
   add_trial_export_command(*command, console);

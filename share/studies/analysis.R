@@ -1,7 +1,11 @@
 #!/usr/bin/env Rscript
 # Fits a mixed model to trials.csv, which is in the folder of this script or is the first argument.
 # Prints how many times as large the error is as in the first condition and session, with 95 %
-# intervals (Wald). Requires the package lme4.
+# intervals (Wald). Then tests the hypotheses of the study, if hypotheses.csv is beside the table:
+# Student's t tests of the logarithms of the ratios of participants, Holm's correction over all
+# hypotheses, and two one-sided tests against the margin. Requires the package lme4.
+# Sources: Holm 1979, https://www.jstor.org/stable/4615733; Schuirmann 1987, DOI 10.1007/BF01068419;
+# Lakens 2017, DOI 10.1177/1948550617697177.
 suppressPackageStartupMessages(library(lme4))
 
 arguments <- commandArgs()
@@ -10,8 +14,9 @@ given <- commandArgs(trailingOnly = TRUE)
 file <- if (length(given) > 0) given[1] else file.path(dirname(script[1]), "trials.csv")
 
 all <- read.csv(file, na.strings = "", check.names = FALSE, stringsAsFactors = FALSE)
-trials <- all[as.logical(all$valid) & !as.logical(all$is_practice) & !is.na(all$err_mean_mm) &
-                all$err_mean_mm > 0, ]
+# The hypotheses count a trial whatever its error is, as the report does.
+counted <- all[as.logical(all$valid) & !as.logical(all$is_practice), ]
+trials <- counted[!is.na(counted$err_mean_mm) & counted$err_mean_mm > 0, ]
 # Returns the levels of a factor in the order of the study, which the data dictionary has: all other
 # levels are compared with the first one.
 levels_of <- function(column) {
@@ -29,6 +34,47 @@ trials$session <- factor(trials$session, levels = levels_of("session"))
 trials$participant <- factor(trials$participant)
 trials$shape <- factor(trials$shape)
 cat(nrow(trials), "valid trials of", nlevels(trials$participant), "participants\n")
+
+# Returns the logarithm of the ratio of each participant, over the shapes of both conditions.
+log_ratios <- function(hypothesis) {
+  measure <- hypothesis$measure
+  chosen <- counted[counted$session == hypothesis$session & !is.na(counted[[measure]]), ]
+  means <- function(name) {
+    of <- chosen[chosen$condition == name, ]
+    if (nrow(of) == 0) return(data.frame(participant = character(), shape = character(), x = numeric()))
+    aggregate(list(x = as.numeric(of[[measure]])), of[c("participant", "shape")], mean)
+  }
+  both <- merge(means(hypothesis$condition), means(hypothesis$against), by = c("participant", "shape"))
+  if (nrow(both) == 0) return(numeric())
+  people <- aggregate(both[c("x.x", "x.y")], both["participant"], mean)
+  people <- people[people$x.x > 0 & people$x.y > 0, ]
+  log(people$x.x / people$x.y)
+}
+test_hypothesis <- function(hypothesis) {
+  logs <- log_ratios(hypothesis)
+  row <- data.frame(people = length(logs), p = 1, ratio = NA, low = NA, high = NA, not_worse = NA,
+                    not_better = NA)
+  if (length(logs) < 5) return(row)
+  row$p <- t.test(logs)$p.value
+  row$ratio <- exp(mean(logs))
+  row[c("low", "high")] <- as.list(exp(t.test(logs)$conf.int))
+  if (hypothesis$margin > 0) {
+    worse <- log1p(hypothesis$margin)
+    row$not_worse <- t.test(logs, mu = worse, alternative = "less")$p.value
+    row$not_better <- t.test(logs, mu = -worse, alternative = "greater")$p.value
+    row$p <- if (hypothesis$kind == "not-worse") row$not_worse else max(row$not_worse, row$not_better)
+  }
+  row
+}
+planned <- file.path(dirname(file), "hypotheses.csv")
+if (file.exists(planned)) {
+  hypotheses <- read.csv(planned, na.strings = "", check.names = FALSE, stringsAsFactors = FALSE)
+  rows <- lapply(seq_len(nrow(hypotheses)), function(i) test_hypothesis(hypotheses[i, ]))
+  tests <- do.call(rbind, rows)
+  tests$p_holm <- p.adjust(tests$p, "holm")
+  cat("\nHypotheses (ratio with 95 % interval; not_worse and not_better: one-sided tests):\n")
+  print(data.frame(hypothesis = hypotheses$hypothesis, round(tests, 4)), row.names = FALSE)
+}
 if (nlevels(trials$participant) < 2 || nlevels(trials$condition) < 2) {
   cat("The model needs two participants and two conditions.\n")
   quit(status = 0)

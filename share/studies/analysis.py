@@ -2,7 +2,12 @@
 """Fits a mixed model to trials.csv, which is in the folder of this script or is the first argument.
 
 Prints how many times as large the error is as in the first condition and session, with 95 %
-intervals (Wald). Requires pandas and statsmodels.
+intervals (Wald). Then tests the hypotheses of the study, if hypotheses.csv is beside the table:
+Student's t tests of the logarithms of the ratios of participants, Holm's correction over all
+hypotheses, and two one-sided tests against the margin. Requires pandas and statsmodels.
+
+Sources: Holm 1979, https://www.jstor.org/stable/4615733; Schuirmann 1987, DOI 10.1007/BF01068419;
+Lakens 2017, DOI 10.1177/1948550617697177.
 """
 import json
 import os
@@ -12,13 +17,17 @@ import warnings
 import numpy
 import pandas
 import patsy
+import scipy.stats
 import statsmodels.formula.api as formulas
+from statsmodels.stats.multitest import multipletests
 
 file = (sys.argv[1] if len(sys.argv) > 1 else
         os.path.join(os.path.dirname(os.path.abspath(__file__)), "trials.csv"))
 # Only an empty cell is a missing value; a condition may be called "null".
 trials = pandas.read_csv(file, keep_default_na=False, na_values=[""])
-trials = trials[trials["valid"] & ~trials["is_practice"] & (trials["err_mean_mm"] > 0)].copy()
+# The hypotheses count a trial whatever its error is, as the report does.
+counted = trials[trials["valid"] & ~trials["is_practice"]].copy()
+trials = counted[counted["err_mean_mm"] > 0].copy()
 trials["log_error"] = numpy.log(trials["err_mean_mm"].astype(float))
 
 dictionary = {}
@@ -31,9 +40,54 @@ for column in ("condition", "session"):
     levels += [name for name in known if name not in levels]
     trials[column] = pandas.Categorical(trials[column], categories=levels)
 
+
+def log_ratios(hypothesis):
+    """Returns the logarithm of the ratio of each participant, over the shapes of both conditions."""
+    pair = [hypothesis["condition"], hypothesis["against"]]
+    measure = hypothesis["measure"]
+    chosen = counted[counted["condition"].isin(pair) & counted[measure].notna() &
+                     (counted["session"] == hypothesis["session"])]
+    cells = chosen.groupby(["participant", "shape", "condition"])[measure].mean()
+    if cells.empty:
+        return numpy.array([])
+    shapes = cells.unstack("condition").reindex(columns=pair).dropna()
+    means = shapes.groupby("participant").mean()
+    means = means[(means > 0).all(axis=1)]
+    return numpy.log(means[pair[0]] / means[pair[1]]).to_numpy()
+
+
+def test_hypotheses(hypotheses):
+    rows = []
+    for _, hypothesis in hypotheses.iterrows():
+        kind, margin = hypothesis["kind"], hypothesis["margin"]
+        row = {"hypothesis": hypothesis["hypothesis"]}
+        logs = log_ratios(hypothesis)
+        row["people"], row["p"] = len(logs), 1.0
+        if len(logs) >= 5:
+            test = scipy.stats.ttest_1samp
+            reach = scipy.stats.t.ppf(0.975, len(logs) - 1) * scipy.stats.sem(logs)
+            row.update(ratio=numpy.exp(logs.mean()), low=numpy.exp(logs.mean() - reach),
+                       high=numpy.exp(logs.mean() + reach))
+            row["p"] = test(logs, 0).pvalue
+            if margin > 0:
+                worse = numpy.log1p(margin)
+                row["not_worse"] = test(logs, worse, alternative="less").pvalue
+                row["not_better"] = test(logs, -worse, alternative="greater").pvalue
+                row["p"] = (row["not_worse"] if kind == "not-worse" else
+                            max(row["not_worse"], row["not_better"]))
+        rows.append(row)
+    table = pandas.DataFrame(rows).set_index("hypothesis")
+    table["p_holm"] = multipletests(table["p"], method="holm")[1]
+    print("\nHypotheses (ratio with 95 % interval; not_worse and not_better: one-sided tests):")
+    print(table.round(4).to_string())
+
+
 people = trials["participant"].nunique()
 conditions = trials["condition"].cat.categories
 print(f"{len(trials)} valid trials of {people} participants")
+planned = os.path.join(os.path.dirname(os.path.abspath(file)), "hypotheses.csv")
+if os.path.exists(planned):
+    test_hypotheses(pandas.read_csv(planned, keep_default_na=False, na_values=[""]))
 if people < 2 or len(conditions) < 2:
     print("The model needs two participants and two conditions.")
     sys.exit(0)

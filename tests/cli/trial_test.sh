@@ -121,3 +121,27 @@ run 2 "$feltline" trial run small.toml -o real
 run 2 "$feltline" trial run small.toml -o real --participant 0
 run 2 "$feltline" trial run small.toml -o real --participant 3 --session later
 run 2 "$feltline" trial run small.toml --participant 3
+
+# 'trial preregister' writes the plan of a study with hypotheses. Its fingerprint is that of the export.
+run 1 "$feltline" trial preregister small.toml --people 8
+has err "small.toml: the study has no hypothesis"
+sed 's/^id.*/&\npeople = 8/' small.toml >planned.toml
+printf '[[hypothesis]]\ncondition = "rough"\nagainst = "free"\nmeasure = "err_mean_mm"\n' >>planned.toml
+run 0 "$feltline" trial preregister planned.toml -o plan.md
+is_empty out
+has plan.md 'H1: err_mean_mm is smaller in "Rough" than in "Free"'
+has plan.md "8 participants"
+run 0 "$feltline" trial preregister planned.toml --people 12
+has out "12 participants"
+run 0 "$feltline" trial simulate planned.toml --people 1 -o planned
+run 0 "$feltline" trial export planned -o plan-export
+hash=$(grep -o 'fnv1a-[0-9a-f]*' plan.md)
+has plan-export/trials.csv "$hash"
+sed -i '/^people/d' planned.toml
+run 1 "$feltline" trial preregister planned.toml
+has err "planned.toml: the number of participants is missing"
+sed -i 's/err_mean_mm/error/' planned.toml
+run 1 "$feltline" trial preregister planned.toml --people 8
+has err "planned.toml:18: hypothesis.measure is error"
+run 2 "$feltline" trial preregister planned.toml --people 1
+run 1 "$feltline" trial preregister none.toml --people 8

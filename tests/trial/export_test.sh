@@ -10,6 +10,9 @@ has out export
 run 0 "$feltline" trial export results -o again
 run 0 diff -r export again
 lines export/trials.csv 51  # a heading, and 5 people with 2 practice trials and 2 blocks of 2 x 2
+lines export/hypotheses.csv 3
+has export/hypotheses.json "Holm"
+has export/report.html "H2: movement_s in"
 has export/report.html "These people are simulated"
 [ "$(head -c 5 export/report.pdf)" = %PDF- ] || fail "report.pdf is not a PDF"
 [ "$(find export/recordings -name '*.felt' | wc -l)" = 50 ] || fail "not one recording for each trial"
@@ -80,6 +83,7 @@ analyse() {
   run 0 "$@" "export/$script"
   has out "valid trials of 5 participants"
   has out "condition${open}felt${close}"
+  check_hypotheses
   mkdir -p made
   cp "export/$script" made
   for conditions in 2 3; do
@@ -99,6 +103,24 @@ analyse() {
   sed -i 's/,true,,/,false,max_lifts,/' made/trials.csv
   run 0 "$@" "made/$script"
   has out "0 valid trials"
+}
+
+# check_hypotheses: the script has printed the numbers of hypotheses.csv, to three digits.
+check_hypotheses() {
+  has out "Hypotheses (ratio with 95 % interval"
+  python3 - export/hypotheses.csv out <<'END' || fail "the script and the program disagree: $(cat out)"
+import csv, re, sys
+printed = open(sys.argv[2]).read()
+found = [float(number) for number in re.findall(r"(?<![\w.])[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?", printed)]
+rows = list(csv.DictReader(open(sys.argv[1])))
+assert len(rows) == 2, rows
+for row in rows:
+    for name in ("ratio", "ratio_low", "ratio_high", "p", "p_holm"):
+        assert any(abs(float(row[name]) - number) < 1e-3 for number in found), (row, name)
+    if float(row["margin"]) > 0:
+        for name in ("p_not_worse", "p_not_better"):
+            assert any(abs(float(row[name]) - number) < 1e-3 for number in found), (row, name)
+END
 }
 
 if [ -n "${FELT_SANITIZE:-}" ]; then

@@ -125,6 +125,26 @@ struct StudyShape {
   friend bool operator==(const StudyShape&, const StudyShape&) = default;
 };
 
+/// What a hypothesis says about the ratio of its measure in two conditions.
+enum class HypothesisKind {
+  kLess,      ///< the ratio is below 1 (tested two-sided against 1)
+  kNotWorse,  ///< the ratio is below 1 + margin (non-inferiority)
+  kSame,      ///< the ratio is between 1 / (1 + margin) and 1 + margin (equivalence)
+};
+inline constexpr std::array<std::string_view, 3> kHypothesisKinds = {"less", "not-worse", "same"};
+
+/// A primary hypothesis, which the report tests. It is about a metric of trials of which less is
+/// better, over the participants who have both conditions.
+struct StudyHypothesis {
+  std::string condition, against;  ///< names of conditions
+  std::string measure;             ///< the name of a column of trial_metric_columns()
+  HypothesisKind kind = HypothesisKind::kLess;
+  double margin = 0.0;                      ///< a share; 0 for kLess
+  std::optional<SessionKind> session = {};  ///< absent: hypothesis_session() chooses
+  int line = 0;                             ///< in the study file
+  friend bool operator==(const StudyHypothesis&, const StudyHypothesis&) = default;
+};
+
 /// The rules by which a trial is invalid. Metrics of invalid trials are computed and kept, too.
 struct CatchRules {
   double min_length_share = 0.0;            ///< of the length of the shape; 0: no rule
@@ -158,6 +178,8 @@ struct Study {
   QuestionTime question_time = QuestionTime::kCondition;
   std::vector<StudyCondition> conditions = {};
   std::vector<StudyShape> shapes = {};
+  std::vector<StudyHypothesis> hypotheses = {};
+  int people = 0;  ///< the planned number of participants; 0: not in the file
   friend bool operator==(const Study&, const Study&) = default;
 };
 
@@ -165,6 +187,7 @@ struct Study {
 inline constexpr std::size_t kMaxStudyConditions = 26;
 inline constexpr std::size_t kMaxStudyShapes = 100;
 inline constexpr std::size_t kMaxConditionSettings = 40;
+inline constexpr std::size_t kMaxStudyHypotheses = 20;
 inline constexpr std::size_t kMaxSessionTrials = 2000;
 
 }  // namespace felt

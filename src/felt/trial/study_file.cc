@@ -10,6 +10,7 @@
 #include "felt/base/printable.h"
 #include "felt/material/material_file.h"
 #include "felt/material/toml_entries.h"
+#include "felt/trial/study_hypothesis.h"
 #include "felt/trial/study_keys.h"
 #include "felt/trial/study_order.h"
 
@@ -34,7 +35,7 @@ bool is_setting_id(std::string_view id) noexcept {
 }
 
 bool is_list_of_tables(std::string_view table) noexcept {
-  return table == "condition" || table == "shape";
+  return table == "condition" || table == "shape" || table == "hypothesis";
 }
 
 /// Returns true for an empty table such as [rest], which is allowed.
@@ -52,6 +53,7 @@ class StudyReading {
   Study study() {
     make_tables("condition", kMaxStudyConditions, study_.conditions);
     make_tables("shape", kMaxStudyShapes, study_.shapes);
+    make_tables("hypothesis", kMaxStudyHypotheses, study_.hypotheses);
     if (find("sessions")) study_.sessions.clear();
     for (const TomlEntry& entry : entries_) read(entry);
     check_study();
@@ -64,6 +66,10 @@ class StudyReading {
     }
     check_rules();
     check_sessions();
+    check_hypotheses(
+        study_, entries_,
+        [this](std::string_view key, std::size_t table) { return is_refused(key, table); },
+        [this](int line, const std::string& what) { say(line, what); });
     return std::move(study_);
   }
 
@@ -108,7 +114,7 @@ class StudyReading {
     if (said_.insert(subject).second) say(line, what);
   }
 
-  /// Adds a condition or shape for each table of the list `name`.
+  /// Adds a condition, shape or hypothesis for each table of the list `name`.
   template <class Part>
   void make_tables(std::string_view name, std::size_t max, std::vector<Part>& parts) {
     for (const TomlEntry& entry : entries_) {
@@ -123,19 +129,26 @@ class StudyReading {
     }
   }
 
+  /// Returns a part, or null for tables beyond the limit, which make_tables reports.
+  template <class Part>
+  static Part* part_at(std::vector<Part>& parts, std::size_t index) {
+    return index < parts.size() ? &parts[index] : nullptr;
+  }
+
   void read(const TomlEntry& entry) {
     const std::string table = entry.key.substr(0, entry.key.find('.'));
     if (is_list_of_tables(table)) {
       if (entry.table < 0) {
         return say_once(table, entry.line, table + " must be written as [[" + table + "]]");
       }
-      const auto index = static_cast<std::size_t>(entry.table);
-      const bool is_condition = table == "condition";
-      // make_tables reports tables beyond the limit.
-      if (index >= (is_condition ? study_.conditions.size() : study_.shapes.size())) return;
       if (entry.key == table) return;  // an empty table: its name is missing
-      return read_value(entry, {&study_, is_condition ? &study_.conditions[index] : nullptr,
-                                is_condition ? nullptr : &study_.shapes[index]});
+      const auto index = static_cast<std::size_t>(entry.table);
+      const StudyTarget target{&study_,
+                               table == "condition" ? part_at(study_.conditions, index) : nullptr,
+                               table == "shape" ? part_at(study_.shapes, index) : nullptr,
+                               table == "hypothesis" ? part_at(study_.hypotheses, index) : nullptr};
+      if (target.condition || target.shape || target.hypothesis) read_value(entry, target);
+      return;
     }
     const bool is_table =
         std::any_of(study_keys().begin(), study_keys().end(),
@@ -144,7 +157,7 @@ class StudyReading {
       return say_once(table, entry.line, table + " must be written as [" + table + "]");
     }
     if (is_table && entry.key == table && is_empty_table(entry)) return;
-    read_value(entry, {&study_, nullptr, nullptr});
+    read_value(entry, {&study_});
   }
 
   void read_value(const TomlEntry& entry, const StudyTarget& target) {

@@ -192,13 +192,18 @@ TEST(StudyFile, RefusesValuesOutOfRangeOrOfAnotherType) {
       if (name == "id") text = "\n" + line + "\n" + kOneCondition + kOneShape;
       if (table == "condition") text = with_condition(line);
       if (table == "shape") text = with_shape(line);
+      if (table == "hypothesis") text = with_top("") + "[[hypothesis]]\n" + line + "\n";
       if (is_name && table == "condition")
         text = "id = \"s\"\n\n[[condition]]\n" + line + "\n" + kOneShape;
       if (is_name && table == "shape") {
         text = "id = \"s\"\n" + kOneCondition + "\n\n[[shape]]\n" + line + "\n" +
                (name == "kind" ? "name = \"n\"\n" : "kind = \"line\"\n");
       }
-      const int at = table.empty() ? 2 : table == "condition" ? 4 : table == "shape" ? 7 : 3;
+      const int at = table.empty()           ? 2
+                     : table == "condition"  ? 4
+                     : table == "shape"      ? 7
+                     : table == "hypothesis" ? 9
+                                             : 3;
       const std::string error = error_of(text);
       EXPECT_THAT(error, StartsWith("s.toml:" + std::to_string(at) + ": " + std::string(key.id)))
           << text;
@@ -229,9 +234,10 @@ TEST(StudyFile, NamesLineKeyAndWhatIsAllowed) {
 TEST(StudyFile, RefusesUnknownKeys) {
   EXPECT_THAT(
       error_of(with_top("colour = 1")),
-      StartsWith("s.toml:2: colour is unknown; a study has id, label, source, seed, order, "));
+      StartsWith("s.toml:2: colour is unknown; a study has id, label, source, seed, people, "));
   EXPECT_THAT(error_of(with_top("colour = 1")),
-              testing::EndsWith("blind, [rest], [catch], [questions], [[condition]], [[shape]]"));
+              testing::EndsWith("blind, [rest], [catch], [questions], [[condition]], [[shape]], "
+                                "[[hypothesis]]"));
   EXPECT_EQ(error_of(with_top("rest.second = 1")),
             "s.toml:2: rest.second is unknown; [rest] has seconds, after_trials");
   EXPECT_THAT(error_of(with_condition("guidence = 1")),

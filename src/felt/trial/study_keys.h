@@ -25,11 +25,13 @@ enum class StudyKeyKind {
   kSettings  ///< a table of options and their values
 };
 
-/// Where a key writes its value. `condition` and `shape` are valid for the keys of these tables.
+/// Where a key writes its value. `condition`, `shape` and `hypothesis` are valid for the keys of
+/// these tables.
 struct StudyTarget {
   Study* study = nullptr;
   StudyCondition* condition = nullptr;
   StudyShape* shape = nullptr;
+  StudyHypothesis* hypothesis = nullptr;
 };
 
 /// A value of the type of its key.

@@ -57,6 +57,29 @@ TEST(StudyOrder, HasTwoSquaresForThree) {
   EXPECT_THAT(williams_row(3, 3), ElementsAre(2, 1, 0));
 }
 
+// A design of Williams for 2 to 8 conditions: in all rows together, each condition is equally often
+// in each position, and each one comes equally often directly after each other one: once if the
+// number is even, twice in the two squares of an odd number.
+TEST(StudyOrder, R78_IsBalancedForFirstOrderCarryOverFromTwoToEight) {
+  for (std::size_t count = 2; count <= 8; ++count) {
+    const std::size_t squares = count % 2 == 0 ? 1 : 2;
+    ASSERT_EQ(williams_rows(count), squares * count);
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> in_position, after;
+    for (std::size_t row = 0; row < williams_rows(count); ++row) {
+      const std::vector<std::size_t> order = williams_row(count, row);
+      ASSERT_EQ(order.size(), count);
+      for (std::size_t i = 0; i < count; ++i) {
+        ++in_position[{order[i], i}];
+        if (i > 0) ++after[{order[i - 1], order[i]}];
+      }
+    }
+    EXPECT_EQ(in_position.size(), count * count) << count;
+    for (const auto& [pair, times] : in_position) EXPECT_EQ(times, squares) << count;
+    EXPECT_EQ(after.size(), count * (count - 1)) << count;
+    for (const auto& [pair, times] : after) EXPECT_EQ(times, squares) << count;
+  }
+}
+
 TEST(StudyOrder, BalancesPositionsAndNeighboursInEveryBlockOfAFullDesign) {
   for (std::size_t count = 1; count <= 11; ++count) {
     Study study = study_with(count, 2, StudyOrder::kBalancedLatinSquare);

@@ -1,6 +1,7 @@
 #include "felt/studies/export/data_table.h"
 
 #include <array>
+#include <charconv>
 #include <set>
 
 #include "felt/base/hash.h"
@@ -33,23 +34,6 @@ std::string option_text(const StudyCondition& condition, const std::string& opti
     if (setting.id == option) return setting_text(setting);
   }
   return "";
-}
-
-/// Returns a fingerprint of the study and of the files that it names, as 16 hexadecimal digits
-/// after "fnv1a-".
-std::string study_hash(const StudyFiles& files) {
-  Fnv1a hash;
-  for (const auto& [name, bytes] : files.sources) {
-    for (const std::string& text : {name, bytes}) {
-      hash.add(std::as_bytes(std::span(text)));
-      hash.add_value(static_cast<std::uint64_t>(text.size()));
-    }
-  }
-  std::array<char, 17> digits{};
-  auto* const end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), hash.value(), 16).ptr;
-  const std::string text(digits.data(), end);
-  return "fnv1a-" + std::string(16 - text.size(), '0') + text;
 }
 
 std::vector<std::pair<std::string, std::string>> condition_levels(const Study& study) {
@@ -225,6 +209,21 @@ void add_question_items(std::vector<DataColumn<GivenAnswers>>& columns) {
 }
 
 }  // namespace
+
+std::string study_hash(const StudyFiles& files) {
+  Fnv1a hash;
+  for (const auto& [name, bytes] : files.sources) {
+    for (const std::string& text : {name, bytes}) {
+      hash.add(std::as_bytes(std::span(text)));
+      hash.add_value(static_cast<std::uint64_t>(text.size()));
+    }
+  }
+  std::array<char, 17> digits{};
+  auto* const end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), hash.value(), 16).ptr;
+  const std::string text(digits.data(), end);
+  return "fnv1a-" + std::string(16 - text.size(), '0') + text;
+}
 
 std::vector<DataColumn<MeasuredTrial>> trial_columns(const StudyResults& results) {
   TrialColumns columns;

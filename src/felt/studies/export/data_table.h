@@ -28,6 +28,10 @@ struct DataColumn {
   std::function<std::string(const Row&)> text;
 };
 
+/// Returns a fingerprint of the study and of the files that it names: "fnv1a-" and 16 hexadecimal
+/// digits. The name of the study counts, too; in a folder with results it is kStudyFileName.
+std::string study_hash(const StudyFiles& files);
+
 /// Returns the columns of trials.csv, one row for each attempt of a trial. `results` must outlive
 /// them.
 std::vector<DataColumn<MeasuredTrial>> trial_columns(const StudyResults& results);

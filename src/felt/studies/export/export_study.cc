@@ -8,6 +8,7 @@
 #include "felt/studies/export/bids_files.h"
 #include "felt/studies/export/data_table.h"
 #include "felt/studies/export/export_folder.h"
+#include "felt/studies/export/hypothesis_table.h"
 #include "felt/studies/export/report_page.h"
 #include "felt/studies/export/study_report.h"
 #include "felt/studies/export/study_results.h"
@@ -112,6 +113,11 @@ std::vector<ExportFile> summary_files(const StudyResults& results) {
                                    {"analysis.py", std::string(analysis_python())},
                                    {"report.html", report_html(report)},
                                    {"report.pdf", report_pdf(report)}};
+  if (!results.files.study.hypotheses.empty()) {
+    const std::vector<DataColumn<HypothesisRow>> hypotheses = hypothesis_columns();
+    files.push_back({"hypotheses.csv", csv_text(hypotheses, hypothesis_rows(results))});
+    files.push_back({"hypotheses.json", dictionary_text(infos_of(hypotheses))});
+  }
   for (ExportFile& file : bids_dataset_files(results)) {
     files.push_back({"bids/" + file.path, std::move(file.bytes)});
   }

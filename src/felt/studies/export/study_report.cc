@@ -210,6 +210,7 @@ Report study_report(const StudyResults& results) {
     report.push_back(ReportText{"There are no trials yet."});
     return report;
   }
+  add_hypotheses(results, report);
   for (const SessionKind session : sessions) add_session(results, session, report);
   report.push_back(ReportHeading{"Learning"});
   report.push_back(learning_figure(results, kError, "Error in the order of the study"));

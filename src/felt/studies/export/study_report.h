@@ -8,12 +8,16 @@
 
 namespace felt {
 
-/// Returns the report about a study: the means of each condition, the differences of each
-/// participant from the first condition, learning, lines, questionnaires and invalid trials.
+/// Returns the report about a study: the tests of its hypotheses, the means of each condition, the
+/// differences of each participant from the first condition, learning, lines, questionnaires and
+/// invalid trials.
 Report study_report(const StudyResults& results);
 
 /// Returns a number for readers, with three significant digits or more: "0.412", "12.3", "154".
 std::string report_number(double value);
+
+/// Adds the tests of the hypotheses of the study; nothing if it has none.
+void add_hypotheses(const StudyResults& results, Report& report);
 
 // The figures of the report.
 

@@ -142,6 +142,35 @@ TEST(StudyReport, WorksWithOneCondition) {
   EXPECT_THAT(html, Not(HasSubstr("Differences within")));
 }
 
+TEST(StudyReport, R78_TestsTheHypothesesOfTheStudy) {
+  testing::MadeStudy made;
+  made.text = made.text + std::string(R"(
+[[hypothesis]]
+condition = "guided"
+against = "free"
+measure = "err_mean_mm"
+[[hypothesis]]
+condition = "null"
+against = "free"
+measure = "movement_s"
+kind = "same"
+margin = 0.3
+[[hypothesis]]
+condition = "null"
+against = "free"
+measure = "err_total_mm"
+)");
+  const std::string html = report_html(study_report(made_results(made)));
+  parsed(html);
+  EXPECT_THAT(html, HasSubstr("H1: err_mean_mm is smaller in &quot;Guided&quot; than in "
+                              "&quot;Free&quot;"));
+  EXPECT_THAT(html, HasSubstr("supported"));
+  EXPECT_THAT(html, HasSubstr("too few people"));
+  EXPECT_THAT(html, HasSubstr("Tests against the margin"));
+  EXPECT_THAT(html, Not(HasSubstr("nan")));
+  EXPECT_THAT(report_html(study_report(made_results())), Not(HasSubstr("Hypotheses")));
+}
+
 TEST(ReportPdf, HasPagesAndAValidTableOfObjects) {
   const Report report = study_report(made_results());
   const std::string pdf = report_pdf(report);
