@@ -24,7 +24,8 @@ void TrialRun::begin(const TrialStep& step) {
       studio_, QString::fromStdString(folder_.file_of(session_.info, name)));
   connect(recorder_.get(), &TrialRecorder::touched, this, &TrialRun::touched);
   studio_.start_over(Page{});
-  for (Event& event : setup_events(files(), step.trial, studio_.session().device())) {
+  const Rgba ink = studio_.session().ink_color();
+  for (Event& event : setup_events(files(), step.trial, studio_.session().device(), ink)) {
     studio_.apply(std::move(event.what));
   }
   // A surface of the condition changes the colour of the paper, which would be a second difference

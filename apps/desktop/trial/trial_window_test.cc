@@ -402,6 +402,7 @@ task = "width"
 width_mm = 3
 )");
   open();
+  const Rgba ink = studio_->session().ink_color();
   const std::size_t ink_before[] = {1, 5, 0};
   std::size_t seen = 0;
   take_part([&] {
@@ -409,7 +410,7 @@ width_mm = 3
     const StudyTask task = run_->files().study.shapes[trial().shape].task;
     EXPECT_EQ(studio_->session().document().stroke_count(), ink_before[seen]) << seen;
     EXPECT_EQ(studio_->session().tool().info().kind == ToolKind::kDraws, task != StudyTask::kErase);
-    EXPECT_EQ(studio_->session().ink_color(), Rgba{});
+    EXPECT_EQ(studio_->session().ink_color(), ink) << "the line to draw over is lighter";
     ++seen;
     return false;
   });

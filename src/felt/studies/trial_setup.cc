@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/session/session.h"
+#include "felt/stroke/color_text.h"
 #include "felt/studies/erased_page.h"
 #include "felt/studies/measured_trial.h"
 #include "felt/tools/guide_line.h"
@@ -58,12 +59,13 @@ constexpr const char* kRetracedColor = "#c0c2c6";
 constexpr const char* kInkColor = "ink.color";
 
 /// Adds the ink at the start of a trial. New ink has the colour of the condition afterwards.
-void add_start_ink(const StudyFiles& files, const PlannedTrial& trial, std::vector<Event>& events) {
+void add_start_ink(const StudyFiles& files, const PlannedTrial& trial, Rgba ink,
+                   std::vector<Event>& events) {
   const bool is_retraced = files.study.shapes[trial.shape].task == StudyTask::kRetrace;
   if (is_retraced) events.push_back({0, SetOption{kInkColor, std::string(kRetracedColor)}});
   for (AddLine& line : ink_at_start(files, trial)) events.push_back({0, std::move(line)});
   if (!is_retraced) return;
-  SetOption color{kInkColor, std::string("#000000")};
+  SetOption color{kInkColor, color_to_text(ink)};
   for (const StudySetting& setting : files.study.conditions[trial.condition].settings) {
     if (setting.id == kInkColor) color = option_of(setting);
   }
@@ -146,7 +148,7 @@ std::vector<AddLine> ink_at_start(const StudyFiles& files, const PlannedTrial& t
 }
 
 std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& trial,
-                                const Capabilities& device) {
+                                const Capabilities& device, Rgba ink) {
   const StudyCondition& condition = files.study.conditions[trial.condition];
   std::vector<Event> events = {{0, UseDevice{device}}};
   for (const StudySetting& setting : condition.settings) {
@@ -157,7 +159,7 @@ std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& tri
   }
   GuideLine guide = guide_of(files, trial);
   if (guide.kind != GuideKind::kNone) events.push_back({0, UseGuide{std::move(guide)}});
-  add_start_ink(files, trial, events);
+  add_start_ink(files, trial, ink, events);
   if (files.study.shapes[trial.shape].task == StudyTask::kErase) {
     events.push_back({0, SelectTool{"eraser"}});
   }

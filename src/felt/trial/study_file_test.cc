@@ -250,11 +250,13 @@ TEST(StudyFile, RefusesShapesThatDoNotSuitTheTask) {
               StartsWith("s.toml:7: shape.width_mm has no effect without the task width"));
   EXPECT_THAT(error_of(with_shape("task = \"width\"\nwidth_mm = 9")),
               HasSubstr("shape.width_mm is 9, it must be 0.3 to 6"));
-  EXPECT_THAT(
-      error_of(with_shape("task = \"close\"")),
-      HasSubstr("shape.kind is \"line\", it must be \"circle\" or \"star\" for the task close"));
-  EXPECT_THAT(error_of(with_shape("task = \"erase\"\nsize_mm = 30")),
-              StartsWith("s.toml:8: shape.size_mm is 30, it must be 50 to 250 for the task erase"));
+  const std::string line =
+      "id = \"s\"\n" + kOneCondition + "[[shape]]\nname = \"a\"\nkind = \"line\"\n";
+  EXPECT_EQ(error_of(line + "task = \"close\"\n"),
+            "s.toml:6: shape.kind is \"line\", it must be \"circle\" or \"star\" for the task "
+            "close");
+  EXPECT_EQ(error_of(line + "task = \"erase\"\nsize_mm = 30\n"),
+            "s.toml:8: shape.size_mm is 30, it must be 50 to 250 for the task erase");
   EXPECT_THAT(error_of("id = \"s\"\n" + kOneCondition +
                        "[[shape]]\nname = \"a\"\nkind = \"wave\"\ntask = \"erase\"\n"),
               HasSubstr("shape.kind must be \"line\" for the task erase"));
