@@ -152,7 +152,8 @@ task = "erase"
       StudyFolder::create(path("out"), read_study_files(path("tasks.toml")).value()).value();
   ASSERT_TRUE(simulate_study(folder, options(2)));
   std::map<StudyTask, std::array<TrialMetrics, 2>> sums;  // without and with the forces
-  for (const StudySession& session : folder.sessions().value()) {
+  const std::vector<StudySession> sessions = folder.sessions().value();
+  for (const StudySession& session : sessions) {
     for (const TrialResult& result : session.results) {
       const PlannedTrial& trial = session.plan[static_cast<std::size_t>(result.trial - 1)];
       std::string bytes;
