@@ -10,12 +10,14 @@
 #include "apps/cli/text_table.h"
 #include "bench/hand/statistics.h"
 #include "felt/studies/simulated_trial.h"
+#include "traced_study.h"
 
 namespace felt::bench {
 namespace {
 
 constexpr const char* kStudy = "share/studies/improving-sketching.toml";
 constexpr int kRepetitions = 2;
+constexpr std::size_t kDefaultRetrace = 3;  // of the study: the options as they ship
 enum Column : std::size_t { kAir, kPlane, kDefault, kTablet, kColumns };
 
 /// The means of one person over shapes and repetitions.
@@ -50,7 +52,8 @@ Result<Means> means_of(const StudyFiles& files, std::size_t condition, const Per
 Result<std::vector<Means>> column_of(const StudyFiles& files, Column column,
                                      const std::vector<Person>& people,
                                      const StylusPreset& device) {
-  const std::size_t condition = column == kTablet ? std::size_t{kDefault} : std::size_t{column};
+  const bool is_default = column == kDefault || column == kTablet;
+  const std::size_t condition = is_default ? kDefaultRetrace : std::size_t{column};
   const StylusPreset& used = column == kTablet ? *find_stylus_preset("tablet") : device;
   std::vector<Means> all;
   for (const Person& person : people) {
@@ -105,7 +108,7 @@ std::string mean_mm(const std::vector<Means>& people, double Means::*measure) {
 }  // namespace
 
 Result<void> compare_baselines(const std::vector<std::string>& devices, std::size_t people) {
-  const Result<StudyFiles> files = read_study_files(kStudy);
+  const Result<StudyFiles> files = read_traced_study(kStudy);
   if (!files) return tl::unexpected(files.error());
   using Align = cli::TextTable::Align;
   std::vector<cli::TextTable::Column> columns = {{"device", Align::kLeft}, {"model", Align::kLeft}};

@@ -13,6 +13,7 @@
 #include "felt/base/random.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/studies/erased_page.h"
 #include "hand_task.h"
 
 namespace felt::bench {
@@ -20,12 +21,7 @@ namespace {
 
 constexpr int kTrials = 12;  // of each person
 constexpr double kMaxExtraRatio = 0.5, kMaxWrongRatio = 0.2, kMaxTimeChange = 0.05;
-// How often the pen turns at a mark, and the standard deviation of its aim there, along the line;
-// half of it aside (chosen).
-constexpr int kTurns = 4;
-constexpr double kAimMm = 1.0;
-constexpr double kRadiusMm = 2.0,
-                 kHalfInkMm = 0.5;  // the eraser's default; testing::polyline_stroke
+constexpr double kLineMm = 90.0;
 
 enum : std::uint8_t { kTarget, kMark, kNeighbour };
 
@@ -34,7 +30,8 @@ enum : std::uint8_t { kTarget, kMark, kNeighbour };
 struct Page {
   std::vector<StrokePtr> ink;
   Point middle;
-  Vec along;              // unit vector of the line
+  Vec along;  // unit vector of the line
+  ErasedPage layout;
   double from_mm, to_mm;  // the marks, from the middle along the line
 };
 
@@ -47,21 +44,14 @@ StrokePtr line(Point a, Point b, std::uint8_t kind) {
 Page page_of(int trial) {
   Random random(static_cast<std::uint64_t>(trial) + 1);
   const double turn = random.between(0.0, kTau);
-  Page page{{}, {120.0, 100.0}, {std::cos(turn), std::sin(turn)}, 0.0, 0.0};
-  page.from_mm = -random.between(9.0, 16.0);
-  page.to_mm = random.between(9.0, 16.0);
-  const Vec across = perp(page.along);
-  const auto at = [&](double along, double aside) {
-    return page.middle + along * page.along + aside * across;
-  };
-  page.ink.push_back(line(at(-45.0, 0.0), at(45.0, 0.0), kTarget));
-  for (const double mark : {page.from_mm, page.to_mm}) {
-    const double slant = random.between(-4.0, 4.0);
-    page.ink.push_back(line(at(mark - slant, -12.0), at(mark + slant, 12.0), kMark));
-  }
-  for (const double side : {-1.0, 1.0}) {
-    const double away = side * (kRadiusMm + kHalfInkMm + random.between(0.3, 1.2));
-    page.ink.push_back(line(at(page.from_mm + 3.5, away), at(page.to_mm - 3.5, away), kNeighbour));
+  Page page{{}, {120.0, 100.0}, {std::cos(turn), std::sin(turn)}, {}, 0.0, 0.0};
+  page.layout = erased_page(page.middle, page.along, kLineMm, random);
+  page.from_mm = page.layout.from_mm - 0.5 * kLineMm;
+  page.to_mm = page.layout.to_mm - 0.5 * kLineMm;
+  page.ink.push_back(line(page.layout.line[0], page.layout.line[1], kTarget));
+  for (std::size_t i = 0; i < page.layout.others.size(); ++i) {
+    const std::vector<Point>& other = page.layout.others[i];
+    page.ink.push_back(line(other[0], other[1], i < 2 ? kMark : kNeighbour));
   }
   return page;
 }
@@ -78,7 +68,7 @@ Erased compare(const Page& before, const Document& after) {
   for (std::size_t i = 0; i < before.ink.size(); ++i) lost[i] = length_mm(*before.ink[i]);
   double left_mm = 0.0;
   const double begin = before.from_mm, end = before.to_mm;
-  double beyond_mm = 90.0 - (end - begin);
+  double beyond_mm = kLineMm - (end - begin);
   for (const StrokePtr& stroke : visible_strokes(after)) {
     if (stroke->color().r == kTarget) {
       const double a = dot(stroke->position(0.0) - before.middle, before.along);
@@ -117,17 +107,8 @@ Result<Erased> erase(const Person& person, const StylusPreset& device, bool is_o
   const Page page = page_of(trial);
   HandTask task{.tool = "eraser", .ink = page.ink, .trial = static_cast<std::uint64_t>(trial)};
   if (!is_on) task.options = {{"eraser.guard_n", "0"}};
-  // The pen turns where the eraser touches a mark.
-  const double reach = kRadiusMm + kHalfInkMm;
   Random random(1000 + static_cast<std::uint64_t>(trial));
-  task.path = {page.middle};
-  for (int turn = 0; turn < kTurns; ++turn) {
-    const double along = turn % 2 == 0 ? page.to_mm - reach : page.from_mm + reach;
-    const Point aim = page.middle + (along + kAimMm * random.normal()) * page.along +
-                      0.5 * kAimMm * random.normal() * perp(page.along);
-    task.path.insert(task.path.end(), 2, aim);
-  }
-  task.path.push_back(page.middle);
+  task.path = erasing_path(page.layout, random);
   double sum_n = 0.0, max_n = 0.0, ticks = 0.0;
   const auto watch = [&](const TickReport& report) {
     if (!in_contact(report.sample)) return;
@@ -232,7 +213,7 @@ Result<bool> compare_erasing(const std::vector<std::string>& devices, std::size_
       "1.2 mm beside the eraser on each side. extra: ink that was\nnot meant. wrong lines: lines "
       "that were not meant and have lost ink. left: ink that was meant.\nBars: {} times the extra "
       "ink, {} times the wrong lines, {:+.0f} % time: {}\n",
-      people, 2.0 * kHalfInkMm, kMaxExtraRatio, kMaxWrongRatio, 100.0 * kMaxTimeChange,
+      people, kErasedInkMm, kMaxExtraRatio, kMaxWrongRatio, 100.0 * kMaxTimeChange,
       is_met ? "met" : "MISSED");
   return is_met;
 }

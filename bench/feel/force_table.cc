@@ -21,6 +21,7 @@
 #include "felt/studies/simulated_trial.h"
 #include "hand_task.h"
 #include "pull_people.h"
+#include "traced_study.h"
 
 namespace felt::bench {
 namespace {
@@ -32,7 +33,7 @@ constexpr double kSlowPace = 0.25;  // Person::pace of people who draw slowly
 struct Studies {
   StudyFiles sketching, guided, towed;
 };
-constexpr std::size_t kAir = 0, kPlane = 1, kDefault = 2;  // improving-sketching
+constexpr std::size_t kAir = 0, kPlane = 1, kDefault = 3;  // improving-sketching
 constexpr std::size_t kFree = 0, kGroove = 1;              // langerak-complexity
 constexpr std::size_t kFreehand = 0, kDrag = 2;            // keefe-2007
 
@@ -225,7 +226,9 @@ Result<void> print_force_table(const std::string& device, std::size_t people) {
   for (auto& [files, name] : {std::pair(&studies.sketching, "improving-sketching"),
                               std::pair(&studies.guided, "langerak-complexity"),
                               std::pair(&studies.towed, "keefe-2007")}) {
-    Result<StudyFiles> read = read_study_files(fmt::format("share/studies/{}.toml", name));
+    const std::string path = fmt::format("share/studies/{}.toml", name);
+    const bool is_sketching = files == &studies.sketching;
+    Result<StudyFiles> read = is_sketching ? read_traced_study(path) : read_study_files(path);
     if (!read) return tl::unexpected(read.error());
     *files = *std::move(read);
   }

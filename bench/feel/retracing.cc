@@ -16,6 +16,7 @@
 #include "hand_task.h"
 #include "tests/drawing/snapping/snap_count.h"
 #include "tests/drawing/snapping/snap_scenes.h"
+#include "traced_study.h"
 
 namespace felt::bench {
 namespace {
@@ -193,7 +194,7 @@ std::string change_text(const Totals& totals) {
 }  // namespace
 
 Result<bool> compare_retracing(const std::vector<std::string>& devices, std::size_t people) {
-  const Result<StudyFiles> files = read_study_files(kStudy);
+  const Result<StudyFiles> files = read_traced_study(kStudy);
   if (!files) return tl::unexpected(files.error());
   std::vector<std::vector<Point>> paths;
   for (const StudyPath& path : files->paths) paths.push_back(via_points(path));

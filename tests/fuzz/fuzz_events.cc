@@ -129,6 +129,13 @@ struct CheckWhat {
     FELT_CHECK(check_key_timing(timing).has_value());
   }
   void operator()(const UseView&) const {}
+  void operator()(const AddLine& e) const {
+    check_number(e.width_mm);
+    for (const Point p : e.points) {
+      check_number(p.x);
+      check_number(p.y);
+    }
+  }
   void operator()(const BodyEvent& e) const {
     FELT_CHECK(e.what != BodyEvent::Do::kAdd || check_body_edit(e.edit).has_value());
   }

@@ -3,6 +3,11 @@
 //   trial N open|closed TUNNEL TARGET       widths in mm, or NA
 //   path X Y                                one line for each point
 //   sample T_NS X Y CONTACT PRESSURE FX FY HEIGHT  pressure, force and height may be NA
+//   width MM                                the required width
+//   erase FROM TO                           what is to be erased of the first line of before
+//   before N X Y                            a point of line N that was there before
+//   ink N X Y WIDTH                         a point of line N of ink after the trial
+//   closed N                                line N of ink is closed
 //   metric NAME VALUE
 //   end
 #include <cmath>
@@ -15,6 +20,7 @@
 #include <vector>
 
 #include "felt/geometry/polyline.h"
+#include "felt/trial/ink_metrics.h"
 #include "felt/trial/trial_columns.h"
 
 namespace felt {
@@ -38,6 +44,9 @@ struct RandomTrial {
   TrialGeometry geometry;
   std::vector<Point> path;
   std::vector<TrialSample> samples;
+  double width_mm = 1.0;
+  ErasedPage page;
+  std::vector<InkLine> ink;
 };
 
 std::vector<Point> random_path(Random& random) {
@@ -125,6 +134,45 @@ void add_samples(Random& random, RandomTrial& trial) {
   }
 }
 
+Point random_point(Random& random) {
+  return {random.between(0.0, 60.0), random.between(0.0, 60.0)};
+}
+
+/// Lines of which parts were erased, and lines that may meet at their ends.
+void add_ink(Random& random, RandomTrial& trial) {
+  trial.width_mm = random.between(0.3, 6.0);
+  trial.page.line = {random_point(random), random_point(random), random_point(random)};
+  const double length = polyline_length(trial.page.line);
+  trial.page.from_mm = random.between(0.0, 0.5) * length;
+  trial.page.to_mm = trial.page.from_mm + random.between(0.0, 0.5) * length;
+  for (int i = random.below(4); i > 0; --i) {
+    trial.page.others.push_back({random_point(random), random_point(random)});
+  }
+  if (random.one_in(8)) return;
+  std::vector<std::vector<Point>> lines = trial.page.others;
+  lines.push_back(trial.page.line);
+  for (const std::vector<Point>& line : lines) {
+    const Point first = line[0], last = line[1];
+    const double from = random.between(0.0, 0.5), to = random.between(0.5, 1.0);
+    trial.ink.push_back({{first, lerp(first, last, from)}, {}, false});
+    if (!random.one_in(4)) trial.ink.push_back({{lerp(first, last, to), last}, {}, false});
+    if (random.one_in(5)) {
+      trial.ink.push_back({{first, random_point(random), first}, {}, random.one_in(2)});
+    }
+  }
+  if (random.one_in(4)) trial.ink = {{{{1.0, 1.0}, {30.0, 2.0}}, {}, false}};
+  if (random.one_in(4)) trial.ink = {{trial.page.line, {}, false}};
+  if (random.one_in(4)) {
+    const Point a = trial.ink.front().points.front(), b = trial.ink.front().points.back();
+    trial.ink = {trial.ink.front(), {{b, random_point(random), a}, {}, false}};
+  }
+  for (InkLine& line : trial.ink) {
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      line.widths_mm.push_back(random.between(0.1, 6.0));
+    }
+  }
+}
+
 RandomTrial random_trial(Random& random) {
   RandomTrial trial;
   if (random.one_in(2)) trial.geometry.tunnel_width_mm = random.between(0.2, 6.0);
@@ -134,6 +182,7 @@ RandomTrial random_trial(Random& random) {
   if (distinct_points(trial.path).size() > 2 && random.one_in(2))
     trial.geometry.ends = TrialPathEnds::kClosed;
   if (!random.one_in(50)) add_samples(random, trial);
+  add_ink(random, trial);
   return trial;
 }
 
@@ -142,6 +191,25 @@ std::string exact_text(const std::optional<double>& value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.17g", *value);
   return text;
+}
+
+void print_ink(const RandomTrial& trial) {
+  std::printf("width %.17g\nerase %.17g %.17g\n", trial.width_mm, trial.page.from_mm,
+              trial.page.to_mm);
+  for (const Point p : trial.page.line) std::printf("before 0 %.17g %.17g\n", p.x, p.y);
+  for (std::size_t i = 0; i < trial.page.others.size(); ++i) {
+    for (const Point p : trial.page.others[i]) {
+      std::printf("before %zu %.17g %.17g\n", i + 1, p.x, p.y);
+    }
+  }
+  for (std::size_t i = 0; i < trial.ink.size(); ++i) {
+    const InkLine& line = trial.ink[i];
+    for (std::size_t k = 0; k < line.points.size(); ++k) {
+      std::printf("ink %zu %.17g %.17g %.17g\n", i, line.points[k].x, line.points[k].y,
+                  line.widths_mm[k]);
+    }
+    if (line.is_closed) std::printf("closed %zu\n", i);
+  }
 }
 
 void print_trial(int number, const RandomTrial& trial) {
@@ -157,7 +225,11 @@ void print_trial(int number, const RandomTrial& trial) {
                 s.position.x, s.position.y, s.contact ? 1 : 0, exact_text(s.pressure).c_str(),
                 exact_text(fx).c_str(), exact_text(fy).c_str(), exact_text(s.height_mm).c_str());
   }
-  const TrialMetrics metrics = measure_trial(trial.samples, trial.path, geometry);
+  print_ink(trial);
+  TrialMetrics metrics = measure_trial(trial.samples, trial.path, geometry);
+  measure_closing(trial.ink, metrics);
+  measure_width(trial.ink, trial.width_mm, metrics);
+  measure_erasing(trial.page, trial.ink, metrics);
   for (const TrialColumn& column : trial_metric_columns()) {
     std::printf("metric %s %s\n", std::string(column.name).c_str(),
                 exact_text(metrics.*column.value).c_str());

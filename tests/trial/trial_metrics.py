@@ -436,8 +436,60 @@ def pressure_metrics(touches):
             "pressure_cv": deviation(values) / m if len(values) > 1 and m > 0 else None}
 
 
+def closing_metrics(ink, closed):
+    """`ink`: points with widths for each number of a line; `closed`: numbers of closed lines."""
+    if not ink:
+        return {}
+    ends = [line[i][:2] for n, line in ink.items() if n not in closed for i in (0, -1)]
+    loose = [i for i, p in enumerate(ends)
+             if not any(dist(p, q) <= 0.01 for k, q in enumerate(ends) if k != i)]
+    return {"is_closed": 0.0 if loose else 1.0}
+
+
+def width_metrics(ink, required):
+    widths = []
+    for line in ink.values():
+        curve = Curve([p[:2] for p in line])
+        inner = curve.length - 10.0
+        if not inner > 0.0:
+            continue
+        steps = max(1, math.ceil(inner / 0.5 - 1e-9))
+        for k in range(steps + 1):
+            s = 5.0 + inner * k / steps
+            i = min(max(0, bisect.bisect_left(curve.lengths, s) - 1), len(line) - 2)
+            u = (s - curve.lengths[i]) / (curve.lengths[i + 1] - curve.lengths[i])
+            widths.append(line[i][2] + u * (line[i + 1][2] - line[i][2]))
+    if not widths:
+        return {}
+    m = mean(widths)
+    return {"width_mean_mm": m, "width_err_mm": mean([abs(w - required) for w in widths]),
+            "width_cv": deviation(widths) / m}
+
+
+def erased_length(line, begin, end, pieces):
+    """The erased length of a line between two distances along it, and the one that is left."""
+    if not end > begin:
+        return 0.0, 0.0
+    curve, steps = Curve(line), max(1, math.ceil((end - begin) / 0.1 - 1e-9))
+    step = (end - begin) / steps
+    gone = sum(not pieces or nearest(pieces, curve.at(begin + (k + 0.5) * step)).distance > 0.02
+               for k in range(steps))
+    return gone * step, (steps - gone) * step
+
+
+def erasing_metrics(before, span, ink):
+    pieces = [pair for line in ink.values() for pair in pairs([p[:2] for p in line])]
+    first, length = before[0], Curve(before[0]).length
+    lost = [erased_length(line, 0.0, Curve(line).length, pieces)[0]
+            for n, line in before.items() if n > 0]
+    beyond = [erased_length(first, a, b, pieces)[0] for a, b in ((0.0, span[0]), (span[1], length))]
+    return {"erased_extra_mm": math.fsum(beyond + lost),
+            "erased_left_mm": erased_length(first, *span, pieces)[1],
+            "erased_wrong_lines": sum(mm > 0.1 + 1e-9 for mm in lost)}
+
+
 def measure(samples, path_points, closed, tunnel, target):
-    """Returns a dictionary of the metrics; missing ones are None or absent."""
+    """Returns a dictionary of the metrics of samples; missing ones are None or absent."""
     good = valid_samples(samples)
     path = Path(path_points, closed)
     metrics = {"samples": len(good), "samples_ignored": len(samples) - len(good)}
@@ -457,6 +509,8 @@ def measure(samples, path_points, closed, tunnel, target):
         metrics.update(error_metrics(path, strokes, heights, tunnel))
         metrics["frechet_mm"] = frechet_metric(path, points)
         metrics.update(straight_metrics(path, points, target))
+        if path.closed:
+            metrics["end_gap_mm"] = dist(points[0], points[-1])
     metrics.update(smoothness_metrics(movement))
     metrics.update(force_metrics(movement))
     metrics.update(pressure_metrics(touches))
@@ -515,15 +569,29 @@ def main():
             trial, closed = words[0], words[1] == "closed"
             tunnel, target = number(words[2]), number(words[3])
             path, samples, actual = [], [], {}
+            before, ink, closed_ink = {}, {}, set()
         elif kind == "path":
             path.append((float(words[0]), float(words[1])))
         elif kind == "sample":
             samples.append(Sample(int(words[0]), float(words[1]), float(words[2]),
                                   words[3] == "1", *map(number, words[4:])))
+        elif kind == "width":
+            required = float(words[0])
+        elif kind == "erase":
+            span = tuple(map(float, words))
+        elif kind in ("before", "ink"):
+            lines = before if kind == "before" else ink
+            lines.setdefault(int(words[0]), []).append(tuple(map(float, words[1:])))
+        elif kind == "closed":
+            closed_ink.add(int(words[0]))
         elif kind == "metric":
             actual[words[0]] = number(words[1])
         elif kind == "end":
-            comparison.compare(trial, measure(samples, path, closed, tunnel, target), actual)
+            expected = measure(samples, path, closed, tunnel, target)
+            expected.update(closing_metrics(ink, closed_ink))
+            expected.update(width_metrics(ink, required))
+            expected.update(erasing_metrics(before, span, ink))
+            comparison.compare(trial, expected, actual)
     return 0 if comparison.report() else 1
 
 

@@ -107,18 +107,23 @@ void ContourFinder::take_layers() {
     return a.data == b.data && a.place == b.place;
   };
   if (std::equal(places.begin(), places.end(), places_.begin(), places_.end(), is_same)) return;
-  for (Place& place : places) {
-    for (const Place& known : places_) {
-      const bool is_as_large =
-          std::fabs(known.mm_per_px() - place.mm_per_px()) < 0.01 * place.mm_per_px();
-      if (known.data == place.data && is_as_large) place.contours = known.contours;
-    }
-  }
+  for (Place& place : places) place.contours = known_contours(place);
   places_ = std::move(places);
   for (const Place& place : places_) {
     if (!place.contours) search(place);
   }
   Q_EMIT changed();
+}
+
+/// Returns the contours of the same picture in about the same size, or null.
+ContourFinder::Contours ContourFinder::known_contours(const Place& place) const {
+  const auto is_as_large = [&place](const Place& known) {
+    return std::fabs(known.mm_per_px() - place.mm_per_px()) < 0.01 * place.mm_per_px();
+  };
+  for (const Place& known : places_) {
+    if (known.data == place.data && is_as_large(known)) return known.contours;
+  }
+  return nullptr;
 }
 
 void ContourFinder::search(const Place& place) {
@@ -132,7 +137,7 @@ void ContourFinder::search(const Place& place) {
 }
 
 void ContourFinder::take(const std::shared_ptr<const PictureData>& data, double mm_per_px,
-                         Contours found) {
+                         const Contours& found) {
   bool is_new = false;
   for (Place& place : places_) {
     if (place.data != data || place.contours || place.mm_per_px() != mm_per_px) continue;

@@ -43,8 +43,10 @@ class ContourFinder : public QObject {
   };
 
   void take_layers();
+  [[nodiscard]] Contours known_contours(const Place& place) const;
   void search(const Place& place);
-  void take(const std::shared_ptr<const PictureData>& data, double mm_per_px, Contours found);
+  void take(const std::shared_ptr<const PictureData>& data, double mm_per_px,
+            const Contours& found);
 
   Studio& studio_;
   bool is_on_ = false;

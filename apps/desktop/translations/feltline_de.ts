@@ -7117,6 +7117,22 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Bewegen Sie den Stift über die Seite, bis Sie darin eine Linie fühlen, und folgen Sie dieser Linie.</translation>
     </message>
     <message>
+        <source>Draw over the line. Begin at the dot and go in the direction of the arrow.</source>
+        <translation>Zeichnen Sie über die Linie. Beginnen Sie am Punkt und folgen Sie der Richtung des Pfeils.</translation>
+    </message>
+    <message>
+        <source>Draw along the line, once around, so that the end of your line meets its start.</source>
+        <translation>Zeichnen Sie die Linie einmal ganz herum nach, sodass das Ende Ihrer Linie ihren Anfang trifft.</translation>
+    </message>
+    <message>
+        <source>Draw along the band with one line that is as broad as the band everywhere. Begin at the dot.</source>
+        <translation>Zeichnen Sie entlang des Bandes eine einzige Linie, die überall so breit ist wie das Band. Beginnen Sie am Punkt.</translation>
+    </message>
+    <message>
+        <source>Erase the marked part of the line, up to the two lines that cross it. Leave all other lines as they are.</source>
+        <translation>Radieren Sie den markierten Teil der Linie weg, bis zu den beiden Linien, die sie kreuzen. Lassen Sie alle anderen Linien, wie sie sind.</translation>
+    </message>
+    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>

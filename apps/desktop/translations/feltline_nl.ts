@@ -7117,6 +7117,22 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Beweeg de pen over de pagina tot u er een lijn in voelt, en volg deze lijn.</translation>
     </message>
     <message>
+        <source>Draw over the line. Begin at the dot and go in the direction of the arrow.</source>
+        <translation>Teken over de lijn. Begin bij de stip en ga in de richting van de pijl.</translation>
+    </message>
+    <message>
+        <source>Draw along the line, once around, so that the end of your line meets its start.</source>
+        <translation>Teken de lijn één keer helemaal rond over, zodat het einde van uw lijn het begin raakt.</translation>
+    </message>
+    <message>
+        <source>Draw along the band with one line that is as broad as the band everywhere. Begin at the dot.</source>
+        <translation>Teken langs de band één lijn die overal zo breed is als de band. Begin bij de stip.</translation>
+    </message>
+    <message>
+        <source>Erase the marked part of the line, up to the two lines that cross it. Leave all other lines as they are.</source>
+        <translation>Gum het gemarkeerde deel van de lijn uit, tot aan de twee lijnen die haar kruisen. Laat alle andere lijnen zoals ze zijn.</translation>
+    </message>
+    <message>
         <source>Done</source>
         <translation>Klaar</translation>
     </message>

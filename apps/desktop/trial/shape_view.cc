@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/geometry/polyline.h"
 #include "felt/studies/measured_trial.h"
 
 namespace felt::desktop {
@@ -15,7 +16,9 @@ namespace {
 const QColor kLineColor(208, 210, 214);
 const QColor kWallColor(150, 154, 160);
 const QColor kStartColor(46, 112, 190);
+const QColor kErasedColor(250, 214, 150);
 constexpr double kLineMm = 0.8;
+constexpr double kErasedMm = 3.0;  // breadth of the mark on the part to be erased
 constexpr double kWallMm = 0.4;
 constexpr double kStartMm = 1.6;    // radius of the start dot
 constexpr double kArrowAtMm = 7.0;  // from the start to the tip of the arrow
@@ -115,7 +118,8 @@ void ShapeView::render() {
   }
   switch (shape.task) {
     case StudyTask::kTrace:
-      paint_path(painter, path);
+    case StudyTask::kClose:
+      paint_path(painter, path, kLineMm);
       paint_start(painter, path, true);
       break;
     case StudyTask::kTunnel:
@@ -123,7 +127,7 @@ void ShapeView::render() {
       paint_start(painter, path, true);
       break;
     case StudyTask::kCopy:
-      paint_path(painter, model_of(path));
+      paint_path(painter, model_of(path), kLineMm);
       paint_start(painter, model_of(path), true);
       break;
     case StudyTask::kConnect:
@@ -132,14 +136,32 @@ void ShapeView::render() {
       break;
     case StudyTask::kFind:
       break;
+    case StudyTask::kRetrace:  // the line is ink
+      paint_start(painter, path, true);
+      break;
+    case StudyTask::kWidth:
+      paint_path(painter, path, shape.width_mm);
+      paint_start(painter, path, true);
+      break;
+    case StudyTask::kErase:
+      paint_erased(painter);
+      break;
   }
   update();
 }
 
-void ShapeView::paint_path(QPainter& painter, const StudyPath& path) const {
-  painter.setPen(QPen(kLineColor, kLineMm * canvas_.view().px_per_mm(), Qt::SolidLine, Qt::RoundCap,
-                      Qt::RoundJoin));
+void ShapeView::paint_path(QPainter& painter, const StudyPath& path, double width_mm) const {
+  painter.setPen(QPen(kLineColor, width_mm * canvas_.view().px_per_mm(), Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(on_screen(path));
+}
+
+void ShapeView::paint_erased(QPainter& painter) const {
+  const ErasedPage page = erased_page_of(*files_, trial_);
+  const CanvasView& view = canvas_.view();
+  painter.setPen(QPen(kErasedColor, kErasedMm * view.px_per_mm(), Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(view.to_px(point_at_length(page.line, page.from_mm)),
+                   view.to_px(point_at_length(page.line, page.to_mm)));
 }
 
 void ShapeView::paint_tunnel(QPainter& painter, const StudyPath& path, double width_mm) const {

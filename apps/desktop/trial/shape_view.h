@@ -31,7 +31,8 @@ class ShapeView : public QWidget {
 
  private:
   void render();
-  void paint_path(QPainter& painter, const StudyPath& path) const;
+  void paint_path(QPainter& painter, const StudyPath& path, double width_mm) const;
+  void paint_erased(QPainter& painter) const;
   void paint_tunnel(QPainter& painter, const StudyPath& path, double width_mm) const;
   void paint_targets(QPainter& painter, const StudyPath& path, double width_mm) const;
   void paint_start(QPainter& painter, const StudyPath& path, bool has_arrow) const;

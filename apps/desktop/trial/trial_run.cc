@@ -5,20 +5,10 @@
 #include "desktop/engine/device_words.h"
 #include "desktop/engine/text_of.h"
 #include "desktop/trial/unfinished_trials.h"
-#include "felt/geometry/polyline.h"
 #include "felt/studies/measured_trial.h"
 #include "felt/studies/trial_setup.h"
 
 namespace felt::desktop {
-namespace {
-
-double length_mm(const StudyPath& path) {
-  std::vector<Point> line = path.points;
-  if (path.ends == TrialPathEnds::kClosed && !line.empty()) line.push_back(line.front());
-  return polyline_length(line);
-}
-
-}  // namespace
 
 TrialRun::TrialRun(StudyFolder folder, StudySession session, Studio& studio)
     : folder_(std::move(folder)), session_(std::move(session)), studio_(studio) {
@@ -34,7 +24,8 @@ void TrialRun::begin(const TrialStep& step) {
       studio_, QString::fromStdString(folder_.file_of(session_.info, name)));
   connect(recorder_.get(), &TrialRecorder::touched, this, &TrialRun::touched);
   studio_.start_over(Page{});
-  for (Event& event : setup_events(files(), step.trial, studio_.session().device())) {
+  const Rgba ink = studio_.session().ink_color();
+  for (Event& event : setup_events(files(), step.trial, studio_.session().device(), ink)) {
     studio_.apply(std::move(event.what));
   }
   // A surface of the condition changes the colour of the paper, which would be a second difference
@@ -56,9 +47,9 @@ void TrialRun::check_device(const DeviceStatus& status) {
 
 std::string TrialRun::rule_broken_by(const FeltRecording& recording) const {
   const std::vector<TrialSample> samples = trial_samples(recording);
-  return broken_rule(files().study.catch_rules,
-                     measure_recorded_trial(files(), step_.trial, samples),
-                     length_mm(files().paths[step_.trial.shape]), had_fault_);
+  const TrialMetrics metrics = measure_recorded_trial(files(), step_.trial, samples);
+  return broken_rule(files().study.catch_rules, metrics, metrics.path_length_mm.value_or(0.0),
+                     had_fault_);
 }
 
 /// Ends the trial in progress. Afterwards result_ and drawing_ have everything to be saved.

@@ -25,6 +25,20 @@ QString task_text(StudyTask task) {
     case StudyTask::kFind:
       return TrialScreen::tr(
           "Move the pen over the page until you feel a line in it, and follow this line.");
+    case StudyTask::kRetrace:
+      return TrialScreen::tr(
+          "Draw over the line. Begin at the dot and go in the direction of the arrow.");
+    case StudyTask::kClose:
+      return TrialScreen::tr(
+          "Draw along the line, once around, so that the end of your line meets its start.");
+    case StudyTask::kWidth:
+      return TrialScreen::tr(
+          "Draw along the band with one line that is as broad as the band everywhere. Begin at the "
+          "dot.");
+    case StudyTask::kErase:
+      return TrialScreen::tr(
+          "Erase the marked part of the line, up to the two lines that cross it. Leave all other "
+          "lines as they are.");
   }
   return {};
 }

@@ -14,6 +14,8 @@
 #include "desktop/trial/testing/test_participant.h"
 #include "desktop/trial/trial_start.h"
 #include "felt/devices/simulated/stylus_presets.h"
+#include "felt/replay/apply_recording.h"
+#include "felt/store/felt_file.h"
 #include "felt/studies/measured_trial.h"
 
 namespace felt::desktop::trial_window_test {
@@ -375,6 +377,65 @@ TEST_F(TrialWindowTest, TheParticipantCannotChangeToolOrView) {
   EXPECT_EQ(studio_->session().tool().info().kind, ToolKind::kDraws);
   EXPECT_EQ(studio_->session().document().stroke_count(), 0u);
   EXPECT_FALSE(run_->has_contact());
+}
+
+TEST_F(TrialWindowTest, TrialsBeginWithTheirInkAndTool) {
+  write_study(R"(
+id = "tasks"
+[[condition]]
+name = "free"
+[[shape]]
+name = "over"
+kind = "circle"
+size_mm = 40
+task = "retrace"
+[[shape]]
+name = "rub"
+kind = "line"
+size_mm = 90
+task = "erase"
+[[shape]]
+name = "broad"
+kind = "line"
+size_mm = 60
+task = "width"
+width_mm = 3
+)");
+  open();
+  const Rgba ink = studio_->session().ink_color();
+  const std::size_t ink_before[] = {1, 5, 0};
+  std::size_t seen = 0;
+  take_part([&] {
+    if (!shows(window_->trial_screen())) return false;
+    const StudyTask task = run_->files().study.shapes[trial().shape].task;
+    EXPECT_EQ(studio_->session().document().stroke_count(), ink_before[seen]) << seen;
+    EXPECT_EQ(studio_->session().tool().info().kind == ToolKind::kDraws, task != StudyTask::kErase);
+    EXPECT_EQ(studio_->session().ink_color(), ink) << "the line to draw over is lighter";
+    ++seen;
+    return false;
+  });
+  EXPECT_EQ(seen, 3u);
+  EXPECT_TRUE(window_->is_finished());
+  crash();
+  const StudySession session = saved();
+  const auto folder = StudyFolder::open(request().folder.toStdString());
+  ASSERT_EQ(session.results.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::string bytes;
+    const auto recording = folder->recording(session.info, session.results[i], &bytes);
+    ASSERT_TRUE(recording);
+    const Drawing drawing = parse_felt(bytes).value();
+    Session replayed(make_tools(), {});
+    ASSERT_TRUE(apply_recording(drawing, {}, replayed));
+    EXPECT_EQ(replayed.document().stroke_count(), drawing.document.stroke_count()) << i;
+    const TrialMetrics metrics = measure_recorded_trial(
+        folder->files(), session.plan[i], trial_samples(*recording), drawing.document);
+    EXPECT_EQ(metrics.erased_left_mm.has_value(), i == 1);
+    EXPECT_EQ(metrics.width_cv.has_value(), i == 2);
+    // The participant leads the eraser along the whole line.
+    if (i == 1) EXPECT_GT(*metrics.erased_extra_mm, 20.0);
+    if (i == 1) EXPECT_LT(*metrics.erased_left_mm, 1.0);
+  }
 }
 
 TEST_F(TrialWindowTest, WithoutVisionThePageIsBlankWhileThePenDraws) {

@@ -13,6 +13,7 @@
 #include "felt/document/body_edit.h"
 #include "felt/document/drawing_guide.h"
 #include "felt/document/edit.h"
+#include "felt/geometry/point.h"
 
 namespace felt {
 
@@ -69,6 +70,20 @@ struct AddPicture {
     return a.name == b.name && a.place == b.place && a.opacity == b.opacity &&
            (a.data == b.data || (a.data && b.data && *a.data == *b.data));
   }
+};
+
+/// Adds a line of ink in the medium and colour of new ink: straight pieces with corners between
+/// them, of one width. A trial of a study begins with such lines.
+/// {"event":"line","points":[[20,30],[80,30]],"closed":true,"width_mm":0.8}
+struct AddLine {
+  static constexpr std::size_t kMaxPoints = 20'000;
+  static constexpr double kMaxWidthMm = 50.0;
+
+  /// In mm, 2 to kMaxPoints. Points closer than 0.1 mm to the one before are left out.
+  std::vector<Point> points = {};
+  bool is_closed = false;  ///< the last point is joined to the first, which may be repeated
+  double width_mm = 1.0;   ///< kMinWidthMm..kMaxWidthMm
+  friend bool operator==(const AddLine&, const AddLine&) = default;
 };
 
 /// Adds, changes or removes guides of the drawing, shows or hides all of them, or unlinks mirrored

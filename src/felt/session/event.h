@@ -230,7 +230,7 @@ struct Event {
                AsDrawnEvent, ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, MoveEvent,
                OrderEvent, RestyleEvent, LayerEvent, AddPicture, UseDevice, UseMaterial, UseGuide,
                ChooseOffer, GuidesEvent, ExactEvent, UseEdges, UseRing, TimingEvent, BodyEvent,
-               UseView>
+               UseView, AddLine>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -1,10 +1,11 @@
-// Tests of opacity, pictures, copies and merging of layers.
+// Tests of opacity, pictures, lines, copies and merging of layers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "felt/document/testing/small_picture.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/session/session.h"
 #include "felt/session/testing/fake_tools.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -60,6 +61,35 @@ TEST(LayerEvents, OpacityIsAStepOfUndo) {
   for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THAT(f.layer(Do::kOpacity, 1, bad), HasSubstr("from 0 to 1"));
   }
+}
+
+TEST(LineEvents, ALineIsInkInTheColourOfNewInk) {
+  LayerFixture f;
+  ASSERT_EQ(f.apply(SetOption{"ink.color", std::string("#102030")}), "");
+  ASSERT_EQ(f.apply(AddLine{{{0, 0}, {10, 0}, {10.01, 0}, {10, 10}}, false, 0.8}), "");
+  ASSERT_EQ(f.apply(AddLine{{{0, 0}, {10, 0}, {10, 10}, {0, 0}}, true, 2.0}), "");
+  const auto strokes = visible_strokes(f.session->document());
+  ASSERT_EQ(strokes.size(), 4u);
+  EXPECT_EQ(strokes[2]->segment_count(), 2);
+  EXPECT_EQ(strokes[2]->color(), (Rgba{0x10, 0x20, 0x30, 255}));
+  EXPECT_EQ(strokes[2]->width_mm(1.0), 0.8);
+  EXPECT_TRUE(strokes[3]->closed());
+  EXPECT_EQ(strokes[3]->segment_count(), 3);
+  EXPECT_EQ(f.apply(UndoEvent{}), "");
+  EXPECT_EQ(f.session->document().stroke_count(), 3u) << "each is a step of undo";
+}
+
+TEST(LineEvents, RefusesLinesThatCannotBeInk) {
+  LayerFixture f;
+  EXPECT_THAT(f.apply(AddLine{{{0, 0}}, false, 1.0}), HasSubstr("points: a line has 2 to 20000"));
+  EXPECT_THAT(f.apply(AddLine{{{0, 0}, {0, 0.01}}, false, 1.0}), HasSubstr("points: "));
+  EXPECT_THAT(f.apply(AddLine{{{0, 0}, {0, 0.01}}, true, 1.0}), HasSubstr("points: "));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(f.apply(AddLine{{{0, 0}, {nan, 1}}, false, 1.0}), HasSubstr("points: "));
+  for (const double bad : {0.0, 51.0, nan}) {
+    EXPECT_THAT(f.apply(AddLine{{{0, 0}, {9, 0}}, false, bad}), HasSubstr("width_mm: "));
+  }
+  EXPECT_EQ(f.session->document().stroke_count(), 2u);
 }
 
 TEST(LayerEvents, APictureComesBelowTheCurrentLayerAndIsUsed) {

@@ -117,6 +117,7 @@ struct Session::Apply {
   Result<void> operator()(const RestyleEvent& e) const { return session.restyle_selected(e); }
   Result<void> operator()(const LayerEvent& e) const { return session.change_layer(e); }
   Result<void> operator()(const AddPicture& e) const { return session.add_picture(e); }
+  Result<void> operator()(const AddLine& e) const { return session.add_line(e); }
   Result<void> operator()(const UseDevice& e) const {
     Result<void> ended = session.finish();
     session.options_.device = e.capabilities;

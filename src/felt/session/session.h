@@ -206,6 +206,7 @@ class Session {
   Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
   Result<void> add_picture(const AddPicture& event);
+  Result<void> add_line(const AddLine& event);
   Result<void> change_guides(const GuidesEvent& event);
   Result<void> change_timing(std::int64_t time_ns, const TimingEvent& event);
   Result<void> change_body(const BodyEvent& event);

@@ -5,6 +5,7 @@
 #include "felt/base/check.h"
 #include "felt/session/guide_edit.h"
 #include "felt/session/layer_edit.h"
+#include "felt/session/line_stroke.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
 #include "felt/session/symmetry_edit.h"
@@ -191,6 +192,17 @@ Result<void> Session::add_picture(const AddPicture& event) {
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
   layer_ = added;
   return {};
+}
+
+Result<void> Session::add_line(const AddLine& event) {
+  if (gesture_in_progress()) return {};
+  Result<Stroke> line = stroke_of_line(event, parts_->ink_medium, parts_->ink_color);
+  if (!line) return tl::unexpected(line.error());
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (Result<void> opened = open_layer_for_ink(); !opened) return opened;
+  EditBuilder edit(document_);
+  edit.add(layer_, std::make_shared<const Stroke>(*std::move(line)));
+  return commit(std::move(edit).build("Line"));
 }
 
 Result<void> Session::change_guides(const GuidesEvent& event) {

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 
+#include "felt/base/hash.h"
+#include "felt/base/random.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/geometry/rect.h"
 #include "felt/session/event.h"
+#include "felt/stroke/outline/outline.h"
+#include "felt/studies/erased_page.h"
 #include "felt/tools/line_stabiliser.h"
 
 namespace felt {
@@ -23,9 +28,32 @@ TrialSample trial_sample(const RecordedSample& sample) {
   return result;
 }
 
-/// Moves samples in contact from the pen to the nib behind the stabiliser of a recording.
+constexpr double kInkToleranceMm = 1e-3;
+
+/// Returns a stroke as a polyline with a point at each knot of its width.
+InkLine ink_line(const Stroke& stroke) {
+  std::vector<double> us = {0.0};
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const int steps = flatten_steps(stroke.segment(i), 1.0, kInkToleranceMm);
+    for (int k = 1; k <= steps; ++k) us.push_back(i + static_cast<double>(k) / steps);
+  }
+  for (const WidthKnot& knot : stroke.widths()) us.push_back(knot.u);
+  std::sort(us.begin(), us.end());
+  us.erase(std::unique(us.begin(), us.end()), us.end());
+  InkLine line;
+  line.is_closed = stroke.closed();
+  for (const double u : us) {
+    line.points.push_back(stroke.position(u));
+    line.widths_mm.push_back(stroke.width_mm(u));
+  }
+  return line;
+}
+
+/// Moves samples in contact from the pen to the nib behind the stabiliser of a recording. Only the
+/// pencil has a stabiliser.
 class NibTrack {
  public:
+  void set_tool(const std::string& tool) { is_pencil_ = tool == "pencil"; }
   void set(const SetOption& option) {
     if (option.id == "pencil.stabiliser") {
       options_.kind = option.value == OptionValue("towed")     ? StabiliserKind::kTowed
@@ -43,7 +71,7 @@ class NibTrack {
   void add(TrialSample sample, std::vector<TrialSample>& samples) {
     const bool lands = sample.contact && (samples.empty() || !samples.back().contact);
     if (lands) {
-      nib_ = Stabiliser(options_);
+      nib_ = Stabiliser(is_pencil_ ? options_ : StabiliserOptions{});
       nib_.begin(sample.position, sample.time_ns);
     } else if (sample.contact) {
       sample.position = nib_.update(sample.position, sample.time_ns);
@@ -60,6 +88,7 @@ class NibTrack {
   }
 
  private:
+  bool is_pencil_ = true;
   StabiliserOptions options_;
   Stabiliser nib_;
   std::vector<Stabiliser::Step> rest_;
@@ -76,6 +105,8 @@ std::vector<TrialSample> trial_samples(const FeltRecording& recording) {
     for (; next < recording.events.size() && recording.events[next].before_sample <= i; ++next) {
       const auto* option = std::get_if<SetOption>(&recording.events[next].event.what);
       if (option) nib.set(*option);
+      const auto* tool = std::get_if<SelectTool>(&recording.events[next].event.what);
+      if (tool) nib.set_tool(tool->id);
     }
     nib.add(trial_sample(recording.samples[i]), samples);
   }
@@ -105,10 +136,38 @@ TrialGeometry geometry_of(const StudyFiles& files, const PlannedTrial& trial) {
   return geometry;
 }
 
+ErasedPage erased_page_of(const StudyFiles& files, const PlannedTrial& trial) {
+  Fnv1a parts;
+  parts.add_value(files.study.seed);
+  parts.add_value(trial.session);
+  for (const int part : {trial.block, static_cast<int>(trial.shape), trial.repetition}) {
+    parts.add_value(part);
+  }
+  Random random(parts.value());
+  const std::vector<Point>& line = files.paths[trial.shape].points;
+  const Vec whole = line.back() - line.front();
+  return erased_page(lerp(line.front(), line.back(), 0.5), normalized(whole), norm(whole), random);
+}
+
 TrialMetrics measure_recorded_trial(const StudyFiles& files, const PlannedTrial& trial,
                                     std::span<const TrialSample> samples) {
+  if (files.study.shapes[trial.shape].task == StudyTask::kErase) return measure_trial(samples, {});
   return measure_trial(samples, compared_path(files, trial, samples).points,
                        geometry_of(files, trial));
+}
+
+TrialMetrics measure_recorded_trial(const StudyFiles& files, const PlannedTrial& trial,
+                                    std::span<const TrialSample> samples, const Document& page) {
+  TrialMetrics metrics = measure_recorded_trial(files, trial, samples);
+  std::vector<InkLine> ink;
+  for (const StrokePtr& stroke : visible_strokes(page)) ink.push_back(ink_line(*stroke));
+  const StudyShape& shape = files.study.shapes[trial.shape];
+  if (shape.task == StudyTask::kClose) measure_closing(ink, metrics);
+  if (shape.task == StudyTask::kWidth) measure_width(ink, shape.width_mm, metrics);
+  if (shape.task == StudyTask::kErase) {
+    measure_erasing(erased_page_of(files, trial), ink, metrics);
+  }
+  return metrics;
 }
 
 std::string broken_rule(const CatchRules& rules, const TrialMetrics& metrics, double path_length_mm,

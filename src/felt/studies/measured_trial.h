@@ -6,8 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/document/document.h"
 #include "felt/store/felt_recording.h"
 #include "felt/studies/study_files.h"
+#include "felt/trial/ink_metrics.h"
 #include "felt/trial/study_order.h"
 #include "felt/trial/trial_metrics.h"
 
@@ -33,9 +35,17 @@ StudyPath compared_path(const StudyFiles& files, const PlannedTrial& trial,
                         std::span<const TrialSample> samples);
 TrialGeometry geometry_of(const StudyFiles& files, const PlannedTrial& trial);
 
-/// Returns the metrics of a trial. The same recording always gives the same metrics.
+/// Returns the page of a trial with the task `erase`. It is the same in all conditions and for all
+/// participants. Requires this task.
+ErasedPage erased_page_of(const StudyFiles& files, const PlannedTrial& trial);
+
+/// Returns the metrics of a trial that follow from its samples. The same recording always gives the
+/// same metrics. An eraser has no errors: they are nullopt for the task `erase`.
 TrialMetrics measure_recorded_trial(const StudyFiles& files, const PlannedTrial& trial,
                                     std::span<const TrialSample> samples);
+/// The same, and the metrics of the ink on the page after the trial.
+TrialMetrics measure_recorded_trial(const StudyFiles& files, const PlannedTrial& trial,
+                                    std::span<const TrialSample> samples, const Document& page);
 
 /// Returns the first catch rule that a trial broke, as the name of its key in a study file
 /// ("min_length_share"), or "" if the trial is valid.

@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <utility>
 
 #include "felt/base/read_file.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/replay/apply_recording.h"
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
@@ -117,6 +119,71 @@ size_mm = 30
     EXPECT_NE((error_mm[{0, repetition}]), (error_mm[{2, repetition}]));
   }
   EXPECT_NE((error_mm[{0, 1}]), (error_mm[{0, 2}])) << "repetitions differ";
+}
+
+TEST_F(SimulateStudyTest, PeopleCarryOutTheTasksOfEditing) {
+  write("tasks.toml", R"(id = "tasks"
+[[condition]]
+name = "plane"
+forces = "plane"
+[[condition]]
+name = "all"
+[[shape]]
+name = "over"
+kind = "wave"
+task = "retrace"
+[[shape]]
+name = "around"
+kind = "circle"
+size_mm = 30
+task = "close"
+[[shape]]
+name = "broad"
+kind = "line"
+task = "width"
+width_mm = 3
+[[shape]]
+name = "rub"
+kind = "line"
+size_mm = 90
+task = "erase"
+)");
+  StudyFolder folder =
+      StudyFolder::create(path("out"), read_study_files(path("tasks.toml")).value()).value();
+  ASSERT_TRUE(simulate_study(folder, options(2)));
+  std::map<StudyTask, std::array<TrialMetrics, 2>> sums;  // without and with the forces
+  const std::vector<StudySession> sessions = folder.sessions().value();
+  for (const StudySession& session : sessions) {
+    for (const TrialResult& result : session.results) {
+      const PlannedTrial& trial = session.plan[static_cast<std::size_t>(result.trial - 1)];
+      std::string bytes;
+      const auto recording = folder.recording(session.info, result, &bytes).value();
+      const Drawing drawing = parse_felt(bytes).value();
+      Session replayed(make_tools(), {});
+      ASSERT_TRUE(apply_recording(drawing, {}, replayed));
+      EXPECT_EQ(visible_strokes(replayed.document()).size(),
+                visible_strokes(drawing.document).size())
+          << "the recording has the ink at the start";
+      const TrialMetrics metrics =
+          measure_recorded_trial(folder.files(), trial, trial_samples(recording), drawing.document);
+      const StudyTask task = folder.files().study.shapes[trial.shape].task;
+      EXPECT_EQ(metrics.is_closed.has_value(), task == StudyTask::kClose);
+      EXPECT_EQ(metrics.width_cv.has_value(), task == StudyTask::kWidth);
+      EXPECT_EQ(metrics.erased_left_mm.has_value(), task == StudyTask::kErase);
+      EXPECT_EQ(metrics.err_mean_mm.has_value(), task != StudyTask::kErase);
+      if (task == StudyTask::kClose) EXPECT_EQ(metrics.is_closed, 1.0);
+      if (task == StudyTask::kWidth) EXPECT_NEAR(*metrics.width_mean_mm, 3.0, 0.3);
+      if (task == StudyTask::kErase) EXPECT_LT(*metrics.erased_left_mm, 5.0);
+      TrialMetrics& sum = sums[task][trial.condition];
+      sum.err_mean_mm = sum.err_mean_mm.value_or(0.0) + metrics.err_mean_mm.value_or(0.0);
+      sum.erased_extra_mm =
+          sum.erased_extra_mm.value_or(0.0) + metrics.erased_extra_mm.value_or(0.0);
+    }
+  }
+  const auto& over = sums[StudyTask::kRetrace];
+  EXPECT_LT(*over[1].err_mean_mm, 0.9 * *over[0].err_mean_mm) << "the line of ink is felt";
+  const auto& rub = sums[StudyTask::kErase];
+  EXPECT_LE(*rub[1].erased_extra_mm, *rub[0].erased_extra_mm) << "other lines push the eraser away";
 }
 
 TEST_F(SimulateStudyTest, TheBaselinesAreWhatTheirNamesSay) {

@@ -1,6 +1,9 @@
 #include "felt/studies/simulated_trial.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "felt/base/constants.h"
@@ -9,6 +12,7 @@
 #include "felt/devices/simulated/towed_plan.h"
 #include "felt/replay/replay_drawing.h"
 #include "felt/replay/replay_machine.h"
+#include "felt/studies/erased_page.h"
 #include "felt/studies/measured_trial.h"
 #include "felt/studies/trial_setup.h"
 
@@ -49,6 +53,20 @@ RecordedPath towing_plan(const RecordedPath& nib, const TowOptions& rope) {
         {.position = lerp(from, to, t * t * (3.0 - 2.0 * t)), .time_ns = start_ns + i * kMs});
   }
   return pen;
+}
+
+double number_option(const Session& session, std::string_view id) {
+  return std::get<double>(session.option(id).value_or(OptionValue{0.0}));
+}
+
+/// Plans the pressure that draws a line of this width: the person knows how the pen answers.
+void press_for(const Session& session, double width_mm, RecordedPath& plan) {
+  const double min_mm = number_option(session, "pencil.min_width_mm");
+  const double range_mm = number_option(session, "pencil.max_width_mm") - min_mm;
+  const double share = range_mm > 0.0 ? (width_mm - min_mm) / range_mm : 0.0;
+  const double gamma = number_option(session, "pencil.gamma");
+  const double pressure = std::pow(std::clamp(share, 0.0, 1.0), 1.0 / gamma);
+  for (RecordedPoint& point : plan) point.pressure = pressure;
 }
 
 /// Returns the seed of everything random in an attempt. It does not depend on the condition: a
@@ -104,11 +122,22 @@ class TrialRun {
     const Person drawer = settings.script.contact == ContactBy::kDepthInAir
                               ? in_the_air(person)
                               : on_a_plane(person, machine.expected_friction_n());
-    const std::vector<Point> via = via_points(files_.paths[trial_.shape]);
-    RecordedPath plan = plan_movement(drawer, via, seed, shape.tunnel_mm);
-    if (const auto rope = rope_of(condition)) plan = towing_plan(plan, *rope);
+    RecordedPath plan = plan_movement(drawer, via(seed), seed, shape.tunnel_mm);
+    if (shape.task == StudyTask::kWidth) press_for(machine.session(), shape.width_mm, plan);
+    const bool is_erased = shape.task == StudyTask::kErase;
+    const auto rope = is_erased ? std::nullopt : rope_of(condition);
+    if (rope) plan = towing_plan(plan, *rope);
     if (Result<void> drawn = play(machine, plan); !drawn) return tl::unexpected(drawn.error());
     return finish(attempt, machine, recorder.take());
+  }
+
+  /// Returns the points through which the person plans to lead the pen.
+  [[nodiscard]] std::vector<Point> via(std::uint64_t seed) const {
+    if (files_.study.shapes[trial_.shape].task != StudyTask::kErase) {
+      return via_points(files_.paths[trial_.shape]);
+    }
+    Random random(seed);
+    return erasing_path(erased_page_of(files_, trial_), random);
   }
 
   /// Returns the settings of a condition. With motors that are off, the person draws in the air,
@@ -167,7 +196,8 @@ class TrialRun {
 
   Result<SimulatedAttempt> finish(int attempt, ReplayMachine& machine, FeltRecording recording) {
     const bool had_fault = machine.take_stats().hard_faults > 0;
-    const TrialMetrics metrics = measure_recorded_trial(files_, trial_, trial_samples(recording));
+    const TrialMetrics metrics = measure_recorded_trial(files_, trial_, trial_samples(recording),
+                                                        machine.session().document());
     SimulatedAttempt drawn;
     drawn.metrics = metrics;
     drawn.result.trial = trial_.number;

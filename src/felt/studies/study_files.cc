@@ -91,6 +91,12 @@ class StudyReader {
           shape.kind == StudyShapeKind::kCircle || shape.kind == StudyShapeKind::kStar;
       path.ends = is_closed ? TrialPathEnds::kClosed : TrialPathEnds::kOpen;
     }
+    if (shape.task == StudyTask::kClose && path.ends == TrialPathEnds::kOpen) {
+      return wrong(shape.line, "shape.file",
+                   {ErrorCode::kInvalidData, folder_ + shape.file +
+                                                 ": the line is open, the task close requires a "
+                                                 "closed one"});
+    }
     const bool is_copied = shape.task == StudyTask::kCopy;
     const double width_mm = is_copied ? 0.5 * kStudyPage.width() : kStudyPage.width();
     const Rect box = box_of(path.points);

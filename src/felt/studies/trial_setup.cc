@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "felt/session/session.h"
+#include "felt/stroke/color_text.h"
+#include "felt/studies/erased_page.h"
+#include "felt/studies/measured_trial.h"
 #include "felt/tools/guide_line.h"
 
 namespace felt {
@@ -47,6 +50,26 @@ void add_teacher(std::span<const TrialSample> teacher, GuideLine& line) {
     line.points.push_back(touching[i].position);
     line.times_ms.push_back(1e-6 * static_cast<double>(touching[i].time_ns - touching[0].time_ns));
   }
+}
+
+/// The line of the task `retrace` is as broad and almost as light as the lines that the program
+/// shows for other tasks, so that the ink of the participant can be told from it.
+constexpr double kRetracedMm = 0.8;
+constexpr const char* kRetracedColor = "#c0c2c6";
+constexpr const char* kInkColor = "ink.color";
+
+/// Adds the ink at the start of a trial. New ink has the colour of the condition afterwards.
+void add_start_ink(const StudyFiles& files, const PlannedTrial& trial, Rgba ink,
+                   std::vector<Event>& events) {
+  const bool is_retraced = files.study.shapes[trial.shape].task == StudyTask::kRetrace;
+  if (is_retraced) events.push_back({0, SetOption{kInkColor, std::string(kRetracedColor)}});
+  for (AddLine& line : ink_at_start(files, trial)) events.push_back({0, std::move(line)});
+  if (!is_retraced) return;
+  SetOption color{kInkColor, color_to_text(ink)};
+  for (const StudySetting& setting : files.study.conditions[trial.condition].settings) {
+    if (setting.id == kInkColor) color = option_of(setting);
+  }
+  events.push_back({0, std::move(color)});
 }
 
 GuideLine guide_of(const StudyFiles& files, const PlannedTrial& trial) {
@@ -106,8 +129,26 @@ Result<void> check_conditions(const StudyFiles& files, const Materials& material
   return {};
 }
 
+std::vector<AddLine> ink_at_start(const StudyFiles& files, const PlannedTrial& trial) {
+  const StudyPath& path = files.paths[trial.shape];
+  switch (files.study.shapes[trial.shape].task) {
+    case StudyTask::kRetrace:
+      return {{path.points, path.ends == TrialPathEnds::kClosed, kRetracedMm}};
+    case StudyTask::kErase: {
+      ErasedPage page = erased_page_of(files, trial);
+      std::vector<AddLine> lines = {{std::move(page.line), false, kErasedInkMm}};
+      for (std::vector<Point>& line : page.others) {
+        lines.push_back({std::move(line), false, kErasedInkMm});
+      }
+      return lines;
+    }
+    default:
+      return {};
+  }
+}
+
 std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& trial,
-                                const Capabilities& device) {
+                                const Capabilities& device, Rgba ink) {
   const StudyCondition& condition = files.study.conditions[trial.condition];
   std::vector<Event> events = {{0, UseDevice{device}}};
   for (const StudySetting& setting : condition.settings) {
@@ -118,6 +159,10 @@ std::vector<Event> setup_events(const StudyFiles& files, const PlannedTrial& tri
   }
   GuideLine guide = guide_of(files, trial);
   if (guide.kind != GuideKind::kNone) events.push_back({0, UseGuide{std::move(guide)}});
+  add_start_ink(files, trial, ink, events);
+  if (files.study.shapes[trial.shape].task == StudyTask::kErase) {
+    events.push_back({0, SelectTool{"eraser"}});
+  }
   return events;
 }
 

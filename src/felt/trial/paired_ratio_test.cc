@@ -18,7 +18,7 @@ std::vector<double> logs_of(std::vector<double> ratios) {
 }
 
 /// Values of scipy.stats.ttest_1samp 1.10.
-TEST(PairedRatio, R78_KnownTests) {
+TEST(PairedRatio, R75_KnownTests) {
   const auto tests = test_ratios(logs_of({0.8, 0.95, 0.7, 1.1, 0.85, 0.9}), 0.15);
   ASSERT_TRUE(tests);
   EXPECT_EQ(tests->people, 6U);
@@ -61,7 +61,7 @@ TEST(PairedRatio, EqualRatiosAreCertain) {
   EXPECT_EQ(less->p_same(), 1.0);
 }
 
-RC_GTEST_PROP(PairedRatio, R78_TestsAgreeWithTheirIntervals, (std::uint32_t seed)) {
+RC_GTEST_PROP(PairedRatio, R75_TestsAgreeWithTheirIntervals, (std::uint32_t seed)) {
   Random random(seed);
   const double spread = random.between(0.01, 0.4), effect = random.between(-0.4, 0.4);
   std::vector<double> logs, reversed;
@@ -79,7 +79,7 @@ RC_GTEST_PROP(PairedRatio, R78_TestsAgreeWithTheirIntervals, (std::uint32_t seed
   RC_ASSERT(std::abs(tests.p_not_worse - other.p_not_better) < 1e-12);
 }
 
-TEST(Holm, R78_KnownProbabilities) {
+TEST(Holm, R75_KnownProbabilities) {
   const std::vector<double> corrected =
       holm_corrected(std::vector<double>{0.01, 0.04, 0.03, 0.005});
   const std::vector<double> wanted = {0.03, 0.06, 0.06, 0.02};

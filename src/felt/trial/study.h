@@ -19,9 +19,13 @@ enum class StudyTask {
   kCopy,     ///< draw the shape freely beside the model
   kConnect,  ///< draw from target to target
   kFind,     ///< find an engraved line by touch
+  kRetrace,  ///< draw over a line of ink
+  kClose,    ///< draw along a closed line, so that the end meets the start
+  kWidth,    ///< draw along a line, as broad as required
+  kErase,    ///< erase the part of a line between two lines that cross it
 };
-inline constexpr std::array<std::string_view, 5> kStudyTasks = {"trace", "tunnel", "copy",
-                                                                "connect", "find"};
+inline constexpr std::array<std::string_view, 9> kStudyTasks = {
+    "trace", "tunnel", "copy", "connect", "find", "retrace", "close", "width", "erase"};
 
 /// How forces guide the pen along the shape.
 enum class StudyGuidance {
@@ -120,6 +124,7 @@ struct StudyShape {
   /// The longer side of the bounding box. A file without it keeps its own size.
   std::optional<double> size_mm = {};
   double tunnel_mm = 0.0;                  ///< the width of the tunnel; 0 without a tunnel
+  double width_mm = 0.0;                   ///< the required width of the line; 0: none
   std::vector<SessionKind> sessions = {};  ///< empty: all sessions of the study
   int line = 0;                            ///< in the study file
   friend bool operator==(const StudyShape&, const StudyShape&) = default;
@@ -189,5 +194,7 @@ inline constexpr std::size_t kMaxStudyShapes = 100;
 inline constexpr std::size_t kMaxConditionSettings = 40;
 inline constexpr std::size_t kMaxStudyHypotheses = 20;
 inline constexpr std::size_t kMaxSessionTrials = 2000;
+/// The length of the line of the task kErase, mm.
+inline constexpr double kMinErasedLineMm = 50.0, kMaxErasedLineMm = 250.0;
 
 }  // namespace felt

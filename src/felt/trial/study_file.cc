@@ -338,12 +338,46 @@ class StudyReading {
                           ", or shape.file must name a file");
     }
     if (is_refused("shape.task", index)) return;
-    const TomlEntry* tunnel = find("shape.tunnel_mm", index);
+    check_task_key(index, "shape.tunnel_mm", StudyTask::kTunnel, "0.1 to 100");
+    check_task_key(index, "shape.width_mm", StudyTask::kWidth, "0.3 to 6");
+    check_task_shape(index);
+  }
+
+  /// Reports `key` if it is missing for the only task that has it, or present for another task.
+  void check_task_key(std::size_t index, std::string_view key, StudyTask task,
+                      const std::string& allowed) {
+    const std::string name(kStudyTasks[static_cast<std::size_t>(task)]);
+    const TomlEntry* entry = find(key, index);
+    const bool is_used = study_.shapes[index].task == task;
+    if (is_used && !entry) {
+      say(find("shape.task", index)->line,
+          std::string(key) + " is missing; the task " + name + " requires it, " + allowed);
+    } else if (entry && !is_used) {
+      say(entry->line, std::string(key) + " has no effect without the task " + name);
+    }
+  }
+
+  /// Checks that the built-in shape suits the task. The line of a file is checked when it is read.
+  void check_task_shape(std::size_t index) {
+    const StudyShape& shape = study_.shapes[index];
     const TomlEntry* task = find("shape.task", index);
-    if (shape.task == StudyTask::kTunnel && !tunnel) {
-      say(task->line, "shape.tunnel_mm is missing; the task tunnel requires it, 0.1 to 100");
-    } else if (tunnel && shape.task != StudyTask::kTunnel) {
-      say(tunnel->line, "shape.tunnel_mm has no effect without the task tunnel");
+    const TomlEntry* kind = find("shape.kind", index);
+    if (is_refused("shape.kind", index)) return;
+    const bool is_closed =
+        shape.kind == StudyShapeKind::kCircle || shape.kind == StudyShapeKind::kStar;
+    if (shape.task == StudyTask::kClose && kind && !is_closed) {
+      say(kind->line, "shape.kind is " + toml_value_text(*kind) +
+                          ", it must be \"circle\" or \"star\" for the task close");
+    }
+    if (shape.task != StudyTask::kErase) return;
+    if (shape.kind != StudyShapeKind::kLine) {
+      say((kind ? kind : task)->line, "shape.kind must be \"line\" for the task erase");
+    }
+    const TomlEntry* size = find("shape.size_mm", index);
+    if (!size || !shape.size_mm) return;
+    if (*shape.size_mm < kMinErasedLineMm || *shape.size_mm > kMaxErasedLineMm) {
+      say(size->line, "shape.size_mm is " + toml_value_text(*size) +
+                          ", it must be 50 to 250 for the task erase");
     }
   }
 

@@ -231,6 +231,45 @@ TEST(StudyFile, NamesLineKeyAndWhatIsAllowed) {
             "s.toml:2: blocks is a list, it must be a whole number from 1 to 100");
 }
 
+TEST(StudyFile, ReadsTheTasksThatHaveTheirOwnKeys) {
+  const std::string text =
+      "id = \"s\"\n" + kOneCondition +
+      "[[shape]]\nname = \"a\"\nkind = \"line\"\ntask = \"width\"\nwidth_mm = 2.5\n"
+      "[[shape]]\nname = \"b\"\nkind = \"star\"\ntask = \"close\"\n"
+      "[[shape]]\nname = \"c\"\nkind = \"wave\"\ntask = \"retrace\"\n"
+      "[[shape]]\nname = \"d\"\nkind = \"line\"\ntask = \"erase\"\n";
+  const Result<Study> study = read_study(text);
+  ASSERT_TRUE(study) << study.error().message;
+  EXPECT_EQ(study->shapes[0].task, StudyTask::kWidth);
+  EXPECT_EQ(study->shapes[0].width_mm, 2.5);
+  EXPECT_EQ(study->shapes[1].task, StudyTask::kClose);
+  EXPECT_EQ(study->shapes[2].task, StudyTask::kRetrace);
+  EXPECT_EQ(study->shapes[3].task, StudyTask::kErase);
+}
+
+TEST(StudyFile, RefusesShapesThatDoNotSuitTheTask) {
+  EXPECT_THAT(
+      error_of(with_shape("task = \"width\"")),
+      StartsWith("s.toml:7: shape.width_mm is missing; the task width requires it, 0.3 to 6"));
+  EXPECT_THAT(error_of(with_shape("width_mm = 2")),
+              StartsWith("s.toml:7: shape.width_mm has no effect without the task width"));
+  EXPECT_THAT(error_of(with_shape("task = \"width\"\nwidth_mm = 9")),
+              HasSubstr("shape.width_mm is 9, it must be 0.3 to 6"));
+  const std::string line =
+      "id = \"s\"\n" + kOneCondition + "[[shape]]\nname = \"a\"\nkind = \"line\"\n";
+  EXPECT_EQ(error_of(line + "task = \"close\"\n"),
+            "s.toml:6: shape.kind is \"line\", it must be \"circle\" or \"star\" for the task "
+            "close");
+  EXPECT_EQ(error_of(line + "task = \"erase\"\nsize_mm = 30\n"),
+            "s.toml:8: shape.size_mm is 30, it must be 50 to 250 for the task erase");
+  EXPECT_THAT(error_of("id = \"s\"\n" + kOneCondition +
+                       "[[shape]]\nname = \"a\"\nkind = \"wave\"\ntask = \"erase\"\n"),
+              HasSubstr("shape.kind must be \"line\" for the task erase"));
+  EXPECT_THAT(error_of("id = \"s\"\n" + kOneCondition +
+                       "[[shape]]\nname = \"a\"\nfile = \"b.svg\"\ntask = \"erase\"\n"),
+              HasSubstr("shape.kind must be \"line\" for the task erase"));
+}
+
 TEST(StudyFile, RefusesUnknownKeys) {
   EXPECT_THAT(
       error_of(with_top("colour = 1")),

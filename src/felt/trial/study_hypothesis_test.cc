@@ -36,7 +36,7 @@ std::string error_of(const std::string& hypothesis) {
 constexpr const char* kLess =
     "condition = \"all-forces\"\nagainst = \"air\"\nmeasure = \"err_mean_mm\"\n";
 
-TEST(StudyHypothesis, R78_IsReadWithItsDefaults) {
+TEST(StudyHypothesis, R75_IsReadWithItsDefaults) {
   const Result<Study> study =
       read_study(text_with(kLess) + "[[hypothesis]]\ncondition = \"late\"\nagainst = \"air\"\n" +
                      "measure = \"movement_s\"\nkind = \"not-worse\"\nmargin = 0.15\n",
@@ -56,7 +56,7 @@ TEST(StudyHypothesis, R78_IsReadWithItsDefaults) {
             "movement_s in \"Late\" is less than 15 % larger than in \"Air\"");
 }
 
-TEST(StudyHypothesis, R78_ProblemsNameLineAndReason) {
+TEST(StudyHypothesis, R75_ProblemsNameLineAndReason) {
   EXPECT_EQ(error_of("condition = \"air\"\nmeasure = \"err_mean_mm\""),
             "s.toml:14: hypothesis.against is missing; it must be the name of a condition");
   EXPECT_EQ(error_of("condition = \"air\"\nagainst = \"wind\"\nmeasure = \"err_mean_mm\""),

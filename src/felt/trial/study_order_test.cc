@@ -60,7 +60,7 @@ TEST(StudyOrder, HasTwoSquaresForThree) {
 // A design of Williams for 2 to 8 conditions: in all rows together, each condition is equally often
 // in each position, and each one comes equally often directly after each other one: once if the
 // number is even, twice in the two squares of an odd number.
-TEST(StudyOrder, R78_IsBalancedForFirstOrderCarryOverFromTwoToEight) {
+TEST(StudyOrder, R75_IsBalancedForFirstOrderCarryOverFromTwoToEight) {
   for (std::size_t count = 2; count <= 8; ++count) {
     const std::size_t squares = count % 2 == 0 ? 1 : 2;
     ASSERT_EQ(williams_rows(count), squares * count);

@@ -117,6 +117,34 @@ constexpr TrialColumn kTrialColumns[] = {
      "Share of the power of the velocity (without its mean, Hann window, not smoothed) at 3 to 12 "
      "Hz, where most tremor is.",
      "10.1002/mds.870131303", &M::power_share_3_12_hz},
+    {"end_gap_mm", "mm",
+     "Distance between the first and the last sample in contact, if the path is closed.", "",
+     &M::end_gap_mm},
+    {"is_closed", "1",
+     "Task close: 1 if every end of a line of ink is at most 0.01 mm from another end, otherwise "
+     "0.",
+     "", &M::is_closed},
+    {"width_mean_mm", "mm",
+     "Task width: mean width of the ink at points of its lines (at most every 0.5 mm), without the "
+     "first and the last 5 mm of each line.",
+     "", &M::width_mean_mm},
+    {"width_err_mm", "mm",
+     "Task width: mean absolute difference between the width at these points and the required "
+     "width.",
+     "", &M::width_err_mm},
+    {"width_cv", "1",
+     "Task width: standard deviation (n - 1) of the width at these points, divided by their mean.",
+     "", &M::width_cv},
+    {"erased_extra_mm", "mm",
+     "Task erase: length of the ink that was erased although it was not meant: of the line beyond "
+     "the two lines that cross it, and of all other lines.",
+     "", &M::erased_extra_mm},
+    {"erased_left_mm", "mm",
+     "Task erase: length of the ink between the two lines that was not erased.", "",
+     &M::erased_left_mm},
+    {"erased_wrong_lines", "1",
+     "Task erase: number of other lines that have lost more than 0.1 mm of ink.", "",
+     &M::erased_wrong_lines},
     {"force_mean_n", "N", "force_impulse_n_s divided by its time.", "", &M::force_mean_n},
     {"force_impulse_n_s", "N s",
      "Integral over the movement of the magnitude of the force in the page plane (trapezoidal "

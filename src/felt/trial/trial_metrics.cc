@@ -89,6 +89,7 @@ TrialMetrics measure_trial(std::span<const TrialSample> samples, std::span<const
     measure_errors(ink, line, task, metrics);
     measure_frechet(ink, line, metrics);
     if (line.straight()) measure_straight(ink, line, task, metrics);
+    if (line.closed()) metrics.end_gap_mm = distance(ink.points.front(), ink.points.back());
   }
   measure_smoothness(ink, metrics);
   measure_forces(ink, metrics);

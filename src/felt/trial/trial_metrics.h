@@ -57,6 +57,9 @@ struct TrialMetrics {
   // Smoothness
   Value velocity_peaks_per_s, sparc, log_dimensionless_jerk, power_law_exponent, power_law_r2,
       power_share_3_12_hz;
+  // Tasks: the end of a closed path, and what became of the ink (ink_metrics.h)
+  Value end_gap_mm, is_closed, width_mean_mm, width_err_mm, width_cv, erased_extra_mm,
+      erased_left_mm, erased_wrong_lines;
   // Force and pressure
   Value force_mean_n, force_impulse_n_s, work_mj, force_above_half_n_share, pressure_mean,
       pressure_cv;

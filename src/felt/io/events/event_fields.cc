@@ -405,6 +405,17 @@ constexpr std::array kBodyFields = {
 
 constexpr std::array kViewFields = {kEvent, kTime, EventField{"hidden", true, parse_hidden_layers}};
 
+constexpr std::array kLineFields = {
+    kEvent,
+    kTime,
+    EventField{"points", true, parse_guide_points},
+    EventField{"closed", false, parse_closed_guide},
+    EventField{"width_mm", false,
+               [](Value& v, EventFields& e) {
+                 return parse_number(v, "width_mm", kCoordinateLimit, e.width_mm);
+               }},
+};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -439,6 +450,7 @@ constexpr NamedEvent kEvents[] = {
     {"timing", EventName::kTiming, kTimingFields},
     {"body", EventName::kBody, kBodyFields},
     {"view", EventName::kView, kViewFields},
+    {"line", EventName::kLine, kLineFields},
 };
 
 }  // namespace

@@ -53,6 +53,7 @@ struct EventFields {
   UseEdges edges;
   TimingEvent timing;
   BodyEvent body;
+  double width_mm = 1.0;  ///< of a line
 };
 
 /// The kinds of events, by their name in the file.
@@ -84,7 +85,8 @@ enum class EventName {
   kRing,
   kTiming,
   kBody,
-  kView
+  kView,
+  kLine
 };
 
 /// Returns the kind of event. Fails if the name is unknown.

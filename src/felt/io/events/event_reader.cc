@@ -51,6 +51,8 @@ decltype(Event::what) content_of_other(EventName name, EventFields&& fields) {
       return std::move(fields.body);
     case EventName::kView:
       return UseView{std::move(fields.layers)};
+    case EventName::kLine:
+      return AddLine{std::move(fields.guide.points), fields.guide.is_closed, fields.width_mm};
     case EventName::kEdges:
       return fields.edges;
     case EventName::kRing: {

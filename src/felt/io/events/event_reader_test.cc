@@ -341,7 +341,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, as-drawn, "
       "exact, import, select, delete, duplicate, move, order, restyle, layer, picture, device, "
-      "material, guide, choose, guides, edges, ring, timing, body, view");
+      "material, guide, choose, guides, edges, ring, timing, body, view, line");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

@@ -168,6 +168,12 @@ struct AddWhat {
     if (e.opacity != 1.0) out.add_number("opacity", e.opacity);
     out.add_text("png", base64_text(e.data ? e.data->png : std::string()));
   }
+  void operator()(const AddLine& e) const {
+    kind("line");
+    add_points(out, e.points);
+    if (e.is_closed) out.add_bool("closed", true);
+    out.add_number("width_mm", e.width_mm);
+  }
   void operator()(const UseDevice& e) const {
     const Capabilities& can = e.capabilities;
     kind("device");

@@ -241,7 +241,7 @@ BodyEvent any_body_event() {
 
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 24)) {
+  switch (*rc::gen::inRange(0, 25)) {
     case 0:
       event.what = SelectTool{*event_texts()};
       break;
@@ -313,6 +313,10 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 22:
       event.what = *rc::gen::arbitrary<bool>() ? UseView{} : UseView{{{1}, {7}}};
+      break;
+    case 23:
+      event.what =
+          AddLine{{{*numbers(), 1.0}, {0.1, *numbers()}}, *rc::gen::arbitrary<bool>(), *numbers()};
       break;
     case 15:
       event.what = AddPicture{*event_texts(), testing::picture_data(), any_picture_place(),

@@ -53,9 +53,16 @@ std::vector<std::pair<std::string, std::string>> levels_of(
   return levels;
 }
 
-constexpr std::array<std::string_view, 5> kTaskMeanings = {
-    "draw along a visible line", "draw between two walls", "draw freely beside a model",
-    "draw from target to target", "find an engraved line by touch"};
+constexpr std::array<std::string_view, 9> kTaskMeanings = {
+    "draw along a visible line",
+    "draw between two walls",
+    "draw freely beside a model",
+    "draw from target to target",
+    "find an engraved line by touch",
+    "draw over a line of ink",
+    "draw along a closed line, so that the end meets the start",
+    "draw along a line, as broad as required",
+    "erase the part of a line between two lines that cross it"};
 constexpr std::array<std::string_view, 3> kForcesMeanings = {
     "none, and no surface", "only the plane of the surface", "those of the program"};
 constexpr std::array<std::string_view, 5> kGuidanceMeanings = {

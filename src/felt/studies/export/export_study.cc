@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "felt/store/felt_file.h"
 #include "felt/studies/export/analysis_scripts.h"
 #include "felt/studies/export/bids_files.h"
 #include "felt/studies/export/data_table.h"
@@ -63,7 +64,9 @@ Result<MeasuredTrial> export_trial(const StudyFolder& folder, const StudyResults
   trial.info = session.info;
   trial.plan = *planned;
   trial.result = result;
-  trial.metrics = measure_recorded_trial(results.files, *planned, samples);
+  const Result<Drawing> drawing = parse_felt(bytes);
+  if (!drawing) return tl::unexpected(with_context(drawing.error(), file));
+  trial.metrics = measure_recorded_trial(results.files, *planned, samples, drawing->document);
   trial.position =
       condition_positions(session.plan)[static_cast<std::size_t>(planned - session.plan.begin())];
   trial.recording =

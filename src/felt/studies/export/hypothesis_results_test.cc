@@ -21,7 +21,7 @@ StudyResults made_with(const PairedStudy& made, std::uint64_t seed = 3) {
   return paired_results(made, random);
 }
 
-TEST(HypothesisResults, R78_RatiosAreThoseOfThePeople) {
+TEST(HypothesisResults, R75_RatiosAreThoseOfThePeople) {
   StudyResults results = made_with({.people = 6});
   for (MeasuredTrial& trial : results.trials) {
     const double person = trial.info.participant;
@@ -73,7 +73,7 @@ TEST(HypothesisResults, OnlyShapesAndPeopleWithBothConditionsCount) {
 
 // The bars of the study: in 1,000 studies 5 +- 1.5 % false positives and 93 to 97 % coverage.
 // `./dev bench hypotheses` prints the whole table.
-TEST(HypothesisResults, R78_FalsePositivesAndCoverageOfAThousandStudies) {
+TEST(HypothesisResults, R75_FalsePositivesAndCoverageOfAThousandStudies) {
   for (const int people : {8, 12, 16}) {
     for (const double deviation : {0.13, 0.20}) {
       PairedStudy made{.people = people, .deviation = deviation};
@@ -93,7 +93,7 @@ TEST(HypothesisResults, R78_FalsePositivesAndCoverageOfAThousandStudies) {
   }
 }
 
-TEST(HypothesisResults, R78_AHeavyTailGivesNoMoreFalsePositives) {
+TEST(HypothesisResults, R75_AHeavyTailGivesNoMoreFalsePositives) {
   for (const int people : {8, 16}) {
     PairedStudy made{.people = people, .spread = RatioSpread::kHeavyTail};
     made.effects[1] = -std::log(1.15);
@@ -104,7 +104,7 @@ TEST(HypothesisResults, R78_AHeavyTailGivesNoMoreFalsePositives) {
   }
 }
 
-TEST(HypothesisResults, R78_PowerIsThatOfThePlan) {
+TEST(HypothesisResults, R75_PowerIsThatOfThePlan) {
   PairedStudy made{.people = 12};
   made.effects[2] = std::log(0.85);
   EXPECT_NEAR(testing::study_rates(made, 400, 9).rejected[0], 0.98, 0.02);

@@ -20,7 +20,7 @@ StudyFiles files_with(const std::string& top) {
   return files;
 }
 
-TEST(Preregistration, R78_HasHypothesesNumberExclusionsAndFingerprint) {
+TEST(Preregistration, R75_HasHypothesesNumberExclusionsAndFingerprint) {
   StudyFiles files = files_with(
       "order = \"balanced-latin-square\"\ncatch = { max_lifts = 3, min_length_share = 0.5 }\n");
   const std::string text = preregistration_text(files, 10, "feltline 1.2").value();
@@ -38,7 +38,7 @@ TEST(Preregistration, R78_HasHypothesesNumberExclusionsAndFingerprint) {
   EXPECT_EQ(text, preregistration_text(files, 10, "feltline 1.2").value());
 }
 
-TEST(Preregistration, R78_SaysWhatTheNumberOfPeopleCanShow) {
+TEST(Preregistration, R75_SaysWhatTheNumberOfPeopleCanShow) {
   // The exact power with 8 people and an SD of 0.13 is 0.86 for -15 %, and 0.80 for -13.6 %.
   const std::string text = preregistration_text(files_with(""), 8, "feltline").value();
   EXPECT_THAT(text, HasSubstr("13.9 % smaller with an SD of 0.13"));

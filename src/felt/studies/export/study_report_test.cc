@@ -142,7 +142,7 @@ TEST(StudyReport, WorksWithOneCondition) {
   EXPECT_THAT(html, Not(HasSubstr("Differences within")));
 }
 
-TEST(StudyReport, R78_TestsTheHypothesesOfTheStudy) {
+TEST(StudyReport, R75_TestsTheHypothesesOfTheStudy) {
   testing::MadeStudy made;
   made.text = made.text + std::string(R"(
 [[hypothesis]]
