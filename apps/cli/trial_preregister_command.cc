@@ -49,7 +49,7 @@ void add_trial_preregister_command(CLI::App& trial, Console& console) {
   command->add_option("-o,--output", args->out, "The file to write, Markdown")
       ->capture_default_str();
   command->add_option("--people", args->people, "Planned number of participants")
-      ->check(CLI::Range(2, kMaxParticipants))
+      ->check(CLI::Range(kMinParticipants, kMaxParticipants))
       ->default_str("people in the study");
   command->footer(
       "The text has the fingerprints of the study and of the program, so that a reader of the\n"

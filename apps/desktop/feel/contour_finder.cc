@@ -72,14 +72,14 @@ double ContourFinder::Place::mm_per_px() const noexcept {
 
 ContourFinder::ContourFinder(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
   pool_.setMaxThreadCount(1);
-  connect(&studio, &Studio::opened, this, &ContourFinder::take_layers);
+  connect(&studio, &Studio::opened, this, &ContourFinder::update_layers);
   connect(&studio, &Studio::edited, this, [this](const Edit& edit) {
-    if (!edit.layers.empty()) take_layers();
+    if (!edit.layers.empty()) update_layers();
   });
 }
 
 void ContourFinder::set_on(bool on) {
-  if (std::exchange(is_on_, on) != on) take_layers();
+  if (std::exchange(is_on_, on) != on) update_layers();
 }
 
 std::vector<std::vector<Point>> ContourFinder::contours() const {
@@ -90,14 +90,17 @@ std::vector<std::vector<Point>> ContourFinder::contours() const {
     for (const std::vector<Point>& contour : *place.contours) {
       points += contour.size();
       if (all.size() == UseEdges::kMaxContours || points > UseEdges::kMaxContourPoints) return all;
-      std::vector<Point>& on_page = all.emplace_back();
+      std::vector<Point> on_page;
       for (const Point p : contour) on_page.push_back(apply(place.place, p));
+      if (std::all_of(on_page.begin(), on_page.end(), is_in_range)) {
+        all.push_back(std::move(on_page));
+      }
     }
   }
   return all;
 }
 
-void ContourFinder::take_layers() {
+void ContourFinder::update_layers() {
   std::vector<Place> places;
   for (const Layer& layer : studio_.session().document().layers()) {
     if (!is_on_ || !layer.picture || !layer.visible || !layer.locked) continue;
@@ -109,6 +112,7 @@ void ContourFinder::take_layers() {
   if (std::equal(places.begin(), places.end(), places_.begin(), places_.end(), is_same)) return;
   for (Place& place : places) place.contours = known_contours(place);
   places_ = std::move(places);
+  pool_.clear();  // searches that have not begun
   for (const Place& place : places_) {
     if (!place.contours) search(place);
   }
@@ -131,13 +135,13 @@ void ContourFinder::search(const Place& place) {
     auto found =
         std::make_shared<const std::vector<std::vector<Point>>>(contours_of(*data, mm_per_px));
     QMetaObject::invokeMethod(
-        this, [this, data, mm_per_px, found] { take(data, mm_per_px, found); },
+        this, [this, data, mm_per_px, found] { set_contours(data, mm_per_px, found); },
         Qt::QueuedConnection);
   });
 }
 
-void ContourFinder::take(const std::shared_ptr<const PictureData>& data, double mm_per_px,
-                         const Contours& found) {
+void ContourFinder::set_contours(const std::shared_ptr<const PictureData>& data, double mm_per_px,
+                                 const Contours& found) {
   bool is_new = false;
   for (Place& place : places_) {
     if (place.data != data || place.contours || place.mm_per_px() != mm_per_px) continue;

@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-/// Finds the contours of the pictures that one draws over: those of layers that are visible and
-/// locked. The search runs on a thread of its own, once for each picture and size.
+/// Finds the contours of the pictures in visible, locked layers. The search runs on a thread of its
+/// own, once for each picture and size.
 class ContourFinder : public QObject {
   Q_OBJECT
 
@@ -20,14 +20,16 @@ class ContourFinder : public QObject {
   static bool is_built_in() noexcept;
 
   ContourFinder(Studio& studio, QObject* parent);
+  /// Waits for the search that is running.
+  ~ContourFinder() override { pool_.clear(); }
 
   /// Returns polylines on the page, mm, as many as UseEdges allows; none while it is off.
   [[nodiscard]] std::vector<std::vector<Point>> contours() const;
-  /// Searches from now on, or no more.
+  /// Switches the search on or off; at first it is off.
   void set_on(bool on);
 
  Q_SIGNALS:
-  /// contours() are others.
+  /// Emitted when contours() changes.
   void changed();
 
  private:
@@ -42,16 +44,16 @@ class ContourFinder : public QObject {
     [[nodiscard]] double mm_per_px() const noexcept;
   };
 
-  void take_layers();
+  void update_layers();
   [[nodiscard]] Contours known_contours(const Place& place) const;
   void search(const Place& place);
-  void take(const std::shared_ptr<const PictureData>& data, double mm_per_px,
-            const Contours& found);
+  void set_contours(const std::shared_ptr<const PictureData>& data, double mm_per_px,
+                    const Contours& found);
 
   Studio& studio_;
   bool is_on_ = false;
   std::vector<Place> places_;
-  QThreadPool pool_;  // destroyed first: waits for the search
+  QThreadPool pool_;  // destroyed first
 };
 
 }  // namespace felt::desktop

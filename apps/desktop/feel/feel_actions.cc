@@ -142,8 +142,8 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
                    });
 }
 
-/// Tells the session which edges are felt: that of the page, that of the box around the selection,
-/// and the contours of pictures.
+/// Sets the edges that are felt: that of the page, that of the box around the selection, and the
+/// contours of pictures.
 void use_edges(Studio& studio, ContourFinder& finder) {
   const Settings& settings = Settings::the();
   finder.set_on(studio.session().device().has_force() &&

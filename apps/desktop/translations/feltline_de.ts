@@ -7790,10 +7790,6 @@ Doppelklick zum Umbenennen, ziehen zum Verschieben, Ebenen hineinziehen</transla
         <translation>Wie lange die Gegenkraft anhält, wenn der Stift ruht; 0: solange der Stift aufliegt, wie im Artikel.</translation>
     </message>
     <message>
-        <source>How long the tethers resist when the pen rests; 0: as long as the pen is down, as in the paper.</source>
-        <translation>Wie lange die Leinen ziehen, wenn der Stift ruht; 0: solange der Stift aufliegt, wie im Artikel.</translation>
-    </message>
-    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>

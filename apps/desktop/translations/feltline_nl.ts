@@ -7790,10 +7790,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen, sleep lagen erin</translati
         <translation>Hoe lang de tegenkracht aanhoudt als de pen rust; 0: zolang de pen op het vlak is, zoals in het artikel.</translation>
     </message>
     <message>
-        <source>How long the tethers resist when the pen rests; 0: as long as the pen is down, as in the paper.</source>
-        <translation>Hoe lang de lijnen weerstand bieden als de pen rust; 0: zolang de pen op het vlak is, zoals in het artikel.</translation>
-    </message>
-    <message>
         <source>Tolerance</source>
         <translation>Tolerantie</translation>
     </message>

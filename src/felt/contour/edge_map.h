@@ -9,7 +9,7 @@ namespace felt::contour {
 struct EdgeMap {
   static constexpr std::uint8_t kNone = 0, kWeak = 1, kStrong = 2;
 
-  cv::Mat1b level;   ///< kNone, kWeak (only beside kStrong) or kStrong
+  cv::Mat1b level;   ///< kNone, kStrong, or kWeak: part of a line if a strong pixel is
   cv::Mat2f across;  ///< unit vector
   cv::Mat1f offset;  ///< px along `across`, -1..1
 };

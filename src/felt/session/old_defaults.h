@@ -30,9 +30,7 @@ inline std::vector<SetOption> old_defaults(int version) {
   if (version == 2 || version == 3) old.push_back({"lasso.take", "strokes"s});
   if (version <= 7) old.push_back({"pencil.retrace_n", 0.0});
   if (version <= 8) {
-    for (const char* id : {"eraser.guard_n", "pull.yield_s", "transform.yield_s"}) {
-      old.push_back({id, 0.0});
-    }
+    for (const char* id : {"eraser.guard_n", "pull.yield_s"}) old.push_back({id, 0.0});
   }
   return old;
 }

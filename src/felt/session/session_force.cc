@@ -61,9 +61,10 @@ void Session::follow_guides(const PenSample& sample) {
   const double retrace_n = options_.device.has_force() && !is_guided ? tool().retrace_n() : 0.0;
   const bool is_down = parts_->contact.is_down();
   parts_->retrace.update(sample, is_down, scene(), retrace_n);
-  if (!parts_->contours) return;
-  const double contour_n = parts_->retrace.force() ? 0.0 : kContourShare * retrace_n;
-  parts_->contour_hold.update(sample, is_down, parts_->contours->scene(scene()), contour_n);
+  const bool has_contours = parts_->contours != nullptr;
+  parts_->contour_hold.update(sample, is_down,
+                              has_contours ? parts_->contours->scene(scene()) : scene(),
+                              has_contours ? kContourShare * retrace_n : 0.0);
 }
 
 Result<void> Session::use_edges(const UseEdges& event) {

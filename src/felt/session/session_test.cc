@@ -307,7 +307,6 @@ TEST(Session, EachVersionOfTheDefaultsHasItsOwn) {
     EXPECT_EQ(session.option("pencil.retrace_n"), OptionValue(version < 8 ? 0.0 : 0.1));
     EXPECT_EQ(session.option("eraser.guard_n"), OptionValue(version < 9 ? 0.0 : 0.25));
     EXPECT_EQ(session.option("pull.yield_s"), OptionValue(version < 9 ? 0.0 : 0.01));
-    EXPECT_EQ(session.option("transform.yield_s"), OptionValue(version < 9 ? 0.0 : 0.01));
     const std::string take = version == 1 ? "points" : (version < 4 ? "strokes" : "parts");
     EXPECT_EQ(session.option("lasso.take"), OptionValue(take));
   }

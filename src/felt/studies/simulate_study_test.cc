@@ -171,9 +171,15 @@ task = "erase"
       EXPECT_EQ(metrics.width_cv.has_value(), task == StudyTask::kWidth);
       EXPECT_EQ(metrics.erased_left_mm.has_value(), task == StudyTask::kErase);
       EXPECT_EQ(metrics.err_mean_mm.has_value(), task != StudyTask::kErase);
-      if (task == StudyTask::kClose) EXPECT_EQ(metrics.is_closed, 1.0);
-      if (task == StudyTask::kWidth) EXPECT_NEAR(*metrics.width_mean_mm, 3.0, 0.3);
-      if (task == StudyTask::kErase) EXPECT_LT(*metrics.erased_left_mm, 5.0);
+      if (task == StudyTask::kClose) {
+        EXPECT_EQ(metrics.is_closed, 1.0);
+      }
+      if (task == StudyTask::kWidth) {
+        EXPECT_NEAR(*metrics.width_mean_mm, 3.0, 0.3);
+      }
+      if (task == StudyTask::kErase) {
+        EXPECT_LT(*metrics.erased_left_mm, 5.0);
+      }
       TrialMetrics& sum = sums[task][trial.condition];
       sum.err_mean_mm = sum.err_mean_mm.value_or(0.0) + metrics.err_mean_mm.value_or(0.0);
       sum.erased_extra_mm =

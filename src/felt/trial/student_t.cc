@@ -1,5 +1,6 @@
 #include "felt/trial/student_t.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,7 +25,9 @@ double share_within(double t, std::size_t freedom) noexcept {
 
 double student_t_share(double t, std::size_t freedom) noexcept {
   if (std::isinf(t)) return t > 0.0 ? 1.0 : 0.0;
-  return 0.5 + 0.5 * std::copysign(share_within(std::abs(t), freedom), t);
+  // The sum of the series may be above 1 by a rounding error.
+  const double within = std::min(share_within(std::abs(t), freedom), 1.0);
+  return 0.5 + 0.5 * std::copysign(within, t);
 }
 
 double student_t_quantile(double share, std::size_t freedom) noexcept {

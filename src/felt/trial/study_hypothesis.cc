@@ -1,15 +1,29 @@
 #include "felt/trial/study_hypothesis.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <tuple>
 
 #include "felt/base/check.h"
 #include "felt/base/printable.h"
+#include "felt/material/number_text.h"
 #include "felt/trial/study_order.h"
 #include "felt/trial/trial_columns.h"
 
 namespace felt {
 namespace {
+
+/// Metrics of which more is better, or which may be negative, so that a ratio says nothing.
+constexpr std::array<std::string_view, 11> kWithoutRatio{
+    "samples", "coverage",           "err_signed_mm",          "movement_offset_mm",
+    "sparc",   "steering_id",        "log_dimensionless_jerk", "is_closed",
+    "work_mj", "power_law_exponent", "power_law_r2",
+};
+
+bool has_no_ratio(std::string_view metric) noexcept {
+  return std::find(kWithoutRatio.begin(), kWithoutRatio.end(), metric) != kWithoutRatio.end();
+}
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
@@ -121,7 +135,11 @@ class HypothesisCheck {
     const bool exists = std::any_of(columns.begin(), columns.end(), [this](const TrialColumn& c) {
       return c.name == hypothesis_.measure;
     });
-    if (exists) return;
+    if (exists && !has_no_ratio(hypothesis_.measure)) return;
+    if (exists) {
+      return say_(line_of(key), key + " is " + printable(hypothesis_.measure) +
+                                    ", which may be negative, or of which more is better");
+    }
     say_(line_of(key), key + " is " + printable(hypothesis_.measure) +
                            ", it must be a metric of trials.csv: " + metric_names());
   }
@@ -199,8 +217,8 @@ std::string hypothesis_text(const Study& study, const StudyHypothesis& hypothesi
   const std::string& condition =
       study.conditions[condition_index(study, hypothesis.condition)].label;
   const std::string& against = study.conditions[condition_index(study, hypothesis.against)].label;
-  const std::string percent =
-      std::to_string(static_cast<int>(100.0 * hypothesis.margin + 0.5)) + " %";
+  // Rounded to 1e-6 %, because 100 * 0.07 is not exactly 7.
+  const std::string percent = number_text(std::round(1e8 * hypothesis.margin) / 1e6) + " %";
   switch (hypothesis.kind) {
     case HypothesisKind::kLess:
       break;

@@ -12,6 +12,8 @@ namespace felt {
 
 /// Participants have numbers from 1 to this one.
 inline constexpr int kMaxParticipants = 9999;
+/// The smallest number whose report has tests and intervals (kMinIntervalValues).
+inline constexpr int kMinParticipants = 5;
 
 /// One trial of a session: a participant draws one shape in one condition.
 struct PlannedTrial {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/haptics/bricks/yielding_spring.h"
 #include "felt/haptics/pen_sample.h"
 
 namespace felt {
@@ -14,9 +13,6 @@ constexpr double kCentreMm = 5.0;
 constexpr double kNoArmMm = 1e-9;
 constexpr double kMinScale = 0.05;
 constexpr double kMaxScale = 20.0;
-/// Factor of the lag at which a yielding tether has its full force: with it, the slope across the
-/// arm and F/r together stay within Kcap, because (1/1.35)^2 + (2/3)^2 < 1.
-constexpr double kRoomForTurning = 1.35;
 
 /// Returns the radius around the centre within which the forces of rotation and scale fade. At this
 /// radius F/r, the slope of a full force that turns with the arm, is 2/3 of Kcap. The radius is 5
@@ -83,12 +79,6 @@ Tether Tether::with_min_scale(double factor) const noexcept {
 Tether Tether::with_law(const ForceLaw& law) const noexcept {
   Tether tether = *this;
   tether.law_ = law;
-  return tether;
-}
-
-Tether Tether::yielding(double yield_s) const noexcept {
-  Tether tether = *this;
-  tether.yield_s_ = yield_s;
   return tether;
 }
 
@@ -170,44 +160,6 @@ Vec Tether::scale_pull(Point pen) const noexcept {
   return (s > 1.0 ? -size : size) / radius * arm;
 }
 
-/// Returns the force against the lag, without damping. The law must have been softened.
-Vec Tether::yielding_pull_of(Point pen, Vec lag, ForceMemory& memory) const noexcept {
-  ForceLaw law = law_;
-  law.cap_n_per_m /= kRoomForTurning;
-  const auto pull = [&law](double sum_mm, double fade, Vec against) {
-    return yielding_pull(law, fade * law.gain * law.level_n(sum_mm), against);
-  };
-  if (kind_ == Kind::kTranslation) {
-    Vec moved = pen - grab_;
-    if (!constrained_) return pull(sum_ * norm(moved), 1.0, lag);
-    const double x = std::abs(moved.x), y = std::abs(moved.y);
-    // Fades within 5 mm of the diagonal, where the axis changes.
-    const double fade = std::min(1.0, std::abs(x - y) / std::sqrt(2.0) / fade_radius_mm(law_));
-    (x >= y ? lag.y : lag.x) = 0.0;
-    return pull(sum_ * std::max(x, y), fade, lag);
-  }
-  const Vec arm = pen - centre_;
-  const double radius = norm(arm);
-  const bool turns = kind_ == Kind::kRotation;
-  const double turned = turns ? std::abs(follow_turn(arm, memory)) : 0.0;
-  if (radius < kNoArmMm) return {};
-  const double factor = std::max(min_scale_, scale_factor(grab_ - centre_, arm));
-  const Vec along = 1.0 / radius * (turns ? perp(arm) : arm);
-  return pull(sum_ * (turns ? turned : std::abs(std::log(factor))), centre_fade(law_, radius),
-              dot(lag, along) * along);
-}
-
-Force Tether::yielded(const PenSample& sample, Vec lag_mm, ForceMemory& memory) const noexcept {
-  if (kind_ == Kind::kNone) return {};
-  const double share = memory.scale.lateral;
-  const Vec pull = with_law(law_.softened(share * share))
-                       .yielding_pull_of(on_page(sample.position), lag_mm, memory) -
-                   1e-3 * share * kDampingNsPerM * known_velocity(sample);
-  const Force force{pull.x, pull.y, 0.0};
-  memory.terms.add("tether", force);
-  return force;
-}
-
 Vec Tether::printed_pull(Point pen, ForceMemory& memory) const noexcept {
   Vec along{};
   double sum_mm = 0.0;
@@ -243,7 +195,6 @@ Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noe
     memory.terms.add("tether", force);
     return force;
   }
-  if (yield_s_ > 0.0) return yielded(sample, yielding_lag(grab_, yield_s_, sample, memory), memory);
   // The share of the stiffness budget softens the spring but keeps the force level of the force
   // law. The share is squared because the spring of many lines has a long range, and a slow loop
   // can render such a spring only if it is softer than its share.

@@ -44,12 +44,6 @@ namespace felt {
 /// from its value for the previous step and grows by at most Kcap times the distance from there. So
 /// the force never jumps, and it is zero before anything has moved.
 ///
-/// A yielding tether (yielding()) resists a pen that moves and lets go of one that rests
-/// (docs/design/forces.md#yielding): its force is l(S) against the lag of YieldingSpring in the
-/// directions above (for a translation in every direction), and less below a lag of 1.35
-/// max_n/Kcap. The factor leaves room for F/r. If it is constrained, a translation yields along its
-/// axis only.
-///
 /// A printed tether (printed()) is the paper's text literally, F = l(|V|) against V, without Kcap,
 /// fading and damping (docs/design/errata.md#e14 to #e16). For a translation V is equation 10: the
 /// sum over the anchors of the vectors from the anchor to the pen. For a rotation, |V| is the sum
@@ -66,9 +60,6 @@ class Tether {
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
   [[nodiscard]] Slopes slopes() const noexcept;
-  /// Returns the force of a yielding tether if the pen lags by `lag_mm` (yielding_lag()).
-  [[nodiscard]] Force yielded(const PenSample& sample, Vec lag_mm,
-                              ForceMemory& memory) const noexcept;
 
   /// Returns this tether for a constrained transform. A scale does not change.
   [[nodiscard]] Tether constrained() const noexcept;
@@ -77,8 +68,6 @@ class Tether {
   /// Returns this tether with this force law instead of kTransformLaw, for example with a lower
   /// ForceLaw::gain for devices that cannot hold 1 N for long.
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;
-  /// Returns this tether with a force that yields with the time constant `yield_s`; 0: it does not.
-  [[nodiscard]] Tether yielding(double yield_s) const noexcept;
   /// Returns this tether in the form kPaper. `middle` is the mean of the anchors.
   [[nodiscard]] Tether printed(Point middle) const noexcept;
 
@@ -88,7 +77,6 @@ class Tether {
   [[nodiscard]] Vec translation_pull(Point pen) const noexcept;
   [[nodiscard]] Vec rotation_pull(Point pen, ForceMemory& memory) const noexcept;
   [[nodiscard]] Vec scale_pull(Point pen) const noexcept;
-  [[nodiscard]] Vec yielding_pull_of(Point pen, Vec lag, ForceMemory& memory) const noexcept;
   [[nodiscard]] Vec printed_pull(Point pen, ForceMemory& memory) const noexcept;
   double follow_turn(Vec arm, ForceMemory& memory) const noexcept;
   [[nodiscard]] double size_n(double sum_mm, double way_mm) const noexcept;
@@ -102,7 +90,6 @@ class Tether {
   Point middle_{};  // of the anchors; used in the form kPaper only
   double sum_ = 0.0;
   double min_scale_ = 0.0;
-  double yield_s_ = 0.0;
   std::uint32_t gesture_ = 0;
   bool constrained_ = false;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "felt/material/number_text.h"
@@ -111,7 +112,11 @@ class Preregistration {
       case StudyOrder::kBalancedLatinSquare:
         break;
     }
-    const std::size_t rows = williams_rows(study_.conditions.size());
+    // The number of rows with which every session is balanced.
+    std::size_t rows = 1;
+    for (const SessionKind session : study_.sessions) {
+      rows = std::lcm(rows, williams_rows(conditions_in(study_, session).size()));
+    }
     std::string text = "A Williams design (DOI 10.1071/CH9490149) of " + std::to_string(rows) +
                        " rows: participant p uses row p in the first block.";
     if (static_cast<std::size_t>(people_) % rows != 0) {
@@ -234,10 +239,10 @@ class Preregistration {
 
 Result<std::string> preregistration_text(const StudyFiles& files, int people,
                                          const std::string& program) {
-  if (people < 2 || people > kMaxParticipants) {
-    return fail(ErrorCode::kInvalidArgument, "people is " + std::to_string(people) +
-                                                 ", it must be 2 to " +
-                                                 std::to_string(kMaxParticipants));
+  if (people < kMinParticipants || people > kMaxParticipants) {
+    return fail(ErrorCode::kInvalidArgument,
+                "people is " + std::to_string(people) + ", it must be " +
+                    std::to_string(kMinParticipants) + " to " + std::to_string(kMaxParticipants));
   }
   if (files.study.hypotheses.empty()) {
     return fail(ErrorCode::kInvalidArgument,

@@ -8,7 +8,6 @@
 
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/tether.h"
-#include "felt/haptics/bricks/yielding_spring.h"
 #include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"
@@ -21,13 +20,13 @@ namespace felt {
 /// the factor; for y, the sum is defined in the same way. If both axes act, each has 1/sqrt 2 of
 /// the force, so that together they stay within 1 N and the stiffness limit Kcap (tether.h). If the
 /// pen has crossed the centre along an axis, that axis exerts no force, because its factor is
-/// constant there. With `yield_s` above 0, the tethers yield (Tether::yielding()).
+/// constant there.
 class StretchTether {
  public:
   StretchTether() noexcept = default;
   StretchTether(TransformKind kind, Point centre, Point grab, std::span<const Point> anchors,
-                ForceLaw law, double min_scale, double yield_s) noexcept
-      : centre_(centre), grab_(grab), yield_s_(yield_s) {
+                ForceLaw law, double min_scale) noexcept
+      : centre_(centre), grab_(grab) {
     double sum_x = 0.0, sum_y = 0.0;
     for (const Point p : anchors) {
       sum_x += std::fabs(p.x - centre.x);
@@ -49,11 +48,6 @@ class StretchTether {
     on_y.position.x = centre_.x;
     on_y.position.y = centre_.y + forward(grab_.y - centre_.y, sample.position.y - centre_.y);
     on_y.velocity.x = 0.0;
-    if (yield_s_ > 0.0) {
-      const Vec lag = yielding_lag(grab_, yield_s_, sample, memory);
-      const Force x = x_.yielded(on_x, lag, memory);
-      return x + y_.yielded(on_y, lag, memory);
-    }
     const Force x = x_(on_x, memory);
     return x + y_(on_y, memory);
   }
@@ -72,7 +66,6 @@ class StretchTether {
 
   Tether x_, y_;
   Point centre_{}, grab_{};
-  double yield_s_ = 0.0;
 };
 
 /// Factor on the pencil's friction and grain. It is small because the tool leaves no ink.
@@ -87,7 +80,6 @@ struct TransformHold {
   std::uint32_t gesture = 0;
   bool constrained = false;  ///< moves along one axis, or turns in steps (Tether::constrained)
   double min_scale = TransformDrag::kMinScale;
-  double yield_s = 0.0;  ///< time constant of Tether::yielding(); 0: the tethers do not yield
 };
 
 /// Returns the force model of the transform tool: the surface with little friction and, while the
@@ -117,12 +109,11 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
   id.with(std::uint64_t{hold->constrained ? 1U : 0U});
   id.with(hold->centre.x).with(hold->centre.y);
-  id.with_law(scene.law).with(scene.law == LawForm::kPaper ? 0.0 : hold->yield_s);
+  id.with_law(scene.law);
   const Point middle =
       hold->grab + (1.0 / static_cast<double>(hold->anchors.size())) * anchors_from_grab;
   const auto with_tether = [&](const Tether& tether) {
-    const Tether held =
-        tether.with_law(law).with_min_scale(hold->min_scale).yielding(hold->yield_s);
+    const Tether held = tether.with_law(law).with_min_scale(hold->min_scale);
     if (scene.law == LawForm::kPaper) return ForceModel(Compose(surface, held.printed(middle)));
     return ForceModel(Compose(surface, hold->constrained ? held.constrained() : held));
   };
@@ -142,10 +133,8 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
     case TransformKind::kStretch:
     case TransformKind::kStretchX:
     case TransformKind::kStretchY:
-      model = ForceModel(Compose(
-          surface,
-          StretchTether(hold->kind, hold->centre, hold->grab, hold->anchors, law, hold->min_scale,
-                        scene.law == LawForm::kPaper ? 0.0 : hold->yield_s)));
+      model = ForceModel(Compose(surface, StretchTether(hold->kind, hold->centre, hold->grab,
+                                                        hold->anchors, law, hold->min_scale)));
       break;
   }
   model.set_fade_id(id.value());

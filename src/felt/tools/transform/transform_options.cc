@@ -10,7 +10,6 @@ TransformSettings transform_settings(const OptionValues& values) {
           .about_centre = values.is_on(Row::kAboutCentre),
           .scale_widths = values.is_on(Row::kScaleWidths),
           .grab_radius_mm = values.number(Row::kGrabRadius),
-          .yield_s = values.number(Row::kYield),
           .strength = values.number(Row::kStrength)};
 }
 

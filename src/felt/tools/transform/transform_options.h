@@ -24,7 +24,6 @@ struct TransformOption {
     kAboutCentre,
     kScaleWidths,
     kGrabRadius,
-    kYield,
     kStrength,
     kCount
   };
@@ -76,15 +75,6 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
      .fallback = 4.0,
      .help = "If nothing is selected, a touch selects the nearest line within this distance.",
      .is_seldom = true},
-    {.id = "yield_s",
-     .label = "Time to yield",
-     .unit = "s",
-     .min = 0.0,
-     .max = 0.05,
-     .fallback = 0.01,
-     .help = "How long the tethers resist when the pen rests; 0: as long as the pen is down, as in "
-             "the paper.",
-     .is_seldom = true},
     strength_option("Force level of the tethers, friction and grain."),
 }};
 
@@ -96,7 +86,6 @@ struct TransformSettings {
   bool about_centre = false;
   bool scale_widths = false;
   double grab_radius_mm = 4.0;
-  double yield_s = 0.0;  ///< time constant with which the tethers yield; 0: they do not
   double strength = 1.0;
 };
 

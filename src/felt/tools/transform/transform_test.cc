@@ -496,7 +496,6 @@ TEST(Transform, R34_SaysHowManyLinesHoldAndShowsWhere) {
 TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
   const auto force_of = [](int lines, bool whole) {
     Transform t;
-    t.set("yield_s", 0.0);
     for (int i = 0; i < lines; ++i) {
       const StrokeId id = t.add(straight_stroke({0, 10.0 * i}, {60, 10.0 * i}, 1, 1));
       if (!whole) t.select(id, {1, 1, 0, 0});
@@ -524,7 +523,6 @@ TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
 TEST(Transform, R35_AConstrainedMoveIsNotHeldAlongTheOtherAxis) {
   for (const bool constrained : {false, true}) {
     Transform t;
-    t.set("yield_s", 0.0);
     t.select(t.add(straight_stroke({0, 0}, {60, 0}, 1, 1)), {1, 1, 0, 0});
     t.pen.up({5, 0});
     for (const Point p : way({5, 0}, {-5, -9})) t.down(p, constrained ? kFirstModifier : 0);

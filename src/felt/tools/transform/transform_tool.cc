@@ -305,9 +305,9 @@ void TransformTool::take_options(const OptionValues& options) {
 }
 
 ForceModel TransformTool::force(const Scene& scene) const {
-  const TransformHold hold{drag_.kind(),       drag_.centre(),   drag_.grab(),
-                           strokes_.anchors(), gesture_,         drag_.is_constrained(),
-                           drag_.min_scale(),  settings_.yield_s};
+  const TransformHold hold{drag_.kind(),       drag_.centre(), drag_.grab(),
+                           strokes_.anchors(), gesture_,       drag_.is_constrained(),
+                           drag_.min_scale()};
   const bool holds = in_gesture() && doing_ == Doing::kTransform;
   return make_transform_force(scene, settings_.strength, holds ? &hold : nullptr);
 }
