@@ -323,12 +323,12 @@ TEST(SessionForce, R71_OnlyAPencilOnADeviceWithForcesIsHeld) {
   EXPECT_FALSE(tablet.session->retraced());
 }
 
-/// Draws slowly along y = 60 from x = 20 to 40, 0.3 mm beside the line, and returns the force of a
-/// guide at the end.
-Force drawn_beside(EdgeFixture& f, double beside_mm = 0.3) {
+/// Draws slowly along y = 60 from x = 20, 0.3 mm beside the line, and returns the force of a guide
+/// at the end.
+Force drawn_beside(EdgeFixture& f, double beside_mm = 0.3, double to_x = 40.0) {
   ForceMemory memory;
   Force guide;
-  for (int i = 0; i <= 400; ++i) {
+  for (int i = 0; i <= 20.0 * (to_x - 20.0); ++i) {
     PenSample sample;
     sample.time_ns = f.now_ns += 1'000'000;
     sample.position = {20.0 + 0.05 * i, 60.0 + beside_mm, -0.3};
@@ -382,6 +382,18 @@ TEST(SessionForce, R74_InkIsFeltBeforeTheContourBelowIt) {
   EXPECT_GT(drawn_beside(f, 0.3).y, 0.05) << "to the contour below";
   // The ink of that line is at 60.3, above the contour.
   EXPECT_LT(drawn_beside(f, 0.45).y, 0.0) << "to the ink";
+}
+
+TEST(SessionForce, R74_AContourHoldsAgainAfterInkHasHeldInTheSameTouch) {
+  EdgeFixture f;
+  const StrokePtr ink =
+      std::make_shared<const Stroke>(felt::testing::straight_stroke({20, 60.2}, {40, 60.2}, 1, 1));
+  f.session = std::make_unique<Session>(
+      make_tools(),
+      SessionOptions{.device = f.session->device(), .document = document_of({&ink, 1})});
+  f.must(SelectTool{"pencil"});
+  f.must(UseEdges{.contours = {{{10, 60}, {90, 60}}}});
+  EXPECT_LT(drawn_beside(f, 0.3, 80.0).y, -0.05) << "the ink ends at 40";
 }
 
 TEST(SessionForce, R74_ContoursThatCannotBeAreRefusedAndChangeNothing) {

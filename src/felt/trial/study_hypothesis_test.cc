@@ -56,6 +56,21 @@ TEST(StudyHypothesis, R75_IsReadWithItsDefaults) {
             "movement_s in \"Late\" is less than 15 % larger than in \"Air\"");
 }
 
+TEST(StudyHypothesis, R75_TheTextHasTheMarginThatIsTested) {
+  for (const auto& [margin, percent] : {std::pair{"0.125", "12.5"},
+                                        {"0.015", "1.5"},
+                                        {"0.07", "7"},
+                                        {"0.29", "29"},
+                                        {"1", "100"}}) {
+    const Result<Study> study = read_study(
+        text_with(std::string(kLess) + "kind = \"not-worse\"\nmargin = " + margin), "s.toml");
+    ASSERT_TRUE(study) << study.error().message;
+    EXPECT_EQ(hypothesis_text(*study, study->hypotheses[0]),
+              "err_mean_mm in \"All forces\" is less than " + std::string(percent) +
+                  " % larger than in \"Air\"");
+  }
+}
+
 TEST(StudyHypothesis, R75_ProblemsNameLineAndReason) {
   EXPECT_EQ(error_of("condition = \"air\"\nmeasure = \"err_mean_mm\""),
             "s.toml:14: hypothesis.against is missing; it must be the name of a condition");
@@ -71,6 +86,11 @@ TEST(StudyHypothesis, R75_ProblemsNameLineAndReason) {
   EXPECT_THAT(error_of("condition = \"late\"\nagainst = \"air\"\nmeasure = \"error\""),
               HasSubstr("s.toml:16: hypothesis.measure is error, it must be a metric of "
                         "trials.csv: samples, "));
+  for (const std::string measure : {"sparc", "is_closed", "err_signed_mm", "coverage"}) {
+    EXPECT_EQ(error_of("condition = \"late\"\nagainst = \"air\"\nmeasure = \"" + measure + "\""),
+              "s.toml:16: hypothesis.measure is " + measure +
+                  ", which may be negative, or of which more is better");
+  }
   EXPECT_EQ(error_of(std::string(kLess) + "kind = \"same\""),
             "s.toml:17: hypothesis.margin is missing; the kind same requires it, 0.01 to 1");
   EXPECT_EQ(error_of(std::string(kLess) + "margin = 0.1"),
