@@ -136,7 +136,7 @@ void print_power(const HypothesisOptions& options) {
     }
   }
   fmt::print(
-      "\nPower of not worse by 15 % if there is no difference (exact: 0.90 with n = 9 for SD 0.13, "
+      "\nPower of not worse by 15 % without a true difference (exact: 0.90 with n = 9 for SD 0.13, "
       "0.90 with n = 19 for 0.20)\n");
   for (const PeopleModel& model : kModels) {
     fmt::print("{:>18} |", model.name);

@@ -24,7 +24,7 @@ cv::Vec2f along(const EdgeMap& map, cv::Point at) {
   return {-across[1], across[0]};
 }
 
-Point place(const EdgeMap& map, cv::Point at) {
+Point position(const EdgeMap& map, cv::Point at) {
   const cv::Vec2f off = map.offset(at) * map.across(at);
   return {static_cast<double>(static_cast<float>(at.x) + off[0]),
           static_cast<double>(static_cast<float>(at.y) + off[1])};
@@ -62,7 +62,7 @@ class Linker {
     std::vector<Point> back = walk(seed, -along(map_, seed));
     std::vector<Point> line(std::make_move_iterator(back.rbegin()),
                             std::make_move_iterator(back.rend()));
-    line.push_back(place(map_, seed));
+    line.push_back(position(map_, seed));
     const std::vector<Point> ahead = walk(seed, along(map_, seed));
     line.insert(line.end(), ahead.begin(), ahead.end());
     if (closes(line)) line.push_back(line.front());
@@ -79,7 +79,7 @@ class Linker {
       direction = onward.dot(direction) < 0.0F ? -onward : onward;
       at = next;
       use(at);
-      points.push_back(place(map_, at));
+      points.push_back(position(map_, at));
     }
   }
 
@@ -103,7 +103,7 @@ class Linker {
   }
 
   [[nodiscard]] float worth_of(cv::Point at, cv::Point next, cv::Vec2f direction) const {
-    const Point from = place(map_, at), to = place(map_, next);
+    const Point from = position(map_, at), to = position(map_, next);
     const cv::Vec2f step(static_cast<float>(to.x - from.x), static_cast<float>(to.y - from.y));
     const float length = std::sqrt(step.dot(step));
     if (!(length > 0.0F)) return 0.0F;
@@ -112,7 +112,7 @@ class Linker {
     return straight < kMinStraight || parallel < kMinStraight ? 0.0F : straight + parallel;
   }
 
-  /// Takes a pixel and its neighbours on both sides, which are the same line.
+  /// Marks a pixel as used, and its neighbours on both sides, which are the same line.
   void use(cv::Point at) {
     const cv::Vec2f across = map_.across(at);
     free_(at) = EdgeMap::kNone;

@@ -26,7 +26,8 @@ struct ErasedPage {
 };
 
 // Each of these sets the metrics of one task (trial_metric_columns() has their formulas) from the
-// ink on the page after the trial. They stay nullopt if there is no ink to measure.
+// ink on the page after the trial. Without ink, those of closing and width stay nullopt, and those
+// of erasing have values: all of it was erased.
 
 /// Sets is_closed.
 void measure_closing(std::span<const InkLine> ink, TrialMetrics& metrics);
